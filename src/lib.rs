@@ -1,0 +1,7 @@
+//! gaitcam: from a vertical walking force to the cam that reproduces it.
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod error;
+pub mod gait;
+pub mod units;
