@@ -2,6 +2,11 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod cam;
+pub mod drive;
 pub mod error;
 pub mod gait;
+pub mod law;
+pub mod poly;
+pub mod synth;
 pub mod units;

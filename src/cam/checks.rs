@@ -1,0 +1,78 @@
+//! What is asked of a cam, and the verdict.
+
+use crate::poly::Extreme;
+
+/// Where the finished profile is sharpest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curvature {
+    /// Smallest radius of the convex side, m, signed: negative means undercut. Infinite when no part is
+    /// convex.
+    pub convex: Extreme,
+    /// Tightest concave radius, m (negative), where a flank is concave.
+    pub concave: Option<Extreme>,
+    /// The follower would cut away profile that it needs later.
+    pub undercut: bool,
+}
+
+/// One limit held against what the cam does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// Name of the limit, as users know it: `stroke`, `curvature`, `pressure_angle_rise` …
+    pub name: String,
+    /// Worst value anywhere on the continuous law, SI.
+    pub worst: f64,
+    /// What is allowed, SI.
+    pub limit: f64,
+    /// Cam angle of the worst value, rad.
+    pub at: f64,
+    /// Whether the limit holds.
+    pub pass: bool,
+}
+
+impl Check {
+    /// A value that must not exceed its limit by more than `slack` of it.
+    pub fn at_most(name: &str, worst: Extreme, limit: f64, slack: f64) -> Self {
+        let pass = worst.value <= limit + slack * limit.abs();
+        Check {
+            name: name.to_string(),
+            worst: worst.value,
+            limit,
+            at: worst.at,
+            pass,
+        }
+    }
+
+    /// A value that must not fall below its limit by more than `slack` of it.
+    pub fn at_least(name: &str, worst: Extreme, limit: f64, slack: f64) -> Self {
+        let pass = worst.value >= limit - slack * limit.abs();
+        Check {
+            name: name.to_string(),
+            worst: worst.value,
+            limit,
+            at: worst.at,
+            pass,
+        }
+    }
+}
+
+/// The three classes of CAM-DAS (004).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Every check passes and the acceleration is continuous.
+    Acceptable,
+    /// Every check passes, but the acceleration jumps somewhere: slow machines only.
+    NotForHighSpeed,
+    /// A check fails, or lift or velocity jumps.
+    Unacceptable,
+}
+
+impl Verdict {
+    /// The word of `summary.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Acceptable => "acceptable",
+            Verdict::NotForHighSpeed => "not-for-high-speed",
+            Verdict::Unacceptable => "unacceptable",
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (FACTS §1), ω constant.
+
+use crate::law::{Law, Svaj};
+use crate::poly::PiecewisePoly;
+
+/// Which machine stands between the cam and the force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DriveKind {
+    /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (thesis 000, eq. 22).
+    MovingAxis,
+    /// The cam turns in a fixed bearing and lifts the follower: spring, preload, damping and mass.
+    FixedAxis,
+    /// The cam displaces a hydraulic piston: F = (P/V)·A²·s (paper 001, eq. 3).
+    Hydraulic,
+}
+
+impl DriveKind {
+    /// The name users write in a scene.
+    pub fn name(self) -> &'static str {
+        match self {
+            DriveKind::MovingAxis => "moving-axis",
+            DriveKind::FixedAxis => "fixed-axis",
+            DriveKind::Hydraulic => "hydraulic",
+        }
+    }
+}
+
+/// The one linear relation between the law and the force, with the cam's speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// The machine.
+    pub kind: DriveKind,
+    /// Force at rest on the base circle, N: M·g for the moving axis, the preload otherwise.
+    pub rest_force: f64,
+    /// Force per lift, N/m.
+    pub spring_rate: f64,
+    /// Force per lifting speed, N·s/m.
+    pub damping: f64,
+    /// Moved mass, kg.
+    pub mass: f64,
+    /// Cam speed ω, rad/s; positive.
+    pub speed: f64,
+}
+
+impl Drive {
+    /// Moving axis of mass `mass` (kg) under gravity `g` (m/s²), at `speed` rad/s.
+    pub fn moving_axis(mass: f64, g: f64, speed: f64) -> Self {
+        Drive {
+            kind: DriveKind::MovingAxis,
+            rest_force: mass * g,
+            spring_rate: 0.0,
+            damping: 0.0,
+            mass,
+            speed,
+        }
+    }
+
+    /// Hydraulic drive with `pressure_per_volume` (Pa/m³) and piston radius (m), at `speed` rad/s.
+    pub fn hydraulic(pressure_per_volume: f64, piston_radius: f64, speed: f64) -> Self {
+        let area = std::f64::consts::PI * piston_radius * piston_radius;
+        Drive {
+            kind: DriveKind::Hydraulic,
+            rest_force: 0.0,
+            spring_rate: pressure_per_volume * area * area,
+            damping: 0.0,
+            mass: 0.0,
+            speed,
+        }
+    }
+
+    /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`, N per m, m/rad, m/rad².
+    pub fn weights(&self) -> [f64; 4] {
+        [
+            self.spring_rate,
+            self.damping * self.speed,
+            self.mass * self.speed * self.speed,
+            0.0,
+        ]
+    }
+
+    /// Force at one point of a law, N.
+    pub fn force(&self, at: Svaj) -> f64 {
+        let w = self.weights();
+        self.rest_force + w[0] * at.s + w[1] * at.v + w[2] * at.a
+    }
+
+    /// Force over the whole law, N, as a piecewise polynomial with exact extremes.
+    pub fn force_curve(&self, law: &Law) -> PiecewisePoly {
+        law.combination(self.weights(), self.rest_force)
+    }
+
+    /// Complex gain of harmonic n: force amplitude per lift amplitude, (real, imaginary) =
+    /// (k − m n²ω², c n ω) (FACTS §1).
+    pub fn gain(&self, harmonic: usize) -> (f64, f64) {
+        let nw = harmonic as f64 * self.speed;
+        (self.spring_rate - self.mass * nw * nw, self.damping * nw)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{G, LBF};
+
+    #[test]
+    fn thesis_eccentric_presses_between_8_4588_and_11_1612_newtons() {
+        // FACTS §3: e = 0.01 m, M = 1 kg, 111 rpm ≈ 11.624 rad/s.
+        let drive = Drive::moving_axis(1.0, G, 11.624);
+        let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+        let (low, high) = drive.force_curve(&law).extremes();
+        assert!((low.value - 8.4588).abs() < 5e-5 && (high.value - 11.1612).abs() < 5e-5);
+    }
+
+    #[test]
+    fn paper_piston_gives_93_6841_pounds_per_inch() {
+        let psi = LBF / 0.0254_f64.powi(2);
+        let drive = Drive::hydraulic(30.0 * psi / 0.0254_f64.powi(3), 0.75 * 0.0254, 12.566);
+        assert!((drive.spring_rate * 0.0254 / LBF - 93.6841).abs() < 5e-5);
+    }
+}

@@ -1,0 +1,308 @@
+//! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
+
+mod joint;
+mod wave;
+
+pub use joint::Joint;
+pub use wave::Wave;
+
+use crate::poly::{Extreme, PiecewisePoly, bernstein};
+
+/// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
+/// follower: rad in place of m).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Svaj {
+    /// Lift.
+    pub s: f64,
+    /// Velocity ds/dθ.
+    pub v: f64,
+    /// Acceleration d²s/dθ².
+    pub a: f64,
+    /// Jerk d³s/dθ³.
+    pub j: f64,
+}
+
+/// A law of motion: on each piece a polynomial plus a few sinusoids.
+///
+/// That one form holds every law of the field: splines and polynomials have no sinusoids, harmonic laws
+/// one piece, modified sine and trapezoid a line or parabola with one sinusoid per piece. A *closed* law
+/// repeats after its extent (one turn, usually); an open one (translating cam) ends where it ends.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Law {
+    poly: PiecewisePoly,
+    /// Sinusoids of each piece; empty when no piece has any.
+    waves: Vec<Vec<Wave>>,
+    closed: bool,
+    /// Bernstein coefficients of s, v, a, j times their binomials: the form that evaluates fastest.
+    scaled: [Vec<f64>; 4],
+}
+
+impl Law {
+    /// A purely polynomial law.
+    pub fn from_poly(poly: PiecewisePoly, closed: bool) -> Self {
+        Law::with_waves(poly, Vec::new(), closed)
+    }
+
+    /// Polynomial pieces plus the sinusoids of each (`waves` empty, or one list per piece).
+    ///
+    /// # Panics
+    /// When `waves` has a length other than 0 or the number of pieces: a fault of the caller.
+    pub fn with_waves(poly: PiecewisePoly, waves: Vec<Vec<Wave>>, closed: bool) -> Self {
+        assert!(waves.is_empty() || waves.len() == poly.pieces());
+        let v = poly.derivative();
+        let a = v.derivative();
+        let j = a.derivative();
+        let scaled = [&poly, &v, &a, &j].map(scale_by_binomials);
+        Law {
+            poly,
+            waves,
+            closed,
+            scaled,
+        }
+    }
+
+    /// Σ cₙ cos nθ + sₙ sin nθ, n = 1…, plus a mean, over one turn of 2π.
+    pub fn harmonic(mean: f64, terms: &[(f64, f64)]) -> Self {
+        let poly = PiecewisePoly::new(vec![0.0, std::f64::consts::TAU], 0, vec![mean]);
+        let waves = terms
+            .iter()
+            .enumerate()
+            .map(|(i, &(cos, sin))| Wave {
+                rate: (i + 1) as f64,
+                cos,
+                sin,
+            })
+            .collect();
+        Law::with_waves(poly, vec![waves], true)
+    }
+
+    /// Breaks of the pieces, from the start to the end of the law, rad.
+    pub fn breaks(&self) -> &[f64] {
+        self.poly.breaks()
+    }
+
+    /// The polynomial part.
+    pub fn poly(&self) -> &PiecewisePoly {
+        &self.poly
+    }
+
+    /// The sinusoids of piece `i`, about the piece's start.
+    pub fn waves(&self, i: usize) -> &[Wave] {
+        self.waves.get(i).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether the law repeats after its extent.
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// First angle and length, rad.
+    pub fn extent(&self) -> (f64, f64) {
+        let b = self.breaks();
+        (b[0], b[b.len() - 1] - b[0])
+    }
+
+    /// Brings an angle into the law's extent (closed laws only; open ones keep it).
+    pub fn wrap(&self, theta: f64) -> f64 {
+        let (start, length) = self.extent();
+        if !self.closed || (theta >= start && theta < start + length) {
+            return theta;
+        }
+        let t = (theta - start).rem_euclid(length);
+        // rem_euclid may round up to the length itself.
+        if t < length { start + t } else { start }
+    }
+
+    /// Exact lift and derivatives at `theta`, rad. At a break the piece to the right answers.
+    pub fn svaj(&self, theta: f64) -> Svaj {
+        let theta = self.wrap(theta);
+        let (i, u) = self.poly.locate(theta);
+        self.svaj_on(i, u)
+    }
+
+    /// Lift and derivatives on piece `i` at u ∈ [0, 1]: the way to ask for one side of a break.
+    pub fn svaj_on(&self, i: usize, u: f64) -> Svaj {
+        let n = self.poly.degree();
+        let value = |order: usize| {
+            let m = n.saturating_sub(order);
+            horner_bernstein(&self.scaled[order][i * (m + 1)..(i + 1) * (m + 1)], u)
+        };
+        let mut out = Svaj {
+            s: value(0),
+            v: value(1),
+            a: value(2),
+            j: value(3),
+        };
+        let waves = self.waves(i);
+        if !waves.is_empty() {
+            let b = self.poly.breaks();
+            let x = u * (b[i + 1] - b[i]);
+            for wave in waves {
+                wave.add_to(x, &mut out);
+            }
+        }
+        out
+    }
+
+    /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial: exact for polynomial laws; sinusoids
+    /// enter by Taylor polynomials on subdivided pieces, with remainders below rounding.
+    ///
+    /// Force, flat-face curvature and every limit that is linear in the law take this form, so their
+    /// extremes come from roots.
+    pub fn combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
+        let (poly, waves) = wave::subdivide(&self.poly, &self.waves);
+        let mut order = poly;
+        let mut sum = PiecewisePoly::combine(&[(weights[0], &order)], constant);
+        for &w in &weights[1..] {
+            order = order.derivative();
+            if w != 0.0 {
+                sum = PiecewisePoly::combine(&[(1.0, &sum), (w, &order)], 0.0);
+            }
+        }
+        wave::add_taylor(sum, &waves, weights)
+    }
+
+    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), true ones of
+    /// the continuous law, one-sided values at breaks included.
+    pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
+        let mut weights = [0.0; 4];
+        weights[order] = 1.0;
+        self.combination(weights, 0.0).extremes()
+    }
+
+    /// Stroke: largest lift less smallest.
+    pub fn stroke(&self) -> f64 {
+        let (low, high) = self.extremes(0);
+        high.value - low.value
+    }
+
+    /// The law raised by `ds` everywhere.
+    #[must_use]
+    pub fn raised(&self, ds: f64) -> Self {
+        let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);
+        Law::with_waves(poly, self.waves.clone(), self.closed)
+    }
+
+    /// The law with its lift multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let poly = PiecewisePoly::combine(&[(factor, &self.poly)], 0.0);
+        let scale = |w: &Wave| Wave {
+            rate: w.rate,
+            cos: factor * w.cos,
+            sin: factor * w.sin,
+        };
+        let waves = self
+            .waves
+            .iter()
+            .map(|p| p.iter().map(scale).collect())
+            .collect();
+        Law::with_waves(poly, waves, self.closed)
+    }
+
+    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
+    pub fn joints(&self) -> Vec<Joint> {
+        joint::joints(self)
+    }
+}
+
+fn scale_by_binomials(p: &PiecewisePoly) -> Vec<f64> {
+    let n = p.degree();
+    let row: Vec<f64> = (0..=n).map(|k| bernstein::binomial(n, k)).collect();
+    (0..p.pieces())
+        .flat_map(|i| p.piece(i).iter().zip(&row).map(|(b, c)| b * c))
+        .collect()
+}
+
+/// Value of Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ (binomials already in cₖ).
+fn horner_bernstein(c: &[f64], u: f64) -> f64 {
+    let v = 1.0 - u;
+    let mut power = 1.0;
+    let mut sum = c[0];
+    for &ck in &c[1..] {
+        power *= u;
+        sum = sum * v + power * ck;
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::{PI, TAU};
+
+    fn polynomial_and_wave() -> Law {
+        // s = 1 + 2x − x² + 0.3 sin 3x on [0, 2), then 0.5 cos(x−2) + (x−2)³ on [2, TAU).
+        let w = TAU - 2.0;
+        let first = bernstein::from_power(&[1.0, 4.0, -4.0, 0.0]);
+        let second = bernstein::from_power(&[0.0, 0.0, 0.0, w * w * w]);
+        let poly = PiecewisePoly::new(vec![0.0, 2.0, TAU], 3, [first, second].concat());
+        let waves = vec![
+            vec![Wave {
+                rate: 3.0,
+                cos: 0.0,
+                sin: 0.3,
+            }],
+            vec![Wave {
+                rate: 1.0,
+                cos: 0.5,
+                sin: 0.0,
+            }],
+        ];
+        Law::with_waves(poly, waves, true)
+    }
+
+    #[test]
+    fn svaj_is_exact_on_both_kinds_of_piece() {
+        let law = polynomial_and_wave();
+        let x = 0.7_f64;
+        let at = law.svaj(x);
+        assert!((at.s - (1.0 + 2.0 * x - x * x + 0.3 * (3.0 * x).sin())).abs() < 1e-14);
+        assert!((at.v - (2.0 - 2.0 * x + 0.9 * (3.0 * x).cos())).abs() < 1e-14);
+        assert!((at.a - (-2.0 - 2.7 * (3.0 * x).sin())).abs() < 1e-13);
+        assert!((at.j - (-8.1 * (3.0 * x).cos())).abs() < 1e-13);
+        let y = 1.3_f64;
+        let at = law.svaj(2.0 + y - 3.0 * TAU);
+        assert!((at.s - (0.5 * y.cos() + y.powi(3))).abs() < 1e-13);
+        assert!((at.j - (0.5 * y.sin() + 6.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn combinations_agree_with_svaj_everywhere() {
+        let law = polynomial_and_wave();
+        let weights = [0.5, -1.5, 2.0, 0.25];
+        let p = law.combination(weights, 3.0);
+        for i in 0..400 {
+            let x = TAU * (f64::from(i) + 0.5) / 400.0;
+            let at = law.svaj(x);
+            let direct = 0.5 * at.s - 1.5 * at.v + 2.0 * at.a + 0.25 * at.j + 3.0;
+            assert!((p.eval(x) - direct).abs() < 1e-12, "{x}");
+        }
+    }
+
+    #[test]
+    fn harmonic_extremes_are_exact() {
+        // cos θ + ¼ cos 2θ: derivative −sin θ(1 + cos θ): max 5/4 at 0, min −3/4 at π; a: −cos θ − cos 2θ
+        // has extremes −2 at 0 and 9/8 at cos θ = −1/4.
+        let law = Law::harmonic(0.0, &[(1.0, 0.0), (0.25, 0.0)]);
+        let (low, high) = law.extremes(0);
+        assert!((high.value - 1.25).abs() < 1e-14 && (low.value + 0.75).abs() < 1e-14);
+        assert!((low.at - PI).abs() < 1e-4);
+        let (low, high) = law.extremes(2);
+        assert!((low.value + 2.0).abs() < 1e-14 && (high.value - 1.125).abs() < 1e-14);
+        let twenty: Vec<(f64, f64)> = (1..=20)
+            .map(|n| (0.0, if n == 20 { 1.0 } else { 0.0 }))
+            .collect();
+        let (low, high) = Law::harmonic(0.0, &twenty).extremes(3);
+        assert!((high.value - 8000.0).abs() < 1e-8 && (low.value + 8000.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn joints_report_each_jump_once() {
+        let joints = polynomial_and_wave().joints();
+        assert_eq!(joints.len(), 2);
+        let at = joints.iter().find(|j| (j.at - 2.0).abs() < 1e-15).unwrap();
+        let before = 1.0 + 4.0 - 4.0 + 0.3 * 6.0_f64.sin();
+        assert!((at.jump.s - (0.5 - before)).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,129 @@
+//! Sinusoidal terms of a law and their Taylor polynomials.
+
+use super::Svaj;
+use crate::poly::{PiecewisePoly, bernstein};
+
+/// cos·cos(rate·x) + sin·sin(rate·x), where x is the angle since the start of the piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wave {
+    /// Radians of phase per radian of cam angle.
+    pub rate: f64,
+    /// Amplitude of the cosine.
+    pub cos: f64,
+    /// Amplitude of the sine.
+    pub sin: f64,
+}
+
+/// Phase of a wave that one Taylor polynomial covers, rad: ±½ about its middle.
+const PHASE_PER_PIECE: f64 = 1.0;
+/// Degree of the Taylor polynomials: the remainder 0.5¹⁵/15! ≈ 2e-17 is below rounding.
+const TAYLOR_DEGREE: usize = 14;
+
+impl Wave {
+    /// Adds value and derivatives at `x` since the start of the piece.
+    pub fn add_to(&self, x: f64, out: &mut Svaj) {
+        let (sin, cos) = (self.rate * x).sin_cos();
+        let value = self.cos * cos + self.sin * sin;
+        let slope = self.rate * (self.sin * cos - self.cos * sin);
+        let square = self.rate * self.rate;
+        out.s += value;
+        out.v += slope;
+        out.a -= square * value;
+        out.j -= square * slope;
+    }
+
+    /// Amplitudes (cos, sin) of w₀f + w₁f′ + w₂f″ + w₃f‴.
+    fn combination(&self, w: [f64; 4]) -> (f64, f64) {
+        let r = self.rate;
+        let even = w[0] - w[2] * r * r;
+        let odd = w[1] * r - w[3] * r * r * r;
+        (
+            even * self.cos + odd * self.sin,
+            even * self.sin - odd * self.cos,
+        )
+    }
+}
+
+/// Splits pieces with waves until one Taylor polynomial covers every wave on a piece. The waves returned
+/// carry the x at the start of each new piece.
+pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, Vec<Vec<Shifted>>) {
+    if waves.is_empty() {
+        return (poly.clone(), Vec::new());
+    }
+    let mut breaks = vec![poly.breaks()[0]];
+    let mut coef = Vec::new();
+    let mut shifted = Vec::new();
+    for (i, list) in waves.iter().enumerate() {
+        let (a, b) = (poly.breaks()[i], poly.breaks()[i + 1]);
+        let fastest = list.iter().fold(0.0_f64, |m, w| m.max(w.rate.abs()));
+        let parts = ((fastest * (b - a) / PHASE_PER_PIECE).ceil() as usize).max(1);
+        let mut rest = poly.piece(i).to_vec();
+        for p in 0..parts {
+            let start = (b - a) * p as f64 / parts as f64;
+            let (left, right) = bernstein::split(&rest, 1.0 / (parts - p) as f64);
+            coef.extend(left);
+            rest = right;
+            let end = if p + 1 == parts {
+                b
+            } else {
+                a + (b - a) * (p + 1) as f64 / parts as f64
+            };
+            breaks.push(end);
+            shifted.push(list.iter().map(|&wave| Shifted { wave, start }).collect());
+        }
+    }
+    (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
+}
+
+/// A wave seen on a part of its piece that begins `start` after the piece does.
+pub struct Shifted {
+    wave: Wave,
+    start: f64,
+}
+
+/// Adds Σ wₖ dᵏ of the waves of each piece to `sum`, whose pieces are those of [`subdivide`].
+pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4]) -> PiecewisePoly {
+    if waves.is_empty() {
+        return sum;
+    }
+    let degree = sum.degree().max(TAYLOR_DEGREE);
+    let mut coef = Vec::with_capacity(sum.pieces() * (degree + 1));
+    let table = symmetric_powers();
+    for (i, list) in waves.iter().enumerate() {
+        let width = sum.breaks()[i + 1] - sum.breaks()[i];
+        let mut taylor = [0.0; TAYLOR_DEGREE + 1];
+        for Shifted { wave, start } in list {
+            let (c, s) = wave.combination(weights);
+            let (sin, cos) = (wave.rate * (start + 0.5 * width)).sin_cos();
+            let (even, odd) = (c * cos + s * sin, s * cos - c * sin);
+            let half = 0.5 * width * wave.rate;
+            let mut power = 1.0;
+            for (k, t) in taylor.iter_mut().enumerate() {
+                let sign = if k % 4 < 2 { 1.0 } else { -1.0 };
+                *t += sign * power * if k % 2 == 0 { even } else { odd };
+                power *= half / (k + 1) as f64;
+            }
+        }
+        let mut wave = vec![0.0; TAYLOR_DEGREE + 1];
+        for (t, row) in taylor.iter().zip(&table) {
+            for (w, r) in wave.iter_mut().zip(row) {
+                *w += t * r;
+            }
+        }
+        let own = bernstein::elevate(sum.piece(i), degree);
+        let lifted = bernstein::elevate(&wave, degree);
+        coef.extend(own.iter().zip(lifted).map(|(x, y)| x + y));
+    }
+    PiecewisePoly::new(sum.breaks().to_vec(), degree, coef)
+}
+
+/// Bernstein coefficients of (2u − 1)ᵏ at the Taylor degree, k = 0 … degree.
+fn symmetric_powers() -> Vec<Vec<f64>> {
+    let mut power = vec![1.0];
+    let mut out = Vec::with_capacity(TAYLOR_DEGREE + 1);
+    for _ in 0..=TAYLOR_DEGREE {
+        out.push(bernstein::elevate(&power, TAYLOR_DEGREE));
+        power = bernstein::product(&power, &[-1.0, 1.0]);
+    }
+    out
+}

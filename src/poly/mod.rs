@@ -1,0 +1,13 @@
+//! Piecewise polynomials: Bernstein form, exact derivatives, roots and extrema; B-splines.
+//!
+//! Nothing here knows of cams. A polynomial of degree n on an interval is kept by its n + 1 Bernstein
+//! coefficients, whose hull bounds it and which do not lose digits as monomials do (FACTS §9).
+
+pub mod bernstein;
+mod bspline;
+mod piecewise;
+mod proxy;
+
+pub use bspline::{Span, SplineSpace};
+pub use piecewise::{Extreme, PiecewisePoly};
+pub use proxy::stand_in;

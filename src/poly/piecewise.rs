@@ -1,0 +1,295 @@
+//! A polynomial on each of several consecutive intervals.
+
+use super::bernstein;
+
+/// Piecewise polynomial on `breaks[0] ..= breaks[n]`, each piece in Bernstein form on its interval.
+///
+/// Pieces need not join continuously; at a break the value is that of the piece to its right.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PiecewisePoly {
+    breaks: Vec<f64>,
+    degree: usize,
+    /// Row-major: piece i has `coef[i*(degree+1) ..]`.
+    coef: Vec<f64>,
+}
+
+/// An extreme value and where it is taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// The abscissa, in the units of the breaks.
+    pub at: f64,
+    /// The value there.
+    pub value: f64,
+}
+
+impl PiecewisePoly {
+    /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
+    ///
+    /// # Panics
+    /// When the lengths do not fit or the breaks do not increase: a fault of the caller, not of input.
+    pub fn new(breaks: Vec<f64>, degree: usize, coef: Vec<f64>) -> Self {
+        assert!(breaks.len() >= 2 && coef.len() == (breaks.len() - 1) * (degree + 1));
+        assert!(
+            breaks.windows(2).all(|w| w[0] < w[1]),
+            "breaks must increase"
+        );
+        PiecewisePoly {
+            breaks,
+            degree,
+            coef,
+        }
+    }
+
+    /// Breaks, increasing, one more than pieces.
+    pub fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    /// Degree in which every piece is written.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Number of pieces.
+    pub fn pieces(&self) -> usize {
+        self.breaks.len() - 1
+    }
+
+    /// Bernstein coefficients of piece `i`.
+    pub fn piece(&self, i: usize) -> &[f64] {
+        &self.coef[i * (self.degree + 1)..(i + 1) * (self.degree + 1)]
+    }
+
+    /// Index of the piece that holds `x` (the first or last one outside) and u ∈ [0, 1] within it.
+    pub fn locate(&self, x: f64) -> (usize, f64) {
+        let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
+        let (a, b) = (self.breaks[i], self.breaks[i + 1]);
+        (i, (x - a) / (b - a))
+    }
+
+    /// Value at `x`; the end pieces continue outside the breaks.
+    pub fn eval(&self, x: f64) -> f64 {
+        let (i, u) = self.locate(x);
+        bernstein::eval(self.piece(i), u)
+    }
+
+    /// The derivative, piece by piece; jumps at breaks stay jumps.
+    #[must_use]
+    pub fn derivative(&self) -> Self {
+        self.map(self.degree.saturating_sub(1), |b, width| {
+            let mut d = bernstein::derivative(b);
+            d.iter_mut().for_each(|x| *x /= width);
+            d
+        })
+    }
+
+    /// Integral over the whole range.
+    pub fn integral(&self) -> f64 {
+        let n = (self.degree + 1) as f64;
+        (0..self.pieces())
+            .map(|i| self.piece(i).iter().sum::<f64>() / n * (self.breaks[i + 1] - self.breaks[i]))
+            .sum()
+    }
+
+    /// Integral of the square over the whole range, exact.
+    pub fn integral_of_square(&self) -> f64 {
+        self.map(2 * self.degree, |b, _| bernstein::product(b, b))
+            .integral()
+    }
+
+    /// Applies `f(coefficients, width)` to every piece; the result is written at `degree`.
+    pub fn map(&self, degree: usize, f: impl Fn(&[f64], f64) -> Vec<f64>) -> Self {
+        let mut coef = Vec::with_capacity(self.pieces() * (degree + 1));
+        for i in 0..self.pieces() {
+            let piece = f(self.piece(i), self.breaks[i + 1] - self.breaks[i]);
+            coef.extend(bernstein::elevate(&piece, degree));
+        }
+        PiecewisePoly {
+            breaks: self.breaks.clone(),
+            degree,
+            coef,
+        }
+    }
+
+    /// Weighted sum of functions on the same breaks, plus a constant.
+    ///
+    /// # Panics
+    /// When the breaks differ.
+    pub fn combine(terms: &[(f64, &PiecewisePoly)], constant: f64) -> Self {
+        let first = terms[0].1;
+        let degree = terms.iter().map(|t| t.1.degree).max().unwrap_or(0);
+        let mut coef = vec![constant; first.pieces() * (degree + 1)];
+        for (weight, p) in terms {
+            assert_eq!(p.breaks, first.breaks, "sums need equal breaks");
+            if *weight == 0.0 {
+                continue;
+            }
+            for i in 0..p.pieces() {
+                let lifted = bernstein::elevate(p.piece(i), degree);
+                for (k, x) in lifted.iter().enumerate() {
+                    coef[i * (degree + 1) + k] += weight * x;
+                }
+            }
+        }
+        PiecewisePoly {
+            breaks: first.breaks.clone(),
+            degree,
+            coef,
+        }
+    }
+
+    /// Product of two functions on the same breaks.
+    ///
+    /// # Panics
+    /// When the breaks differ.
+    #[must_use]
+    pub fn times(&self, other: &PiecewisePoly) -> Self {
+        assert_eq!(self.breaks, other.breaks, "products need equal breaks");
+        let degree = self.degree + other.degree;
+        let coef = (0..self.pieces())
+            .flat_map(|i| bernstein::product(self.piece(i), other.piece(i)))
+            .collect();
+        PiecewisePoly {
+            breaks: self.breaks.clone(),
+            degree,
+            coef,
+        }
+    }
+
+    /// Smallest and largest value, from the roots of the derivative and both sides of every break.
+    pub fn extremes(&self) -> (Extreme, Extreme) {
+        let start = Extreme {
+            at: self.breaks[0],
+            value: self.piece(0)[0],
+        };
+        let (mut low, mut high) = (start, start);
+        for i in 0..self.pieces() {
+            let b = self.piece(i);
+            let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
+            let mut consider = |u: f64, value: f64| {
+                let point = Extreme {
+                    at: a + u * width,
+                    value,
+                };
+                if value < low.value {
+                    low = point;
+                }
+                if value > high.value {
+                    high = point;
+                }
+            };
+            consider(0.0, b[0]);
+            consider(1.0, b[self.degree]);
+            let (least, most) = bernstein::hull(b);
+            if least < low.value || most > high.value {
+                for u in bernstein::roots(&bernstein::derivative(b)) {
+                    let value = bernstein::eval(b, u);
+                    let point = Extreme {
+                        at: a + u * width,
+                        value,
+                    };
+                    if value < low.value {
+                        low = point;
+                    }
+                    if value > high.value {
+                        high = point;
+                    }
+                }
+            }
+        }
+        (low, high)
+    }
+
+    /// Every local maximum above `level`, one per piece and root; break points count when they exceed
+    /// their piece's neighbourhood. Used to find where a limit is broken.
+    pub fn peaks_above(&self, level: f64) -> Vec<Extreme> {
+        let mut out = Vec::new();
+        for i in 0..self.pieces() {
+            let b = self.piece(i);
+            if bernstein::hull(b).1 <= level {
+                continue;
+            }
+            let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
+            let n = self.degree;
+            let mut push = |u: f64, value: f64| {
+                if value > level {
+                    out.push(Extreme {
+                        at: a + u * width,
+                        value,
+                    });
+                }
+            };
+            if n == 0 || b[1] <= b[0] {
+                push(0.0, b[0]);
+            }
+            if n > 0 {
+                let slope = bernstein::derivative(b);
+                for u in bernstein::roots(&slope) {
+                    push(u, bernstein::eval(b, u));
+                }
+                if b[n - 1] <= b[n] {
+                    push(1.0, b[n]);
+                }
+            }
+        }
+        out
+    }
+
+    /// Points at which the function changes sign, in increasing order, jumps through zero included.
+    pub fn roots(&self) -> Vec<f64> {
+        let mut out: Vec<f64> = Vec::new();
+        for i in 0..self.pieces() {
+            let b = self.piece(i);
+            let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
+            if i > 0 {
+                let before = self.piece(i - 1)[self.degree];
+                if before * b[0] < 0.0 || (b[0] == 0.0 && before != 0.0) {
+                    out.push(a);
+                }
+            }
+            out.extend(bernstein::roots(b).into_iter().map(|u| a + u * width));
+        }
+        out.dedup_by(|x, y| (*x - *y).abs() <= 1e-14 * (1.0 + x.abs()));
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// sin on four quarter turns by its degree-11 Taylor polynomial would not be exact; use x(1−x)(x−2)
+    /// on two pieces instead: extremes at 1 ± 1/√3.
+    fn cubic() -> PiecewisePoly {
+        let on = |a: f64, w: f64| {
+            let f = |x: f64| [x, 1.0 - x, x - 2.0];
+            let (p, q) = (f(a), f(a + w));
+            let lines: Vec<[f64; 2]> = (0..3).map(|k| [p[k], q[k]]).collect();
+            bernstein::product(&bernstein::product(&lines[0], &lines[1]), &lines[2])
+        };
+        let coef = [on(0.0, 0.75), on(0.75, 1.25)].concat();
+        PiecewisePoly::new(vec![0.0, 0.75, 2.0], 3, coef)
+    }
+
+    #[test]
+    fn extremes_are_the_roots_of_the_derivative() {
+        let p = cubic();
+        let (low, high) = p.extremes();
+        let r = 1.0 / 3.0_f64.sqrt();
+        assert!((low.at - (1.0 - r)).abs() < 1e-14 && (high.at - (1.0 + r)).abs() < 1e-14);
+        assert!((high.value - 2.0 * r / 3.0).abs() < 1e-15);
+        assert_eq!(p.roots().len(), 1);
+        assert!((p.roots()[0] - 1.0).abs() < 1e-14);
+        let peaks = p.peaks_above(0.1);
+        assert_eq!(peaks.len(), 1);
+        assert!((peaks[0].at - high.at).abs() < 1e-14);
+    }
+
+    #[test]
+    fn integrals_match_closed_forms() {
+        let p = cubic();
+        assert!(p.integral().abs() < 1e-15);
+        // ∫₀² (x(1−x)(x−2))² dx = 16/105.
+        assert!((p.integral_of_square() - 16.0 / 105.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,144 @@
+//! Polynomial stand-ins for smooth functions, so that their extremes come from roots, not from samples.
+
+use super::{PiecewisePoly, bernstein};
+
+/// Degree of the stand-in on each part; the part is halved until this is enough.
+const DEGREE: usize = 12;
+/// A part is not halved more often than this: a cusp or jump inside a piece ends there.
+const MAX_HALVINGS: u32 = 30;
+
+/// Piecewise polynomial that agrees with `f` to about `tolerance` times its scale on every interval of
+/// `breaks`; `f` must be smooth between breaks and is asked only strictly inside them, with the index
+/// of its interval.
+///
+/// Interpolates at Chebyshev points and halves an interval until the last coefficients are negligible.
+pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
+    let mut out_breaks = vec![breaks[0]];
+    let mut coef = Vec::new();
+    let transform = Transform::new();
+    let mut scale = 0.0;
+    for (piece, w) in breaks.windows(2).enumerate() {
+        let on_piece = |x: f64| f(piece, x);
+        refine(
+            &transform,
+            &on_piece,
+            w[0],
+            w[1],
+            tolerance,
+            &mut scale,
+            0,
+            &mut out_breaks,
+            &mut coef,
+        );
+    }
+    PiecewisePoly::new(out_breaks, DEGREE, coef)
+}
+
+struct Transform {
+    nodes: [f64; DEGREE + 1],
+    /// Bernstein coefficients of T_k(2u − 1).
+    chebyshev: Vec<Vec<f64>>,
+}
+
+impl Transform {
+    fn new() -> Self {
+        let n = DEGREE + 1;
+        let mut nodes = [0.0; DEGREE + 1];
+        for (i, x) in nodes.iter_mut().enumerate() {
+            *x = (std::f64::consts::PI * (i as f64 + 0.5) / n as f64).cos();
+        }
+        let chebyshev = (0..=DEGREE)
+            .map(|k| {
+                let own: Vec<f64> = (0..=k)
+                    .map(|i| {
+                        let sign = if (k - i) % 2 == 0 { 1.0 } else { -1.0 };
+                        sign * bernstein::binomial(2 * k, 2 * i) / bernstein::binomial(k, i)
+                    })
+                    .collect();
+                bernstein::elevate(&own, DEGREE)
+            })
+            .collect();
+        Transform { nodes, chebyshev }
+    }
+}
+
+#[allow(clippy::too_many_arguments)] // one recursion, its state spelled out
+fn refine(
+    transform: &Transform,
+    f: &impl Fn(f64) -> f64,
+    a: f64,
+    b: f64,
+    tolerance: f64,
+    scale: &mut f64,
+    halvings: u32,
+    breaks: &mut Vec<f64>,
+    coef: &mut Vec<f64>,
+) {
+    let n = DEGREE + 1;
+    let values: Vec<f64> = transform
+        .nodes
+        .iter()
+        .map(|x| f(a + (b - a) * 0.5 * (1.0 + x)))
+        .collect();
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    *scale = scale.max(largest);
+    let mut c = [0.0; DEGREE + 1];
+    for (k, ck) in c.iter_mut().enumerate() {
+        let sum: f64 = values
+            .iter()
+            .enumerate()
+            .map(|(i, v)| v * (std::f64::consts::PI * k as f64 * (i as f64 + 0.5) / n as f64).cos())
+            .sum();
+        *ck = sum * if k == 0 { 1.0 } else { 2.0 } / n as f64;
+    }
+    let tail = c[DEGREE - 2..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let mid = 0.5 * (a + b);
+    let splittable = halvings < MAX_HALVINGS && mid > a && mid < b && largest.is_finite();
+    if tail > tolerance * *scale && splittable {
+        refine(
+            transform,
+            f,
+            a,
+            mid,
+            tolerance,
+            scale,
+            halvings + 1,
+            breaks,
+            coef,
+        );
+        refine(
+            transform,
+            f,
+            mid,
+            b,
+            tolerance,
+            scale,
+            halvings + 1,
+            breaks,
+            coef,
+        );
+        return;
+    }
+    breaks.push(b);
+    let start = coef.len();
+    coef.resize(start + n, 0.0);
+    for (ck, row) in c.iter().zip(&transform.chebyshev) {
+        for (o, r) in coef[start..].iter_mut().zip(row) {
+            *o += ck * r;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_of_a_rational_function_are_found_to_twelve_digits() {
+        // x/(1 + x²) on [−3, 5]: ±½ at ±1.
+        let p = stand_in(&[-3.0, 0.5, 5.0], 1e-13, |_, x| x / (1.0 + x * x));
+        let (low, high) = p.extremes();
+        assert!((high.value - 0.5).abs() < 1e-12 && (low.value + 0.5).abs() < 1e-12);
+        assert!((high.at - 1.0).abs() < 1e-6 && (low.at + 1.0).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,5 @@
+//! Synthesis: from a wanted force to a law, a cam and its proof.
+
+mod answer;
+
+pub use answer::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};
