@@ -1,0 +1,234 @@
+//! Cholesky factors of symmetric matrices that are banded but for a few last rows.
+//!
+//! The Gram matrix of periodic B-splines is banded with two corner blocks. Ordering the last unknowns
+//! as a border leaves a plain band and a small dense block; cost is linear in the number of spans.
+
+/// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
+/// rows for the last `border`.
+#[derive(Debug, Clone)]
+pub struct ArrowMatrix {
+    n: usize,
+    band: usize,
+    border: usize,
+    /// Lower band of the leading block: entry (i, i−k) at `core[i*(band+1) + k]`.
+    core: Vec<f64>,
+    /// Border rows, each of length n (its own block in the last columns, lower part used).
+    rows: Vec<f64>,
+}
+
+/// Factor L of an [`ArrowMatrix`], same layout.
+#[derive(Debug, Clone)]
+pub struct ArrowFactor(ArrowMatrix);
+
+impl ArrowMatrix {
+    /// The zero matrix. Unknowns coupled beyond `band` must both lie in the last `border` ones, or one of
+    /// them must.
+    pub fn zero(n: usize, band: usize, border: usize) -> Self {
+        let border = border.min(n);
+        let core = vec![0.0; (n - border) * (band + 1)];
+        ArrowMatrix {
+            n,
+            band,
+            border,
+            core,
+            rows: vec![0.0; border * n],
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn dimension(&self) -> usize {
+        self.n
+    }
+
+    /// Adds `value` to entries (i, j) and (j, i).
+    ///
+    /// # Panics
+    /// When the entry lies outside the pattern: a fault of the caller.
+    pub fn add(&mut self, i: usize, j: usize, value: f64) {
+        let (i, j) = if i >= j { (i, j) } else { (j, i) };
+        let m = self.n - self.border;
+        if i >= m {
+            self.rows[(i - m) * self.n + j] += value;
+        } else {
+            assert!(i - j <= self.band, "entry outside the band");
+            self.core[i * (self.band + 1) + (i - j)] += value;
+        }
+    }
+
+    /// Entry (i, j).
+    pub fn get(&self, i: usize, j: usize) -> f64 {
+        let (i, j) = if i >= j { (i, j) } else { (j, i) };
+        let m = self.n - self.border;
+        if i >= m {
+            self.rows[(i - m) * self.n + j]
+        } else if i - j <= self.band {
+            self.core[i * (self.band + 1) + (i - j)]
+        } else {
+            0.0
+        }
+    }
+
+    /// Every stored entry of the lower triangle as (row, column, value).
+    pub fn lower_entries(&self) -> Vec<(usize, usize, f64)> {
+        let m = self.n - self.border;
+        let mut out = Vec::new();
+        for i in 0..self.n {
+            let first = if i < m {
+                i.saturating_sub(self.band)
+            } else {
+                0
+            };
+            out.extend(
+                (first..=i)
+                    .map(|j| (i, j, self.get(i, j)))
+                    .filter(|e| e.2 != 0.0),
+            );
+        }
+        out
+    }
+
+    /// Product with a vector.
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.n];
+        for (i, j, value) in self.lower_entries() {
+            y[i] += value * x[j];
+            if i != j {
+                y[j] += value * x[i];
+            }
+        }
+        y
+    }
+
+    /// Largest diagonal entry.
+    pub fn largest_diagonal(&self) -> f64 {
+        (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
+    }
+
+    /// Cholesky factor, or `None` when a pivot is not positive.
+    pub fn factor(mut self) -> Option<ArrowFactor> {
+        let (n, w) = (self.n, self.band + 1);
+        let m = n - self.border;
+        for i in 0..m {
+            let first = i.saturating_sub(self.band);
+            for j in first..=i {
+                let low = first.max(j.saturating_sub(self.band));
+                let mut sum = self.core[i * w + (i - j)];
+                for k in low..j {
+                    sum -= self.core[i * w + (i - k)] * self.core[j * w + (j - k)];
+                }
+                if i == j {
+                    if sum <= 0.0 || !sum.is_finite() {
+                        return None;
+                    }
+                    self.core[i * w] = sum.sqrt();
+                } else {
+                    self.core[i * w + (i - j)] = sum / self.core[j * w];
+                }
+            }
+        }
+        for r in 0..self.border {
+            for j in 0..=m + r {
+                let mut sum = self.rows[r * n + j];
+                if j < m {
+                    for k in j.saturating_sub(self.band)..j {
+                        sum -= self.rows[r * n + k] * self.core[j * w + (j - k)];
+                    }
+                    self.rows[r * n + j] = sum / self.core[j * w];
+                    continue;
+                }
+                let q = j - m;
+                let (own, other) = (&self.rows[r * n..r * n + j], &self.rows[q * n..q * n + j]);
+                sum -= own.iter().zip(other).map(|(a, b)| a * b).sum::<f64>();
+                if q == r {
+                    if sum <= 0.0 || !sum.is_finite() {
+                        return None;
+                    }
+                    self.rows[r * n + j] = sum.sqrt();
+                } else {
+                    self.rows[r * n + j] = sum / self.rows[q * n + j];
+                }
+            }
+        }
+        Some(ArrowFactor(self))
+    }
+}
+
+impl ArrowFactor {
+    /// Solves in place.
+    pub fn solve(&self, x: &mut [f64]) {
+        let a = &self.0;
+        let (n, w) = (a.n, a.band + 1);
+        let m = n - a.border;
+        for i in 0..m {
+            let mut sum = x[i];
+            for k in i.saturating_sub(a.band)..i {
+                sum -= a.core[i * w + (i - k)] * x[k];
+            }
+            x[i] = sum / a.core[i * w];
+        }
+        for r in 0..a.border {
+            let row = &a.rows[r * n..];
+            let sum: f64 = (0..m + r).map(|k| row[k] * x[k]).sum();
+            x[m + r] = (x[m + r] - sum) / row[m + r];
+        }
+        for r in (0..a.border).rev() {
+            let row = &a.rows[r * n..];
+            let value = x[m + r] / row[m + r];
+            x[m + r] = value;
+            for k in 0..m + r {
+                x[k] -= row[k] * value;
+            }
+        }
+        for i in (0..m).rev() {
+            let value = x[i] / a.core[i * w];
+            x[i] = value;
+            for k in i.saturating_sub(a.band)..i {
+                x[k] -= a.core[i * w + (i - k)] * value;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrow_solve_agrees_with_a_dense_solve() {
+        for (n, band, border) in [(12, 2, 3), (7, 3, 7), (9, 1, 0), (1, 0, 1)] {
+            let mut a = ArrowMatrix::zero(n, band, border);
+            for i in 0..n {
+                a.add(i, i, 10.0 + i as f64);
+                for j in 0..i {
+                    if i - j <= band || i >= n - border {
+                        a.add(i, j, ((i * 7 + j * 3) % 5) as f64 / 5.0 - 0.4);
+                    }
+                }
+            }
+            let dense = nalgebra::DMatrix::from_fn(n, n, |i, j| a.get(i, j));
+            let b: Vec<f64> = (0..n).map(|i| (i as f64).sin() + 1.0).collect();
+            let expected = dense
+                .lu()
+                .solve(&nalgebra::DVector::from_vec(b.clone()))
+                .unwrap();
+            let mut x = b.clone();
+            a.clone().factor().unwrap().solve(&mut x);
+            assert!(
+                x.iter()
+                    .zip(expected.iter())
+                    .all(|(p, q)| (p - q).abs() < 1e-13)
+            );
+            let back = a.times(&x);
+            assert!(back.iter().zip(&b).all(|(p, q)| (p - q).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn an_indefinite_matrix_has_no_factor() {
+        let mut a = ArrowMatrix::zero(2, 1, 0);
+        a.add(0, 0, 1.0);
+        a.add(1, 0, 2.0);
+        a.add(1, 1, 1.0);
+        assert!(a.factor().is_none());
+    }
+}
