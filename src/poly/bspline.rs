@@ -19,6 +19,13 @@ pub struct Span {
     matrix: usize,
 }
 
+impl Span {
+    /// Spans with equal numbers look alike: same knots around them, so same rows.
+    pub fn matrix(&self) -> usize {
+        self.matrix
+    }
+}
+
 /// A space of splines of one degree on a knot vector.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplineSpace {

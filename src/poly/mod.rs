@@ -5,9 +5,11 @@
 
 pub mod bernstein;
 mod bspline;
+mod gauss;
 mod piecewise;
 mod proxy;
 
 pub use bspline::{Span, SplineSpace};
-pub use piecewise::{Extreme, PiecewisePoly};
+pub use gauss::gauss_legendre;
+pub use piecewise::{Extreme, Peak, PiecewisePoly};
 pub use proxy::stand_in;

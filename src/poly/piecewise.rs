@@ -22,6 +22,33 @@ pub struct Extreme {
     pub value: f64,
 }
 
+/// A local maximum, with the piece it belongs to: at a break this tells the side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// Index of the piece.
+    pub piece: usize,
+    /// Position within the piece, 0 … 1.
+    pub u: f64,
+    /// The abscissa.
+    pub at: f64,
+    /// The value there.
+    pub value: f64,
+}
+
+/// Coefficients of the part [lo, hi] of a polynomial on [0, 1].
+fn clip(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
+    let left = if hi < 1.0 {
+        bernstein::split(b, hi).0
+    } else {
+        b.to_vec()
+    };
+    if lo > 0.0 {
+        bernstein::split(&left, lo / hi).1
+    } else {
+        left
+    }
+}
+
 impl PiecewisePoly {
     /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
@@ -200,39 +227,83 @@ impl PiecewisePoly {
         (low, high)
     }
 
-    /// Every local maximum above `level`, one per piece and root; break points count when they exceed
-    /// their piece's neighbourhood. Used to find where a limit is broken.
-    pub fn peaks_above(&self, level: f64) -> Vec<Extreme> {
+    /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included
+    /// where the function rises towards them. Used to find where a limit is broken.
+    pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {
-            let b = self.piece(i);
-            if bernstein::hull(b).1 <= level {
+            let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
+            let (lo, hi) = ((from - a) / width, (to - a) / width);
+            if bernstein::hull(self.piece(i)).1 <= level || lo >= 1.0 || hi <= 0.0 {
                 continue;
             }
-            let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
-            let n = self.degree;
+            let (lo, hi) = (lo.max(0.0), hi.min(1.0));
+            let whole = lo == 0.0 && hi == 1.0;
+            let clipped = if whole {
+                self.piece(i).to_vec()
+            } else {
+                clip(self.piece(i), lo, hi)
+            };
             let mut push = |u: f64, value: f64| {
                 if value > level {
-                    out.push(Extreme {
+                    let u = lo + u * (hi - lo);
+                    out.push(Peak {
+                        piece: i,
+                        u,
                         at: a + u * width,
                         value,
                     });
                 }
             };
-            if n == 0 || b[1] <= b[0] {
-                push(0.0, b[0]);
+            let n = self.degree;
+            if n == 0 || clipped[1] <= clipped[0] {
+                push(0.0, clipped[0]);
             }
             if n > 0 {
-                let slope = bernstein::derivative(b);
-                for u in bernstein::roots(&slope) {
-                    push(u, bernstein::eval(b, u));
+                for u in bernstein::roots(&bernstein::derivative(&clipped)) {
+                    push(u, bernstein::eval(&clipped, u));
                 }
-                if b[n - 1] <= b[n] {
-                    push(1.0, b[n]);
+                if clipped[n - 1] <= clipped[n] {
+                    push(1.0, clipped[n]);
                 }
             }
         }
         out
+    }
+
+    /// The same function with its pieces cut at further breaks inside the range.
+    #[must_use]
+    pub fn cut_at(&self, further: &[f64]) -> Self {
+        let mut breaks = vec![self.breaks[0]];
+        let mut coef = Vec::new();
+        let mut k = further.partition_point(|&x| x <= self.breaks[0]);
+        for i in 0..self.pieces() {
+            let (a, b) = (self.breaks[i], self.breaks[i + 1]);
+            let mut rest = self.piece(i).to_vec();
+            let mut at = a;
+            while k < further.len() && further[k] < b {
+                let x = further[k];
+                k += 1;
+                if x <= at {
+                    continue;
+                }
+                let (left, right) = bernstein::split(&rest, (x - at) / (b - at));
+                coef.extend(left);
+                breaks.push(x);
+                rest = right;
+                at = x;
+            }
+            while k < further.len() && further[k] <= b {
+                k += 1;
+            }
+            coef.extend(rest);
+            breaks.push(b);
+        }
+        PiecewisePoly {
+            breaks,
+            degree: self.degree,
+            coef,
+        }
     }
 
     /// Points at which the function changes sign, in increasing order, jumps through zero included.
@@ -280,9 +351,18 @@ mod tests {
         assert!((high.value - 2.0 * r / 3.0).abs() < 1e-15);
         assert_eq!(p.roots().len(), 1);
         assert!((p.roots()[0] - 1.0).abs() < 1e-14);
-        let peaks = p.peaks_above(0.1);
+        let peaks = p.peaks_above(0.1, 0.0, 2.0);
         assert_eq!(peaks.len(), 1);
         assert!((peaks[0].at - high.at).abs() < 1e-14);
+        let clipped = p.peaks_above(0.1, 0.0, 1.5);
+        assert!((clipped[0].at - 1.5).abs() < 1e-15 && (clipped[0].value - 0.375).abs() < 1e-14);
+        let cut = p.cut_at(&[0.0, 0.1, 0.75, 1.9, 2.0]);
+        assert_eq!(cut.pieces(), 4);
+        assert!(
+            [0.05, 0.5, 1.0, 1.95]
+                .iter()
+                .all(|&x| (cut.eval(x) - p.eval(x)).abs() < 1e-15)
+        );
     }
 
     #[test]

@@ -2,5 +2,11 @@
 
 mod answer;
 mod band;
+mod basis;
+mod cones;
+mod equality;
+mod objective;
+mod polish;
+mod program;
 
 pub use answer::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};

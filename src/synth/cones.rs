@@ -1,0 +1,158 @@
+//! The one place that speaks to Clarabel.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
+
+use super::program::{Failure, Program, Row};
+
+/// What the interior-point method returns, in the program's own units.
+pub struct Point {
+    /// Coefficients.
+    pub x: Vec<f64>,
+    /// The peak variable.
+    pub peak: Option<f64>,
+    /// Iterations.
+    pub iterations: usize,
+}
+
+/// Clarabel's gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits,
+/// and the polishing step restores the digits.
+const SOLVER_TOLERANCE: f64 = 1e-9;
+
+/// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
+/// limit's scale) is kept free inside every limit.
+pub fn solve(
+    program: &Program,
+    rows: &mut [Row],
+    has_peak: bool,
+    margin: f64,
+) -> Result<Point, Failure> {
+    let n = program.basis.columns();
+    let columns = n + usize::from(has_peak);
+    let length = program.length;
+    let (peak_unit, cost) = peak_unit(program, rows, has_peak);
+    let weight = program.objective_unit();
+
+    let p = upper_triangle(program, columns, length * length / weight);
+    let mut q: Vec<f64> = program
+        .gradient
+        .iter()
+        .map(|g| g * length / weight)
+        .collect();
+    q.resize(columns, cost);
+
+    let mut b = Vec::new();
+    let mut triplets = Triplets::default();
+    for e in &program.equalities {
+        let unit = row_unit(&e.entries, length);
+        let r = b.len();
+        triplets.extend(r, e.entries.iter().map(|&(i, v)| (i, v * length / unit)));
+        b.push(e.value / unit);
+    }
+    let equalities = b.len();
+    let mut units = Vec::with_capacity(rows.len());
+    for row in rows.iter() {
+        let limit = &program.limits[row.limit];
+        let unit = row_unit(&row.entries, length);
+        let r = b.len();
+        triplets.extend(r, row.entries.iter().map(|&(i, v)| (i, v * length / unit)));
+        let room = margin * limit.scale / unit;
+        if limit.is_peak {
+            triplets.push(r, n, -peak_unit / unit);
+            b.push(-room);
+        } else {
+            b.push(limit.bound / unit - room);
+        }
+        units.push(unit);
+    }
+    let a = triplets.matrix(b.len(), columns);
+    let cones = [
+        SupportedConeT::ZeroConeT(equalities),
+        SupportedConeT::NonnegativeConeT(rows.len()),
+    ];
+    let settings = DefaultSettingsBuilder::default()
+        .verbose(false)
+        .max_iter(200)
+        .tol_gap_abs(SOLVER_TOLERANCE)
+        .tol_gap_rel(SOLVER_TOLERANCE)
+        .tol_feas(SOLVER_TOLERANCE)
+        .max_threads(1)
+        .build()
+        .map_err(|e| Failure::Solver(e.to_string()))?;
+    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings)
+        .map_err(|e| Failure::Solver(e.to_string()))?;
+    solver.solve();
+    let answer = &solver.solution;
+    match answer.status {
+        SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {}
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+            return Err(Failure::Infeasible);
+        }
+        other => return Err(Failure::Solver(format!("{other:?}"))),
+    }
+    if answer.x.iter().any(|v| !v.is_finite()) {
+        return Err(Failure::Solver("not finite".to_string()));
+    }
+    for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
+        row.multiplier = z * weight / unit;
+    }
+    Ok(Point {
+        x: answer.x[..n].iter().map(|y| y * length).collect(),
+        peak: has_peak.then(|| answer.x[n] * peak_unit),
+        iterations: answer.iterations as usize,
+    })
+}
+
+/// Unit of the peak variable and its cost in the scaled objective.
+fn peak_unit(program: &Program, rows: &[Row], has_peak: bool) -> (f64, f64) {
+    if !has_peak {
+        return (1.0, 0.0);
+    }
+    let largest = rows
+        .iter()
+        .filter(|r| program.limits[r.limit].is_peak)
+        .fold(0.0_f64, |m, r| m.max(row_unit(&r.entries, program.length)));
+    (if largest > 0.0 { largest } else { 1.0 }, 1.0)
+}
+
+fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
+    let unit = entries
+        .iter()
+        .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()));
+    if unit > 0.0 { unit } else { 1.0 }
+}
+
+fn upper_triangle(program: &Program, columns: usize, factor: f64) -> CscMatrix<f64> {
+    let mut t = Triplets::default();
+    for (i, j, value) in program.hessian.lower_entries() {
+        t.push(j, i, value * factor);
+    }
+    t.matrix(columns, columns)
+}
+
+#[derive(Default)]
+struct Triplets {
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Triplets {
+    fn push(&mut self, row: usize, column: usize, value: f64) {
+        self.rows.push(row);
+        self.columns.push(column);
+        self.values.push(value);
+    }
+
+    fn extend(&mut self, row: usize, entries: impl Iterator<Item = (usize, f64)>) {
+        for (column, value) in entries.filter(|e| e.1 != 0.0) {
+            self.push(row, column, value);
+        }
+    }
+
+    fn matrix(self, m: usize, n: usize) -> CscMatrix<f64> {
+        CscMatrix::new_from_triplets(m, n, self.rows, self.columns, self.values)
+    }
+}

@@ -1,0 +1,176 @@
+//! The optimum without limits: one factorisation, and a small dense system for the demands.
+
+use super::band::ArrowFactor;
+use super::basis::apply;
+use super::program::{Failure, Program};
+
+/// Demands whose pivot falls below this part of the first are consequences of (or contradictions to) the
+/// others.
+const DEPENDENT: f64 = 1e-11;
+/// A dependent demand may miss its value by this much of its own scale before it is a contradiction.
+const CONSISTENT: f64 = 1e-8;
+
+/// Minimises ½xᵀHx + gᵀx subject to the equalities.
+///
+/// H may be singular as long as the demands settle what it leaves open: multiples of the demands' own
+/// outer products make it regular without moving the constrained optimum. A constant that nothing
+/// settles (the moving axis knows no absolute lift) is pinned at the last coefficient.
+pub fn solve(program: &Program) -> Result<Vec<f64>, Failure> {
+    let factor =
+        regular_factor(program).ok_or_else(|| Failure::Solver("singular objective".to_string()))?;
+    let mut x: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
+    factor.solve(&mut x);
+    if program.equalities.is_empty() {
+        return Ok(x);
+    }
+    correct(program, &factor, x)
+}
+
+/// Weight of the demands' outer products, in units of H.
+fn penalty(program: &Program) -> f64 {
+    let h = program.hessian.largest_diagonal();
+    if h > 0.0 { h } else { 1.0 }
+}
+
+fn regular_factor(program: &Program) -> Option<ArrowFactor> {
+    let mut h = program.hessian.clone();
+    let rho = penalty(program);
+    let mut level_known = false;
+    for e in &program.equalities {
+        let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
+        let sum: f64 = e.entries.iter().map(|e| e.1).sum();
+        level_known |= sum.abs() > 1e-6 * norm.sqrt();
+        let weight = if norm > 0.0 { rho / norm } else { 0.0 };
+        for (p, &(i, a)) in e.entries.iter().enumerate() {
+            for &(j, b) in &e.entries[..=p] {
+                h.add(i, j, weight * a * b);
+            }
+        }
+    }
+    let n = h.dimension();
+    if !level_known && constant_is_free(program) {
+        match program.basis {
+            super::basis::Basis::Spline { .. } => h.add(n - 1, n - 1, rho),
+            super::basis::Basis::Harmonic { .. } => h.add(0, 0, rho),
+        }
+    }
+    h.factor()
+}
+
+/// Whether H does not see the constant function.
+fn constant_is_free(program: &Program) -> bool {
+    let one = match program.basis {
+        super::basis::Basis::Spline { .. } => vec![1.0; program.basis.columns()],
+        super::basis::Basis::Harmonic { count } => {
+            let mut x = vec![0.0; 2 * count + 1];
+            x[0] = 1.0;
+            x
+        }
+    };
+    let energy: f64 = program
+        .hessian
+        .times(&one)
+        .iter()
+        .zip(&one)
+        .map(|(h, x)| h * x)
+        .sum();
+    energy <= 1e-10 * penalty(program)
+}
+
+/// g − ρ Σ value·row: the linear part that belongs to the augmented H.
+fn augmented_gradient(program: &Program) -> Vec<f64> {
+    let mut g = program.gradient.clone();
+    let rho = penalty(program);
+    for e in &program.equalities {
+        let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
+        if norm > 0.0 {
+            for &(i, a) in &e.entries {
+                g[i] -= rho / norm * e.value * a;
+            }
+        }
+    }
+    g
+}
+
+/// Moves `x` onto the demands along H⁻¹Eᵀ, taking them in order of their pivots.
+fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<Vec<f64>, Failure> {
+    let demands = &program.equalities;
+    let k = demands.len();
+    let directions: Vec<Vec<f64>> = demands
+        .iter()
+        .map(|e| {
+            let mut y = vec![0.0; x.len()];
+            for &(i, a) in &e.entries {
+                y[i] += a;
+            }
+            factor.solve(&mut y);
+            y
+        })
+        .collect();
+    // S = E H⁻¹ Eᵀ, scaled to a unit diagonal, by Cholesky with diagonal pivoting.
+    let raw = |i: usize, j: usize| apply(&demands[i].entries, &directions[j]);
+    let unit: Vec<f64> = (0..k).map(|i| raw(i, i).max(0.0).sqrt()).collect();
+    let safe = |u: f64| if u > 0.0 { u } else { 1.0 };
+    let mut s: Vec<Vec<f64>> = (0..k)
+        .map(|i| {
+            (0..k)
+                .map(|j| raw(i, j) / (safe(unit[i]) * safe(unit[j])))
+                .collect()
+        })
+        .collect();
+    let original = s.clone();
+    let mut order: Vec<usize> = (0..k).collect();
+    let mut rank = k;
+    for p in 0..k {
+        let (best, pivot) = (p..k)
+            .map(|q| (q, s[order[q]][order[q]]))
+            .fold((p, f64::NEG_INFINITY), |b, c| if c.1 > b.1 { c } else { b });
+        if pivot < DEPENDENT {
+            rank = p;
+            break;
+        }
+        order.swap(p, best);
+        let o = order[p];
+        for q in p + 1..k {
+            let r = order[q];
+            let f = s[r][o] / pivot;
+            for m in p + 1..k {
+                let c = order[m];
+                s[r][c] -= f * s[o][c];
+            }
+        }
+    }
+    let kept = &order[..rank];
+    let matrix = nalgebra::DMatrix::from_fn(rank, rank, |i, j| original[kept[i]][kept[j]]);
+    let decomposed = matrix.lu();
+    // Twice: the second pass removes what the conditioning of S left over.
+    for _ in 0..2 {
+        let rhs = nalgebra::DVector::from_fn(rank, |i, _| {
+            let e = &demands[kept[i]];
+            (e.value - apply(&e.entries, &x)) / safe(unit[kept[i]])
+        });
+        let Some(lambda) = decomposed.solve(&rhs) else {
+            return Err(Failure::Solver("singular demands".to_string()));
+        };
+        for (i, &demand) in kept.iter().enumerate() {
+            let step = lambda[i] / safe(unit[demand]);
+            for (xi, d) in x.iter_mut().zip(&directions[demand]) {
+                *xi += step * d;
+            }
+        }
+    }
+    let missed: Vec<String> = order[rank..]
+        .iter()
+        .map(|&i| &demands[i])
+        .filter(|e| {
+            let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
+            (apply(&e.entries, &x) - e.value).abs() > CONSISTENT * size.max(e.value.abs())
+        })
+        .map(|e| e.name.clone())
+        .collect();
+    if missed.is_empty() {
+        Ok(x)
+    } else {
+        Err(Failure::Equalities(missed))
+    }
+}
