@@ -1,0 +1,517 @@
+//! Published models of the vertical walking force.
+//!
+//! Two families. The *continuous* models give the force of both feet together as a Fourier series in
+//! the step frequency f, F(t) = G (1 + Σ aᵢ sin(2π i f t + pᵢ)); one cycle is one step, 1/f.
+//! The *single-foot* models give one stance; one cycle is one stride, 2/f, with zero force in swing,
+//! and both feet together are two of them half a stride apart, which repeats every step.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::ForceCurve;
+use crate::error::{Error, Result, nearest};
+
+/// Samples of one cycle of a model; every sample is the formula's value, not an interpolation.
+pub const SAMPLES: usize = 1024;
+
+/// Whose force a curve is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feet {
+    /// The sum of both feet, as a floor or footbridge feels it.
+    Both,
+    /// One foot, whichever the source offers (the mean of both where it offers both).
+    One,
+    /// The left foot.
+    Left,
+    /// The right foot.
+    Right,
+}
+
+impl Feet {
+    /// The name used in scenes: `both`, `one`, `left`, `right`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Feet::Both => "both",
+            Feet::One => "one",
+            Feet::Left => "left",
+            Feet::Right => "right",
+        }
+    }
+}
+
+impl std::str::FromStr for Feet {
+    type Err = Error;
+
+    fn from_str(word: &str) -> Result<Self> {
+        let all = [Feet::Both, Feet::One, Feet::Left, Feet::Right];
+        all.into_iter().find(|f| f.name() == word).ok_or_else(|| {
+            Error::new(format!("\"{word}\" does not name feet"))
+                .help("write both, one, left or right")
+        })
+    }
+}
+
+/// How sure we are of a model's coefficients.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// The exact text or source line was seen.
+    Seen,
+    /// Recalled from the literature; check against the source before quoting.
+    Recalled,
+    /// Part seen, part recalled; `ModelInfo::source` says which.
+    Mixed,
+}
+
+impl Status {
+    /// One word for tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Seen => "seen",
+            Status::Recalled => "recalled",
+            Status::Mixed => "mixed",
+        }
+    }
+}
+
+/// One entry of the catalogue of load models.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ModelInfo {
+    /// Name for scenes, for example `young`.
+    pub name: &'static str,
+    /// The formula with its coefficients; f is the step frequency in Hz, G the body weight in N.
+    pub formula: &'static str,
+    /// Where it was published.
+    pub source: &'static str,
+    /// Whether that text was seen.
+    pub status: Status,
+    /// Smallest and largest step frequency the model is used for here, Hz.
+    pub frequency_hz: (f64, f64),
+    /// True where the model gives one foot, false where it gives both together.
+    pub single_foot: bool,
+}
+
+/// What the amplitudes and phases of a model are; one entry per harmonic, phases added, radians.
+type Harmonics = Vec<(f64, f64)>;
+
+const CATALOGUE: &[ModelInfo] = &[
+    ModelInfo {
+        name: "blanchard",
+        formula: "a1 = 0.257 (180 N at G = 700 N)",
+        source: "Blanchard et al. 1977, BS 5400",
+        status: Status::Recalled,
+        frequency_hz: (0.5, 4.0),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "bachmann",
+        formula: "a1 = 0.4 at 2.0 Hz rising to 0.5 at 2.4 Hz (held outside), a2 = a3 = 0.1, phi2 = phi3 = pi/2",
+        source: "Bachmann & Ammann 1987; phases seen, amplitudes recalled",
+        status: Status::Mixed,
+        frequency_hz: (0.5, 4.0),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "setra",
+        formula: "a1 = 0.4, a2 = a3 = 0.1, phi1 = 0, phi2 = phi3 = pi/2",
+        source: "SETRA 2006, section 3.2.1",
+        status: Status::Seen,
+        frequency_hz: (0.5, 4.0),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "rebelo",
+        formula: "a1 = 0.43 f - 0.38, a2 = 0.15 f - 0.125 above 1.5 Hz (0 below), a3 = 0.1; phases not given, taken as 0",
+        source: "Rebelo et al. 2005, table 1; its quoting source warns that the values are very high",
+        status: Status::Seen,
+        frequency_hz: (1.0, 2.5),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "kerr",
+        formula: "a1 = -0.2649 f^3 + 1.3206 f^2 - 1.7597 f + 0.7613, a2 = 0.07, a3 = 0.05; phases not given, taken as 0",
+        source: "Kerr 1998",
+        status: Status::Recalled,
+        frequency_hz: (1.0, 2.8),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "young",
+        formula: "a1 = 0.37 (f - 0.95) <= 0.5, a2 = 0.054 + 0.0044 (2f), a3 = 0.026 + 0.0050 (3f), a4 = 0.010 + 0.0051 (4f); phases not given, taken as those of sci-p354",
+        source: "Young 2001 (Arup), mean values",
+        status: Status::Recalled,
+        frequency_hz: (1.0, 2.8),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "young-design",
+        formula: "a1 = 0.41 (f - 0.95) <= 0.56, a2 = 0.069 + 0.0056 (2f), a3 = 0.033 + 0.0064 (3f), a4 = 0.013 + 0.0065 (4f); phases not given, taken as those of sci-p354",
+        source: "Young 2001, CCIP-016, design values (25 % chance of exceedance)",
+        status: Status::Recalled,
+        frequency_hz: (1.0, 2.8),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "sci-p354",
+        formula: "a1 = 0.436 (f - 0.95), a2 = 0.006 (2f + 12.3), a3 = 0.007 (3f + 5.2), a4 = 0.007 (4f + 2.0); added phases 0, -pi/2, pi, pi/2",
+        source: "SCI P354, table 3.1 (two independent public implementations)",
+        status: Status::Seen,
+        frequency_hz: (1.0, 2.8),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "iso-10137",
+        formula: "a1 = 0.37 (f - 1.0), a2 = 0.1, a3 = a4 = a5 = 0.06; phases not given, taken as 0",
+        source: "ISO 10137:2007",
+        status: Status::Recalled,
+        frequency_hz: (1.0, 2.5),
+        single_foot: false,
+    },
+    ModelInfo {
+        name: "li-2010",
+        formula: "F/G = sum An sin(n pi t / Te), Te = 1/(0.76 f); A1 = -0.0698 f + 1.211, A2 = 0.1052 f - 0.1284, A3 = 0.3002 f - 0.1534, A4 = 0.0416 f - 0.0288, A5 = -0.0275 f + 0.0608",
+        source: "Li, Fan, Nie, Li, Chen 2010, J. Sound Vib. 329:4068; two feet carry 1.015-1.027 G on average for 1.6-2.2 Hz",
+        status: Status::Recalled,
+        frequency_hz: (1.3, 2.5),
+        single_foot: true,
+    },
+    ModelInfo {
+        name: "iso-22675",
+        formula: "sixth-degree polynomial in t over one stance of 600 ms, divided by F1cmax (given as the body weight); without a step frequency one cycle lasts 1 s",
+        source: "ISO 22675, as given in a public implementation that cites pages 32-33 of the standard",
+        status: Status::Seen,
+        frequency_hz: (0.5, 3.3),
+        single_foot: true,
+    },
+];
+
+/// Every load model, with formula, source and how sure we are of it.
+pub fn catalogue() -> &'static [ModelInfo] {
+    CATALOGUE
+}
+
+/// One cycle of a named load model.
+///
+/// `step_frequency_hz` may be left out only for `iso-22675`; `body_weight_n` is G (for `iso-22675` the
+/// load F1cmax). Continuous models exist for both feet only; of a single-foot model left, right and one
+/// are the same curve. Fails on an unknown name (with the nearest), on a frequency outside the
+/// range of the model, on a weight that is not positive.
+pub fn model(
+    name: &str,
+    step_frequency_hz: Option<f64>,
+    body_weight_n: f64,
+    feet: Feet,
+) -> Result<ForceCurve> {
+    let info = find(name)?;
+    if !(body_weight_n.is_finite() && body_weight_n > 0.0) {
+        return Err(Error::new(format!("the body weight is {body_weight_n} N"))
+            .help("it must be positive, for example 700 N"));
+    }
+    let f = frequency(info, step_frequency_hz)?;
+    let shape = if info.single_foot {
+        single_foot(info.name, f, feet)
+    } else if feet == Feet::Both {
+        continuous(&harmonics(info.name, f))
+    } else {
+        return Err(Error::new(format!(
+            "{} gives the force of both feet together, not of one",
+            info.name
+        ))
+        .help("use feet = \"both\", or a single-foot model: li-2010, iso-22675"));
+    };
+    let steps = if info.single_foot && feet != Feet::Both {
+        2.0
+    } else {
+        1.0
+    };
+    let force = shape.iter().map(|w| w * body_weight_n).collect();
+    let title = format!(
+        "{} {f} Hz, {body_weight_n} N, {}",
+        info.name,
+        match feet {
+            Feet::Both => "both feet",
+            _ => "one foot",
+        }
+    );
+    ForceCurve::from_samples(&title, steps / f, force)
+}
+
+fn find(name: &str) -> Result<&'static ModelInfo> {
+    let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
+    CATALOGUE.iter().find(|m| m.name == plain).ok_or_else(|| {
+        let names = CATALOGUE.iter().map(|m| m.name);
+        let error = Error::new(format!("\"{name}\" is not a load model"));
+        match nearest(&plain, names.clone()) {
+            Some(near) => error.help(format!("did you mean \"{near}\"?")),
+            None => error.help(format!(
+                "known are {}",
+                names.collect::<Vec<_>>().join(", ")
+            )),
+        }
+    })
+}
+
+fn frequency(info: &ModelInfo, given: Option<f64>) -> Result<f64> {
+    let (low, high) = info.frequency_hz;
+    match given {
+        Some(f) if f >= low && f <= high => Ok(f),
+        Some(f) => Err(Error::new(format!(
+            "{} is not made for a step frequency of {f} Hz",
+            info.name
+        ))
+        .help(format!("give {low} Hz to {high} Hz"))),
+        None if info.name == "iso-22675" => Ok(2.0),
+        None => Err(Error::new(format!("{} needs a step frequency", info.name))
+            .help("give for example step_frequency = \"1.85 Hz\"")),
+    }
+}
+
+/// Amplitudes and added phases of the continuous models at step frequency `f`, Hz.
+fn harmonics(name: &str, f: f64) -> Harmonics {
+    let in_phase = |amplitudes: &[f64]| amplitudes.iter().map(|&a| (a, 0.0)).collect();
+    let lagging = |a1: f64| vec![(a1, 0.0), (0.1, -FRAC_PI_2), (0.1, -FRAC_PI_2)];
+    match name {
+        "blanchard" => in_phase(&[180.0 / 700.0]),
+        "bachmann" => lagging((0.4 + 0.25 * (f - 2.0)).clamp(0.4, 0.5)),
+        "setra" => lagging(0.4),
+        "rebelo" => {
+            let a2 = if f > 1.5 { 0.15 * f - 0.125 } else { 0.0 };
+            in_phase(&[0.43 * f - 0.38, a2, 0.1])
+        }
+        "kerr" => {
+            let a1 = ((-0.2649 * f + 1.3206) * f - 1.7597) * f + 0.7613;
+            in_phase(&[a1, 0.07, 0.05])
+        }
+        "young" => cresting_together([
+            (0.37 * (f - 0.95)).min(0.5),
+            0.054 + 0.0044 * 2.0 * f,
+            0.026 + 0.0050 * 3.0 * f,
+            0.010 + 0.0051 * 4.0 * f,
+        ]),
+        "young-design" => cresting_together([
+            (0.41 * (f - 0.95)).min(0.56),
+            0.069 + 0.0056 * 2.0 * f,
+            0.033 + 0.0064 * 3.0 * f,
+            0.013 + 0.0065 * 4.0 * f,
+        ]),
+        "sci-p354" => cresting_together([
+            0.436 * (f - 0.95),
+            0.006 * (2.0 * f + 12.3),
+            0.007 * (3.0 * f + 5.2),
+            0.007 * (4.0 * f + 2.0),
+        ]),
+        // The only one left of the continuous models.
+        _ => in_phase(&[0.37 * (f - 1.0), 0.1, 0.06, 0.06, 0.06]),
+    }
+}
+
+/// The added phases 0, -pi/2, pi, pi/2 of SCI P354: all four harmonics are cosines of the time since
+/// a quarter step, so they crest together there.
+fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
+    let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
+    amplitudes.into_iter().zip(phases).collect()
+}
+
+/// One step of 1 + Σ aᵢ sin(2π i x + pᵢ), sampled.
+fn continuous(harmonics: &[(f64, f64)]) -> Vec<f64> {
+    let at = |x: f64| {
+        let waves = harmonics.iter().zip(1..);
+        1.0 + waves
+            .map(|(&(a, p), i)| a * (TAU * f64::from(i) * x + p).sin())
+            .sum::<f64>()
+    };
+    phases().map(at).collect()
+}
+
+fn phases() -> impl Iterator<Item = f64> {
+    (0..SAMPLES).map(|i| i as f64 / SAMPLES as f64)
+}
+
+/// One stride of one foot, or one step of two feet half a stride apart, in body weights.
+fn single_foot(name: &str, f: f64, feet: Feet) -> Vec<f64> {
+    let stance = |t: f64| match name {
+        "li-2010" => li_2010(f, t),
+        _ => iso_22675(t),
+    };
+    let stride = 2.0 / f;
+    match feet {
+        Feet::Both => phases()
+            .map(|x| stance(x / f) + stance(x / f + 0.5 * stride))
+            .collect(),
+        Feet::One | Feet::Left | Feet::Right => phases().map(|x| stance(x * stride)).collect(),
+    }
+}
+
+/// Li et al. 2010: one stance in body weights at time `t` s after heel strike; zero outside.
+fn li_2010(f: f64, t: f64) -> f64 {
+    let stance = 1.0 / (0.76 * f);
+    if !(0.0..=stance).contains(&t) {
+        return 0.0;
+    }
+    let a = [
+        -0.0698 * f + 1.211,
+        0.1052 * f - 0.1284,
+        0.3002 * f - 0.1534,
+        0.0416 * f - 0.0288,
+        -0.0275 * f + 0.0608,
+    ];
+    let waves = a.iter().zip(1..);
+    waves
+        .map(|(a, n)| a * (f64::from(n) * PI * t / stance).sin())
+        .sum()
+}
+
+/// ISO 22675: load over F1cmax at time `t` s after heel strike; zero outside the 600 ms of stance.
+fn iso_22675(t: f64) -> f64 {
+    if !(0.0..=0.6).contains(&t) {
+        return 0.0;
+    }
+    let t = 1e3 * t; // the standard counts milliseconds
+    let powers = [
+        3624.95690883228,
+        1646.51497111425e-1,
+        -1671.01914899229e-3,
+        5988.82225167948e-6,
+        -9203.7374110419e-9,
+        5123.06842296552e-12,
+    ];
+    1e-6 * t * powers.iter().rev().fold(0.0, |sum, c| sum * t + c)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Local extrema of a sampled stance: (fraction of the stance, value), in order.
+    fn turning_points(stance: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+        let n = 20_000;
+        let y: Vec<f64> = (0..=n)
+            .map(|i| stance(f64::from(i) / f64::from(n)))
+            .collect();
+        let turns = |w: &[f64]| (w[1] - w[0]) * (w[2] - w[1]) < 0.0;
+        y.windows(3)
+            .enumerate()
+            .filter(|(_, w)| turns(w))
+            .map(|(i, w)| ((i as f64 + 1.0) / f64::from(n), w[1]))
+            .collect()
+    }
+
+    fn is_near(got: (f64, f64), at: f64, value: f64) -> bool {
+        (got.0 - at).abs() < 0.006 && (got.1 - value).abs() < 0.0006
+    }
+
+    #[test]
+    fn li_2010_meets_its_landmarks_and_carries_the_body() {
+        // load_models.md: at 1.9 Hz P1 1.139 @22 %, V 0.669 @49 %, P2 0.980 @74 %.
+        let p = turning_points(|x| li_2010(1.9, x / (0.76 * 1.9)));
+        assert!(is_near(p[0], 0.22, 1.139), "{p:?}");
+        assert!(is_near(p[1], 0.49, 0.669), "{p:?}");
+        assert!(is_near(p[2], 0.74, 0.980), "{p:?}");
+        // Mean of the sine series over a stance, in closed form: even waves vanish, odd ones give
+        // 2/(n pi). Two feet: 1.015 body weights at 1.6 Hz, 1.027 at 2.2 Hz. (load_models.md says
+        // 1.005-1.017, which is the sum of 101 samples divided by 101 instead of 100.)
+        for f in [1.6, 1.75, 1.9, 2.05, 2.2] {
+            let odd =
+                (1.211 - 0.0698 * f) + (0.3002 * f - 0.1534) / 3.0 + (0.0608 - 0.0275 * f) / 5.0;
+            let mean = model("li-2010", Some(f), 1.0, Feet::Both).unwrap().mean_n();
+            assert!(
+                (mean - odd * 2.0 / (PI * 0.76)).abs() < 1e-5,
+                "{f} Hz: {mean}"
+            );
+            assert!(
+                (1.0045..1.0175).contains(&(mean * 100.0 / 101.0)),
+                "{f} Hz: {mean}"
+            );
+        }
+    }
+
+    #[test]
+    fn iso_22675_meets_its_landmarks() {
+        // load_models.md: 1.000 at 151 ms, 0.668 at 300 ms, 0.987 at 447 ms, 0 at 0 and 600 ms.
+        let p = turning_points(|x| iso_22675(0.6 * x));
+        assert!(is_near(p[0], 151.0 / 600.0, 1.0), "{p:?}");
+        assert!(is_near(p[1], 300.0 / 600.0, 0.668), "{p:?}");
+        assert!(is_near(p[2], 447.0 / 600.0, 0.987), "{p:?}");
+        assert_eq!(iso_22675(0.0), 0.0);
+        assert!(iso_22675(0.6).abs() < 1e-3);
+        let one = model("iso-22675", None, 1000.0, Feet::One).unwrap();
+        assert_eq!(one.period_s, 1.0);
+        assert_eq!(one.force_n[SAMPLES * 7 / 10], 0.0);
+    }
+
+    #[test]
+    fn young_at_185_hz_asks_for_a_stroke_of_49_2_mm() {
+        // FACTS §1: d'' = g Σ aᵢ sin(i w t + pᵢ) integrates to d = -g Σ aᵢ/(i w)² sin(i w t + pᵢ).
+        // Only harmonics that crest together give the 49.2 mm; in sine phase it would be 47.6 mm.
+        let h = harmonics("young", 1.85);
+        let w = TAU * 1.85;
+        let d = |x: f64| -> f64 {
+            let waves = h.iter().zip(1..);
+            waves
+                .map(|(&(a, p), i)| {
+                    let i = f64::from(i);
+                    -9.81 * a / (i * w).powi(2) * (TAU * i * x + p).sin()
+                })
+                .sum()
+        };
+        let all: Vec<f64> = (0..100_000).map(|i| d(f64::from(i) / 1e5)).collect();
+        let high = all.iter().fold(f64::MIN, |a, &b| a.max(b));
+        let low = all.iter().fold(f64::MAX, |a, &b| a.min(b));
+        assert!((1e3 * (high - low) - 49.2).abs() < 0.05, "{}", high - low);
+    }
+
+    #[test]
+    fn coefficients_are_the_published_ones_at_two_hertz() {
+        // load_models.md evaluated by hand at f = 2 Hz.
+        let a = |name| -> Vec<f64> { harmonics(name, 2.0).iter().map(|h| h.0).collect() };
+        let expect: &[(&str, &[f64])] = &[
+            ("blanchard", &[0.2571428571]),
+            ("bachmann", &[0.4, 0.1, 0.1]),
+            ("setra", &[0.4, 0.1, 0.1]),
+            ("rebelo", &[0.48, 0.175, 0.1]),
+            ("kerr", &[0.4051, 0.07, 0.05]),
+            ("young", &[0.3885, 0.0716, 0.056, 0.0508]),
+            ("young-design", &[0.4305, 0.0914, 0.0714, 0.065]),
+            ("sci-p354", &[0.4578, 0.0978, 0.0784, 0.07]),
+            ("iso-10137", &[0.37, 0.1, 0.06, 0.06, 0.06]),
+        ];
+        for (name, wanted) in expect {
+            let got = a(name);
+            assert_eq!(got.len(), wanted.len(), "{name}");
+            for (g, w) in got.iter().zip(*wanted) {
+                assert!((g - w).abs() < 1e-9, "{name}: {got:?}");
+            }
+        }
+        assert!((harmonics("bachmann", 2.4)[0].0 - 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_continuous_model_has_the_body_weight_as_its_mean() {
+        for m in catalogue().iter().filter(|m| !m.single_foot) {
+            let c = model(m.name, Some(2.0), 700.0, Feet::Both).unwrap();
+            assert!((c.mean_n() - 700.0).abs() < 1e-9, "{}", m.name);
+            assert_eq!(c.period_s, 0.5);
+        }
+    }
+
+    #[test]
+    fn two_single_feet_half_a_stride_apart_make_the_sum() {
+        let one = model("li-2010", Some(1.9), 700.0, Feet::One).unwrap();
+        let both = model("li-2010", Some(1.9), 700.0, Feet::Both).unwrap();
+        assert!((one.period_s - 2.0 * both.period_s).abs() < 1e-15);
+        for i in 0..SAMPLES / 2 {
+            let sum = one.force_n[i] + one.force_n[i + SAMPLES / 2];
+            assert!((both.force_n[2 * i] - sum).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn wrong_names_frequencies_and_feet_are_refused_with_advice() {
+        let message = |n, f, g, feet| model(n, f, g, feet).unwrap_err().to_string();
+        assert!(message("yuong", Some(1.85), 700.0, Feet::Both).contains("did you mean \"young\""));
+        assert!(message("zzzzzzzz", Some(1.85), 700.0, Feet::Both).contains("known are"));
+        assert!(message("young", None, 700.0, Feet::Both).contains("needs a step frequency"));
+        assert!(message("young", Some(0.1), 700.0, Feet::Both).contains("give 1 Hz"));
+        assert!(message("young", Some(f64::NAN), 700.0, Feet::Both).contains("give 1 Hz"));
+        assert!(message("young", Some(1.85), 0.0, Feet::Both).contains("positive"));
+        assert!(message("setra", Some(2.0), 700.0, Feet::Left).contains("li-2010"));
+    }
+}
