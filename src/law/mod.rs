@@ -1,8 +1,10 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
+mod hermite;
 mod joint;
 mod wave;
 
+pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
 pub use wave::Wave;
 

@@ -1,0 +1,205 @@
+//! The polynomial through boundary conditions of any order at any angles (Hermite–Birkhoff).
+//!
+//! Solved for Bernstein coefficients on the whole interval: monomials of degree 8 already have a condition
+//! number of 1.7e6 (FACTS §2). Monomial coefficients are for output only,
+//! [`bernstein::to_power`](crate::poly::bernstein::to_power).
+
+use crate::error::{Error, Result};
+use crate::poly::{PiecewisePoly, bernstein};
+use nalgebra::{DMatrix, DVector};
+
+/// What a law must do at one angle: its derivative of the given order has the given value there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Condition {
+    /// Angle, rad.
+    pub theta: f64,
+    /// 0 = lift, 1 = velocity, 2 = acceleration, 3 = jerk, …
+    pub order: usize,
+    /// Value, m/radᵒʳᵈᵉʳ.
+    pub value: f64,
+}
+
+/// Degrees above this answer with rounding of the data magnified beyond use.
+const MAX_DEGREE: usize = 40;
+/// Singular values below this share of the largest count as zero: the conditions do not fix the polynomial.
+const RANK: f64 = 1e-14;
+
+/// The one polynomial of degree n − 1 that meets n conditions, on [start, end] rad, as a single piece.
+///
+/// The conditions are met to rounding of the largest of them. Fails when there are none, when an angle
+/// lies outside the interval, when two conditions speak of the same derivative at the same angle, when an
+/// order exceeds the degree, or when the set does not fix a polynomial (possible when orders are skipped).
+pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
+    check(conditions, start, end)?;
+    let n = conditions.len();
+    let width = end - start;
+    // Rows are scaled so that each derivative's largest weight is near 1.
+    let scales: Vec<f64> = conditions
+        .iter()
+        .map(|c| (0..c.order).fold(1.0, |f, r| f * width / (n - 1 - r) as f64))
+        .collect();
+    let derivatives = basis_derivatives(n, conditions.iter().map(|c| c.order).max().unwrap_or(0));
+    let matrix = DMatrix::from_fn(n, n, |i, k| {
+        let c = &conditions[i];
+        let u = (c.theta - start) / width;
+        bernstein::eval(&derivatives[c.order][k], u) * scales[i] / width.powi(c.order as i32)
+    });
+    let wanted = DVector::from_fn(n, |i, _| conditions[i].value * scales[i]);
+    let svd = matrix.clone().svd(false, false);
+    if svd.singular_values.min() <= RANK * svd.singular_values.max() {
+        return Err(not_fixed(n));
+    }
+    let lu = matrix.clone().full_piv_lu();
+    let mut b = lu.solve(&wanted).ok_or_else(|| not_fixed(n))?;
+    // One refinement removes what elimination lost.
+    if let Some(correction) = lu.solve(&(&wanted - &matrix * &b)) {
+        b += correction;
+    }
+    Ok(PiecewisePoly::new(
+        vec![start, end],
+        n - 1,
+        b.iter().copied().collect(),
+    ))
+}
+
+/// Bernstein coefficients in u of the derivatives of every basis function: `[order][basis function]`.
+fn basis_derivatives(n: usize, highest: usize) -> Vec<Vec<Vec<f64>>> {
+    let unit = |k: usize| (0..n).map(|i| f64::from(u8::from(i == k))).collect();
+    let mut out: Vec<Vec<Vec<f64>>> = vec![(0..n).map(unit).collect()];
+    for order in 0..highest {
+        let next = out[order]
+            .iter()
+            .map(|b| bernstein::derivative(b))
+            .collect();
+        out.push(next);
+    }
+    out
+}
+
+fn check(conditions: &[Condition], start: f64, end: f64) -> Result<()> {
+    let n = conditions.len();
+    if n == 0 {
+        return Err(Error::new("a polynomial needs at least one condition"));
+    }
+    if !(start.is_finite() && end.is_finite() && start < end) {
+        return Err(Error::new(format!(
+            "a polynomial needs an interval, but it runs from {start} to {end} rad"
+        )));
+    }
+    if n > MAX_DEGREE + 1 {
+        return Err(Error::new(format!(
+            "{n} conditions ask for a polynomial of degree {}",
+            n - 1
+        ))
+        .help(format!(
+            "at most {} keep their digits; a spline takes any number of points",
+            MAX_DEGREE + 1
+        )));
+    }
+    // Angles that were turned from degrees may miss the ends by rounding.
+    let slack = 1e-9 * (end - start);
+    for (i, c) in conditions.iter().enumerate() {
+        if !c.theta.is_finite() || !c.value.is_finite() {
+            return Err(Error::new(format!(
+                "condition {} is not a finite number",
+                i + 1
+            )));
+        }
+        if c.theta < start - slack || c.theta > end + slack {
+            return Err(Error::new(format!(
+                "condition {} stands at {:.6}°, outside {:.6}° … {:.6}°",
+                i + 1,
+                c.theta.to_degrees(),
+                start.to_degrees(),
+                end.to_degrees()
+            )));
+        }
+        if c.order >= n {
+            return Err(Error::new(format!(
+                "condition {} fixes derivative {} of a polynomial of degree {}",
+                i + 1,
+                c.order,
+                n - 1
+            ))
+            .help("give more conditions of lower order"));
+        }
+        let twin = conditions[..i]
+            .iter()
+            .position(|d| d.order == c.order && (d.theta - c.theta).abs() <= slack);
+        if let Some(j) = twin {
+            return Err(Error::new(format!(
+                "conditions {} and {} both fix derivative {} at {:.6}°",
+                j + 1,
+                i + 1,
+                c.order,
+                c.theta.to_degrees()
+            ))
+            .help("keep one of them"));
+        }
+    }
+    Ok(())
+}
+
+fn not_fixed(n: usize) -> Error {
+    Error::new(format!(
+        "these {n} conditions do not fix a polynomial of degree {}",
+        n - 1
+    ))
+    .help("a lift is needed somewhere, and each point should give its lower derivatives before its higher ones")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on(theta: f64, order: usize, value: f64) -> Condition {
+        Condition {
+            theta,
+            order,
+            value,
+        }
+    }
+
+    #[test]
+    fn rest_to_rest_conditions_give_3_4_5() {
+        let mut conditions = vec![on(2.0, 0, 5.0), on(3.5, 0, 6.0)];
+        for order in 1..3 {
+            conditions.extend([on(2.0, order, 0.0), on(3.5, order, 0.0)]);
+        }
+        let p = hermite_birkhoff(&conditions, 2.0, 3.5).unwrap();
+        let power = bernstein::to_power(p.piece(0));
+        for (c, e) in power.iter().zip([5.0, 0.0, 0.0, 10.0, -15.0, 6.0]) {
+            assert!((c - e).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_polynomial_of_degree_thirty_meets_its_conditions() {
+        // sin on [0, 6]: values and slopes at 15 points and one second derivative.
+        let mut conditions = Vec::new();
+        for i in 0..15 {
+            let x = 3.0 - 3.0 * (std::f64::consts::PI * f64::from(i) / 14.0).cos();
+            conditions.extend([on(x, 0, x.sin()), on(x, 1, x.cos())]);
+        }
+        conditions.push(on(0.0, 2, 0.0));
+        let p = hermite_birkhoff(&conditions, 0.0, 6.0).unwrap();
+        for i in 0..=100 {
+            let x = 0.06 * f64::from(i);
+            assert!((p.eval(x) - x.sin()).abs() < 1e-12, "{x}");
+        }
+    }
+
+    #[test]
+    fn sets_that_fix_no_polynomial_are_refused() {
+        let say = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().to_string();
+        assert!(say(&[]).contains("at least one"));
+        assert!(say(&[on(0.0, 1, 1.0), on(1.0, 1, 0.0)]).contains("do not fix"));
+        // Birkhoff's own: s at both ends and v at the middle leave a parabola free.
+        let middle = [on(0.0, 0, 0.0), on(0.5, 1, 1.0), on(1.0, 0, 0.0)];
+        assert!(say(&middle).contains("do not fix"));
+        assert!(say(&[on(0.0, 0, 0.0), on(0.0, 0, 1.0)]).contains("1 and 2 both fix"));
+        assert!(say(&[on(2.0, 0, 0.0)]).contains("outside"));
+        assert!(say(&[on(0.0, 2, 0.0), on(0.5, 0, 0.0)]).contains("derivative 2"));
+        assert!(say(&[on(0.0, 0, f64::NAN)]).contains("finite"));
+    }
+}
