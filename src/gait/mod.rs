@@ -1,7 +1,17 @@
 //! Force curves: where the wanted vertical force comes from.
 
+mod clean;
 mod curve;
+mod cycle;
 mod models;
+mod read;
+mod recording;
+mod shape;
+mod stance;
 
 pub use curve::ForceCurve;
+pub use cycle::{Cycle, cycle};
 pub use models::{Feet, ModelInfo, SAMPLES, Status, catalogue, model};
+pub use read::{metadata_name, read};
+pub use recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row, Strike};
+pub use stance::{Point, Rejected, Stance, Stances, Why, stances};

@@ -1,0 +1,514 @@
+//! The mean cycle of a recording, on phase, with its step-to-step spread.
+//!
+//! Where the plates (or insoles) cover whole strides, both feet are summed and the strides averaged.
+//! Elsewhere a stride is built from single stances: the mean left and the mean right one, half a stride apart.
+
+use std::f64::consts::SQRT_2;
+
+use super::curve::ForceCurve;
+use super::models::{Feet, SAMPLES};
+use super::recording::{Foot, Recording};
+use super::stance::{Rejected, Stance, Stances, Why, same_foot};
+use crate::error::{Error, Result};
+use crate::units::G;
+
+/// Part of a stride that a foot is on the ground, where nothing in the recording says it (normal walking).
+const DUTY: f64 = 0.62;
+
+/// A stride whose duration is further than this from the middle one is not averaged.
+const ODD_STRIDE: f64 = 0.25;
+
+/// One mean cycle of a recording and how it was come by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// The mean cycle; its period is a stride, its spread the standard deviation from step to step.
+    pub curve: ForceCurve,
+    /// Cycles that were averaged: whole strides, or stances where the stride was built from them.
+    pub averaged: usize,
+    /// How the cycle was come by, in words.
+    pub how: String,
+    /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
+    /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.
+    pub repeatability_n: Option<f64>,
+    /// Mass, kg: given, or the mean force over the stride divided by g.
+    pub mass_kg: f64,
+    /// Where the mass is from: "user", "file", "mean force over the stride".
+    pub mass_from: String,
+}
+
+/// Averages the stances of a recording into one cycle.
+///
+/// `feet`: both feet summed, one foot (all stances taken alike), or one side. Fails, with the
+/// reasons, where there is no whole stance, or none of the wanted side.
+pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
+    if stances.used.is_empty() {
+        return Err(no_stance(recording, stances));
+    }
+    match feet {
+        Feet::Both => {
+            let strides = whole_strides(stances);
+            if strides.is_empty() {
+                built(recording, stances)
+            } else {
+                averaged(recording, &strides)
+            }
+        }
+        Feet::One => one_foot(recording, stances, None),
+        Feet::Left => one_foot(recording, stances, Some(Foot::Left)),
+        Feet::Right => one_foot(recording, stances, Some(Foot::Right)),
+    }
+}
+
+fn no_stance(recording: &Recording, stances: &Stances) -> Error {
+    let error = Error::new(format!(
+        "no whole walking stance in {:.2} s of recording",
+        recording.duration_s
+    ));
+    let all =
+        |why: Why| !stances.rejected.is_empty() && stances.rejected.iter().all(|r| r.why == why);
+    if all(Why::Running) {
+        return error
+            .help("every contact is one short hump: this is running, and walking is needed");
+    }
+    if let Some(r) = stances.rejected.first() {
+        let mut reasons: Vec<&str> = stances.rejected.iter().map(|r| r.why.words()).collect();
+        reasons.sort_unstable();
+        reasons.dedup();
+        return error.help(format!(
+            "{} contacts were found, the first from {:.2} to {:.2} s; {}{}",
+            stances.rejected.len(),
+            r.from_s,
+            r.to_s,
+            reasons.join("; "),
+            recording
+                .notes
+                .iter()
+                .find(|n| n.contains("announces"))
+                .map_or(String::new(), |n| format!("; {n}"))
+        ));
+    }
+    let idle: Vec<String> = recording
+        .channels
+        .iter()
+        .filter_map(|c| Some(format!("{} {}", c.name, c.idle.as_ref()?)))
+        .collect();
+    if idle.is_empty() {
+        error.help("no channel rises above 20 N")
+    } else {
+        error.help(idle.join(", "))
+    }
+}
+
+/// One contact in the row of footfalls: its span and whether it is whole.
+#[derive(Debug, Clone, Copy)]
+struct Footfall<'a> {
+    channel: usize,
+    start_s: f64,
+    end_s: f64,
+    stance: Option<&'a Stance>,
+    cut: Option<Why>,
+}
+
+/// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
+#[derive(Debug, Clone)]
+struct Stride {
+    start_s: f64,
+    end_s: f64,
+    foot: Option<Foot>,
+    /// Channel and span of each contact that reaches into the stride.
+    contacts: Vec<(usize, f64, f64)>,
+}
+
+/// Strides in which every footfall is on record.
+///
+/// Four footfalls in turn, each overlapping the next: the second to the fourth heel strike is a
+/// stride, the first gives its first double support and may be cut before, the fourth begins it anew.
+fn whole_strides(stances: &Stances) -> Vec<Stride> {
+    let mut falls: Vec<Footfall> = stances
+        .used
+        .iter()
+        .map(|s| Footfall {
+            channel: s.channel,
+            start_s: s.start_s,
+            end_s: s.end_s,
+            stance: Some(s),
+            cut: None,
+        })
+        .chain(
+            stances
+                .rejected
+                .iter()
+                .filter(|r| r.why != Why::Touch)
+                .map(rejected_fall),
+        )
+        .collect();
+    falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
+    let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
+    let found = falls.windows(4).filter(|w| {
+        let whole = w[1].stance.is_some() && w[2].stance.is_some();
+        let ends = (w[0].stance.is_some() || w[0].cut == Some(Why::CutAtStart))
+            && (w[3].stance.is_some() || w[3].cut == Some(Why::CutAtEnd));
+        let in_turn = w.windows(2).all(|p| overlap(&p[0], &p[1]));
+        whole && ends && in_turn && w[0].end_s < w[2].start_s && w[1].end_s < w[3].end_s
+    });
+    found
+        .map(|w| Stride {
+            start_s: w[1].start_s,
+            end_s: w[3].start_s,
+            foot: w[1].stance.and_then(|s| s.foot),
+            contacts: w[..3]
+                .iter()
+                .map(|f| (f.channel, f.start_s, f.end_s))
+                .collect(),
+        })
+        .collect()
+}
+
+fn rejected_fall(r: &Rejected) -> Footfall<'_> {
+    Footfall {
+        channel: r.channel,
+        start_s: r.from_s,
+        end_s: r.to_s,
+        stance: None,
+        cut: matches!(r.why, Why::CutAtStart | Why::CutAtEnd).then_some(r.why),
+    }
+}
+
+/// Mean of whole strides that begin with the same foot.
+fn averaged(recording: &Recording, strides: &[Stride]) -> Result<Cycle> {
+    let mut durations: Vec<f64> = strides.iter().map(|s| s.end_s - s.start_s).collect();
+    durations.sort_by(f64::total_cmp);
+    let usual = durations[durations.len() / 2];
+    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
+    // Strides from left to left and from right to right share their samples; one kind is averaged.
+    let count = |foot: Option<Foot>| {
+        strides
+            .iter()
+            .filter(usual_length)
+            .filter(|s| s.foot == foot)
+            .count()
+    };
+    let best = [Some(Foot::Right), Some(Foot::Left), None]
+        .into_iter()
+        .max_by_key(|f| count(*f))
+        .unwrap_or(None);
+    let mut kept: Vec<&Stride> = strides
+        .iter()
+        .filter(usual_length)
+        .filter(|s| s.foot == best)
+        .collect();
+    if best.is_none() {
+        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+        kept = alternate(&kept);
+    }
+    let mut mean = Mean::new();
+    let mut period = 0.0;
+    let mut row = vec![0.0; SAMPLES];
+    for stride in &kept {
+        sample_stride(recording, stride, &mut row);
+        mean.add(&row);
+        period += stride.end_s - stride.start_s;
+    }
+    let n = kept.len();
+    period /= n as f64;
+    let (force, spread) = mean.finish();
+    let with = best.map_or("", |f| match f {
+        Foot::Left => ", from left heel strike",
+        Foot::Right => ", from right heel strike",
+    });
+    let how = format!("{n} whole stride{} of both feet{with}", plural(n));
+    finish(recording, period, force, spread, n, how)
+}
+
+/// Every other stride of each run of strides that overlap.
+fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
+    let mut kept: Vec<&Stride> = Vec::new();
+    for s in strides {
+        let clash = kept
+            .last()
+            .is_some_and(|k: &&Stride| s.start_s < k.end_s - 0.05 * (k.end_s - k.start_s));
+        if !clash {
+            kept.push(s);
+        }
+    }
+    kept
+}
+
+/// Sum of the contacts of a stride at equal phases.
+fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
+    row.fill(0.0);
+    let step = (stride.end_s - stride.start_s) / row.len() as f64;
+    for &(channel, from_s, to_s) in &stride.contacts {
+        let force = &recording.channels[channel].force_n;
+        for (i, x) in row.iter_mut().enumerate() {
+            let t = stride.start_s + i as f64 * step;
+            if t >= from_s && t <= to_s {
+                *x += at(force, t * recording.rate_hz);
+            }
+        }
+    }
+}
+
+/// Force at a place between samples, by a straight line.
+fn at(force: &[f64], place: f64) -> f64 {
+    let i = (place.max(0.0) as usize).min(force.len().saturating_sub(2));
+    let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
+        return force.first().copied().unwrap_or(0.0);
+    };
+    let x = (place - i as f64).clamp(0.0, 1.0);
+    a + x * (b - a)
+}
+
+/// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
+struct Mean {
+    count: f64,
+    mean: Vec<f64>,
+    squares: Vec<f64>,
+}
+
+impl Mean {
+    fn new() -> Self {
+        Mean {
+            count: 0.0,
+            mean: vec![0.0; SAMPLES],
+            squares: vec![0.0; SAMPLES],
+        }
+    }
+
+    fn add(&mut self, row: &[f64]) {
+        self.count += 1.0;
+        for ((m, s), x) in self.mean.iter_mut().zip(&mut self.squares).zip(row) {
+            let d = x - *m;
+            *m += d / self.count;
+            *s += d * (x - *m);
+        }
+    }
+
+    /// Mean and, of two or more, standard deviation.
+    fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
+        let degrees = self.count - 1.0;
+        let spread =
+            (degrees > 0.0).then(|| self.squares.iter().map(|s| (s / degrees).sqrt()).collect());
+        (self.mean, spread)
+    }
+}
+
+/// The mean stance of some stances on its own phase.
+struct MeanStance {
+    count: usize,
+    duration_s: f64,
+    impulse_ns: f64,
+    force: Vec<f64>,
+    spread: Option<Vec<f64>>,
+}
+
+/// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
+fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
+    let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
+    let usual = masses
+        .as_ref()
+        .map(|m| m.iter().sum::<f64>() / m.len() as f64);
+    let mut mean = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    let (mut duration, mut impulse) = (0.0, 0.0);
+    for s in stances {
+        let scale = match (usual, s.mass_kg) {
+            (Some(u), Some(m)) => u / m,
+            _ => 1.0,
+        };
+        let force = &recording.channels[s.channel].force_n;
+        let step = (s.end_s - s.start_s) / (SAMPLES - 1) as f64;
+        for (i, x) in row.iter_mut().enumerate() {
+            *x = scale * at(force, (s.start_s + i as f64 * step) * recording.rate_hz);
+        }
+        mean.add(&row);
+        duration += s.end_s - s.start_s;
+        impulse += scale * s.impulse_ns;
+    }
+    let n = stances.len();
+    let (force, spread) = mean.finish();
+    MeanStance {
+        count: n,
+        duration_s: duration / n as f64,
+        impulse_ns: impulse / n as f64,
+        force,
+        spread,
+    }
+}
+
+/// A stride of both feet built from single stances half a stride apart.
+fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
+    let of = |foot| -> Vec<&Stance> {
+        stances
+            .used
+            .iter()
+            .filter(|s| s.foot == Some(foot))
+            .collect()
+    };
+    let all: Vec<&Stance> = stances.used.iter().collect();
+    let (left, right) = (of(Foot::Left), of(Foot::Right));
+    let sides = !left.is_empty() && !right.is_empty();
+    let (first, second) = if sides {
+        (
+            mean_stance(recording, &right),
+            mean_stance(recording, &left),
+        )
+    } else {
+        (mean_stance(recording, &all), mean_stance(recording, &all))
+    };
+    let (period, from) = stride_time(
+        recording,
+        stances,
+        first.impulse_ns + second.impulse_ns,
+        &first,
+    );
+    let (mut force, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&first, period, 0.0, &mut force, &mut variance);
+    place(&second, period, 0.5, &mut force, &mut variance);
+    let n = all.len();
+    let known = first.spread.is_some() && second.spread.is_some();
+    let spread = known.then(|| variance.iter().map(|v| v.sqrt()).collect());
+    let which = if sides {
+        format!("{} right and {} left", first.count, second.count)
+    } else {
+        n.to_string()
+    };
+    let how = format!(
+        "built from {which} single stance{}, half a stride apart; stride time from {from}",
+        plural(n)
+    );
+    finish(recording, period, force, spread, n, how)
+}
+
+/// One foot over a stride, zero in swing.
+fn one_foot(recording: &Recording, stances: &Stances, foot: Option<Foot>) -> Result<Cycle> {
+    let wanted: Vec<&Stance> = stances
+        .used
+        .iter()
+        .filter(|s| foot.is_none() || s.foot == foot)
+        .collect();
+    if wanted.is_empty() {
+        let side = foot.map_or("", Foot::name);
+        let known = stances.used.iter().any(|s| s.foot.is_some());
+        return Err(
+            Error::new(format!("no whole stance of the {side} foot")).help(if known {
+                "the stances are of the other foot"
+            } else {
+                "the file does not say which foot is which; use feet = \"one\" or \"both\""
+            }),
+        );
+    }
+    let mean = mean_stance(recording, &wanted);
+    let (period, from) = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean);
+    let (mut force, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&mean, period, 0.0, &mut force, &mut variance);
+    let spread = mean
+        .spread
+        .is_some()
+        .then(|| variance.iter().map(|v| v.sqrt()).collect());
+    let n = wanted.len();
+    let how = format!(
+        "{n} stance{} of one foot; stride time from {from}",
+        plural(n)
+    );
+    let mut cycle = finish(recording, period, force, spread, n, how)?;
+    if recording.mass_kg.is_none() {
+        // One foot carries half of the body over a stride.
+        cycle.mass_kg *= 2.0;
+        cycle.curve.mass_kg = Some(cycle.mass_kg);
+    }
+    Ok(cycle)
+}
+
+/// Adds a stance to a stride of `period` s, starting at phase `shift`.
+fn place(stance: &MeanStance, period: f64, shift: f64, force: &mut [f64], variance: &mut [f64]) {
+    let n = force.len() as f64;
+    for i in 0..force.len() {
+        // Phases of the stride at which this sample falls into the stance: a stance may reach past the wrap.
+        let phase = (i as f64 / n - shift).rem_euclid(1.0);
+        let mut t = phase * period;
+        while t <= stance.duration_s {
+            let place = t / stance.duration_s * (SAMPLES - 1) as f64;
+            force[i] += at(&stance.force, place);
+            if let Some(s) = &stance.spread {
+                variance[i] += at(s, place).powi(2);
+            }
+            t += period;
+        }
+    }
+}
+
+/// Duration of a stride, s, and what it was taken from.
+///
+/// Heel strikes that follow each other say it; else a known mass does, since both feet together carry it
+/// (impulse of both = M g T); else the usual part of a stride that a foot stands.
+fn stride_time(
+    recording: &Recording,
+    stances: &Stances,
+    impulse_ns: f64,
+    stance: &MeanStance,
+) -> (f64, String) {
+    let mut strides: Vec<f64> = Vec::new();
+    let rows = recording.channels.iter().any(|c| !c.rows.is_empty());
+    if !rows {
+        for w in stances.used.windows(2) {
+            let step = w[1].start_s - w[0].start_s;
+            match same_foot(&w[0], &w[1]) {
+                Some(false) if step < 1.2 * (w[0].end_s - w[0].start_s) => strides.push(2.0 * step),
+                Some(true) if step < 2.5 * (w[0].end_s - w[0].start_s) => strides.push(step),
+                _ => (),
+            }
+        }
+    }
+    if !strides.is_empty() {
+        strides.sort_by(f64::total_cmp);
+        return (
+            strides[strides.len() / 2],
+            "consecutive heel strikes".to_string(),
+        );
+    }
+    if let Some(mass) = recording.mass_kg {
+        let period = impulse_ns / (mass * G);
+        // A stride shorter than its stance or longer than a pause tells of a wrong mass.
+        if (1.1..3.0).contains(&(period / stance.duration_s)) {
+            return (period, "the impulse that carries the mass".to_string());
+        }
+    }
+    (
+        stance.duration_s / DUTY,
+        format!("the usual {DUTY} of a stride on the ground (nothing in the recording says it)"),
+    )
+}
+
+fn finish(
+    recording: &Recording,
+    period: f64,
+    force: Vec<f64>,
+    spread: Option<Vec<f64>>,
+    averaged: usize,
+    how: String,
+) -> Result<Cycle> {
+    let mut curve = ForceCurve::from_samples(&how, period, force)?;
+    let repeatability_n = spread.as_ref().map(|s: &Vec<f64>| {
+        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
+        1.96 * SQRT_2 * square.sqrt()
+    });
+    let (mass_kg, mass_from) = match recording.mass_kg {
+        Some(m) => (m, recording.mass_from.clone()),
+        None => (curve.mean_n() / G, "mean force over the stride".to_string()),
+    };
+    curve.spread_n = spread;
+    curve.mass_kg = Some(mass_kg);
+    Ok(Cycle {
+        curve,
+        averaged,
+        how,
+        repeatability_n,
+        mass_kg,
+        mass_from,
+    })
+}
+
+fn plural(n: usize) -> &'static str {
+    if n == 1 { "" } else { "s" }
+}

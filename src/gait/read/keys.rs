@@ -1,0 +1,155 @@
+//! What the lines above a table say: sampling rate, mass of the walker, rows announced.
+
+use super::number::{Field, field};
+use crate::units::G;
+
+/// Facts found above a table.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Keys {
+    pub rate_hz: Option<f64>,
+    pub mass_kg: Option<f64>,
+    /// Rows the header announces.
+    pub rows: Option<usize>,
+}
+
+/// Words that announce a sampling rate, lower case.
+const RATE: &[&str] = &[
+    "rate",
+    "freq",
+    "abtast",
+    "hz",
+    "frecuencia",
+    "fréquence",
+    "sampling",
+];
+/// Words that announce a mass or weight.
+const MASS: &[&str] = &[
+    "mass", "gewicht", "weight", "masse", "peso", "poids", "masa",
+];
+
+/// Reads the keys of header lines such as `SampleRate=450`, `Gewicht [kg];56,8`, `nRows=1501`.
+///
+/// A line that is a bare number below a line `Devices` is the rate of a Nexus export.
+pub(super) fn read(head: &[String], comma: bool) -> Keys {
+    let mut keys = Keys::default();
+    for (i, line) in head.iter().enumerate() {
+        let lower = line.to_lowercase();
+        let bare = trimmed(&lower);
+        let above = i.checked_sub(1).map_or("", |j| trimmed(&head[j]));
+        if let Some(x) = number(bare, comma)
+            && above.eq_ignore_ascii_case("devices")
+        {
+            keys.rate_hz = Some(x);
+            continue;
+        }
+        let Some((key, value)) = split(bare) else {
+            continue;
+        };
+        let Some(x) = number(value, comma) else {
+            continue;
+        };
+        let says = |words: &[&str]| words.iter().any(|w| key.contains(w));
+        if says(RATE) && !key.contains("heart") && x > 0.0 {
+            keys.rate_hz.get_or_insert(x);
+        } else if says(MASS) && x > 0.0 {
+            keys.mass_kg = keys.mass_kg.or(mass(key, value, x));
+        } else if key.contains("nrows")
+            || key.contains("datarows")
+            || key.contains("numberofsamples")
+        {
+            keys.rows = (x >= 0.0).then_some(x as usize);
+        }
+    }
+    keys
+}
+
+fn trimmed(line: &str) -> &str {
+    line.trim_matches(|c: char| c.is_whitespace() || ",;\"".contains(c))
+}
+
+/// Key and value of a line: parted by `=`, `:`, a separator, or the last blank.
+fn split(line: &str) -> Option<(&str, &str)> {
+    for mark in ["=", ":", "\t", ";"] {
+        if let Some((key, value)) = line.split_once(mark) {
+            return Some((key.trim(), trimmed(value)));
+        }
+    }
+    if let Some((key, value)) = line.split_once(',') {
+        return Some((key.trim(), trimmed(value)));
+    }
+    line.rsplit_once(' ').map(|(k, v)| (k.trim(), v.trim()))
+}
+
+/// The number a value starts with; a unit may follow.
+fn number(value: &str, comma: bool) -> Option<f64> {
+    let first = value.split(['\t', ';', ' ']).next().unwrap_or("");
+    let end = first
+        .find(|c: char| !(c.is_ascii_digit() || "+-.,e".contains(c)))
+        .unwrap_or(first.len());
+    let digits = first[..end].trim_end_matches(['e', ',']);
+    match field(digits.as_bytes(), comma) {
+        Field::Number(x) => Some(x),
+        _ => None,
+    }
+}
+
+/// Mass of a walker, kg, from a key that speaks of mass or weight; `None` where it cannot be one.
+pub(super) fn mass(key: &str, value: &str, x: f64) -> Option<f64> {
+    let all = format!("{key} {value}").to_lowercase();
+    let unit = |u: &str| {
+        let marked = [format!("[{u}]"), format!("({u})"), format!("_{u}")];
+        marked.iter().any(|m| all.contains(m)) || all.ends_with(&format!(" {u}"))
+    };
+    let kg = if unit("n") {
+        x / G
+    } else if unit("lb") || unit("lbs") {
+        x * 0.453_592_37
+    } else if unit("kg") || x < 200.0 {
+        x
+    } else {
+        // A weight above 200 without a unit is in newtons.
+        x / G
+    };
+    (3.0..=400.0).contains(&kg).then_some(kg)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(lines: &[&str], comma: bool) -> Keys {
+        let head: Vec<String> = lines.iter().map(|l| (*l).to_string()).collect();
+        read(&head, comma)
+    }
+
+    #[test]
+    fn rates_masses_and_row_counts_are_found_in_every_style() {
+        let k = of(
+            &[
+                "Abtastrate [Hz];1000",
+                "Größe [cm];174,0",
+                "Gewicht [kg];56,8",
+            ],
+            true,
+        );
+        assert_eq!((k.rate_hz, k.mass_kg), (Some(1000.0), Some(56.8)));
+        let k = of(
+            &[
+                "[Force Data]",
+                "SampleRate=450.000000",
+                "NumberOfSamples=1092",
+            ],
+            false,
+        );
+        assert_eq!((k.rate_hz, k.rows), (Some(450.0), Some(1092)));
+        assert_eq!(of(&["Devices", "1000,,,"], false).rate_hz, Some(1000.0));
+        assert_eq!(
+            of(&["Sampling rate (Hz):\t960"], false).rate_hz,
+            Some(960.0)
+        );
+        assert_eq!(of(&["FREQUENCY\t1200"], false).rate_hz, Some(1200.0));
+        assert_eq!(of(&["datarows 9009"], false).rows, Some(9009));
+        assert_eq!(of(&["Body weight (N): 686.7"], false).mass_kg, Some(70.0));
+        assert_eq!(of(&["Mass: 0 kg"], false).mass_kg, None);
+    }
+}

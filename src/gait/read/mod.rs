@@ -1,0 +1,48 @@
+//! Readers: bytes of a file in, [`Recording`] out.
+//!
+//! The kind of file is told from its bytes, never from its name. Nothing here trusts a count in a file:
+//! memory is reserved for what the bytes present can hold.
+
+mod columns;
+mod headerless;
+mod keys;
+mod layout;
+mod number;
+mod rows;
+mod table;
+mod text;
+mod timebase;
+mod vertical;
+
+use std::path::Path;
+
+use super::recording::{ReadOptions, Recording};
+use crate::error::{Error, Result};
+
+pub use rows::metadata_name;
+
+/// Reads a recording of vertical force.
+///
+/// `path` serves messages only. Fails with file and line (or byte) where the file holds no vertical force,
+/// time goes backwards, or its numbers cannot be placed in time.
+pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    check(options)?;
+    if bytes.is_empty() {
+        return Err(
+            Error::file(path, "the file is empty").help("give a recording of vertical force")
+        );
+    }
+    text::read(path, bytes, options)
+}
+
+fn check(options: &ReadOptions) -> Result<()> {
+    let positive = |flag: &str, x: Option<f64>, example: &str| match x {
+        Some(x) if !(x.is_finite() && x > 0.0) => {
+            Err(Error::argument(flag, format!("{x} is not positive"))
+                .help(format!("give for example {example}")))
+        }
+        _ => Ok(()),
+    };
+    positive("--rate", options.rate_hz, "\"1000 Hz\"")?;
+    positive("--mass", options.mass_kg, "\"70 kg\"")
+}

@@ -1,0 +1,406 @@
+//! Recordings in delimited text: one row per sample.
+
+use std::path::Path;
+
+use super::columns::{Axis, Role, bracketed, foot, role, words};
+use super::layout::{Layout, Position, Separator, detect, plain, text};
+use super::table::{Numbers, Table, next_table, numbers, skip};
+use super::timebase::{TimeBase, usual_step};
+use super::{headerless, keys, rows, vertical};
+use crate::error::{Error, Result, nearest};
+use crate::gait::recording::{Foot, ForceUnit, ReadOptions, Recording};
+
+/// A raw column of force with what its name says.
+#[derive(Debug)]
+pub(super) struct RawForce {
+    pub name: String,
+    pub axis: Axis,
+    pub foot: Option<Foot>,
+    pub unit: Option<ForceUnit>,
+    pub values: Vec<f64>,
+}
+
+/// Which columns of a table to read, and how.
+struct Plan {
+    time: Option<usize>,
+    /// Whether the time column counts samples instead of seconds.
+    counts: bool,
+    force: Vec<(usize, Axis, Option<Foot>)>,
+}
+
+/// Reads a delimited text; the first table with a force column counts.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    let bytes = &*plain(bytes);
+    let layout = detect(bytes);
+    let mut from = Position { offset: 0, line: 1 };
+    let mut head: Vec<String> = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
+    while let Some(table) = next_table(bytes, layout, from) {
+        let room = 600usize.saturating_sub(head.len());
+        head.extend(table.head.iter().take(room).cloned());
+        if rows::is_stance_table(&table.names) {
+            return rows::read(path, bytes, layout, &table, &head, options);
+        }
+        if table.names.is_empty() && options.force.iter().all(|f| f.parse::<usize>().is_ok()) {
+            if let Some(raw) = headerless::read(path, bytes, layout, &table, options)? {
+                return finish(path, layout, &table, &head, raw, options);
+            }
+        } else if let Some(plan) = plan(path, &table, options)? {
+            let raw = extract(path, bytes, layout, &table, &plan)?;
+            return finish(path, layout, &table, &head, raw, options);
+        }
+        seen.extend(
+            table
+                .names
+                .iter()
+                .take(200usize.saturating_sub(seen.len()))
+                .cloned(),
+        );
+        from = skip(bytes, layout, &table);
+    }
+    Err(nothing_found(path, bytes, &seen))
+}
+
+fn nothing_found(path: &Path, bytes: &[u8], seen: &[String]) -> Error {
+    if bytes.trim_ascii().is_empty() {
+        return Error::file(path, "the file is empty").help("give a recording of vertical force");
+    }
+    if seen.is_empty() {
+        let first: String = text(&bytes[..bytes.len().min(60)])
+            .chars()
+            .take(40)
+            .collect();
+        return Error::file(path, "no table of numbers found")
+            .help(format!("the file starts with {first:?}"));
+    }
+    let shown: Vec<&str> = seen.iter().take(40).map(String::as_str).collect();
+    Error::file(path, "no column of vertical force found").help(format!(
+        "the columns are {}; name the force column with --force",
+        shown.join(", ")
+    ))
+}
+
+/// Decides which columns to read; `None` where the table holds no force.
+fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan>> {
+    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+    let mut force = Vec::new();
+    for (i, r) in roles.iter().enumerate() {
+        if let Role::Force { axis, foot } = r {
+            force.push((i, *axis, *foot));
+        }
+    }
+    if force.is_empty() {
+        force = columns_in_newtons(table, &roles);
+    }
+    if !options.force.is_empty() {
+        force.clear();
+        for name in &options.force {
+            let i = column(path, table, name)?;
+            force.push((i, Axis::Vertical, foot(&words(&table.names[i]))));
+        }
+        force.sort_by_key(|f| f.0);
+        force.dedup_by_key(|f| f.0);
+    }
+    if force.is_empty() {
+        return Ok(None);
+    }
+    let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
+    let (time, counts) = match &options.time {
+        Some(name) => (Some(column(path, table, name)?), false),
+        None => match (place(&Role::Time), place(&Role::Frame)) {
+            (Some(t), _) => (Some(t), false),
+            (None, Some(f)) => (Some(f), true),
+            (None, None) => (None, false),
+        },
+    };
+    // Sub-frames repeat and frames stand still meanwhile: rows are counted instead.
+    let sub = place(&Role::SubFrame).is_some();
+    Ok(Some(Plan {
+        time: time.filter(|_| !(counts && sub)),
+        counts,
+        force: force.into_iter().filter(|f| Some(f.0) != time).collect(),
+    }))
+}
+
+/// Columns of unknown name whose unit says force.
+fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option<Foot>)> {
+    let forces =
+        (0..table.names.len()).filter(|&i| roles[i] == Role::Other && is_newtons(table, i));
+    forces
+        .map(|i| {
+            let name = table.names[i].clone();
+            let side = foot(&words(&name));
+            (i, Axis::Vertical, side)
+        })
+        .collect()
+}
+
+fn is_newtons(table: &Table, i: usize) -> bool {
+    let plain_name = !words(&table.names[i])
+        .iter()
+        .any(|w| w.starts_with("cop") || w.starts_with("moment"));
+    plain_name
+        && matches!(
+            unit_label(table, i),
+            Some(ForceUnit::Newton | ForceUnit::BodyWeight | ForceUnit::PercentBodyWeight)
+        )
+}
+
+fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
+    let name = table.names.get(i)?;
+    let row = table
+        .units
+        .get(i)
+        .map(|u| u.trim_matches(['[', ']', '(', ')']));
+    let label = row.filter(|u| !u.is_empty()).or_else(|| bracketed(name));
+    match label {
+        Some(label) => label.parse().ok(),
+        None => {
+            let last = words(name).pop()?;
+            // `force_n`, `fz_lbf`; a lone `n` or `lb` before that is part of a name.
+            let known = ["n", "kn", "lbf", "lb", "bw"].contains(&last.as_str());
+            (known && name.contains(['_', ' ']))
+                .then(|| last.parse().ok())
+                .flatten()
+        }
+    }
+}
+
+/// A column by name (case does not matter) or by number from 1.
+fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> {
+    let plain = |s: &str| s.trim().to_lowercase();
+    let names = &table.names;
+    let found = names
+        .iter()
+        .position(|n| n == wanted)
+        .or_else(|| names.iter().position(|n| plain(n) == plain(wanted)));
+    let number = wanted
+        .parse::<usize>()
+        .ok()
+        .filter(|n| (1..=names.len()).contains(n));
+    found.or(number.map(|n| n - 1)).ok_or_else(|| {
+        let error = Error::line(
+            path,
+            table.start.line.saturating_sub(1).max(1),
+            format!("no column \"{wanted}\""),
+        );
+        let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
+        match nearest(wanted, names.iter().take(200).map(String::as_str)) {
+            Some(near) => error.help(format!(
+                "did you mean \"{near}\"? The columns are {}",
+                shown.join(", ")
+            )),
+            None => error.help(format!("the columns are {}", shown.join(", "))),
+        }
+    })
+}
+
+/// Raw columns with their time.
+#[derive(Debug)]
+pub(super) struct Raw {
+    /// Times as written, where there is a time column.
+    pub times: Option<Vec<f64>>,
+    /// Scale of the times to seconds, where their column says it.
+    pub time_unit: Option<f64>,
+    /// Whether times count samples.
+    pub counts: bool,
+    pub forces: Vec<RawForce>,
+    pub samples: usize,
+    pub skipped: Vec<usize>,
+}
+
+fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
+    let mut wanted: Vec<usize> = plan.force.iter().map(|f| f.0).chain(plan.time).collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let slot = |i: usize| wanted.iter().position(|&w| w == i);
+    let time_slot = plan.time.and_then(slot);
+    let Numbers {
+        mut columns,
+        skipped,
+    } = numbers(path, bytes, layout, table, &wanted, time_slot)?;
+    let samples = columns.first().map_or(0, Vec::len);
+    let times = time_slot.map(|t| std::mem::take(&mut columns[t]));
+    let mut forces = Vec::new();
+    for (i, axis, side) in &plan.force {
+        let Some(s) = slot(*i) else { continue };
+        forces.push(RawForce {
+            name: table.names[*i].trim().to_string(),
+            axis: *axis,
+            foot: *side,
+            unit: unit_label(table, *i),
+            values: std::mem::take(&mut columns[s]),
+        });
+    }
+    Ok(Raw {
+        times,
+        time_unit: plan.time.and_then(|t| time_unit(table, t)),
+        counts: plan.counts,
+        forces,
+        samples,
+        skipped,
+    })
+}
+
+fn time_unit(table: &Table, i: usize) -> Option<f64> {
+    let row = table
+        .units
+        .get(i)
+        .map(|u| u.trim_matches(['[', ']', '(', ')']));
+    let label = row
+        .filter(|u| !u.is_empty())
+        .or_else(|| bracketed(&table.names[i]));
+    let last = words(&table.names[i]).pop();
+    match label.or(last.as_deref())?.to_lowercase().as_str() {
+        "s" | "sec" | "secs" | "seconds" => Some(1.0),
+        "ms" => Some(1e-3),
+        "us" | "µs" => Some(1e-6),
+        "min" => Some(60.0),
+        _ => None,
+    }
+}
+
+/// Puts raw columns on a time base and makes channels of vertical force of them.
+fn finish(
+    path: &Path,
+    layout: Layout,
+    table: &Table,
+    head: &[String],
+    raw: Raw,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let keys = keys::read(head, layout.comma);
+    let mut notes = Vec::new();
+    if let Some(rows) = keys.rows.filter(|r| *r != raw.samples) {
+        notes.push(format!(
+            "the header announces {rows} rows, the file has {}",
+            raw.samples
+        ));
+    }
+    if let Some(line) = raw.skipped.first() {
+        notes.push(format!(
+            "lines that are not rows of numbers were passed over, first line {line}"
+        ));
+    }
+    if raw.samples < 2 {
+        return Err(Error::line(
+            path,
+            table.start.line,
+            format!("{} sample is not a recording", raw.samples),
+        )
+        .help("give at least one whole stance"));
+    }
+    let place = |e: Error| e.at(crate::error::Place::File(path.to_path_buf()));
+    let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
+    let mass = options.mass_kg.or(keys.mass_kg);
+    let mut recording =
+        vertical::recording(raw.forces, base, raw.samples, mass, options, notes).map_err(place)?;
+    recording.mass_from = match (options.mass_kg, keys.mass_kg) {
+        (Some(_), _) => "user".to_string(),
+        (None, Some(_)) => "file".to_string(),
+        (None, None) => String::new(),
+    };
+    recording.format = format_name(path, layout, table, head);
+    Ok(recording)
+}
+
+fn time_base(
+    raw: &Raw,
+    options: &ReadOptions,
+    key_rate: Option<f64>,
+    notes: &mut Vec<String>,
+) -> Result<TimeBase> {
+    if let Some(rate) = options.rate_hz {
+        return Ok(TimeBase::even(rate));
+    }
+    let need_rate = || {
+        Error::new("the file gives no time and no sampling rate")
+            .help("give the rate with --rate, for example --rate \"1000 Hz\"")
+    };
+    let Some(times) = &raw.times else {
+        return key_rate.map(TimeBase::even).ok_or_else(need_rate);
+    };
+    if raw.counts {
+        return key_rate.map(TimeBase::even).ok_or_else(need_rate);
+    }
+    if times.len() < 2 {
+        return Err(
+            Error::new("one sample is not a recording").help("give at least one whole stance")
+        );
+    }
+    let mut scale = raw.time_unit.unwrap_or(1.0);
+    if raw.time_unit.is_none() {
+        let step = usual_step(times);
+        if let Some(rate) = key_rate.filter(|r| (step * r - 1.0).abs() > 0.5) {
+            // The column counts something else than seconds; the rate says what.
+            scale = 1.0 / (rate * step);
+        } else if key_rate.is_none() && (0.4..=60.0).contains(&step) && times.len() > 20 {
+            scale = 1e-3;
+            notes.push(format!(
+                "steps of {step} in the time column are taken for milliseconds"
+            ));
+        }
+    }
+    let seconds: Vec<f64>;
+    let times = if scale == 1.0 {
+        times
+    } else {
+        seconds = times.iter().map(|t| t * scale).collect();
+        &seconds
+    };
+    let base = TimeBase::from_times(times)?;
+    match key_rate {
+        // Times are rounded; a stated rate that agrees is the exact one.
+        Some(rate) if !base.is_uneven() && (rate / base.rate_hz - 1.0).abs() < 2e-3 => {
+            Ok(TimeBase::even(rate))
+        }
+        Some(rate) if (rate / base.rate_hz - 1.0).abs() > 0.01 => {
+            notes.push(format!(
+                "the header says {rate} Hz, the time column {:.2} Hz; the times count",
+                base.rate_hz
+            ));
+            Ok(base)
+        }
+        _ => Ok(base),
+    }
+}
+
+fn format_name(path: &Path, layout: Layout, table: &Table, head: &[String]) -> String {
+    let says = |what: &str| head.iter().any(|l| l.to_lowercase().contains(what));
+    let starts = |what: &str| head.iter().any(|l| l.to_lowercase().starts_with(what));
+    let extension = path
+        .extension()
+        .and_then(|e| e.to_str())
+        .unwrap_or("")
+        .to_lowercase();
+    if starts("endheader") {
+        let age = if starts("datacolumns") || starts("datarows") {
+            "old"
+        } else {
+            "new"
+        };
+        return format!("OpenSim storage, {age} header");
+    }
+    if says("[force data]") {
+        return "force data with key lines (.forces)".to_string();
+    }
+    if starts("devices") && table.names.iter().any(|n| n.to_lowercase().contains("sub")) {
+        return "Nexus device export".to_string();
+    }
+    if says("insoles") {
+        return "insole text export".to_string();
+    }
+    if says("bioware") {
+        return "BioWare text export".to_string();
+    }
+    if starts("no_of_") || starts("force_plate") {
+        return "Qualisys text export".to_string();
+    }
+    if table.names.is_empty() {
+        if extension == "asc" && layout.separator == Separator::Byte(b',') {
+            return "AMTI text without header".to_string();
+        }
+        return format!("{} without header", layout.describe());
+    }
+    layout.describe()
+}

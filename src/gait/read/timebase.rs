@@ -1,0 +1,178 @@
+//! The time base: rate from a time column, uneven samples put on even ones, gaps named.
+
+use crate::error::{Error, Result};
+
+/// An even time base for the samples of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TimeBase {
+    pub rate_hz: f64,
+    /// Times in samples from the first, where they are too uneven to be taken as even.
+    uneven: Option<Vec<f64>>,
+    /// Spans without samples, s from the first.
+    pub gaps_s: Vec<(f64, f64)>,
+}
+
+/// A sample may lie this far from its even place, in steps, before samples are moved.
+const SLACK: f64 = 0.75;
+
+/// A step this many times the usual one is a gap.
+const GAP: f64 = 2.5;
+
+impl TimeBase {
+    /// An even base of known rate.
+    pub fn even(rate_hz: f64) -> Self {
+        TimeBase {
+            rate_hz,
+            uneven: None,
+            gaps_s: Vec::new(),
+        }
+    }
+
+    /// From times in seconds that never fall; the rate is (n − 1)/duration, since single steps are rounded.
+    ///
+    /// With a gap the rate is that of the samples outside gaps. Fails on fewer than two samples and on a
+    /// time that stands still.
+    pub fn from_times(times: &[f64]) -> Result<Self> {
+        let n = times.len();
+        let (Some(first), Some(last)) = (times.first(), times.last()) else {
+            return Err(Error::new("there are no samples"));
+        };
+        if n < 2 {
+            return Err(
+                Error::new("one sample is not a recording").help("give at least one whole stance")
+            );
+        }
+        let whole = last - first;
+        if whole <= 0.0 {
+            return Err(Error::new(format!("time stands still at {first} s"))
+                .help("give the time column with --time or the rate with --rate"));
+        }
+        let usual = usual_step(times);
+        let is_gap = |w: &&[f64]| w[1] - w[0] > GAP * usual;
+        let gaps: Vec<(f64, f64)> = times
+            .windows(2)
+            .filter(is_gap)
+            .map(|w| (w[0] - first, w[1] - first))
+            .collect();
+        let lost: f64 = gaps.iter().map(|(a, b)| b - a).sum();
+        let steps = (n - 1 - gaps.len()) as f64;
+        let step = if steps > 0.0 && whole > lost {
+            (whole - lost) / steps
+        } else {
+            usual
+        };
+        // A gap may not call for more memory than the samples themselves do.
+        let slots = whole / step;
+        if slots > 4.0 * n as f64 + 1000.0 {
+            return Err(Error::new(format!(
+                "the times leave {:.0} s of {whole:.0} s without samples",
+                lost
+            ))
+            .help("cut the recording at its gaps"));
+        }
+        let strays = times
+            .iter()
+            .enumerate()
+            .any(|(i, t)| (t - first - i as f64 * step).abs() > SLACK * step);
+        let uneven = (strays || !gaps.is_empty())
+            .then(|| times.iter().map(|t| (t - first) / step).collect());
+        Ok(TimeBase {
+            rate_hz: 1.0 / step,
+            uneven,
+            gaps_s: gaps,
+        })
+    }
+
+    /// Whether samples have to be moved to even places.
+    pub fn is_uneven(&self) -> bool {
+        self.uneven.is_some()
+    }
+
+    /// Values at even times, by straight lines between the samples; missing ones stay missing.
+    pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
+        let Some(at) = &self.uneven else {
+            return values;
+        };
+        let last = at.last().copied().unwrap_or(0.0);
+        let count = last.round() as usize + 1;
+        let mut out = Vec::with_capacity(count);
+        let mut i = 0;
+        for k in 0..count {
+            let t = (k as f64).min(last);
+            while i + 2 < at.len() && at[i + 1] <= t {
+                i += 1;
+            }
+            let (a, b) = (at[i], at[i + 1]);
+            let x = if b > a {
+                ((t - a) / (b - a)).clamp(0.0, 1.0)
+            } else {
+                1.0
+            };
+            out.push(match x {
+                x if x < 1e-9 => values[i],
+                x if x > 1.0 - 1e-9 => values[i + 1],
+                x => values[i] + x * (values[i + 1] - values[i]),
+            });
+        }
+        out
+    }
+}
+
+/// Median step of a thinned set of neighbours; the mean where times are so rounded that it is zero.
+pub(super) fn usual_step(times: &[f64]) -> f64 {
+    let thin = times.len() / 4096 + 1;
+    let mut steps: Vec<f64> = times
+        .windows(2)
+        .step_by(thin)
+        .map(|w| w[1] - w[0])
+        .collect();
+    steps.sort_by(f64::total_cmp);
+    match steps.get(steps.len() / 2) {
+        Some(&s) if s > 0.0 => s,
+        _ => (times[times.len() - 1] - times[0]) / (times.len() - 1).max(1) as f64,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounded_times_give_the_true_rate() {
+        // 600 Hz written with four decimals: steps of 0.0016 and 0.0017.
+        let times: Vec<f64> = (0..1501)
+            .map(|i| (f64::from(i) / 600.0 * 1e4).round() / 1e4)
+            .collect();
+        let base = TimeBase::from_times(&times).unwrap();
+        assert!((base.rate_hz - 600.0).abs() < 0.05, "{}", base.rate_hz);
+        assert!(!base.is_uneven());
+        // 2000 Hz written with three decimals repeats every time.
+        let times: Vec<f64> = (0..4001)
+            .map(|i| (f64::from(i) / 2000.0 * 1e3).floor() / 1e3)
+            .collect();
+        assert!((TimeBase::from_times(&times).unwrap().rate_hz - 2000.0).abs() < 1.0);
+    }
+
+    #[test]
+    fn a_straight_line_survives_jitter_and_a_gap() {
+        let times: Vec<f64> = (0..600)
+            .filter(|i| !(200..230).contains(i))
+            .map(|i| 5.0 + 0.01 * f64::from(i) + 0.002 * (f64::from(i) * 0.7).sin())
+            .collect();
+        let base = TimeBase::from_times(&times).unwrap();
+        assert!((base.rate_hz - 100.0).abs() < 0.2, "{}", base.rate_hz);
+        assert_eq!(base.gaps_s.len(), 1);
+        let line = base.resampled(times.iter().map(|t| 3.0 * (t - times[0])).collect());
+        for (k, y) in line.iter().enumerate().take(line.len() - 1) {
+            assert!((y - 3.0 * k as f64 / base.rate_hz).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn one_sample_still_time_and_endless_gaps_are_refused() {
+        assert!(TimeBase::from_times(&[1.0]).is_err());
+        assert!(TimeBase::from_times(&[1.0, 1.0]).is_err());
+        let e = TimeBase::from_times(&[0.0, 1e-6, 2e-6, 1e6]).unwrap_err();
+        assert!(e.to_string().contains("without samples"), "{e}");
+    }
+}

@@ -1,0 +1,197 @@
+//! What a recording is once it has been read: channels of vertical force on one even time base.
+
+use crate::error::{Error, Result};
+use crate::units::{G, LBF};
+
+/// The side of the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Foot {
+    /// Left.
+    Left,
+    /// Right.
+    Right,
+}
+
+impl Foot {
+    /// `left` or `right`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Foot::Left => "left",
+            Foot::Right => "right",
+        }
+    }
+
+    /// The other side.
+    #[must_use]
+    pub fn other(self) -> Foot {
+        match self {
+            Foot::Left => Foot::Right,
+            Foot::Right => Foot::Left,
+        }
+    }
+}
+
+/// Unit of the force columns of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForceUnit {
+    /// Newtons.
+    Newton,
+    /// Kilonewtons.
+    Kilonewton,
+    /// Pounds-force.
+    PoundForce,
+    /// Kilograms-force.
+    KilogramForce,
+    /// Newtons per kilogram of body mass.
+    NewtonPerKilogram,
+    /// Body weights.
+    BodyWeight,
+    /// Hundredths of body weight.
+    PercentBodyWeight,
+}
+
+impl ForceUnit {
+    /// The name used in scenes and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            ForceUnit::Newton => "N",
+            ForceUnit::Kilonewton => "kN",
+            ForceUnit::PoundForce => "lbf",
+            ForceUnit::KilogramForce => "kgf",
+            ForceUnit::NewtonPerKilogram => "N/kg",
+            ForceUnit::BodyWeight => "BW",
+            ForceUnit::PercentBodyWeight => "%BW",
+        }
+    }
+
+    /// Newtons per unit; `None` where that needs a body mass and none is known.
+    pub fn newtons(self, mass_kg: Option<f64>) -> Option<f64> {
+        match self {
+            ForceUnit::Newton => Some(1.0),
+            ForceUnit::Kilonewton => Some(1e3),
+            ForceUnit::PoundForce => Some(LBF),
+            ForceUnit::KilogramForce => Some(9.806_65),
+            ForceUnit::NewtonPerKilogram => mass_kg,
+            ForceUnit::BodyWeight => mass_kg.map(|m| m * G),
+            ForceUnit::PercentBodyWeight => mass_kg.map(|m| m * G / 100.0),
+        }
+    }
+}
+
+impl std::str::FromStr for ForceUnit {
+    type Err = Error;
+
+    fn from_str(word: &str) -> Result<Self> {
+        let plain: String = word.chars().filter(|c| !c.is_whitespace()).collect();
+        Ok(match plain.to_lowercase().as_str() {
+            "n" | "newton" | "newtons" => ForceUnit::Newton,
+            "kn" => ForceUnit::Kilonewton,
+            "lbf" | "lb" | "lbs" => ForceUnit::PoundForce,
+            "kgf" | "kp" | "kg" => ForceUnit::KilogramForce,
+            "n/kg" => ForceUnit::NewtonPerKilogram,
+            "bw" | "n/bw" | "xbw" | "n/n" => ForceUnit::BodyWeight,
+            "%bw" | "bw%" | "percentbw" => ForceUnit::PercentBodyWeight,
+            _ => {
+                return Err(Error::new(format!("\"{word}\" is not a unit of force"))
+                    .help("units are N, kN, lbf, kgf, N/kg, BW and %BW"));
+            }
+        })
+    }
+}
+
+/// What the user says about a file, where the file does not say it or says it wrongly.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Name (or number from 1) of the time column.
+    pub time: Option<String>,
+    /// Names (or numbers from 1) of the vertical force columns.
+    pub force: Vec<String>,
+    /// Unit of the force columns.
+    pub unit: Option<ForceUnit>,
+    /// Samples per second.
+    pub rate_hz: Option<f64>,
+    /// Mass of the walker, kg.
+    pub mass_kg: Option<f64>,
+    /// The bytes of the table of subjects that belongs to a table of stances
+    /// (see [`metadata_name`](super::metadata_name)).
+    pub metadata: Option<Vec<u8>>,
+}
+
+/// A moment at which the file says that a foot struck the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strike {
+    /// Time from the first sample, s.
+    pub at_s: f64,
+    /// Which foot.
+    pub foot: Foot,
+}
+
+/// One stance of a table that has a row per stance, as samples of its channel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// First sample.
+    pub from: usize,
+    /// One past the last sample.
+    pub to: usize,
+    /// Mass of that subject, kg, where known.
+    pub mass_kg: Option<f64>,
+}
+
+/// Vertical force of one plate, insole or side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Name in the file.
+    pub name: String,
+    /// The foot it belongs to, where the file says so.
+    pub foot: Option<Foot>,
+    /// Upward force on the body, N, unloaded baseline removed; always finite.
+    pub force_n: Vec<f64>,
+    /// Unloaded reading that was removed, N (sign as in `force_n`).
+    pub baseline_n: f64,
+    /// Standard deviation of the unloaded reading, N.
+    pub noise_n: f64,
+    /// Samples (first, one past the last) that the file lacks; they were bridged by straight lines.
+    pub missing: Vec<(usize, usize)>,
+    /// Why the channel takes no part ("never touched", "stuck at 812 N"), if so.
+    pub idle: Option<String>,
+    /// Stances by row; empty for an ordinary recording.
+    pub rows: Vec<Row>,
+}
+
+/// A recording on an even time base.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// What kind of file it was, for people.
+    pub format: String,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// Time from the first sample to the last, s.
+    pub duration_s: f64,
+    /// Mass of the walker, kg, where the file or the user gives it.
+    pub mass_kg: Option<f64>,
+    /// Where that mass is from: "file", "user"; empty where it is not known.
+    pub mass_from: String,
+    /// Channels of vertical force, in the order of the file.
+    pub channels: Vec<Channel>,
+    /// Foot strikes the file marks, in order of time.
+    pub strikes: Vec<Strike>,
+    /// Spans without samples, s.
+    pub gaps_s: Vec<(f64, f64)>,
+    /// What a person should know about how the file was understood.
+    pub notes: Vec<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_force_are_read_and_others_refused() {
+        let unit = |w: &str| w.parse::<ForceUnit>();
+        assert_eq!(unit("% BW"), Ok(ForceUnit::PercentBodyWeight));
+        assert_eq!(unit("lb"), Ok(ForceUnit::PoundForce));
+        assert!(unit("furlong").unwrap_err().to_string().contains("lbf"));
+        assert_eq!(ForceUnit::BodyWeight.newtons(Some(10.0)), Some(10.0 * G));
+        assert_eq!(ForceUnit::BodyWeight.newtons(None), None);
+    }
+}
