@@ -338,15 +338,8 @@ fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
 
 /// A stride of both feet built from single stances half a stride apart.
 fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
-    let of = |foot| -> Vec<&Stance> {
-        stances
-            .used
-            .iter()
-            .filter(|s| s.foot == Some(foot))
-            .collect()
-    };
     let all: Vec<&Stance> = stances.used.iter().collect();
-    let (left, right) = (of(Foot::Left), of(Foot::Right));
+    let (left, right) = by_side(&all);
     let sides = !left.is_empty() && !right.is_empty();
     let (first, second) = if sides {
         (
@@ -368,16 +361,49 @@ fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
     let n = all.len();
     let known = first.spread.is_some() && second.spread.is_some();
     let spread = known.then(|| variance.iter().map(|v| v.sqrt()).collect());
-    let which = if sides {
-        format!("{} right and {} left", first.count, second.count)
-    } else {
-        n.to_string()
+    let named = all.iter().any(|s| s.foot.is_some());
+    let which = match (sides, named) {
+        (true, true) => format!("{} right and {} left", first.count, second.count),
+        (true, false) => format!(
+            "{} of one foot and {} of the other",
+            first.count, second.count
+        ),
+        _ => n.to_string(),
     };
     let how = format!(
         "built from {which} single stance{}, half a stride apart; stride time from {from}",
         plural(n)
     );
     finish(recording, period, force, spread, n, how)
+}
+
+/// Stances of the left and of the right foot; where no side is known, of the one and of the other.
+///
+/// Without sides the feet are told apart by turns, as far as the stances follow each other.
+fn by_side<'a>(stances: &[&'a Stance]) -> (Vec<&'a Stance>, Vec<&'a Stance>) {
+    let of = |foot| {
+        stances
+            .iter()
+            .copied()
+            .filter(|s| s.foot == Some(foot))
+            .collect()
+    };
+    if stances.iter().any(|s| s.foot.is_some()) {
+        return (of(Foot::Left), of(Foot::Right));
+    }
+    let mut sides = (Vec::new(), Vec::new());
+    let mut first = true;
+    for (i, s) in stances.iter().enumerate() {
+        let same = i
+            .checked_sub(1)
+            .map_or(Some(true), |j| same_foot(stances[j], s));
+        match same {
+            Some(same) => first = first == same,
+            None => return (Vec::new(), Vec::new()),
+        }
+        if first { &mut sides.1 } else { &mut sides.0 }.push(*s);
+    }
+    sides
 }
 
 /// One foot over a stride, zero in swing.
