@@ -2,10 +2,15 @@
 
 mod hermite;
 mod joint;
+mod pieces;
+mod program;
+mod rise;
 mod wave;
 
 pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
+pub use program::{Extent, Segment, assemble, constant_breadth, program};
+pub use rise::{End, Ends, Factors, Rise};
 pub use wave::Wave;
 
 use crate::poly::{Extreme, PiecewisePoly, bernstein};

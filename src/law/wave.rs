@@ -32,6 +32,16 @@ impl Wave {
         out.j -= square * slope;
     }
 
+    /// The wave seen backwards from the end of a piece of given width: g(x) = f(width − x).
+    pub fn mirrored(&self, width: f64) -> Wave {
+        let (sin, cos) = (self.rate * width).sin_cos();
+        Wave {
+            rate: self.rate,
+            cos: self.cos * cos + self.sin * sin,
+            sin: self.cos * sin - self.sin * cos,
+        }
+    }
+
     /// Amplitudes (cos, sin) of w₀f + w₁f′ + w₂f″ + w₃f‴.
     fn combination(&self, w: [f64; 4]) -> (f64, f64) {
         let r = self.rate;

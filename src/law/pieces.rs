@@ -1,0 +1,102 @@
+//! Laws put together piece after piece.
+
+use super::{Law, Wave};
+use crate::poly::{PiecewisePoly, bernstein};
+
+/// A law under construction.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Pieces {
+    breaks: Vec<f64>,
+    coef: Vec<Vec<f64>>,
+    waves: Vec<Vec<Wave>>,
+}
+
+impl Pieces {
+    pub fn starting_at(start: f64) -> Self {
+        Pieces {
+            breaks: vec![start],
+            ..Pieces::default()
+        }
+    }
+
+    /// Angle reached so far.
+    pub fn reached(&self) -> f64 {
+        self.breaks[self.breaks.len() - 1]
+    }
+
+    /// Adds a piece up to `end`, with Bernstein coefficients and waves about its start. A piece without
+    /// length adds nothing.
+    pub fn push(&mut self, end: f64, coef: Vec<f64>, waves: Vec<Wave>) {
+        if end > self.reached() {
+            self.breaks.push(end);
+            self.coef.push(coef);
+            self.waves.push(waves);
+        }
+    }
+
+    /// Adds base + lift·`shape`, stretched from its own extent to the next `width`, or its mirror image
+    /// base + lift·(1 − shape(1 − x)).
+    pub fn push_shape(&mut self, shape: &Law, width: f64, base: f64, lift: f64, mirrored: bool) {
+        let (first, length) = shape.extent();
+        let stretch = width / length;
+        let start = self.reached();
+        let n = shape.poly().pieces();
+        let breaks = shape.breaks();
+        for k in 0..n {
+            let i = if mirrored { n - 1 - k } else { k };
+            let own_width = breaks[i + 1] - breaks[i];
+            let mut coef = shape.poly().piece(i).to_vec();
+            let mut waves = shape.waves(i).to_vec();
+            let (mut base, mut lift) = (base, lift);
+            if mirrored {
+                coef.reverse();
+                waves.iter_mut().for_each(|w| *w = w.mirrored(own_width));
+                base += lift;
+                lift = -lift;
+            }
+            coef.iter_mut().for_each(|c| *c = base + lift * *c);
+            for w in &mut waves {
+                *w = Wave {
+                    rate: w.rate / stretch,
+                    cos: lift * w.cos,
+                    sin: lift * w.sin,
+                };
+            }
+            let done = if mirrored {
+                first + length - breaks[i]
+            } else {
+                breaks[i + 1] - first
+            };
+            let end = if k + 1 == n {
+                start + width
+            } else {
+                start + done * stretch
+            };
+            self.push(end, coef, waves);
+        }
+    }
+
+    /// Moves the last break, which sums may have missed by rounding, to where it belongs.
+    pub fn end_exactly_at(&mut self, end: f64) {
+        if let Some(last) = self.breaks.last_mut() {
+            *last = end;
+        }
+    }
+
+    /// The law; `None` when no piece has any length.
+    pub fn finish(self, closed: bool) -> Option<Law> {
+        let degree = self.coef.iter().map(|c| c.len() - 1).max()?;
+        let coef = self
+            .coef
+            .iter()
+            .flat_map(|c| bernstein::elevate(c, degree))
+            .collect();
+        let poly = PiecewisePoly::new(self.breaks, degree, coef);
+        let waves = if self.waves.iter().all(Vec::is_empty) {
+            Vec::new()
+        } else {
+            self.waves
+        };
+        Some(Law::with_waves(poly, waves, closed))
+    }
+}

@@ -1,0 +1,411 @@
+//! The catalogue of motions from one lift to another, normalised: s from 0 to 1 over x from 0 to 1.
+//!
+//! Peak factors (FACTS §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
+//! Cj·h/β³; Ct = max|a·v| scales the inertia torque.
+
+mod shapes;
+mod user;
+
+use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
+use crate::error::{Error, Result, nearest};
+use std::f64::consts::PI;
+
+/// A motion from one lift to another.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Rise {
+    /// No motion.
+    Dwell,
+    /// A straight line.
+    ConstantVelocity,
+    /// Constant acceleration, then constant deceleration.
+    Parabolic,
+    /// 3x² − 2x³.
+    Cubic,
+    /// ½(1 − cos πx).
+    SimpleHarmonic,
+    /// ½[(1 − cos πx) − ¼(1 − cos 2πx)]: rests at its low end only; a fall is the mirror image.
+    DoubleHarmonic,
+    /// x − sin(2πx)/2π.
+    Cycloidal,
+    /// Quarter-period start of a harmonic: rests at x = 0 and leaves with v = π/2.
+    SemiharmonicStart,
+    /// Quarter-period end of a harmonic: arrives with v = π/2 and stops at x = 1.
+    SemiharmonicEnd,
+    /// Half a cycloid: rests at x = 0 and leaves with v = 2 (CAM-DAS prints π/2, which is the
+    /// semiharmonic's; FACTS §5).
+    SemicycloidalStart,
+    /// Half a cycloid: arrives with v = 2 and stops at x = 1.
+    SemicycloidalEnd,
+    /// Trapezoid of acceleration with corners rounded by sines.
+    ModifiedTrapezoid,
+    /// Two sines of different period.
+    ModifiedSine,
+    /// Sine, constant, cosine acceleration with free shares, b + c + d = 1.
+    Scca {
+        /// Share of the sines at both ends together.
+        b: f64,
+        /// Share of the constant accelerations together.
+        c: f64,
+        /// Share of the cosine in the middle.
+        d: f64,
+    },
+    /// 10x³ − 15x⁴ + 6x⁵.
+    Poly345,
+    /// 35x⁴ − 84x⁵ + 70x⁶ − 20x⁷.
+    Poly4567,
+    /// 126x⁵ − 420x⁶ + 540x⁷ − 315x⁸ + 70x⁹.
+    Poly56789,
+    /// A polynomial of degree 5 (or 7) that takes s, v, a (and j) from its neighbours; between dwells it
+    /// is 3-4-5 (4-5-6-7).
+    Polynomial {
+        /// 5 or 7.
+        degree: usize,
+    },
+    /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (thesis 002).
+    BerzakD,
+    /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
+    Gutman13,
+    /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed: it has v = −1/56 at both ends, so it
+    /// meets no dwell. [`Rise::Freudenstein13AtRest`] is what is meant.
+    Freudenstein13,
+    /// x − (27/56π)(sin 2πx + sin(6πx)/81): at rest at both ends.
+    Freudenstein13AtRest,
+    /// x − (α/2π)(sin 2πx + sin(6πx)/54 + sin(10πx)/1250), α = 1125/1192.
+    Freudenstein135,
+    /// Half a turn of an eccentric disc; a fall is the mirror image.
+    Eccentric {
+        /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
+        ratio: f64,
+    },
+    /// A law the user brought: see [`Rise::table`] and [`Rise::spline`].
+    User {
+        /// Its name in messages.
+        name: String,
+        /// The law on [0, 1], leading from 0 to 1.
+        law: Law,
+    },
+}
+
+/// Motion at one end of a normalised rise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct End {
+    /// v, a, j there; s is 0 or 1.
+    pub at: Svaj,
+}
+
+/// Both ends of a normalised rise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends {
+    /// At x = 0.
+    pub start: End,
+    /// At x = 1.
+    pub end: End,
+}
+
+/// Values at ends below this count as rest: they are rounding of factors up to 100.
+const REST: f64 = 1e-9;
+
+impl End {
+    /// Highest derivative that stays continuous with a dwell beside this end: 0 = lift only … 3 = jerk.
+    pub fn continuity_with_dwell(&self) -> usize {
+        [self.at.v, self.at.a, self.at.j]
+            .iter()
+            .position(|x| x.abs() > REST)
+            .unwrap_or(3)
+    }
+
+    /// What may stand beside this end without a jump of v or a.
+    pub fn joins(&self) -> &'static str {
+        match (self.at.v.abs() > REST, self.at.a.abs() > REST) {
+            (false, false) => "dwell",
+            (false, true) => "return of equal acceleration",
+            (true, false) => "constant velocity",
+            (true, true) => "nothing but a general polynomial",
+        }
+    }
+}
+
+/// Peaks of a normalised rise, exact for the continuous law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// Largest |v|.
+    pub cv: f64,
+    /// Largest |a|.
+    pub ca: f64,
+    /// Largest |j|; infinite when the acceleration jumps between the ends.
+    pub cj: f64,
+    /// Largest |a·v|.
+    pub ct: f64,
+    /// Smallest and largest v.
+    pub v: (f64, f64),
+    /// Smallest and largest a.
+    pub a: (f64, f64),
+    /// Smallest and largest j where it exists.
+    pub j: (f64, f64),
+}
+
+impl Rise {
+    /// Every motion that needs no data of the user's, SCCA with equal ends b = c = ¼.
+    pub fn catalogue() -> Vec<Rise> {
+        vec![
+            Rise::ConstantVelocity,
+            Rise::Parabolic,
+            Rise::Cubic,
+            Rise::SimpleHarmonic,
+            Rise::DoubleHarmonic,
+            Rise::Cycloidal,
+            Rise::SemiharmonicStart,
+            Rise::SemiharmonicEnd,
+            Rise::SemicycloidalStart,
+            Rise::SemicycloidalEnd,
+            Rise::ModifiedTrapezoid,
+            Rise::ModifiedSine,
+            Rise::Scca {
+                b: 0.25,
+                c: 0.25,
+                d: 0.5,
+            },
+            Rise::Poly345,
+            Rise::Poly4567,
+            Rise::Poly56789,
+            Rise::Polynomial { degree: 5 },
+            Rise::Polynomial { degree: 7 },
+            Rise::BerzakD,
+            Rise::Gutman13,
+            Rise::Freudenstein13,
+            Rise::Freudenstein13AtRest,
+            Rise::Freudenstein135,
+            Rise::Eccentric {
+                ratio: f64::INFINITY,
+            },
+        ]
+    }
+
+    /// The name users write in a scene.
+    pub fn name(&self) -> &str {
+        match self {
+            Rise::Dwell => "dwell",
+            Rise::ConstantVelocity => "constant-velocity",
+            Rise::Parabolic => "parabolic",
+            Rise::Cubic => "cubic",
+            Rise::SimpleHarmonic => "simple-harmonic",
+            Rise::DoubleHarmonic => "double-harmonic",
+            Rise::Cycloidal => "cycloidal",
+            Rise::SemiharmonicStart => "semiharmonic-start",
+            Rise::SemiharmonicEnd => "semiharmonic-end",
+            Rise::SemicycloidalStart => "semicycloidal-start",
+            Rise::SemicycloidalEnd => "semicycloidal-end",
+            Rise::ModifiedTrapezoid => "modified-trapezoid",
+            Rise::ModifiedSine => "modified-sine",
+            Rise::Scca { .. } => "scca",
+            Rise::Poly345 => "3-4-5",
+            Rise::Poly4567 => "4-5-6-7",
+            Rise::Poly56789 => "5-6-7-8-9",
+            Rise::Polynomial { degree: 5 } => "polynomial-5",
+            Rise::Polynomial { .. } => "polynomial-7",
+            Rise::BerzakD => "berzak-d",
+            Rise::Gutman13 => "gutman-1-3",
+            Rise::Freudenstein13 => "freudenstein-1-3",
+            Rise::Freudenstein13AtRest => "freudenstein-1-3-at-rest",
+            Rise::Freudenstein135 => "freudenstein-1-3-5",
+            Rise::Eccentric { .. } => "eccentric",
+            Rise::User { name, .. } => name,
+        }
+    }
+
+    /// The motion of a name as in the catalogue, or `dwell`. Parameters may follow the name:
+    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio). Unknown names fail with the nearest one.
+    pub fn from_name(text: &str) -> Result<Rise> {
+        let mut words = text
+            .split(|c: char| c.is_whitespace() || c == ',')
+            .filter(|w| !w.is_empty());
+        let word = words.next().unwrap_or("").to_lowercase().replace('_', "-");
+        let numbers: Vec<f64> = words
+            .map(|w| {
+                w.parse().map_err(|_| {
+                    Error::new(format!("`{w}` after `{word}` is not a number"))
+                        .help("write parameters as in `scca 0.25 0.25 0.5`")
+                })
+            })
+            .collect::<Result<_>>()?;
+        let found = Rise::catalogue()
+            .into_iter()
+            .chain([Rise::Dwell])
+            .find(|r| r.name() == word)
+            .ok_or_else(|| unknown(&word))?;
+        let rise = match (found, numbers.as_slice()) {
+            (found, []) => found,
+            (Rise::Scca { .. }, &[b, c, d]) => Rise::Scca { b, c, d },
+            (Rise::Eccentric { .. }, &[ratio]) => Rise::Eccentric { ratio },
+            (found, given) => {
+                return Err(Error::new(format!(
+                    "`{}` does not take {} parameters",
+                    found.name(),
+                    given.len()
+                ))
+                .help("scca takes b, c, d; eccentric takes its ratio; other motions take none"));
+            }
+        };
+        rise.law()?;
+        Ok(rise)
+    }
+
+    /// The normalised rise: from 0 to 1 over x ∈ [0, 1] (a dwell stays at 0). Fails for parameters out
+    /// of range only.
+    pub fn law(&self) -> Result<Law> {
+        Ok(match self {
+            Rise::Dwell => shapes::power(&[0.0]),
+            Rise::ConstantVelocity => shapes::power(&[0.0, 1.0]),
+            Rise::Parabolic => shapes::parabolic(),
+            Rise::Cubic => shapes::power(&[0.0, 0.0, 3.0, -2.0]),
+            Rise::SimpleHarmonic => shapes::simple_harmonic(),
+            Rise::DoubleHarmonic => {
+                shapes::line_and_waves(0.375, 0.0, &[(PI, -0.5, 0.0), (2.0 * PI, 0.125, 0.0)])
+            }
+            Rise::Cycloidal => shapes::sine_series(&[(1.0, 0.5 / PI)]),
+            Rise::SemiharmonicStart => shapes::line_and_waves(1.0, 0.0, &[(0.5 * PI, -1.0, 0.0)]),
+            Rise::SemiharmonicEnd => shapes::line_and_waves(0.0, 0.0, &[(0.5 * PI, 0.0, 1.0)]),
+            Rise::SemicycloidalStart => shapes::line_and_waves(0.0, 1.0, &[(PI, 0.0, -1.0 / PI)]),
+            Rise::SemicycloidalEnd => shapes::line_and_waves(0.0, 1.0, &[(PI, 0.0, 1.0 / PI)]),
+            Rise::ModifiedTrapezoid => shapes::scca(0.25, 0.5, 0.25)?,
+            Rise::ModifiedSine => shapes::scca(0.25, 0.0, 0.75)?,
+            Rise::Scca { b, c, d } => shapes::scca(*b, *c, *d)?,
+            Rise::Poly345 => shapes::power(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]),
+            Rise::Poly4567 => shapes::power(&[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]),
+            Rise::Poly56789 => {
+                shapes::power(&[0.0, 0.0, 0.0, 0.0, 0.0, 126.0, -420.0, 540.0, -315.0, 70.0])
+            }
+            Rise::Polynomial { degree } => {
+                let rest = Svaj::default();
+                let top = Svaj { s: 1.0, ..rest };
+                Law::from_poly(joining(*degree, rest, top, 1.0)?, false)
+            }
+            Rise::BerzakD => shapes::power(&[0.0, 0.0, 0.0, 12.1, -25.5, 24.9, -14.7, 4.2]),
+            Rise::Gutman13 => {
+                shapes::sine_series(&[(1.0, 15.0 / (32.0 * PI)), (3.0, 1.0 / (96.0 * PI))])
+            }
+            Rise::Freudenstein13 => {
+                let a = 27.0 / (56.0 * PI);
+                shapes::sine_series(&[(1.0, a), (3.0, a / 54.0)])
+            }
+            Rise::Freudenstein13AtRest => {
+                let a = 27.0 / (56.0 * PI);
+                shapes::sine_series(&[(1.0, a), (3.0, a / 81.0)])
+            }
+            Rise::Freudenstein135 => {
+                let a = 1125.0 / (2384.0 * PI);
+                shapes::sine_series(&[(1.0, a), (3.0, a / 54.0), (5.0, a / 1250.0)])
+            }
+            Rise::Eccentric { ratio } => shapes::eccentric(*ratio)?,
+            Rise::User { law, .. } => law.clone(),
+        })
+    }
+
+    /// The normalised fall: from 1 to 0 over x ∈ [0, 1]. For motions whose two ends differ by nature
+    /// (double harmonic, eccentric) it is the rise seen backwards, otherwise the rise upside down.
+    pub fn fall(&self) -> Result<Law> {
+        let mut pieces = Pieces::starting_at(0.0);
+        let base = if *self == Rise::Dwell { 0.0 } else { 1.0 };
+        pieces.push_shape(&self.law()?, 1.0, base, -1.0, self.mirrors());
+        pieces
+            .finish(false)
+            .ok_or_else(|| Error::new(format!("`{}` has no length", self.name())))
+    }
+
+    /// Whether a fall is the rise seen backwards in x.
+    pub(super) fn mirrors(&self) -> bool {
+        matches!(self, Rise::DoubleHarmonic | Rise::Eccentric { .. })
+    }
+
+    /// Degree of a general polynomial, which takes its shape from its neighbours.
+    pub(super) fn general_degree(&self) -> Option<usize> {
+        match self {
+            Rise::Polynomial { degree } => Some(*degree),
+            _ => None,
+        }
+    }
+
+    /// Exact peak factors.
+    pub fn factors(&self) -> Result<Factors> {
+        let law = self.law()?;
+        let order = |k: usize| {
+            let (low, high) = law.extremes(k);
+            (low.value, high.value)
+        };
+        let (v, a, j) = (order(1), order(2), order(3));
+        let largest = |p: (f64, f64)| p.0.abs().max(p.1.abs());
+        let power = law
+            .combination([0.0, 1.0, 0.0, 0.0], 0.0)
+            .times(&law.combination([0.0, 0.0, 1.0, 0.0], 0.0))
+            .extremes();
+        let jumps = law.joints().iter().any(|joint| joint.jump.a.abs() > REST);
+        Ok(Factors {
+            cv: largest(v),
+            ca: largest(a),
+            cj: if jumps { f64::INFINITY } else { largest(j) },
+            ct: largest((power.0.value, power.1.value)),
+            v,
+            a,
+            j,
+        })
+    }
+
+    /// Motion at both ends of the normalised rise: what may stand beside it.
+    pub fn ends(&self) -> Result<Ends> {
+        let law = self.law()?;
+        Ok(Ends {
+            start: End {
+                at: law.svaj_on(0, 0.0),
+            },
+            end: End {
+                at: law.svaj_on(law.poly().pieces() - 1, 1.0),
+            },
+        })
+    }
+}
+
+/// The polynomial over [0, width] that meets s, v, a (degree 7: and j) at both ends.
+pub(super) fn joining(
+    degree: usize,
+    before: Svaj,
+    after: Svaj,
+    width: f64,
+) -> Result<crate::poly::PiecewisePoly> {
+    let orders = match degree {
+        5 => 3,
+        7 => 4,
+        _ => {
+            return Err(Error::new(format!(
+                "a general polynomial of degree {degree} cannot share its conditions between two ends"
+            ))
+            .help("use degree 5 (joins s, v, a) or 7 (also j)"));
+        }
+    };
+    let mut conditions = Vec::with_capacity(2 * orders);
+    for (theta, at) in [(0.0, before), (width, after)] {
+        let values = [at.s, at.v, at.a, at.j];
+        conditions.extend((0..orders).map(|order| Condition {
+            theta,
+            order,
+            value: values[order],
+        }));
+    }
+    hermite_birkhoff(&conditions, 0.0, width)
+}
+
+fn unknown(word: &str) -> Error {
+    let catalogue = Rise::catalogue();
+    let names: Vec<&str> = catalogue
+        .iter()
+        .map(Rise::name)
+        .chain(["dwell", "table", "spline"])
+        .collect();
+    let error = Error::new(format!("there is no motion called `{word}`"));
+    match word {
+        "table" | "spline" => Error::new(format!("the motion `{word}` needs its points")),
+        _ => match nearest(word, names.iter().copied()) {
+            Some(name) => error.help(format!("did you mean `{name}`?")),
+            None => error.help(format!("the catalogue holds {}", names.join(", "))),
+        },
+    }
+}

@@ -1,0 +1,143 @@
+//! The normalised shapes: rise by 1 over x ∈ [0, 1].
+
+use super::super::pieces::Pieces;
+use super::super::{Law, Wave};
+use crate::error::{Error, Result};
+use crate::poly::{bernstein, stand_in};
+use std::f64::consts::{PI, TAU};
+
+/// One polynomial Σ pₖ xᵏ.
+pub(super) fn power(p: &[f64]) -> Law {
+    single(bernstein::from_power(p), Vec::new())
+}
+
+/// constant + slope·x + Σ cos·cos(rate·x) + sin·sin(rate·x), waves as (rate, cos, sin).
+pub(super) fn line_and_waves(constant: f64, slope: f64, waves: &[(f64, f64, f64)]) -> Law {
+    let waves = waves
+        .iter()
+        .map(|&(rate, cos, sin)| Wave { rate, cos, sin })
+        .collect();
+    single(vec![constant, constant + slope], waves)
+}
+
+fn single(coef: Vec<f64>, waves: Vec<Wave>) -> Law {
+    let mut pieces = Pieces::starting_at(0.0);
+    pieces.push(1.0, coef, waves);
+    finished(pieces)
+}
+
+fn finished(pieces: Pieces) -> Law {
+    match pieces.finish(false) {
+        Some(law) => law,
+        None => unreachable!("every shape has length 1"),
+    }
+}
+
+/// Constant acceleration, then as much deceleration.
+pub(super) fn parabolic() -> Law {
+    let mut pieces = Pieces::starting_at(0.0);
+    pieces.push(0.5, vec![0.0, 0.0, 0.5], Vec::new());
+    pieces.push(1.0, vec![0.5, 1.0, 1.0], Vec::new());
+    finished(pieces)
+}
+
+/// x − Σ cₙ sin 2πnx: the harmonic laws of Gutman and Freudenstein.
+pub(super) fn sine_series(terms: &[(f64, f64)]) -> Law {
+    let waves: Vec<_> = terms.iter().map(|&(n, c)| (TAU * n, 0.0, -c)).collect();
+    line_and_waves(0.0, 1.0, &waves)
+}
+
+/// Acceleration on one zone of the SCCA family.
+#[derive(Clone, Copy)]
+enum Zone {
+    /// Constant.
+    Constant(f64),
+    /// cos·cos(rate·x) + sin·sin(rate·x) about the zone's start.
+    Wave { rate: f64, cos: f64, sin: f64 },
+}
+
+/// Sine, constant, cosine acceleration: b + c + d = 1 (Norton); quarter sines over b/2 at either end,
+/// constant over c/2, half a cosine over d in the middle. b = ¼, c = 0 is modified sine, b = d = ¼
+/// modified trapezoid, b = d = ½ cycloidal, d = 1 simple harmonic, c = 1 parabolic.
+pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
+    let shares = [b, c, d];
+    if shares.iter().any(|x| !x.is_finite() || *x < 0.0) || (b + c + d - 1.0).abs() > 1e-9 {
+        return Err(Error::new(format!(
+            "the shares b = {b}, c = {c}, d = {d} of an SCCA law do not divide a whole"
+        ))
+        .help("b, c and d are at least 0 and add to 1, for example 0.25, 0.25, 0.5"));
+    }
+    let quarter = |rate: f64, cos: f64, sin: f64| Zone::Wave { rate, cos, sin };
+    let zones = [
+        (0.5 * b, quarter(PI / b, 0.0, 1.0)),
+        (0.5 * c, Zone::Constant(1.0)),
+        (d, quarter(PI / d, 1.0, 0.0)),
+        (0.5 * c, Zone::Constant(-1.0)),
+        (0.5 * b, quarter(PI / b, -1.0, 0.0)),
+    ];
+    // Integrated from rest with unit peak acceleration; the lift reached sets the scale.
+    let mut pieces = Pieces::starting_at(0.0);
+    let (mut s, mut v) = (0.0, 0.0);
+    for (width, zone) in zones.into_iter().filter(|z| z.0 > 0.0) {
+        let end = pieces.reached() + width;
+        match zone {
+            Zone::Constant(a) => {
+                let last = s + v * width + 0.5 * a * width * width;
+                pieces.push(end, vec![s, s + 0.5 * v * width, last], Vec::new());
+                s = last;
+                v += a * width;
+            }
+            Zone::Wave { rate, cos, sin } => {
+                // a = cos·C + sin·S integrates to v + (cos·S + sin·(1 − C))/rate and once more.
+                let square = rate * rate;
+                let wave = Wave {
+                    rate,
+                    cos: -cos / square,
+                    sin: -sin / square,
+                };
+                let constant = s + cos / square;
+                let slope = v + sin / rate;
+                pieces.push(end, vec![constant, constant + slope * width], vec![wave]);
+                let (sn, cs) = (rate * width).sin_cos();
+                s = constant + slope * width + wave.cos * cs + wave.sin * sn;
+                v = slope + rate * (wave.sin * cs - wave.cos * sn);
+            }
+        }
+    }
+    let reached = s;
+    // The last break may miss 1 by rounding: stretching to exactly 1 mends it.
+    let mut whole = Pieces::starting_at(0.0);
+    whole.push_shape(&finished(pieces), 1.0, 0.0, 1.0 / reached, false);
+    Ok(finished(whole))
+}
+
+/// Half a turn of an eccentric disc under a roller: ratio = (disc radius + roller radius)/eccentricity;
+/// infinite for a flat face, which moves in simple harmonic motion.
+///
+/// With a roller the root √(ratio² − sin²) enters by a polynomial stand-in, exact to rounding.
+pub(super) fn eccentric(ratio: f64) -> Result<Law> {
+    if ratio.is_infinite() && ratio > 0.0 {
+        return Ok(simple_harmonic());
+    }
+    if ratio.is_nan() || ratio <= 1.0 {
+        return Err(Error::new(format!(
+            "an eccentric of ratio {ratio} does not hold its own shaft"
+        ))
+        .help(
+            "the ratio is (disc radius + roller radius)/eccentricity and is more than 1; 3, for example",
+        ));
+    }
+    let quarter: Vec<f64> = (0..=8).map(|i| f64::from(i) / 8.0).collect();
+    let poly = stand_in(&quarter, 1e-15, |_, x| {
+        let sin = (PI * x).sin();
+        // √(ratio² − sin²) − ratio without the difference of large numbers.
+        let root = (ratio * ratio - sin * sin).sqrt();
+        0.5 * (1.0 - (PI * x).cos() - sin * sin / (root + ratio))
+    });
+    Ok(Law::from_poly(poly, false))
+}
+
+/// ½(1 − cos πx).
+pub(super) fn simple_harmonic() -> Law {
+    line_and_waves(0.5, 0.0, &[(PI, -0.5, 0.0)])
+}
