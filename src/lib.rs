@@ -8,5 +8,6 @@ pub mod error;
 pub mod gait;
 pub mod law;
 pub mod poly;
+pub mod scene;
 pub mod synth;
 pub mod units;

@@ -1,12 +1,211 @@
 //! Synthesis: from a wanted force to a law, a cam and its proof.
+//!
+//! One law s(θ) is sought in a linear family, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in
+//! it, and so is every limit on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
+//!
+//! ```text
+//! minimise   mean over the turn of (F(θ) − F*(θ))²      (or the energy or peak of a derivative)
+//! such that  demands at points and dwells                 (equalities)
+//!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
+//! ```
+//!
+//! is convex. The ladder solves it with the least that is enough: the spectral inverse when harmonics may
+//! be used and every limit holds; one factorisation when no limit is broken; a quadratic program on the
+//! rows that are, found by exact extrema and exchanged until none is broken on the whole circle.
 
 mod answer;
 mod band;
 mod basis;
 mod cones;
+mod conflict;
+mod demand;
+mod design;
 mod equality;
+mod harmonic;
+mod limits;
 mod objective;
 mod polish;
+mod polynomial;
 mod program;
+mod spline;
+mod verify;
 
 pub use answer::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};
+pub use conflict::in_units;
+
+use crate::error::{Error, Result};
+use crate::gait::ForceCurve;
+use crate::law::Law;
+use crate::scene::{Family, Scene};
+use demand::Demand;
+
+/// A law with how it was found, before it has a cam.
+struct Found {
+    law: Law,
+    family: Family,
+    degree: usize,
+    coefficients: Vec<f64>,
+    binding: Vec<Binding>,
+    solver: SolverReport,
+    infeasible: Option<Infeasible>,
+}
+
+/// Designs the cam that a scene asks for. `target` is one cycle of wanted force, where the scene has one.
+///
+/// The answer is complete even when a check fails or the limits leave nothing; then `infeasible` or the
+/// verdict says so, and the design shown is the best one without the limits that fight. Fails only on
+/// faults of the input.
+pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesis> {
+    let demand = Demand::settle(scene, target)?;
+    let found = find_law(scene, &demand)?;
+    let law = on_base_circle(scene, &demand, found.law);
+    let cam = design::cam(scene, law)?;
+    let force = verify::force(&demand, &cam);
+    let checks = verify::checks(scene, &demand, &cam, &force);
+    let (mut verdict, mut reason) = verify::verdict(&cam, &checks);
+    if let Some(infeasible) = &found.infeasible {
+        verdict = crate::cam::Verdict::Unacceptable;
+        reason = infeasible.words.clone();
+    }
+    Ok(Synthesis {
+        name: scene.name.clone(),
+        target: demand.target,
+        drive: demand.drive,
+        family: found.family.name().to_string(),
+        coefficients: found.coefficients,
+        degree: found.degree,
+        cam,
+        force,
+        infeasible: found.infeasible,
+        verdict,
+        reason,
+        checks,
+        binding: found.binding,
+        solver: found.solver,
+        remarks: demand.remarks,
+    })
+}
+
+/// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
+fn on_base_circle(scene: &Scene, demand: &Demand, law: Law) -> Law {
+    if spline::level_is_known(scene, demand) {
+        return law;
+    }
+    let lowest = law.extremes(0).0.value;
+    law.raised(-lowest)
+}
+
+fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
+    match scene.law.family {
+        Family::Spline | Family::Auto => from_spline(scene, demand),
+        Family::Polynomial => {
+            let p = polynomial::through_points(scene, demand)?;
+            Ok(Found {
+                law: p.law,
+                family: Family::Polynomial,
+                degree: p.degree,
+                coefficients: p.monomials,
+                binding: Vec::new(),
+                solver: report(
+                    Tier::Equality,
+                    "as many conditions as coefficients: one linear system",
+                    0,
+                    true,
+                ),
+                infeasible: None,
+            })
+        }
+        Family::Harmonic => from_harmonics(scene, demand),
+        other => Err(Error::key(
+            "law.family",
+            format!("\"{}\" cannot be synthesised yet", other.name()),
+        )
+        .help("use spline, polynomial or harmonic")),
+    }
+}
+
+fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> SolverReport {
+    SolverReport {
+        tier,
+        status: status.to_string(),
+        iterations,
+        certified,
+    }
+}
+
+fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
+    let mean = demand.target.as_ref().map_or(0.0, |t| t.mean_n().abs());
+    let wanted = scene.rms.unwrap_or(0.005) * mean;
+    let spectral = harmonic::invert(demand, scene.law.harmonics, wanted)?;
+    Ok(Found {
+        law: spectral.law(),
+        family: Family::Harmonic,
+        degree: 0,
+        binding: Vec::new(),
+        solver: report(
+            Tier::Spectral,
+            &format!(
+                "{} harmonics inverted one by one; {:.4} N RMS lie in the rest",
+                spectral.count, spectral.left_over
+            ),
+            0,
+            true,
+        ),
+        coefficients: spectral.x,
+        infeasible: None,
+    })
+}
+
+fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
+    let (fitted, infeasible) = match spline::fit(scene, demand)? {
+        spline::Outcome::Law(fitted) => (fitted, None),
+        spline::Outcome::None(program, failure) => {
+            let infeasible = conflict::explain(&program, &failure);
+            let without = Scene {
+                limits: crate::scene::Limits::default(),
+                ..scene.clone()
+            };
+            match spline::fit(&without, demand)? {
+                spline::Outcome::Law(fitted) => (fitted, Some(infeasible)),
+                spline::Outcome::None(..) => return Err(Error::key("law", infeasible.words)),
+            }
+        }
+    };
+    let solution = &fitted.solution;
+    let binding = solution
+        .active
+        .iter()
+        .map(|row| {
+            let limit = &fitted.program.limits[row.limit];
+            Binding {
+                limit: limit.name.to_string(),
+                multiplier: row.multiplier / limit.meaning.slope(),
+                at: row.peak.at,
+            }
+        })
+        .collect();
+    let certified = solution.violation <= program::TOLERANCE * 1.000_001;
+    let solver = if solution.used_rows {
+        let status = format!(
+            "{} rounds of exchange; limits hold to {:.1e}",
+            solution.rounds, solution.violation
+        );
+        report(Tier::Qp, &status, solution.iterations, certified)
+    } else {
+        report(
+            Tier::Equality,
+            "no limit is broken without being asked",
+            0,
+            certified,
+        )
+    };
+    Ok(Found {
+        law: fitted.law(),
+        family: Family::Spline,
+        degree: fitted.degree,
+        coefficients: solution.x.clone(),
+        binding,
+        solver,
+        infeasible,
+    })
+}

@@ -12,7 +12,7 @@ use super::cones;
 use crate::poly::Peak;
 
 /// A linear limit on the law over a range of cam angles.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     /// Name as users know it; both signs of a two-sided limit share it.
     pub name: &'static str,
@@ -26,6 +26,49 @@ pub struct Limit {
     pub scale: f64,
     /// The bound is a variable to be minimised (a peak objective or an elastic limit).
     pub is_peak: bool,
+    /// What a change of the bound means to the user.
+    pub meaning: Meaning,
+}
+
+/// How a bound is read by users.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Meaning {
+    /// Not a number of the scene: the base circle, a monotone flank, the objective.
+    Structure,
+    /// The scene's value is factor·bound + offset.
+    Value {
+        /// Factor.
+        factor: f64,
+        /// Offset.
+        offset: f64,
+    },
+    /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
+    PrimeRadius {
+        /// Tangent of the angle allowed.
+        tan: f64,
+        /// Offset of the follower with its sign in the bound, m.
+        offset: f64,
+    },
+}
+
+impl Meaning {
+    /// The user's value for a bound; `None` where there is none.
+    pub fn value(self, bound: f64) -> Option<f64> {
+        match self {
+            Meaning::Structure => None,
+            Meaning::Value { factor, offset } => Some(factor * bound + offset),
+            Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
+        }
+    }
+
+    /// |d value / d bound|, for multipliers.
+    pub fn slope(self) -> f64 {
+        match self {
+            Meaning::Structure => 1.0,
+            Meaning::Value { factor, .. } => factor.abs(),
+            Meaning::PrimeRadius { tan, .. } => 1.0 / tan,
+        }
+    }
 }
 
 /// An exact demand on the law: Σ entries·x = value.
@@ -373,6 +416,7 @@ mod tests {
                     domain: (0.0, 1.0),
                     scale: 1.0,
                     is_peak: true,
+                    meaning: Meaning::Structure,
                 }
             })
             .to_vec()

@@ -1,0 +1,435 @@
+//! From TOML to a [`Scene`].
+
+use std::path::PathBuf;
+
+use toml::{Table, Value};
+
+use super::table::Reader;
+use super::{
+    CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, Minimise, Scene,
+    SegmentSpec, Source,
+};
+use crate::drive::DriveKind;
+use crate::error::{Error, Result};
+use crate::gait::Feet;
+use crate::units::{Dimension, G};
+
+/// Most spans of a spline: beyond this the law is a table, not a law.
+const MOST_SPANS: usize = 20_000;
+/// Weight of the walker that the load models were published for, N.
+const MODEL_WEIGHT: f64 = 700.0;
+/// Plate thickness of solids when nothing is said, m.
+const THICKNESS: f64 = 0.01;
+
+/// Reads a scene from its table. Errors name the dotted key.
+pub fn read(table: &Table) -> Result<Scene> {
+    let mut root = Reader::new(table, "");
+    let name = root.text("name")?.unwrap_or("cam").to_string();
+    if name.is_empty() || name.contains(['/', '\\', '\0']) || name.starts_with('.') {
+        return Err(
+            Error::key("name", format!("\"{name}\" cannot name an output folder"))
+                .help("use letters, digits, - and _"),
+        );
+    }
+    let gait = root.table("gait")?.map(gait).transpose()?;
+    let drive = drive(root.table("drive")?)?;
+    let oscillating = matches!(root_follower(table), Some(f) if f.contains("oscillating"));
+    let law = law(root.table("law")?, oscillating, gait.is_some())?;
+    let cam = cam(root.table("cam")?)?;
+    let limits = limits(root.table("limits")?, oscillating)?;
+    let rms = accuracy(root.table("accuracy")?)?;
+    root.finish()?;
+    let scene = Scene {
+        name,
+        gait,
+        drive,
+        law,
+        cam,
+        limits,
+        rms,
+    };
+    consistent(&scene)?;
+    Ok(scene)
+}
+
+/// Changes one value: `set(table, "limits.stroke=40 mm")`. The value is taken as TOML where it is a
+/// number, truth value, array or quoted text, and as plain text otherwise.
+pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
+    let fault =
+        |what: String| Error::argument("--set", what).help("write --set 'limits.stroke=40 mm'");
+    let (key, value) = assignment
+        .split_once('=')
+        .ok_or_else(|| fault(format!("\"{assignment}\" has no =")))?;
+    let value = value.trim();
+    let parsed = format!("x = {value}")
+        .parse::<Table>()
+        .ok()
+        .and_then(|mut t| t.remove("x"));
+    let value = parsed.unwrap_or_else(|| Value::String(value.to_string()));
+    let parts: Vec<&str> = key.trim().split('.').collect();
+    let (last, path) = parts
+        .split_last()
+        .ok_or_else(|| fault("empty key".to_string()))?;
+    let mut at = table;
+    for part in path {
+        let entry = at
+            .entry((*part).to_string())
+            .or_insert_with(|| Value::Table(Table::new()));
+        at = entry
+            .as_table_mut()
+            .ok_or_else(|| fault(format!("\"{part}\" in \"{key}\" is a value, not a table")))?;
+    }
+    at.insert((*last).to_string(), value);
+    Ok(())
+}
+
+fn root_follower(table: &Table) -> Option<&str> {
+    table.get("cam")?.get("follower")?.as_str()
+}
+
+fn gait(mut r: Reader) -> Result<Gait> {
+    let file = r.text("file")?;
+    let model = r.text("model")?;
+    let feet = r.text("feet")?;
+    let key = r.name("feet");
+    let feet: Feet = feet
+        .unwrap_or("both")
+        .parse()
+        .map_err(|e: Error| e.at(crate::error::Place::Key(key)))?;
+    let to_mass = r
+        .choice("scale", &[("none", false), ("to-mass", true)])?
+        .unwrap_or(false);
+    let step_frequency_hz = r.positive("step_frequency", Dimension::Frequency)?;
+    let body_weight_n = r.positive("body_weight", Dimension::Force)?;
+    let time = r.text("time")?.map(str::to_string);
+    let force = r.texts("force")?;
+    let unit = r.text("unit")?.map(str::to_string);
+    let rate_hz = r.positive("rate", Dimension::Frequency)?;
+    let mass_kg = r.positive("mass", Dimension::Mass)?;
+    let source = match (file, model) {
+        (Some(path), None) => Source::File {
+            path: PathBuf::from(path),
+            time,
+            force,
+            unit,
+            rate_hz,
+            mass_kg,
+        },
+        (None, Some(name)) => Source::Model {
+            name: name.to_string(),
+            step_frequency_hz,
+            body_weight_n: body_weight_n.unwrap_or(MODEL_WEIGHT),
+        },
+        _ => {
+            return Err(Error::key("gait", "says neither or both of file and model")
+                .help("give file = \"walk.mot\" or model = \"young\"; leave [gait] out for a classical programme"));
+        }
+    };
+    r.finish()?;
+    Ok(Gait {
+        source,
+        feet,
+        to_mass,
+    })
+}
+
+fn drive(reader: Option<Reader>) -> Result<DriveSpec> {
+    let mut spec = DriveSpec {
+        kind: DriveKind::MovingAxis,
+        mass: None,
+        speed: None,
+        gravity: G,
+        pressure_per_volume: 0.0,
+        piston_radius: 0.0,
+        spring_rate: 0.0,
+        preload: 0.0,
+        damping: 0.0,
+    };
+    let Some(mut r) = reader else { return Ok(spec) };
+    let kinds = [
+        DriveKind::MovingAxis,
+        DriveKind::FixedAxis,
+        DriveKind::Hydraulic,
+    ]
+    .map(|k| (k.name(), k));
+    spec.kind = r.choice("kind", &kinds)?.unwrap_or(DriveKind::MovingAxis);
+    spec.mass = r.positive("mass", Dimension::Mass)?;
+    spec.speed = r.positive("speed", Dimension::AngularSpeed)?;
+    spec.gravity = r.positive("gravity", Dimension::Acceleration)?.unwrap_or(G);
+    match spec.kind {
+        DriveKind::MovingAxis => {}
+        DriveKind::FixedAxis => {
+            spec.spring_rate = r
+                .not_negative("spring_rate", Dimension::SpringRate)?
+                .unwrap_or(0.0);
+            spec.preload = r.quantity("preload", Dimension::Force)?.unwrap_or(0.0);
+            spec.damping = r
+                .not_negative("damping", Dimension::Damping)?
+                .unwrap_or(0.0);
+        }
+        DriveKind::Hydraulic => {
+            let missing = |key: &str, example: &str| {
+                Error::key(&format!("drive.{key}"), "a hydraulic drive needs it")
+                    .help(format!("write for example {example}"))
+            };
+            spec.pressure_per_volume = r
+                .positive("pressure_per_volume", Dimension::PressurePerVolume)?
+                .ok_or_else(|| missing("pressure_per_volume", "\"30 psi/in^3\""))?;
+            spec.piston_radius = r
+                .positive("piston_radius", Dimension::Length)?
+                .ok_or_else(|| missing("piston_radius", "\"0.75 in\""))?;
+        }
+    }
+    r.finish()?;
+    Ok(spec)
+}
+
+fn law(reader: Option<Reader>, oscillating: bool, has_gait: bool) -> Result<LawSpec> {
+    let mut spec = LawSpec {
+        family: Family::Spline,
+        degree: None,
+        spans: None,
+        harmonics: None,
+        minimise: None,
+        monotone: false,
+        points: Vec::new(),
+        dwells: Vec::new(),
+        segments: Vec::new(),
+    };
+    let Some(mut r) = reader else { return Ok(spec) };
+    spec.family = r
+        .choice("family", &Family::NAMES)?
+        .unwrap_or(Family::Spline);
+    let degrees = if spec.family == Family::Polynomial {
+        (1, 30)
+    } else {
+        (3, 9)
+    };
+    spec.degree = r.count("degree", degrees.0, degrees.1)?;
+    spec.spans = r.count("spans", 1, MOST_SPANS)?;
+    spec.harmonics = r.count("harmonics", 1, 400)?;
+    spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
+    if !has_gait
+        && matches!(
+            spec.minimise,
+            Some(Minimise::ForceError | Minimise::PeakForceError)
+        )
+    {
+        return Err(
+            Error::key("law.minimise", "there is no force to come near to")
+                .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),
+        );
+    }
+    spec.monotone = r.flag("monotone")?.unwrap_or(false);
+    let length = |order| lift_dimension(oscillating, order);
+    for mut p in r.tables("point")? {
+        let key = p.name("angle");
+        let angle = p.quantity("angle", Dimension::Angle)?;
+        spec.points.push(LawPoint {
+            angle: angle.ok_or_else(|| {
+                Error::key(&key, "a point needs its angle").help("write angle = \"56.88 deg\"")
+            })?,
+            lift: p.quantity("lift", length(0))?,
+            force: p.quantity("force", Dimension::Force)?,
+            velocity: p.quantity("velocity", length(1))?,
+            acceleration: p.quantity("acceleration", length(2))?,
+            jerk: p.quantity("jerk", length(3))?,
+        });
+        p.finish()?;
+    }
+    for mut d in r.tables("dwell")? {
+        let missing = |key: String| {
+            Error::key(&key, "a dwell needs it")
+                .help("write from = \"256.32 deg\", to = \"360 deg\"")
+        };
+        let (from_key, to_key) = (d.name("from"), d.name("to"));
+        spec.dwells.push(Dwell {
+            from: d
+                .quantity("from", Dimension::Angle)?
+                .ok_or_else(|| missing(from_key))?,
+            to: d
+                .quantity("to", Dimension::Angle)?
+                .ok_or_else(|| missing(to_key))?,
+            lift: d.quantity("lift", length(0))?,
+        });
+        d.finish()?;
+    }
+    for mut s in r.tables("segment")? {
+        let key = s.name("angle");
+        spec.segments.push(SegmentSpec {
+            motion: s.text("motion")?.unwrap_or("dwell").to_string(),
+            lift: s.quantity("lift", length(0))?.unwrap_or(0.0),
+            angle: s.positive("angle", Dimension::Angle)?.ok_or_else(|| {
+                Error::key(&key, "a segment needs its angle").help("write angle = \"90 deg\"")
+            })?,
+        });
+        s.finish()?;
+    }
+    r.finish()?;
+    Ok(spec)
+}
+
+fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
+    match (oscillating, order) {
+        (true, 0) => Dimension::Angle,
+        (true, n) => Dimension::AnglePerAngle(n),
+        (false, 0) => Dimension::Length,
+        (false, n) => Dimension::LengthPerAngle(n),
+    }
+}
+
+fn cam(reader: Option<Reader>) -> Result<CamSpec> {
+    let mut spec = CamSpec {
+        follower: "flat-translating".to_string(),
+        base_radius: None,
+        prime_radius: None,
+        offset: None,
+        roller_radius: 0.0,
+        pivot_distance: None,
+        arm: None,
+        face_offset: 0.0,
+        bore: None,
+        thickness: THICKNESS,
+    };
+    let Some(mut r) = reader else { return Ok(spec) };
+    let kinds = [
+        "flat-translating",
+        "roller-translating",
+        "knife-translating",
+    ]
+    .map(|k| (k, k));
+    spec.follower = r
+        .choice("follower", &kinds)?
+        .unwrap_or("flat-translating")
+        .to_string();
+    spec.base_radius = r.positive("base_radius", Dimension::Length)?;
+    spec.prime_radius = r.positive("prime_radius", Dimension::Length)?;
+    spec.offset = r.quantity("offset", Dimension::Length)?;
+    spec.bore = r.positive("bore", Dimension::Length)?;
+    spec.thickness = r
+        .positive("thickness", Dimension::Length)?
+        .unwrap_or(THICKNESS);
+    if spec.follower.starts_with("roller") {
+        spec.roller_radius = r
+            .positive("roller_radius", Dimension::Length)?
+            .ok_or_else(|| {
+                Error::key("cam.roller_radius", "a roller follower needs it")
+                    .help("write for example \"10 mm\"")
+            })?;
+    }
+    r.finish()?;
+    Ok(spec)
+}
+
+fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
+    let mut limits = Limits::default();
+    let Some(mut r) = reader else {
+        return Ok(limits);
+    };
+    limits.stroke = r.positive("stroke", lift_dimension(oscillating, 0))?;
+    limits.velocity = r.positive("velocity", Dimension::Speed)?;
+    limits.acceleration = r.positive("acceleration", Dimension::Acceleration)?;
+    limits.jerk = r.positive("jerk", Dimension::Jerk)?;
+    let both = r.positive("pressure_angle", Dimension::Angle)?;
+    limits.pressure_angle_rise = r
+        .positive("pressure_angle_rise", Dimension::Angle)?
+        .or(both);
+    limits.pressure_angle_fall = r
+        .positive("pressure_angle_fall", Dimension::Angle)?
+        .or(both);
+    for (key, angle) in [
+        ("limits.pressure_angle_rise", limits.pressure_angle_rise),
+        ("limits.pressure_angle_fall", limits.pressure_angle_fall),
+    ] {
+        if angle.is_some_and(|a| a >= std::f64::consts::FRAC_PI_2) {
+            return Err(
+                Error::key(key, "a pressure angle of 90° pushes sideways only")
+                    .help("30° to 45° are usual"),
+            );
+        }
+    }
+    limits.curvature = r.not_negative("curvature", Dimension::Length)?;
+    limits.force_min = r.quantity("force_min", Dimension::Force)?;
+    limits.force_max = r.quantity("force_max", Dimension::Force)?;
+    limits.face_width = r.positive("face_width", Dimension::Length)?;
+    r.finish()?;
+    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max) {
+        if low >= high {
+            return Err(Error::key(
+                "limits.force_min",
+                format!("{low} N is not below force_max = {high} N"),
+            )
+            .help("lower force_min or raise force_max"));
+        }
+    }
+    Ok(limits)
+}
+
+fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {
+    let Some(mut r) = reader else { return Ok(None) };
+    let rms = r.positive("rms", Dimension::Ratio)?;
+    r.finish()?;
+    Ok(rms)
+}
+
+/// Demands that only the whole scene can contradict.
+fn consistent(scene: &Scene) -> Result<()> {
+    let law = &scene.law;
+    match law.family {
+        Family::Program if law.segments.is_empty() => {
+            return Err(Error::key("law.segment", "a program needs its segments").help(
+                "write [[law.segment]] motion = \"cycloidal\" lift = \"10 mm\" angle = \"90 deg\" for each",
+            ));
+        }
+        Family::Polynomial if law.points.len() < 2 => {
+            return Err(
+                Error::key("law.point", "a polynomial needs at least two points").help(
+                    "write [[law.point]] angle = \"0 deg\" lift = \"0\" velocity = \"0\" for each",
+                ),
+            );
+        }
+        Family::Polynomial | Family::Program => {}
+        _ if scene.gait.is_none() && law.points.is_empty() && law.dwells.is_empty() => {
+            return Err(Error::key("gait", "nothing is asked of the law").help(
+                "add [gait] with a force, [[law.point]]s, or family = \"program\" with segments",
+            ));
+        }
+        _ => {}
+    }
+    if scene.gait.is_none() && scene.drive.speed.is_none() {
+        return Err(Error::key(
+            "drive.speed",
+            "\"auto\" needs a force cycle to take the speed from",
+        )
+        .help("write for example \"60 rpm\""));
+    }
+    if scene.gait.is_none()
+        && scene.drive.kind == DriveKind::MovingAxis
+        && scene.drive.mass.is_none()
+    {
+        return Err(Error::key(
+            "drive.mass",
+            "\"auto\" needs a force cycle to take the mass from",
+        )
+        .help("write for example \"70 kg\""));
+    }
+    if let (Some(bore), Some(base)) = (scene.cam.bore, scene.cam.base_radius) {
+        if base <= 0.5 * bore {
+            return Err(Error::key(
+                "cam.base_radius",
+                format!("{base} m lies inside the bore of {bore} m"),
+            )
+            .help(format!("make it larger than {} m", 0.5 * bore)));
+        }
+    }
+    if let (Some(prime), Some(offset)) = (scene.cam.prime_radius, scene.cam.offset) {
+        if offset.abs() >= prime {
+            return Err(Error::key(
+                "cam.offset",
+                format!("{offset} m reaches the prime circle of {prime} m"),
+            )
+            .help("the offset must be smaller than the prime radius"));
+        }
+    }
+    Ok(())
+}

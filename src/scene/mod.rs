@@ -1,0 +1,272 @@
+//! A scene: the whole problem as a user writes it down, validated key by key.
+
+mod load;
+mod table;
+
+pub use load::{read, set};
+
+use std::path::PathBuf;
+
+use crate::drive::DriveKind;
+use crate::gait::Feet;
+
+/// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Name of the scene and of its output folder.
+    pub name: String,
+    /// The force that is wanted; `None` for a classical programme.
+    pub gait: Option<Gait>,
+    /// How lift becomes force.
+    pub drive: DriveSpec,
+    /// What the law may be.
+    pub law: LawSpec,
+    /// The cam and its follower.
+    pub cam: CamSpec,
+    /// What must not be exceeded.
+    pub limits: Limits,
+    /// Asked RMS force error as part of the mean force.
+    pub rms: Option<f64>,
+}
+
+/// Where the wanted force comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// A recording or a written cycle.
+    File {
+        /// Path as written; relative to the scene's folder first, then to the working directory.
+        path: PathBuf,
+        /// Name of the time column.
+        time: Option<String>,
+        /// Names of the force columns.
+        force: Vec<String>,
+        /// Unit of the force columns, as written.
+        unit: Option<String>,
+        /// Samples per second.
+        rate_hz: Option<f64>,
+        /// Mass of the walker, kg.
+        mass_kg: Option<f64>,
+    },
+    /// A published load model.
+    Model {
+        /// Its name in the catalogue.
+        name: String,
+        /// Steps per second.
+        step_frequency_hz: Option<f64>,
+        /// Weight of the walker, N.
+        body_weight_n: f64,
+    },
+}
+
+/// The force that is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gait {
+    /// Where it comes from.
+    pub source: Source,
+    /// Whose feet count.
+    pub feet: Feet,
+    /// Scale the target so that its mean is M·g.
+    pub to_mass: bool,
+}
+
+/// How lift becomes force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriveSpec {
+    /// The machine.
+    pub kind: DriveKind,
+    /// Moved mass, kg; `None` = mean force / g.
+    pub mass: Option<f64>,
+    /// Cam speed, rad/s; `None` = one turn per cycle.
+    pub speed: Option<f64>,
+    /// Gravity, m/s².
+    pub gravity: f64,
+    /// Hydraulic: pressure per displaced volume, Pa/m³.
+    pub pressure_per_volume: f64,
+    /// Hydraulic: radius of the piston, m.
+    pub piston_radius: f64,
+    /// Fixed axis: N/m.
+    pub spring_rate: f64,
+    /// Fixed axis: N on the base circle.
+    pub preload: f64,
+    /// Fixed axis: N·s/m.
+    pub damping: f64,
+}
+
+/// Family of laws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// The simplest of the others that meets accuracy and limits.
+    Auto,
+    /// Splines.
+    Spline,
+    /// One polynomial through given points, dwell elsewhere.
+    Polynomial,
+    /// A sum of harmonics.
+    Harmonic,
+    /// Rise–fall–dwell of double harmonics with searched angles and lifts.
+    DoubleHarmonic,
+    /// Segments of catalogue laws.
+    Program,
+}
+
+impl Family {
+    /// Every family with the name users write.
+    pub const NAMES: [(&'static str, Family); 6] = [
+        ("auto", Family::Auto),
+        ("spline", Family::Spline),
+        ("polynomial", Family::Polynomial),
+        ("harmonic", Family::Harmonic),
+        ("double-harmonic", Family::DoubleHarmonic),
+        ("program", Family::Program),
+    ];
+
+    /// The name users write.
+    pub fn name(self) -> &'static str {
+        Family::NAMES
+            .iter()
+            .find(|n| n.1 == self)
+            .map_or("", |n| n.0)
+    }
+}
+
+/// What the law is chosen for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Minimise {
+    /// Mean square distance of the force to the target.
+    ForceError,
+    /// Largest distance of the force to the target.
+    PeakForceError,
+    /// Mean square of the derivative of this order (2 acceleration, 3 jerk, 4 snap).
+    Energy(usize),
+    /// Largest absolute value of the derivative of this order.
+    Peak(usize),
+}
+
+impl Minimise {
+    /// Every objective with the name users write.
+    pub const NAMES: [(&'static str, Minimise); 8] = [
+        ("force-error", Minimise::ForceError),
+        ("peak-force-error", Minimise::PeakForceError),
+        ("acceleration", Minimise::Energy(2)),
+        ("jerk", Minimise::Energy(3)),
+        ("snap", Minimise::Energy(4)),
+        ("peak-acceleration", Minimise::Peak(2)),
+        ("peak-jerk", Minimise::Peak(3)),
+        ("peak-snap", Minimise::Peak(4)),
+    ];
+}
+
+/// An exact demand on the law at one cam angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LawPoint {
+    /// Cam angle, rad.
+    pub angle: f64,
+    /// Lift, m (or rad).
+    pub lift: Option<f64>,
+    /// Force, N, in place of a lift, where the drive turns one into the other.
+    pub force: Option<f64>,
+    /// Velocity, m/rad.
+    pub velocity: Option<f64>,
+    /// Acceleration, m/rad².
+    pub acceleration: Option<f64>,
+    /// Jerk, m/rad³.
+    pub jerk: Option<f64>,
+}
+
+/// A range of cam angles at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dwell {
+    /// First angle, rad.
+    pub from: f64,
+    /// Last angle, rad.
+    pub to: f64,
+    /// Lift, m; `None` = whatever suits.
+    pub lift: Option<f64>,
+}
+
+/// One segment of a programme.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SegmentSpec {
+    /// Name of the motion in the catalogue; `dwell` for rest.
+    pub motion: String,
+    /// Change of lift, m (or rad), negative for a fall.
+    pub lift: f64,
+    /// Angle, rad.
+    pub angle: f64,
+}
+
+/// What the law may be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LawSpec {
+    /// Family.
+    pub family: Family,
+    /// Degree of spline pieces (`None` = 5) or of the polynomial (`None` = as many as the points fix).
+    pub degree: Option<usize>,
+    /// Number of spline spans; `None` = the fewest that reach the accuracy.
+    pub spans: Option<usize>,
+    /// Number of harmonics; `None` = the fewest that reach the accuracy.
+    pub harmonics: Option<usize>,
+    /// What the law is chosen for; `None` = the force where one is wanted, jerk otherwise.
+    pub minimise: Option<Minimise>,
+    /// Rise or fall steadily between neighbouring points.
+    pub monotone: bool,
+    /// Exact demands.
+    pub points: Vec<LawPoint>,
+    /// Rests.
+    pub dwells: Vec<Dwell>,
+    /// Programme.
+    pub segments: Vec<SegmentSpec>,
+}
+
+/// The cam and its follower; lengths in m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CamSpec {
+    /// Kind of follower, as written.
+    pub follower: String,
+    /// Base radius; `None` = smallest that meets the limits.
+    pub base_radius: Option<f64>,
+    /// Prime radius; `None` = smallest that meets the limits.
+    pub prime_radius: Option<f64>,
+    /// Offset of the follower; `None` = the one that gives the smallest cam.
+    pub offset: Option<f64>,
+    /// Radius of the roller.
+    pub roller_radius: f64,
+    /// Oscillating: distance from cam centre to pivot.
+    pub pivot_distance: Option<f64>,
+    /// Oscillating: length of the arm.
+    pub arm: Option<f64>,
+    /// Oscillating flat face: distance of the face from the pivot.
+    pub face_offset: f64,
+    /// Diameter of the bore; the base circle stays outside it.
+    pub bore: Option<f64>,
+    /// Thickness of the plate, for solids.
+    pub thickness: f64,
+}
+
+/// What must not be exceeded; `None` = no limit. SI.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Limits {
+    /// Largest stroke, m (or rad).
+    pub stroke: Option<f64>,
+    /// Largest |ds/dt|, m/s.
+    pub velocity: Option<f64>,
+    /// Largest |d²s/dt²|, m/s².
+    pub acceleration: Option<f64>,
+    /// Largest |d³s/dt³|, m/s³.
+    pub jerk: Option<f64>,
+    /// Largest pressure angle on the positive side, rad.
+    pub pressure_angle_rise: Option<f64>,
+    /// Largest pressure angle on the negative side, rad.
+    pub pressure_angle_fall: Option<f64>,
+    /// Smallest convex radius of the finished cam, m.
+    pub curvature: Option<f64>,
+    /// Smallest force, N.
+    pub force_min: Option<f64>,
+    /// Largest force, N.
+    pub force_max: Option<f64>,
+    /// Longest flat face, m.
+    pub face_width: Option<f64>,
+}
+
+/// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.
+pub const DEFAULT: &str = include_str!("../../scenes/footbridge.toml");

@@ -1,0 +1,127 @@
+//! Why there is no law: the smallest set of limits that fight, and the least relaxation of each.
+
+use super::answer::{Infeasible, Relaxation};
+use super::band::ArrowMatrix;
+use super::program::{Failure, Meaning, Program};
+
+/// Explains a program without solution.
+pub fn explain(program: &Program, failure: &Failure) -> Infeasible {
+    match failure {
+        Failure::Equalities(names) => Infeasible {
+            conflict: names.clone(),
+            relaxations: Vec::new(),
+            words: format!(
+                "The demands contradict each other: {} cannot hold beside the others.",
+                names.join(", ")
+            ),
+        },
+        Failure::Solver(word) => Infeasible {
+            conflict: Vec::new(),
+            relaxations: Vec::new(),
+            words: format!(
+                "The solver stopped without an answer ({word}); the limits are close to leaving nothing."
+            ),
+        },
+        Failure::Infeasible => limits_in_conflict(program),
+    }
+}
+
+/// Deletion filter over the limits' names, then one elastic solve for each that is left.
+fn limits_in_conflict(program: &Program) -> Infeasible {
+    let mut names: Vec<&'static str> = Vec::new();
+    for limit in &program.limits {
+        if !names.contains(&limit.name) {
+            names.push(limit.name);
+        }
+    }
+    let feasible = |kept: &[&'static str]| {
+        let mut trial = program.clone();
+        trial.limits.retain(|l| kept.contains(&l.name));
+        trial.solve().is_ok()
+    };
+    let mut kept = names.clone();
+    for name in &names {
+        let without: Vec<&'static str> = kept.iter().copied().filter(|n| n != name).collect();
+        if !feasible(&without) {
+            kept = without;
+        }
+    }
+    let relaxations: Vec<Relaxation> = kept
+        .iter()
+        .filter_map(|name| relax(program, name))
+        .collect();
+    let advice: Vec<String> = relaxations
+        .iter()
+        .filter_map(|r| {
+            Some(format!(
+                "{} {} instead of {}",
+                spoken(&r.limit),
+                in_units(&r.limit, r.to?),
+                in_units(&r.limit, r.from)
+            ))
+        })
+        .collect();
+    let cure = match advice.len() {
+        0 => "No single one of them can be relaxed far enough.".to_string(),
+        1 => format!("Smallest relaxation: {}.", advice[0]),
+        _ => format!("Smallest relaxation, any one of: {}.", advice.join("; ")),
+    };
+    let list: Vec<String> = kept.iter().map(|n| spoken(n)).collect();
+    let words = match list.len() {
+        0 => format!("The demands alone leave no law. {cure}"),
+        1 => format!(
+            "No law that meets the demands keeps the {} limit. {cure}",
+            list[0]
+        ),
+        _ => format!(
+            "No law keeps these limits together: {}. {cure}",
+            list.join(", ")
+        ),
+    };
+    Infeasible {
+        conflict: kept.iter().map(|n| (*n).to_string()).collect(),
+        relaxations,
+        words,
+    }
+}
+
+fn spoken(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+/// A limit's value in the units people use for it.
+pub fn in_units(limit: &str, value: f64) -> String {
+    match limit {
+        "velocity" => format!("{value:.6} m/s"),
+        "acceleration" => format!("{value:.6} m/s²"),
+        "jerk" => format!("{value:.6} m/s³"),
+        "force_min" | "force_max" | "rms_error" => format!("{value:.6} N"),
+        "pressure_angle_rise" | "pressure_angle_fall" => format!("{:.4}°", value.to_degrees()),
+        _ => format!("{:.6} mm", 1e3 * value),
+    }
+}
+
+/// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.
+/// `None` for what is no number of the scene.
+fn relax(program: &Program, name: &str) -> Option<Relaxation> {
+    let mut elastic = program.clone();
+    let (band, border) = elastic.basis.pattern();
+    elastic.hessian = ArrowMatrix::zero(elastic.basis.columns(), band, border);
+    elastic.gradient.iter_mut().for_each(|g| *g = 0.0);
+    elastic.limits.retain(|l| !l.is_peak);
+    let first = *elastic.limits.iter().find(|l| l.name == name)?;
+    let from = first.meaning.value(first.bound)?;
+    for limit in elastic.limits.iter_mut().filter(|l| l.name == name) {
+        limit.is_peak = true;
+    }
+    let to = elastic
+        .solve()
+        .ok()
+        .and_then(|s| s.peak)
+        .and_then(|t| first.meaning.value(t));
+    let limit = match first.meaning {
+        Meaning::PrimeRadius { .. } => "cam.prime_radius".to_string(),
+        _ => name.to_string(),
+    };
+    Some(Relaxation { limit, from, to })
+}

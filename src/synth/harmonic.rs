@@ -1,0 +1,125 @@
+//! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (FACTS §1).
+
+use realfft::RealFftPlanner;
+
+use super::demand::Demand;
+use crate::error::{Error, Result};
+use crate::law::Law;
+
+/// Most harmonics that "auto" takes.
+const MOST_AUTO: usize = 60;
+/// A gain below this part of the largest term that makes it up is a resonance: the force there cannot be
+/// had from any finite lift.
+const RESONANCE: f64 = 1e-9;
+
+/// A harmonic law and what is known of its fit.
+pub struct Spectral {
+    /// Mean, then cosine and sine amplitudes of lift, m.
+    pub x: Vec<f64>,
+    /// Number of harmonics.
+    pub count: usize,
+    /// RMS force left in the harmonics that are not used, N.
+    pub left_over: f64,
+}
+
+impl Spectral {
+    /// The law; its mean is that of the drive, or zero where the drive leaves it open.
+    pub fn law(&self) -> Law {
+        let terms: Vec<(f64, f64)> = (0..self.count)
+            .map(|n| (self.x[2 * n + 1], self.x[2 * n + 2]))
+            .collect();
+        Law::harmonic(self.x[0], &terms)
+    }
+}
+
+/// The best law of `count` harmonics, or of the fewest whose remainder is at most `wanted` newtons RMS.
+///
+/// Fails when the target has too few samples for the harmonics asked, and when the drive is in resonance
+/// with a harmonic that the force contains.
+pub fn invert(demand: &Demand, count: Option<usize>, wanted: f64) -> Result<Spectral> {
+    let Some(target) = &demand.target else {
+        return Err(
+            Error::key("law.family", "harmonics follow a force, and none is given")
+                .help("add [gait]"),
+        );
+    };
+    let n = target.force_n.len();
+    let most = (n - 1) / 2;
+    if count.is_some_and(|c| c > most) {
+        return Err(Error::key(
+            "law.harmonics",
+            format!("{n} samples hold no more than {most} harmonics"),
+        ));
+    }
+    let spectrum = spectrum(&target.force_n)?;
+    let power = |k: usize| 0.5 * (spectrum[k].0.powi(2) + spectrum[k].1.powi(2));
+    let count = count.unwrap_or_else(|| {
+        let mut left: f64 = (1..=most).map(power).sum();
+        let mut c = 0;
+        while c < most.min(MOST_AUTO) && left.max(0.0).sqrt() > wanted {
+            c += 1;
+            left -= power(c);
+        }
+        c.max(1)
+    });
+    let left_over = (count + 1..=most).map(power).sum::<f64>().sqrt();
+    let mut x = Vec::with_capacity(2 * count + 1);
+    let k0 = demand.drive.spring_rate;
+    x.push(if k0 != 0.0 {
+        (spectrum[0].0 - demand.drive.rest_force) / k0
+    } else {
+        0.0
+    });
+    for (h, &(a, b)) in spectrum.iter().enumerate().take(count + 1).skip(1) {
+        let (re, im) = demand.drive.gain(h);
+        let square = re * re + im * im;
+        let nw = h as f64 * demand.drive.speed;
+        let largest = demand
+            .drive
+            .spring_rate
+            .abs()
+            .max(demand.drive.mass * nw * nw)
+            .max(im.abs());
+        if square.sqrt() <= RESONANCE * largest {
+            if a.hypot(b) <= RESONANCE * target.mean_n().abs() {
+                x.extend([0.0, 0.0]);
+                continue;
+            }
+            return Err(Error::key(
+                "drive",
+                format!("harmonic {h} of the force meets the drive's resonance: spring and inertia cancel and nothing is left to press with"),
+            )
+            .help("add damping, or change mass, spring rate or speed"));
+        }
+        // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
+        x.push((a * re - b * im) / square);
+        x.push((b * re + a * im) / square);
+    }
+    Ok(Spectral {
+        x,
+        count,
+        left_over,
+    })
+}
+
+/// (mean, 0), then (cosine, sine) amplitudes of each harmonic.
+fn spectrum(samples: &[f64]) -> Result<Vec<(f64, f64)>> {
+    let n = samples.len();
+    let fft = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+    let mut input = samples.to_vec();
+    let mut output = fft.make_output_vec();
+    fft.process(&mut input, &mut output)
+        .map_err(|e| Error::new(e.to_string()))?;
+    let scale = 2.0 / n as f64;
+    Ok(output
+        .iter()
+        .enumerate()
+        .map(|(k, c)| {
+            if k == 0 {
+                (c.re / n as f64, 0.0)
+            } else {
+                (c.re * scale, -c.im * scale)
+            }
+        })
+        .collect())
+}

@@ -1,0 +1,131 @@
+//! The polynomial family: one polynomial through the points, rest before and after.
+
+use std::f64::consts::TAU;
+
+use super::demand::Demand;
+use super::limits::lift_of_force;
+use crate::error::{Error, Result};
+use crate::law::{Condition, Law, hermite_birkhoff};
+use crate::poly::{PiecewisePoly, bernstein};
+use crate::scene::Scene;
+
+/// The polynomial with its monomial coefficients in (θ − θ₀)/β, which are for output only.
+pub struct Polynomial {
+    /// The law over the whole turn.
+    pub law: Law,
+    /// Degree of the polynomial.
+    pub degree: usize,
+    /// Monomial coefficients, m.
+    pub monomials: Vec<f64>,
+}
+
+/// Lifts of neighbouring dwells may differ by this part of the typical lift.
+const SAME_LIFT: f64 = 1e-9;
+
+/// Interpolates the scene's points.
+///
+/// Fails when the conditions do not fix a polynomial of the degree asked for, when a force is given that
+/// lift alone does not decide, and when the ends cannot be joined by a dwell.
+pub fn through_points(scene: &Scene, demand: &Demand) -> Result<Polynomial> {
+    let conditions = conditions(scene, demand)?;
+    let angles = scene.law.points.iter().map(|p| p.angle);
+    let start = angles.clone().fold(f64::INFINITY, f64::min);
+    let end = angles.fold(f64::NEG_INFINITY, f64::max);
+    if !(start >= -1e-9 && end <= TAU + 1e-9 && end > start) {
+        return Err(Error::key(
+            "law.point",
+            format!(
+                "{:.3}° to {:.3}° is no range of one turn",
+                start.to_degrees(),
+                end.to_degrees()
+            ),
+        )
+        .help("angles run from 0 to 360 deg"));
+    }
+    let (start, end) = (start.max(0.0), end.min(TAU));
+    let fixed = conditions.len() - 1;
+    if let Some(degree) = scene.law.degree.filter(|d| *d != fixed) {
+        let advice = if degree < fixed {
+            format!("write degree = {fixed}, or drop {} of them", fixed - degree)
+        } else {
+            format!(
+                "write degree = {fixed}, or add {} conditions",
+                degree - fixed
+            )
+        };
+        return Err(Error::key(
+            "law.degree",
+            format!(
+                "{} conditions fix a polynomial of degree {fixed}, not {degree}",
+                fixed + 1
+            ),
+        )
+        .help(advice));
+    }
+    let poly = hermite_birkhoff(&conditions, start, end)
+        .map_err(|e| e.at(crate::error::Place::Key("law.point".to_string())))?;
+    let piece = poly.piece(0).to_vec();
+    let (first, last) = (piece[0], piece[fixed]);
+    if (first - last).abs() > SAME_LIFT * demand.length {
+        return Err(Error::key(
+            "law.point",
+            format!(
+                "the law ends {:.6} m above its start and cannot close",
+                last - first
+            ),
+        )
+        .help("give the last point the lift of the first"));
+    }
+    let mut breaks = Vec::new();
+    let mut coef = Vec::new();
+    if start > 0.0 {
+        breaks.push(0.0);
+        coef.extend(vec![first; fixed + 1]);
+    }
+    breaks.extend([start, end]);
+    coef.extend(&piece);
+    if end < TAU {
+        breaks.push(TAU);
+        coef.extend(vec![last; fixed + 1]);
+    }
+    let law = Law::from_poly(PiecewisePoly::new(breaks, fixed, coef), true);
+    Ok(Polynomial {
+        law,
+        degree: fixed,
+        monomials: bernstein::to_power(&piece),
+    })
+}
+
+fn conditions(scene: &Scene, demand: &Demand) -> Result<Vec<Condition>> {
+    let mut out = Vec::new();
+    for (i, p) in scene.law.points.iter().enumerate() {
+        let lift = match (p.lift, p.force) {
+            (Some(lift), _) => Some(lift),
+            (None, Some(force)) => Some(lift_of_force(demand, force).ok_or_else(|| {
+                Error::key(
+                    &format!("law.point[{}].force", i + 1),
+                    "this drive does not turn a force into a lift",
+                )
+                .help("give the lift, or use a hydraulic drive")
+            })?),
+            (None, None) => None,
+        };
+        for (order, value) in [lift, p.velocity, p.acceleration, p.jerk]
+            .into_iter()
+            .enumerate()
+        {
+            if let Some(value) = value {
+                out.push(Condition {
+                    theta: p.angle,
+                    order,
+                    value,
+                });
+            }
+        }
+    }
+    if out.is_empty() {
+        return Err(Error::key("law.point", "the points ask for nothing")
+            .help("give lift, force, velocity, acceleration or jerk"));
+    }
+    Ok(out)
+}

@@ -1,0 +1,251 @@
+//! Holding the finished design against the scene: exact extremes, checks, force report.
+
+use super::answer::ForceReport;
+use super::demand::Demand;
+use super::program::TOLERANCE;
+use crate::cam::{Cam, Check, Verdict};
+use crate::poly::{Extreme, PiecewisePoly};
+use crate::scene::Scene;
+
+/// A sized quantity (prime circle by bisection or root) may miss its limit by this part: rounding of the
+/// geometry, not of the law.
+const GEOMETRY: f64 = 1e-8;
+/// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
+const JUMP: f64 = 1e-7;
+
+/// Distance of the cam's force from the target, exact on the pieces of both.
+pub fn force(demand: &Demand, cam: &Cam) -> ForceReport {
+    let own = demand.drive.force_curve(&cam.law);
+    let (low, high) = own.extremes();
+    let (start, length) = cam.law.extent();
+    let mut report = ForceReport {
+        mean_n: own.integral() / length,
+        min_n: low.value,
+        max_n: high.value,
+        ..ForceReport::default()
+    };
+    if let Some(target) = &demand.target {
+        let difference = difference(&own, &target.curve());
+        let (least, most) = difference.extremes();
+        report.target_mean_n = target.mean_n();
+        report.rms_error_n = (difference.integral_of_square() / length).max(0.0).sqrt();
+        report.max_error_n = most.value.max(-least.value);
+        report.rms_error_percent_of_mean = 100.0 * report.rms_error_n / report.target_mean_n.abs();
+        debug_assert!(start == 0.0);
+    }
+    report
+}
+
+fn difference(own: &PiecewisePoly, target: &PiecewisePoly) -> PiecewisePoly {
+    let own = own.cut_at(target.breaks());
+    let target = target.cut_at(own.breaks());
+    PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], 0.0)
+}
+
+/// Every limit of the scene, and what no cam may lack, held against the design.
+pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, force: &ForceReport) -> Vec<Check> {
+    let limits = &scene.limits;
+    let speed = demand.drive.speed;
+    let mut out = Vec::new();
+    let (bottom, top) = cam.law.extremes(0);
+    if let Some(h) = limits.stroke {
+        let stroke = Extreme {
+            at: top.at,
+            value: top.value - bottom.value,
+        };
+        out.push(Check::at_most("stroke", stroke, h, 2.0 * TOLERANCE));
+    }
+    let timed = [
+        ("velocity", 1, limits.velocity),
+        ("acceleration", 2, limits.acceleration),
+        ("jerk", 3, limits.jerk),
+    ];
+    for (name, order, limit) in timed {
+        if let Some(limit) = limit {
+            let (low, high) = cam.law.extremes(order);
+            let worst = if high.value >= -low.value {
+                high
+            } else {
+                Extreme {
+                    at: low.at,
+                    value: -low.value,
+                }
+            };
+            let timed = Extreme {
+                at: worst.at,
+                value: worst.value * speed.powi(order as i32),
+            };
+            out.push(Check::at_most(name, timed, limit, 2.0 * TOLERANCE));
+        }
+    }
+    let curve = demand.drive.force_curve(&cam.law);
+    let (low, high) = curve.extremes();
+    let force_slack =
+        2.0 * TOLERANCE * force.target_mean_n.abs().max(demand.drive.rest_force.abs());
+    if let Some(limit) = limits.force_min {
+        let mut check = Check::at_least("force_min", low, limit, 2.0 * TOLERANCE);
+        check.pass = low.value >= limit - force_slack;
+        out.push(check);
+    }
+    if let Some(limit) = limits.force_max {
+        out.push(Check::at_most("force_max", high, limit, 2.0 * TOLERANCE));
+    }
+    out.extend(profile_checks(scene, cam));
+    if let (Some(rms), Some(_)) = (scene.rms, &demand.target) {
+        let worst = Extreme {
+            at: 0.0,
+            value: force.rms_error_n,
+        };
+        out.push(Check::at_most(
+            "rms_error",
+            worst,
+            rms * force.target_mean_n.abs(),
+            TOLERANCE,
+        ));
+    }
+    out
+}
+
+fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
+    let limits = &scene.limits;
+    let mut out = Vec::new();
+    let (low, high) = cam.pressure_angle_extremes();
+    if let Some(limit) = limits.pressure_angle_rise {
+        out.push(Check::at_most("pressure_angle_rise", high, limit, GEOMETRY));
+    }
+    if let Some(limit) = limits.pressure_angle_fall {
+        let worst = Extreme {
+            at: low.at,
+            value: -low.value,
+        };
+        out.push(Check::at_most(
+            "pressure_angle_fall",
+            worst,
+            limit,
+            GEOMETRY,
+        ));
+    }
+    let curvature = cam.curvature();
+    // Asked for or not, a negative convex radius is a cam that cuts itself.
+    let mut convex = Check::at_least(
+        "curvature",
+        curvature.convex,
+        limits.curvature.unwrap_or(0.0),
+        GEOMETRY,
+    );
+    convex.pass &= !curvature.undercut
+        || curvature.convex.value.abs() <= GEOMETRY * cam.follower.prime_radius();
+    out.push(convex);
+    if let Some(concave) = curvature.concave {
+        let roller = cam.follower.roller_radius();
+        if roller > 0.0 {
+            // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
+            let worst = Extreme {
+                at: concave.at,
+                value: -concave.value,
+            };
+            out.push(Check::at_least("concave", worst, roller, GEOMETRY));
+        }
+    }
+    if let (Some(limit), Some(width)) = (limits.face_width, cam.face_width()) {
+        let at = cam.law.extremes(1).1.at;
+        out.push(Check::at_most(
+            "face_width",
+            Extreme { at, value: width },
+            limit,
+            2.0 * TOLERANCE,
+        ));
+    }
+    if let Some(bore) = scene.cam.bore {
+        let worst = Extreme {
+            at: 0.0,
+            value: cam.follower.base_radius(),
+        };
+        out.push(Check::at_least("bore", worst, 0.5 * bore, GEOMETRY));
+    }
+    let lowest = cam.law.extremes(0).0;
+    if lowest.value < -1e-7 * cam.law.stroke() {
+        out.push(Check::at_least("base_circle", lowest, 0.0, 0.0));
+    }
+    out
+}
+
+/// The class of the cam and one sentence on it, for a student.
+pub fn verdict(cam: &Cam, checks: &[Check]) -> (Verdict, String) {
+    let range = |order: usize| {
+        let (low, high) = cam.law.extremes(order);
+        (high.value - low.value).max(f64::MIN_POSITIVE)
+    };
+    let ranges = [range(0), range(1), range(2)];
+    for joint in cam.law.joints() {
+        for (order, jump, what) in [(0, joint.jump.s, "lift"), (1, joint.jump.v, "velocity")] {
+            if jump.abs() > JUMP * ranges[order] {
+                let at = joint.at.to_degrees();
+                return (
+                    Verdict::Unacceptable,
+                    format!(
+                        "The {what} jumps at {at:.2}°: the follower would have to be in two states at once, so no machine can follow."
+                    ),
+                );
+            }
+        }
+    }
+    if let Some(failed) = checks.iter().find(|c| !c.pass) {
+        return (Verdict::Unacceptable, failed_words(failed));
+    }
+    let jumps = cam
+        .law
+        .joints()
+        .into_iter()
+        .find(|j| j.jump.a.abs() > JUMP * ranges[2]);
+    if let Some(joint) = jumps {
+        return (
+            Verdict::NotForHighSpeed,
+            format!(
+                "Every limit holds, but the acceleration jumps at {:.2}°: the force jumps with it and shakes a fast machine.",
+                joint.at.to_degrees()
+            ),
+        );
+    }
+    (
+        Verdict::Acceptable,
+        "Every limit holds, and lift, velocity and acceleration are continuous all around."
+            .to_string(),
+    )
+}
+
+fn failed_words(check: &Check) -> String {
+    let at = check.at.to_degrees();
+    let (worst, limit) = (check.worst, check.limit);
+    match check.name.as_str() {
+        "curvature" if worst < 0.0 => format!(
+            "The profile is undercut at {at:.1}°: its convex radius would be {:.3} mm. Enlarge the base circle, or use a smaller roller.",
+            1e3 * worst
+        ),
+        "curvature" => format!(
+            "The profile is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. Enlarge the base circle.",
+            1e3 * worst,
+            1e3 * limit
+        ),
+        "concave" => format!(
+            "The roller of {:.3} mm does not fit the hollow of {:.3} mm at {at:.1}°. Use a smaller roller.",
+            1e3 * limit,
+            1e3 * worst
+        ),
+        "pressure_angle_rise" | "pressure_angle_fall" => format!(
+            "The pressure angle reaches {:.2}° at {at:.1}°, more than the {:.2}° allowed: the follower would jam in its guide. Enlarge the prime circle.",
+            worst.to_degrees(),
+            limit.to_degrees()
+        ),
+        "rms_error" => format!(
+            "The force misses the target by {worst:.4} N RMS, more than the {limit:.4} N asked for. Relax the limits that bind, or allow more spans."
+        ),
+        "base_circle" => format!(
+            "The law dips {:.3} mm below its base circle at {at:.1}°.",
+            -1e3 * worst
+        ),
+        name => {
+            format!("The limit \"{name}\" is broken at {at:.1}°: {worst:.6} against {limit:.6}.")
+        }
+    }
+}
