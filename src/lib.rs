@@ -4,6 +4,7 @@
 
 pub mod cam;
 pub mod drive;
+pub mod emit;
 pub mod error;
 pub mod gait;
 pub mod law;

@@ -1,0 +1,175 @@
+//! `profile.dxf`: the cam for CAD, at true scale in millimetres, each curve on its own layer.
+
+use ::dxf::Drawing;
+use ::dxf::entities::{Circle, Entity, EntityType, Line, LwPolyline, Polyline, Vertex};
+use ::dxf::enums::{AcadVersion, DrawingUnits, Units};
+use ::dxf::tables::Layer;
+use ::dxf::{Color, LwPolylineVertex, Point};
+
+use crate::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Half the length of the centre mark's strokes, mm.
+const MARK: f64 = 3.0;
+
+/// Layers with their AutoCAD colour indices.
+const LAYERS: [(&str, u8); 6] = [
+    ("PROFILE", 7),
+    ("PITCH_CURVE", 30),
+    ("BASE_CIRCLE", 3),
+    ("PRIME_CIRCLE", 6),
+    ("BORE", 5),
+    ("CENTRE", 1),
+];
+
+/// The oldest program that must read the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Version {
+    /// Heavy polylines, no units in the header: everything reads it.
+    R12,
+    /// Lightweight polylines, millimetres declared in the header.
+    R2000,
+    /// As R2000, in the 2010 dialect.
+    R2010,
+}
+
+/// How to draw the cam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Vertices of the polylines.
+    pub points: usize,
+    /// Dialect.
+    pub version: Version,
+    /// Diameter of the bore, m; none drawn where absent.
+    pub bore: Option<f64>,
+}
+
+/// The plain hand-over: R12, polylines of `points` vertices at equal steps of the cam angle, no bore.
+pub fn profile(synthesis: &Synthesis, points: usize) -> Vec<u8> {
+    drawing(
+        synthesis,
+        Options {
+            points,
+            version: Version::R12,
+            bore: None,
+        },
+    )
+}
+
+/// The finished profile (closed for a closed law) with pitch curve, base and prime circle, bore and
+/// centre mark.
+pub fn drawing(synthesis: &Synthesis, options: Options) -> Vec<u8> {
+    let cam = &synthesis.cam;
+    let rows = cam.profile(options.points);
+    let closed = cam.law.is_closed();
+    let (base, prime) = (cam.follower.base_radius(), cam.follower.prime_radius());
+    let mut sheet = Sheet::new(options.version);
+    let profile: Vec<[f64; 3]> = rows.iter().map(|p| [MM * p.x, MM * p.y, 0.0]).collect();
+    sheet.polyline("PROFILE", &profile, closed);
+    if prime != base {
+        let pitch: Vec<[f64; 3]> = rows
+            .iter()
+            .map(|p| [MM * p.pitch_x, MM * p.pitch_y, 0.0])
+            .collect();
+        sheet.polyline("PITCH_CURVE", &pitch, closed);
+        sheet.circle("PRIME_CIRCLE", MM * prime);
+    }
+    sheet.circle("BASE_CIRCLE", MM * base);
+    if let Some(bore) = options.bore {
+        sheet.circle("BORE", MM * bore / 2.0);
+    }
+    sheet.line("CENTRE", [-MARK, 0.0], [MARK, 0.0]);
+    sheet.line("CENTRE", [0.0, -MARK], [0.0, MARK]);
+    sheet.bytes()
+}
+
+/// A drawing under way.
+struct Sheet {
+    drawing: Drawing,
+    version: Version,
+}
+
+impl Sheet {
+    fn new(version: Version) -> Self {
+        let mut drawing = Drawing::new();
+        let header = &mut drawing.header;
+        header.version = match version {
+            Version::R12 => AcadVersion::R12,
+            Version::R2000 => AcadVersion::R2000,
+            Version::R2010 => AcadVersion::R2010,
+        };
+        header.drawing_units = DrawingUnits::Metric;
+        header.default_drawing_units = Units::Millimeters;
+        // The same design gives the same bytes: no clock, no random identity.
+        header.creation_date = Default::default();
+        header.creation_date_universal = Default::default();
+        header.update_date = Default::default();
+        header.update_date_universal = Default::default();
+        header.fingerprint_guid = Default::default();
+        header.version_guid = Default::default();
+        for (name, colour) in LAYERS {
+            drawing.add_layer(Layer {
+                name: name.to_string(),
+                color: Color::from_index(colour),
+                ..Default::default()
+            });
+        }
+        Sheet { drawing, version }
+    }
+
+    fn add(&mut self, layer: &str, specific: EntityType) {
+        let mut entity = Entity::new(specific);
+        entity.common.layer = layer.to_string();
+        self.drawing.add_entity(entity);
+    }
+
+    /// Vertices x, y (mm) and the bulge of the edge that follows: tan(¼ of its arc), 0 for a chord.
+    fn polyline(&mut self, layer: &str, vertices: &[[f64; 3]], closed: bool) {
+        if self.version == Version::R12 {
+            let mut polyline = Polyline::default();
+            polyline.set_is_closed(closed);
+            for &[x, y, bulge] in vertices {
+                let mut vertex = Vertex::new(Point::new(x, y, 0.0));
+                vertex.bulge = bulge;
+                polyline.add_vertex(&mut self.drawing, vertex);
+            }
+            self.add(layer, EntityType::Polyline(polyline));
+            return;
+        }
+        let mut polyline = LwPolyline {
+            vertices: vertices
+                .iter()
+                .map(|&[x, y, bulge]| LwPolylineVertex {
+                    x,
+                    y,
+                    bulge,
+                    ..Default::default()
+                })
+                .collect(),
+            ..Default::default()
+        };
+        polyline.set_is_closed(closed);
+        self.add(layer, EntityType::LwPolyline(polyline));
+    }
+
+    fn circle(&mut self, layer: &str, radius: f64) {
+        self.add(
+            layer,
+            EntityType::Circle(Circle::new(Point::origin(), radius)),
+        );
+    }
+
+    fn line(&mut self, layer: &str, from: [f64; 2], to: [f64; 2]) {
+        let [p, q] = [from, to].map(|[x, y]| Point::new(x, y, 0.0));
+        self.add(layer, EntityType::Line(Line::new(p, q)));
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        let mut out = Vec::new();
+        // Writing to memory cannot fail, and every entity here exists in every dialect offered.
+        if self.drawing.save(&mut out).is_err() {
+            out.clear();
+        }
+        out
+    }
+}

@@ -1,0 +1,252 @@
+//! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::Timing;
+use crate::synth::{ForceReport, Infeasible, Synthesis};
+
+/// The summary of a design.
+///
+/// Extremes are those of the continuous law. An infeasible outcome also says which limits conflict and
+/// what the smallest change of each would be (`to` is null where none helps).
+pub fn summary(synthesis: &Synthesis, time: Timing) -> Value {
+    // Plain structs of numbers and strings with string keys: this cannot fail.
+    serde_json::to_value(Summary::new(synthesis, time)).unwrap_or(Value::Null)
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    name: &'a str,
+    outcome: &'static str,
+    verdict: &'static str,
+    reason: &'a str,
+    force: Force,
+    drive: DriveSummary,
+    law: LawSummary<'a>,
+    cam: CamSummary,
+    checks: Vec<CheckSummary<'a>>,
+    binding: Vec<BindingSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    infeasible: Option<InfeasibleSummary<'a>>,
+    remarks: &'a [String],
+    solver: Solver<'a>,
+    time: Total,
+}
+
+#[derive(Serialize)]
+struct Force {
+    rms_error_n: f64,
+    max_error_n: f64,
+    rms_error_percent_of_mean: f64,
+    target_mean_n: f64,
+    mean_n: f64,
+    min_n: f64,
+    max_n: f64,
+}
+
+#[derive(Serialize)]
+struct DriveSummary {
+    kind: &'static str,
+    mass_kg: f64,
+    speed_rad_per_s: f64,
+}
+
+#[derive(Serialize)]
+struct LawSummary<'a> {
+    family: &'a str,
+    pieces: usize,
+    degree: usize,
+    coefficients: &'a [f64],
+    stroke_m: f64,
+    v_max_m_per_rad: f64,
+    v_min_m_per_rad: f64,
+    a_max_m_per_rad2: f64,
+    a_min_m_per_rad2: f64,
+    j_max_m_per_rad3: f64,
+    j_min_m_per_rad3: f64,
+}
+
+#[derive(Serialize)]
+struct CamSummary {
+    follower: &'static str,
+    base_radius_m: f64,
+    prime_radius_m: f64,
+    offset_m: f64,
+    rho_min_m: f64,
+    rho_min_at_rad: f64,
+    pressure_angle_max_rad: f64,
+    pressure_angle_min_rad: f64,
+    face_width_m: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct CheckSummary<'a> {
+    name: &'a str,
+    worst: f64,
+    limit: f64,
+    at_rad: f64,
+    pass: bool,
+}
+
+#[derive(Serialize)]
+struct BindingSummary<'a> {
+    limit: &'a str,
+    multiplier: f64,
+    at_rad: f64,
+}
+
+#[derive(Serialize)]
+struct InfeasibleSummary<'a> {
+    conflict: &'a [String],
+    relaxations: Vec<RelaxationSummary<'a>>,
+    words: &'a str,
+}
+
+#[derive(Serialize)]
+struct RelaxationSummary<'a> {
+    limit: &'a str,
+    from: f64,
+    to: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Solver<'a> {
+    tier: &'static str,
+    status: &'a str,
+    iterations: usize,
+    solve_s: f64,
+    certified: bool,
+}
+
+#[derive(Serialize)]
+struct Total {
+    total_s: f64,
+}
+
+impl<'a> Summary<'a> {
+    fn new(synthesis: &'a Synthesis, time: Timing) -> Self {
+        let solver = &synthesis.solver;
+        Summary {
+            name: &synthesis.name,
+            outcome: if synthesis.infeasible.is_some() {
+                "infeasible"
+            } else {
+                "built"
+            },
+            verdict: synthesis.verdict.name(),
+            reason: &synthesis.reason,
+            force: Force::new(&synthesis.force),
+            drive: DriveSummary {
+                kind: synthesis.drive.kind.name(),
+                mass_kg: synthesis.drive.mass,
+                speed_rad_per_s: synthesis.drive.speed,
+            },
+            law: LawSummary::new(synthesis),
+            cam: CamSummary::new(synthesis),
+            checks: synthesis
+                .checks
+                .iter()
+                .map(|c| CheckSummary {
+                    name: &c.name,
+                    worst: c.worst,
+                    limit: c.limit,
+                    at_rad: c.at,
+                    pass: c.pass,
+                })
+                .collect(),
+            binding: synthesis
+                .binding
+                .iter()
+                .map(|b| BindingSummary {
+                    limit: &b.limit,
+                    multiplier: b.multiplier,
+                    at_rad: b.at,
+                })
+                .collect(),
+            infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
+            remarks: &synthesis.remarks,
+            solver: Solver {
+                tier: solver.tier.name(),
+                status: &solver.status,
+                iterations: solver.iterations,
+                solve_s: time.solve_s,
+                certified: solver.certified,
+            },
+            time: Total {
+                total_s: time.total_s,
+            },
+        }
+    }
+}
+
+impl Force {
+    fn new(f: &ForceReport) -> Self {
+        Force {
+            rms_error_n: f.rms_error_n,
+            max_error_n: f.max_error_n,
+            rms_error_percent_of_mean: f.rms_error_percent_of_mean,
+            target_mean_n: f.target_mean_n,
+            mean_n: f.mean_n,
+            min_n: f.min_n,
+            max_n: f.max_n,
+        }
+    }
+}
+
+impl<'a> LawSummary<'a> {
+    fn new(synthesis: &'a Synthesis) -> Self {
+        let law = &synthesis.cam.law;
+        let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] = [1, 2, 3].map(|k| law.extremes(k));
+        LawSummary {
+            family: &synthesis.family,
+            pieces: law.poly().pieces(),
+            degree: synthesis.degree,
+            coefficients: &synthesis.coefficients,
+            stroke_m: law.stroke(),
+            v_max_m_per_rad: v_max.value,
+            v_min_m_per_rad: v_min.value,
+            a_max_m_per_rad2: a_max.value,
+            a_min_m_per_rad2: a_min.value,
+            j_max_m_per_rad3: j_max.value,
+            j_min_m_per_rad3: j_min.value,
+        }
+    }
+}
+
+impl CamSummary {
+    fn new(synthesis: &Synthesis) -> Self {
+        let cam = &synthesis.cam;
+        let curvature = cam.curvature();
+        let (phi_min, phi_max) = cam.pressure_angle_extremes();
+        CamSummary {
+            follower: cam.follower.name(),
+            base_radius_m: cam.follower.base_radius(),
+            prime_radius_m: cam.follower.prime_radius(),
+            offset_m: cam.follower.offset(),
+            rho_min_m: curvature.convex.value,
+            rho_min_at_rad: curvature.convex.at,
+            pressure_angle_max_rad: phi_max.value,
+            pressure_angle_min_rad: phi_min.value,
+            face_width_m: cam.face_width(),
+        }
+    }
+}
+
+impl<'a> InfeasibleSummary<'a> {
+    fn new(answer: &'a Infeasible) -> Self {
+        InfeasibleSummary {
+            conflict: &answer.conflict,
+            relaxations: answer
+                .relaxations
+                .iter()
+                .map(|r| RelaxationSummary {
+                    limit: &r.limit,
+                    from: r.from,
+                    to: r.to,
+                })
+                .collect(),
+            words: &answer.words,
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! What a design is handed over as: tables, drawings, pictures, a report, solids, a cutter path.
+//!
+//! Every emitter is pure: it takes a finished [`Synthesis`](crate::synth::Synthesis) and returns text or
+//! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
+//! SI units with the unit in the column's name, pictures in millimetres and degrees.
+
+pub mod csv;
+pub mod dxf;
+mod geometry;
+pub mod json;
+pub mod svg;
+
+/// How long the work took, s; measured by the caller, since emitters read no clock.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Timing {
+    /// The synthesis alone.
+    pub solve_s: f64,
+    /// Everything up to now.
+    pub total_s: f64,
+}
