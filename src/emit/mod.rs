@@ -4,10 +4,17 @@
 //! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
 //! SI units with the unit in the column's name, pictures in millimetres and degrees.
 
+mod cam_picture;
 pub mod csv;
 pub mod dxf;
 mod geometry;
 pub mod json;
+mod panel;
+pub mod picture;
+pub mod plots;
+mod raster;
+mod samples;
+mod sheet;
 pub mod svg;
 
 /// How long the work took, s; measured by the caller, since emitters read no clock.

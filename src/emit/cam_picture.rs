@@ -1,0 +1,370 @@
+//! The cam with its follower in place, at true proportions.
+
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+
+use super::geometry::{Pose, face_reach, pose, turned};
+use super::picture::Picture;
+use super::picture::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, QUIET, RED};
+use super::plots::{Layout, title};
+use super::samples::{degrees, number};
+use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::cam::ProfilePoint;
+use crate::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Vertices of the drawn curves.
+const POINTS: usize = 720;
+/// Dashes and gaps of the construction lines, points.
+const BASE: [f64; 2] = [7.0, 5.0];
+const PRIME: [f64; 2] = [13.0, 4.0];
+const PITCH: [f64; 2] = [4.0, 4.0];
+/// Blank part of the drawing around the cam, as a share of its size.
+const MARGIN: f64 = 0.04;
+
+/// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
+pub fn cam(synthesis: &Synthesis) -> Picture {
+    cam_in(synthesis, Layout::ALONE)
+}
+
+pub(super) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        title(canvas, layout, &synthesis.name, "the cam at θ = 0")?;
+        let e = layout.letters;
+        let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
+        let top = if layout.title { 4.2 * e } else { e };
+        let table = width - 21.0 * e;
+        let scene = Scene::new(synthesis);
+        let plane = scene.plane(canvas, [2.0 * e, table - e], [height - 1.5 * e, top]);
+        scene.draw(&plane)?;
+        scene.table(canvas, [table, top + 2.0 * e], e)
+    })
+}
+
+/// What is drawn, mm.
+struct Scene<'a> {
+    synthesis: &'a Synthesis,
+    rows: Vec<ProfilePoint>,
+    start: f64,
+    pose: Pose,
+    base: f64,
+    prime: f64,
+    /// Largest reach of the profile from the centre.
+    reach: f64,
+}
+
+impl<'a> Scene<'a> {
+    fn new(synthesis: &'a Synthesis) -> Self {
+        let cam = &synthesis.cam;
+        let rows = cam.profile(POINTS);
+        let start = cam.law.extent().0;
+        let reach = rows.iter().map(|p| p.x.hypot(p.y)).fold(0.0, f64::max) * MM;
+        Scene {
+            synthesis,
+            rows,
+            start,
+            pose: pose(cam, start),
+            base: MM * cam.follower.base_radius(),
+            prime: MM * cam.follower.prime_radius(),
+            reach,
+        }
+    }
+
+    fn has_roller(&self) -> bool {
+        self.prime != self.base
+    }
+
+    /// Left, right, bottom, top of everything drawn.
+    fn bounds(&self) -> [f64; 4] {
+        let round = if self.has_roller() {
+            self.prime
+        } else {
+            self.base
+        };
+        let mut b = [-round, round, -round, round];
+        let mut hold = |x: f64, y: f64| {
+            b = [b[0].min(x), b[1].max(x), b[2].min(y), b[3].max(y)];
+        };
+        for p in &self.rows {
+            let now = |x: f64, y: f64| turned([MM * x, MM * y], self.start);
+            for [x, y] in [now(p.x, p.y), now(p.pitch_x, p.pitch_y)] {
+                hold(x, y);
+            }
+        }
+        match self.pose {
+            Pose::Face { at, .. } => {
+                let (low, high) = self.face();
+                hold(low, MM * at[1]);
+                hold(high, MM * at[1] + self.stem());
+            }
+            Pose::Roller { centre, radius } => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - MM * radius, y);
+                hold(x + MM * radius, y + MM * radius + self.stem());
+            }
+        }
+        b
+    }
+
+    /// Length of the drawn stem.
+    fn stem(&self) -> f64 {
+        0.38 * self.reach
+    }
+
+    /// Ends of the face along x: where the contact goes, and a little more.
+    fn face(&self) -> (f64, f64) {
+        let (low, high) = face_reach(&self.synthesis.cam).unwrap_or((0.0, 0.0));
+        let more = 0.08 * self.reach;
+        (MM * low - more, MM * high + more)
+    }
+
+    /// Axes of one scale in both directions, centred in the space given.
+    fn plane<'c>(&self, canvas: &Canvas<'c>, across: [f64; 2], up: [f64; 2]) -> Plane<'c> {
+        let [left, right, bottom, top] = self.bounds();
+        let (w, h) = (right - left, top - bottom);
+        let blank = MARGIN * w.max(h);
+        let room = [across[1] - across[0], up[0] - up[1]];
+        let scale = (room[0] / (w + 2.0 * blank)).min(room[1] / (h + 2.0 * blank));
+        let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
+        let half = [0.5 * room[0] / scale, 0.5 * room[1] / scale];
+        plane(
+            canvas,
+            [middle[0] - half[0], middle[0] + half[0]],
+            [middle[1] - half[1], middle[1] + half[1]],
+            across,
+            up,
+        )
+    }
+
+    fn draw(&self, plane: &Plane) -> Drawn {
+        let here = |x: f64, y: f64| {
+            let [x, y] = turned([MM * x, MM * y], self.start);
+            (x, y)
+        };
+        let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
+        plane.draw(&Polygon::new(outline.clone(), BLUE.mix(0.13).filled()))?;
+        dashed(plane, circle(self.base), GREEN, BASE)?;
+        if self.has_roller() {
+            dashed(plane, circle(self.prime), PURPLE, PRIME)?;
+            let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
+            dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
+        }
+        plane.draw(&PathElement::new(self.whole(outline), stroke(BLUE, 2.6)))?;
+        self.centre(plane)?;
+        self.follower(plane)?;
+        let contact = self.synthesis.cam.point(self.start);
+        dot(plane, here(contact.x, contact.y), RED)?;
+        let sharpest = self.synthesis.cam.curvature().convex;
+        if sharpest.value.is_finite() {
+            let p = self.synthesis.cam.point(sharpest.at);
+            let (x, y) = here(p.x, p.y);
+            let ring = EmptyElement::at((x, y)) + Circle::new((0, 0), units(5.5), stroke(RED, 2.0));
+            plane.draw(&ring)?;
+        }
+        Ok(())
+    }
+
+    /// Closes the curve of a closed law.
+    fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+        if self.synthesis.cam.law.is_closed() && !curve.is_empty() {
+            curve.push(curve[0]);
+        }
+        curve
+    }
+
+    /// Centre mark and the sense of rotation.
+    fn centre(&self, plane: &Plane) -> Drawn {
+        let arm = 0.07 * self.reach;
+        for path in [[(-arm, 0.0), (arm, 0.0)], [(0.0, -arm), (0.0, arm)]] {
+            plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
+        }
+        dot(plane, (0.0, 0.0), INK)?;
+        // Counter-clockwise, as the cam turns.
+        let r = 0.45 * self.base.min(self.reach);
+        let (from, to) = (-0.35_f64, 1.75_f64);
+        let arc: Vec<(f64, f64)> = (0..=60)
+            .map(|i| {
+                let a = from + (to - from) * f64::from(i) / 60.0;
+                (r * a.cos(), r * a.sin())
+            })
+            .collect();
+        plane.draw(&PathElement::new(arc, stroke(INK, 2.0)))?;
+        let head = 0.16 * r;
+        let tip = to + head / r;
+        let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
+        let arrow = vec![
+            corner(r, tip),
+            corner(r + 0.5 * head, to - 0.3 * head / r),
+            corner(r - 0.5 * head, to - 0.3 * head / r),
+        ];
+        plane.draw(&Polygon::new(arrow, INK.filled()))
+    }
+
+    fn follower(&self, plane: &Plane) -> Drawn {
+        let half = 0.045 * self.reach;
+        let rod = |x: f64, from: f64, to: f64| {
+            let corners = vec![
+                (x - half, from),
+                (x - half, to),
+                (x + half, to),
+                (x + half, from),
+            ];
+            let sides = [
+                [(x - half, from), (x - half, to)],
+                [(x + half, from), (x + half, to)],
+            ];
+            plane.draw(&Polygon::new(corners.clone(), PAPER.filled()))?;
+            plane.draw(&Polygon::new(corners, AXIS.mix(0.35).filled()))?;
+            for side in sides {
+                plane.draw(&PathElement::new(side, stroke(INK, 1.8)))?;
+            }
+            Ok(())
+        };
+        match self.pose {
+            Pose::Face { at, angle } => {
+                let y = MM * at[1];
+                let (low, high) = self.face();
+                let thick = 0.035 * self.reach;
+                rod(MM * at[0], y + thick, y + self.stem())?;
+                let (sin, cos) = angle.sin_cos();
+                let corner =
+                    |u: f64, w: f64| (MM * at[0] + u * cos - w * sin, y + u * sin + w * cos);
+                let plate = [
+                    corner(low, 0.0),
+                    corner(high, 0.0),
+                    corner(high, thick),
+                    corner(low, thick),
+                    corner(low, 0.0),
+                ];
+                plane.draw(&Polygon::new(plate.to_vec(), PAPER.filled()))?;
+                plane.draw(&Polygon::new(plate.to_vec(), AXIS.mix(0.35).filled()))?;
+                plane.draw(&PathElement::new(plate.to_vec(), stroke(INK, 2.2)))
+            }
+            Pose::Roller { centre, radius } => {
+                let [x, y] = centre.map(|c| MM * c);
+                let radius = MM * radius;
+                rod(x, y, y + radius + self.stem())?;
+                if radius > 0.0 {
+                    let rim: Vec<(f64, f64)> = circle(radius)
+                        .into_iter()
+                        .map(|(u, v)| (x + u, y + v))
+                        .collect();
+                    plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
+                    plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
+                    plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
+                }
+                dot(plane, (x, y), INK)
+            }
+        }
+    }
+
+    /// Names the lines and gives the main dimensions, in a column.
+    fn table(&self, canvas: &Canvas, [x, mut y]: [f64; 2], e: f64) -> Drawn {
+        let cam = &self.synthesis.cam;
+        let step = 1.75 * e;
+        let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
+            let ends = [[x, y], [x + 1.8 * e, y]];
+            let Some([on, off]) = dash else {
+                return line(canvas, &ends, stroke(colour, width));
+            };
+            let path = ends.map(|[x, y]| (units(x), units(y)));
+            canvas.draw(&DashedPathElement::new(
+                path,
+                units(on),
+                units(off),
+                stroke(colour, width),
+            ))
+        };
+        let mut lines = vec![
+            (BLUE, 2.6, None, "cam profile".to_string()),
+            (
+                GREEN,
+                1.6,
+                Some(BASE),
+                format!("base circle R {} mm", number(self.base, 4)),
+            ),
+        ];
+        if self.has_roller() {
+            let prime = format!("prime circle R {} mm", number(self.prime, 4));
+            lines.push((PURPLE, 1.6, Some(PRIME), prime));
+            lines.push((ORANGE, 1.6, Some(PITCH), "pitch curve".into()));
+        }
+        for (colour, width, dash, name) in lines {
+            swatch(colour, width, dash, y)?;
+            write(canvas, &name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
+            y += step;
+        }
+        for (filled, name) in [(true, "contact at θ = 0"), (false, "sharpest point")] {
+            let style = if filled {
+                RED.filled()
+            } else {
+                stroke(RED, 2.0)
+            };
+            canvas.draw(&Circle::new(
+                (units(x + 0.8 * e), units(y)),
+                units(if filled { 4.0 } else { 5.5 }),
+                style,
+            ))?;
+            write(canvas, name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
+            y += step;
+        }
+        y += 0.8 * e;
+        let sharpest = cam.curvature().convex;
+        let (low, high) = cam.pressure_angle_extremes();
+        let mut facts = vec![
+            ("follower", cam.follower.name().to_string()),
+            ("stroke", format!("{} mm", number(MM * cam.law.stroke(), 4))),
+            (
+                "smallest radius",
+                format!("{} mm", number(MM * sharpest.value, 4)),
+            ),
+            ("  at", degrees(sharpest.at)),
+        ];
+        if let Some(width) = cam.face_width() {
+            facts.push(("face width", format!("{} mm", number(MM * width, 4))));
+        } else {
+            facts.push((
+                "roller radius",
+                format!("{} mm", number(MM * cam.follower.roller_radius(), 4)),
+            ));
+            facts.push((
+                "offset",
+                format!("{} mm", number(MM * cam.follower.offset(), 4)),
+            ));
+            let phi = format!("{} … {}", degrees(low.value), degrees(high.value));
+            facts.push(("pressure angle", phi));
+        }
+        facts.push((
+            "speed",
+            format!("{} rad/s", number(self.synthesis.drive.speed, 4)),
+        ));
+        for (name, value) in facts {
+            write(canvas, name, [x, y], Lettering::new(e, QUIET))?;
+            write(canvas, &value, [x + 8.8 * e, y], Lettering::new(e, INK))?;
+            y += step;
+        }
+        Ok(())
+    }
+}
+
+fn circle(radius: f64) -> Vec<(f64, f64)> {
+    (0..=240)
+        .map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 240.0).sin_cos();
+            (radius * cos, radius * sin)
+        })
+        .collect()
+}
+
+fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f64; 2]) -> Drawn {
+    plane.draw(&DashedPathElement::new(
+        path,
+        units(on),
+        units(off),
+        stroke(colour, 1.6),
+    ))
+}
+
+fn dot(plane: &Plane, at: (f64, f64), colour: RGBAColor) -> Drawn {
+    plane.draw(&Circle::new(at, units(4.0), colour.filled()))
+}

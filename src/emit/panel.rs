@@ -1,0 +1,274 @@
+//! A diagram over the cam angle: frame, grid, curves, marked extremes.
+
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::picture::palette;
+use super::raster::text_width;
+use super::samples::number;
+use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+
+/// Where a diagram stands on its sheet, points.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame {
+    pub left: f64,
+    pub right: f64,
+    pub top: f64,
+    pub bottom: f64,
+}
+
+/// A diagram: angle in degrees to the right, a quantity upwards.
+pub struct Panel<'a, 'c> {
+    canvas: &'c Canvas<'a>,
+    plane: Plane<'a>,
+    frame: Frame,
+    x: [f64; 2],
+    y: [f64; 2],
+    /// Size of the lettering, points.
+    size: f64,
+}
+
+/// Round numbers within [low, high], about `count` of them.
+fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
+    let raw = (high - low) / count;
+    if !(raw > 0.0 && raw.is_finite()) {
+        return Vec::new();
+    }
+    let power = 10f64.powf(raw.log10().floor());
+    let far = |step: &f64| (step / raw).ln().abs();
+    let step = [1.0, 2.0, 2.5, 5.0, 10.0]
+        .map(|m| m * power)
+        .into_iter()
+        .min_by(|a, b| far(a).total_cmp(&far(b)))
+        .unwrap_or(power);
+    multiples(low, high, step)
+}
+
+fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
+    let (first, last) = (
+        (low / step - 1e-9).ceil() as i64,
+        (high / step + 1e-9).floor() as i64,
+    );
+    (first..=last).map(|k| k as f64 * step).collect()
+}
+
+/// Eighths of a turn, or coarser where the cam turns further.
+fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
+    let length = x[1] - x[0];
+    let step = [5.0, 15.0, 30.0, 45.0, 90.0, 180.0, 360.0]
+        .into_iter()
+        .find(|s| length / s <= 9.0)
+        .unwrap_or(720.0);
+    multiples(x[0], x[1], step)
+}
+
+/// Decimals that tell the ticks apart.
+fn tick_text(value: f64, step: f64) -> String {
+    let decimals = (0..9)
+        .find(|&d| {
+            let scaled = step * 10f64.powi(d);
+            (scaled - scaled.round()).abs() < 1e-6
+        })
+        .unwrap_or(9) as usize;
+    format!("{:.decimals$}", value + 0.0).replace('-', "−")
+}
+
+/// The range of `values` with `share` of its span added at both ends; never empty.
+pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
+    let (low, high) = values
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        });
+    if low > high {
+        return [-1.0, 1.0];
+    }
+    let mut span = high - low;
+    if span <= 1e-12 * (low.abs() + high.abs()) || span == 0.0 {
+        span = if high == 0.0 { 2.0 } else { high.abs() };
+        return [low - 0.5 * span, high + 0.5 * span];
+    }
+    [low - share * span, high + share * span]
+}
+
+impl<'a, 'c> Panel<'a, 'c> {
+    /// Draws the frame, its grid and the ticks of the quantity. `x` in degrees.
+    pub fn new(
+        canvas: &'c Canvas<'a>,
+        frame: Frame,
+        x: [f64; 2],
+        y: [f64; 2],
+        size: f64,
+    ) -> Result<Self, DrawingAreaErrorKind<std::convert::Infallible>> {
+        let plane = plane(
+            canvas,
+            x,
+            y,
+            [frame.left, frame.right],
+            [frame.bottom, frame.top],
+        );
+        let panel = Panel {
+            canvas,
+            plane,
+            frame,
+            x,
+            y,
+            size,
+        };
+        let grid = stroke(palette::GRID, 1.0);
+        for t in angle_ticks(x) {
+            panel
+                .plane
+                .draw(&PathElement::new([(t, y[0]), (t, y[1])], grid))?;
+        }
+        let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
+        let values = ticks(y[0], y[1], rows);
+        let step = values.get(1).map_or(1.0, |b| b - values[0]);
+        let lettering = Lettering::new(size, palette::QUIET).anchored(HPos::Right, VPos::Center);
+        for &v in &values {
+            panel
+                .plane
+                .draw(&PathElement::new([(x[0], v), (x[1], v)], grid))?;
+            let at = [frame.left - 0.6 * size, panel.place(x[0], v)[1]];
+            write(canvas, &tick_text(v, step), at, lettering)?;
+        }
+        if y[0] < 0.0 && y[1] > 0.0 {
+            let axis = stroke(palette::AXIS, 1.4);
+            panel
+                .plane
+                .draw(&PathElement::new([(x[0], 0.0), (x[1], 0.0)], axis))?;
+        }
+        let Frame {
+            left,
+            right,
+            top,
+            bottom,
+        } = frame;
+        let border = [
+            [left, top],
+            [right, top],
+            [right, bottom],
+            [left, bottom],
+            [left, top],
+        ];
+        line(canvas, &border, stroke(palette::AXIS, 1.0))?;
+        Ok(panel)
+    }
+
+    /// Writes the quantity upwards, left of the ticks, `gap` points from the frame.
+    pub fn quantity(&self, text: &str, gap: f64) -> Drawn {
+        let middle = 0.5 * (self.frame.top + self.frame.bottom);
+        let lettering = Lettering::new(self.size, palette::INK)
+            .anchored(HPos::Center, VPos::Center)
+            .upwards();
+        write(
+            self.canvas,
+            text,
+            [self.frame.left - gap, middle],
+            lettering,
+        )
+    }
+
+    /// Writes the angles below the frame and, under them, what they are.
+    pub fn angles(&self) -> Drawn {
+        let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
+        for t in angle_ticks(self.x) {
+            let [x, _] = self.place(t, self.y[0]);
+            let text = tick_text(t, 1.0);
+            write(
+                self.canvas,
+                &text,
+                [x, self.frame.bottom + 0.6 * self.size],
+                small,
+            )?;
+        }
+        let middle = 0.5 * (self.frame.left + self.frame.right);
+        let name = Lettering::new(self.size, palette::INK).anchored(HPos::Center, VPos::Top);
+        write(
+            self.canvas,
+            "cam angle θ, degrees",
+            [middle, self.frame.bottom + 2.1 * self.size],
+            name,
+        )
+    }
+
+    /// A curve; points well outside the frame's range interrupt it.
+    pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
+        let slack = 0.02 * (self.y[1] - self.y[0]);
+        let inside = |&(_, v): &(f64, f64)| v >= self.y[0] - slack && v <= self.y[1] + slack;
+        for part in points.split(|p| !inside(p)).filter(|p| p.len() > 1) {
+            self.plane
+                .draw(&PathElement::new(part.to_vec(), stroke(colour, width)))?;
+        }
+        Ok(())
+    }
+
+    /// The area between two curves given at the same angles.
+    pub fn band(&self, upper: &[(f64, f64)], lower: &[(f64, f64)], colour: RGBAColor) -> Drawn {
+        let around: Vec<(f64, f64)> = upper.iter().chain(lower.iter().rev()).copied().collect();
+        self.plane.draw(&Polygon::new(around, colour.filled()))
+    }
+
+    /// A dashed level, with its name at the right end on the side given, if any.
+    pub fn level(&self, value: f64, name: Option<(&str, VPos)>, colour: RGBAColor) -> Drawn {
+        if !(value > self.y[0] && value < self.y[1]) {
+            return Ok(());
+        }
+        self.plane.draw(&DashedPathElement::new(
+            [(self.x[0], value), (self.x[1], value)],
+            units(7.0),
+            units(5.0),
+            stroke(colour, 1.4),
+        ))?;
+        let Some((name, side)) = name else {
+            return Ok(());
+        };
+        let [_, y] = self.place(self.x[0], value);
+        let shift = match side {
+            VPos::Bottom => -0.4,
+            VPos::Center => 0.0,
+            VPos::Top => 0.4,
+        };
+        let at = [self.frame.right - 0.5 * self.size, y + shift * self.size];
+        let lettering = Lettering::new(0.88 * self.size, colour).anchored(HPos::Right, side);
+        write(self.canvas, name, at, lettering)
+    }
+
+    /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
+    pub fn mark(&self, degrees: f64, value: f64, maximum: bool, colour: RGBAColor) -> Drawn {
+        let [x, y] = self.place(degrees, value);
+        let dot = Circle::new((units(x), units(y)), units(3.6), colour.filled());
+        self.canvas.draw(&dot)?;
+        // What is zero but for rounding is called so.
+        let noise = 1e-9 * (self.y[1] - self.y[0]);
+        let text = number(if value.abs() < noise { 0.0 } else { value }, 4);
+        let size = 0.88 * self.size;
+        let half = 0.5 * size * text_width(&text) + 0.4 * size;
+        let x = x.clamp(self.frame.left + half, self.frame.right - half);
+        let room = 1.5 * size;
+        let above = if maximum {
+            y - room > self.frame.top
+        } else {
+            y + room > self.frame.bottom
+        };
+        let (v, shift) = if above {
+            (VPos::Bottom, -0.6 * size)
+        } else {
+            (VPos::Top, 0.6 * size)
+        };
+        let lettering = Lettering::new(size, palette::INK).anchored(HPos::Center, v);
+        write(self.canvas, &text, [x, y + shift], lettering)
+    }
+
+    /// A value's place on the sheet, points.
+    fn place(&self, degrees: f64, value: f64) -> [f64; 2] {
+        let f = &self.frame;
+        let u = (degrees - self.x[0]) / (self.x[1] - self.x[0]);
+        let w = (value - self.y[0]) / (self.y[1] - self.y[0]);
+        [
+            f.left + u * (f.right - f.left),
+            f.bottom + w * (f.top - f.bottom),
+        ]
+    }
+}
