@@ -54,6 +54,9 @@ fn main() -> std::io::Result<()> {
         timed("svaj.png", &|| emit::plots::svaj(&design).png());
         timed("force.png", &|| emit::plots::force(&design).png());
         timed("cam.png", &|| emit::plots::cam(&design).png());
+        timed("report.html", &|| {
+            emit::report::html(&design, time).into_bytes()
+        });
         let total = begin.elapsed().as_secs_f64();
         for (name, bytes, seconds) in &files {
             println!("{:>9.2} ms {:>9} B  {name}", 1e3 * seconds, bytes.len());

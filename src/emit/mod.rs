@@ -13,6 +13,7 @@ mod panel;
 pub mod picture;
 pub mod plots;
 mod raster;
+pub mod report;
 mod samples;
 mod sheet;
 pub mod svg;

@@ -84,9 +84,11 @@ impl Picture {
     }
 
     /// Part of a page: colours are the page's variables (`--ink`, `--blue` …), no ground.
-    pub(super) fn svg_for_page(&self, id: &str, title: &str) -> String {
+    ///
+    /// `attributes` are added to the element as they are.
+    pub(super) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
         let mut out = format!(
-            "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\">",
+            "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",
             self.width,
             self.height,
             title = escaped(title)

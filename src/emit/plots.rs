@@ -121,8 +121,7 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             .map(|(t, m)| (t.to_degrees(), synthesis.drive.force(*m)))
             .collect();
         title(canvas, layout, &synthesis.name, "vertical force")?;
-        let mut frame = layout.frame();
-        frame.top += 1.9 * e;
+        let frame = force_frame(layout);
         let legend = [frame.left, frame.top - 1.1 * e];
         let (low, high) = synthesis.drive.force_curve(law).extremes();
         let ends = [low, high].map(|x| (x.at.to_degrees(), x.value));
@@ -183,11 +182,12 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         panel.quantity("error, N", 4.6 * e)?;
         panel.angles()?;
 
-        let difference = format!(
-            "difference, RMS {} N ({} % of mean)",
-            number(rms, 3),
-            number(synthesis.force.rms_error_percent_of_mean, 2)
-        );
+        let difference = if layout.title {
+            let percent = number(synthesis.force.rms_error_percent_of_mean, 2);
+            format!("difference, RMS {} N ({percent} % of mean)", number(rms, 3))
+        } else {
+            "difference".to_string()
+        };
         let mut entries = vec![
             (ORANGE.mix(0.55), 8.0, "wanted"),
             (BLUE, 2.4, "given by the cam"),
@@ -198,6 +198,15 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         }
         key(canvas, legend, e, &entries)
     })
+}
+
+/// The diagrams' frame below the line that names the curves.
+pub(super) fn force_frame(layout: Layout) -> Frame {
+    let frame = layout.frame();
+    Frame {
+        top: frame.top + 1.9 * layout.letters,
+        ..frame
+    }
 }
 
 /// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
@@ -369,7 +378,7 @@ fn key(
         x += 2.6 * size;
         let lettering = Lettering::new(size, INK).anchored(HPos::Left, VPos::Center);
         write(canvas, name, [x, y], lettering)?;
-        x += size * text_width(name) + 2.0 * size;
+        x += size * text_width(name) + 1.7 * size;
     }
     Ok(())
 }

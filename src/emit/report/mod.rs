@@ -1,0 +1,231 @@
+//! `report.html`: the design on one page that opens without a network, and prints on A4.
+
+mod animation;
+mod tables;
+
+use std::fmt::Write;
+
+use super::Timing;
+use super::cam_picture::cam_in;
+use super::panel::Frame;
+use super::plots::{Layout, force_frame, force_in, geometry_in, svaj_in};
+use super::samples::{lift_unit, number};
+use super::svg::escaped;
+use crate::cam::Verdict;
+use crate::synth::Synthesis;
+
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// The report of a design: verdict, force, law, cam in motion, checks, numbers, how it was solved.
+///
+/// An infeasible answer gets the conflict and the changes that would resolve it, and no pictures of a cam
+/// that does not do what was asked.
+pub fn html(synthesis: &Synthesis, time: Timing) -> String {
+    let mut out = String::with_capacity(1 << 18);
+    let name = escaped(&synthesis.name);
+    // Writing to a String cannot fail, here and below.
+    let _ = write!(
+        out,
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{name}: cam report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n"
+    );
+    headline(&mut out, synthesis);
+    if synthesis.infeasible.is_some() {
+        conflict(&mut out, synthesis);
+    } else {
+        cards(&mut out, synthesis);
+        figures(&mut out, synthesis);
+    }
+    tables::checks(&mut out, synthesis);
+    if synthesis.infeasible.is_none() {
+        tables::binding(&mut out, synthesis);
+        tables::numbers(&mut out, synthesis);
+    }
+    tables::solution(&mut out, synthesis, time);
+    out.push_str("<footer>Lengths in millimetres, angles in degrees, θ counted counter-clockwise from the start of the cycle. Extremes are those of the continuous law, not of samples.</footer>\n");
+    if synthesis.infeasible.is_none() {
+        let _ = write!(out, "<script>\n{SCRIPT}</script>\n");
+    }
+    out.push_str("</body>\n</html>\n");
+    out
+}
+
+/// Traffic light, name, verdict and its reason.
+fn headline(out: &mut String, synthesis: &Synthesis) {
+    let (light, verdict) = match (&synthesis.infeasible, synthesis.verdict) {
+        (Some(_), _) => ("bad", "No such cam"),
+        (None, Verdict::Acceptable) => ("good", "Acceptable"),
+        (None, Verdict::NotForHighSpeed) => ("fair", "Not for high speed"),
+        (None, Verdict::Unacceptable) => ("bad", "Unacceptable"),
+    };
+    let reason = match &synthesis.infeasible {
+        Some(answer) => &answer.words,
+        None => &synthesis.reason,
+    };
+    let _ = writeln!(
+        out,
+        "<header><div class=\"light {light}\"></div><div><h1>{}</h1>\n\
+         <p><span class=\"verdict {light}\">{verdict}.</span> {}</p></div></header>",
+        escaped(&synthesis.name),
+        escaped(reason)
+    );
+}
+
+/// The limits that cannot hold together and what would resolve it.
+fn conflict(out: &mut String, synthesis: &Synthesis) {
+    let Some(answer) = &synthesis.infeasible else {
+        return;
+    };
+    out.push_str("<div class=\"alert\">\n<h3>These limits cannot hold together</h3>\n<ul>\n");
+    for limit in &answer.conflict {
+        let _ = writeln!(out, "<li>{}</li>", escaped(&tables::spoken(limit)));
+    }
+    out.push_str("</ul>\n");
+    if !answer.relaxations.is_empty() {
+        out.push_str("<h3>Any one of these changes is enough</h3>\n<ul>\n");
+        for r in &answer.relaxations {
+            let name = escaped(&tables::spoken(&r.limit));
+            let from = tables::shown(&r.limit, r.from);
+            let _ = match r.to {
+                Some(to) => {
+                    let to = tables::shown(&r.limit, to);
+                    writeln!(out, "<li>{name}: from {from} to <strong>{to}</strong></li>")
+                }
+                None => writeln!(
+                    out,
+                    "<li class=\"note\">{name}: {from}; no value of this limit alone helps</li>"
+                ),
+            };
+        }
+        out.push_str("</ul>\n");
+    }
+    out.push_str("</div>\n");
+}
+
+/// The figures one looks for first.
+fn cards(out: &mut String, synthesis: &Synthesis) {
+    let cam = &synthesis.cam;
+    let force = &synthesis.force;
+    let (factor, unit) = lift_unit(synthesis);
+    let mut all = Vec::new();
+    if synthesis.target.is_some() {
+        let percent = number(force.rms_error_percent_of_mean, 3);
+        let rms = format!("{} N", number(force.rms_error_n, 3));
+        all.push(("Force error, RMS", rms, format!("{percent} % of the mean")));
+    }
+    all.push((
+        "Force",
+        format!("{} … {} N", number(force.min_n, 4), number(force.max_n, 4)),
+        format!("mean {} N", number(force.mean_n, 4)),
+    ));
+    let stroke = format!("{} {unit}", number(factor * cam.law.stroke(), 4));
+    all.push(("Stroke", stroke, String::new()));
+    let mm = |x: f64| format!("{} mm", number(1000.0 * x, 4));
+    let roller = cam.follower.roller_radius();
+    let prime = if roller > 0.0 {
+        format!("prime circle R {}", mm(cam.follower.prime_radius()))
+    } else {
+        String::new()
+    };
+    all.push((
+        "Base circle",
+        format!("R {}", mm(cam.follower.base_radius())),
+        prime,
+    ));
+    let sharpest = cam.curvature().convex;
+    let at = format!("at {}", super::samples::degrees(sharpest.at));
+    all.push(("Smallest radius", mm(sharpest.value), at));
+    let speed = synthesis.drive.speed;
+    let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
+    all.push(("Speed", rpm, format!("{} rad/s", number(speed, 4))));
+    out.push_str("<dl class=\"cards\">\n");
+    for (name, value, more) in all {
+        let _ = writeln!(
+            out,
+            "<div><dt>{name}</dt><dd>{value}<small>{more}</small></dd></div>"
+        );
+    }
+    out.push_str("</dl>\n");
+}
+
+/// The cam in motion and the diagrams.
+fn figures(out: &mut String, synthesis: &Synthesis) {
+    out.push_str("<div class=\"turning\">\n<h2>The cam at work</h2>\n");
+    animation::stage(out, synthesis);
+    out.push_str("</div>\n<h2>Force</h2>\n");
+    comparison(out, synthesis);
+    let tall = Layout::figure(500);
+    figure(
+        out,
+        force_frame(tall),
+        "force",
+        "Wanted and achieved force over the cam angle",
+        &force_in(synthesis, tall),
+    );
+    out.push_str("<h2>Law of motion</h2>\n");
+    let taller = Layout::figure(660);
+    figure(
+        out,
+        taller.frame(),
+        "svaj",
+        "Lift, velocity, acceleration and jerk over the cam angle",
+        &svaj_in(synthesis, taller),
+    );
+    out.push_str("<h2>The cam</h2>\n");
+    let cam = Layout::figure(540);
+    let drawing = cam_in(synthesis, cam).svg_for_page("cam", "The cam with its follower", "");
+    let _ = writeln!(out, "<figure>{drawing}</figure>");
+    out.push_str("<h2>Curvature and contact</h2>\n");
+    let low = Layout::figure(430);
+    figure(
+        out,
+        low.frame(),
+        "geometry",
+        "Radius of curvature and contact over the cam angle",
+        &geometry_in(synthesis, low),
+    );
+}
+
+fn figure(out: &mut String, frame: Frame, id: &str, title: &str, picture: &super::plots::Picture) {
+    let data = format!(
+        " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\"",
+        frame.left, frame.right, frame.top, frame.bottom
+    );
+    let _ = writeln!(
+        out,
+        "<figure>{}</figure>",
+        picture.svg_for_page(id, title, &data)
+    );
+}
+
+/// The synthesis error in words, beside the walker's own variation where that is known.
+fn comparison(out: &mut String, synthesis: &Synthesis) {
+    let Some(target) = &synthesis.target else {
+        return;
+    };
+    let force = &synthesis.force;
+    let _ = write!(
+        out,
+        "<p>Wanted: {}. The cam misses it by {} N RMS and {} N at most.",
+        escaped(&target.name),
+        number(force.rms_error_n, 3),
+        number(force.max_error_n, 3)
+    );
+    if let Some(spread) = target.spread_n.as_ref().filter(|s| !s.is_empty()) {
+        let squares: f64 = spread.iter().map(|x| x * x).sum();
+        let spread = (squares / spread.len() as f64).sqrt();
+        let _ = write!(
+            out,
+            " From step to step the walker’s own force varies by {} N (RMS of the standard deviation)",
+            number(spread, 3)
+        );
+        if force.rms_error_n > 0.0 && spread > force.rms_error_n {
+            let ratio = number(spread / force.rms_error_n, 2);
+            let _ = write!(out, ", {ratio} times the error of the cam");
+        }
+        out.push('.');
+    }
+    out.push_str("</p>\n");
+}

@@ -1,0 +1,273 @@
+//! The report's tables: checks, binding limits, the design in numbers, how it was found.
+
+use std::fmt::Write;
+
+use crate::cam::Check;
+use crate::emit::Timing;
+use crate::emit::samples::{degrees, lift_unit, number};
+use crate::emit::svg::escaped;
+use crate::synth::{Synthesis, Tier};
+
+/// Share of a limit that counts as standing on it.
+const ON_THE_LIMIT: f64 = 0.005;
+
+/// A limit's name as one says it.
+pub fn spoken(name: &str) -> String {
+    name.replace(['_', '-'], " ")
+}
+
+/// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
+pub fn shown(limit: &str, value: f64) -> String {
+    let (factor, unit) = match limit {
+        "stroke" | "curvature" | "concave_curvature" | "face_width" | "base_radius"
+        | "prime_radius" | "roller_radius" | "offset" => (1000.0, " mm"),
+        "acceleration" => (1.0, " m/s²"),
+        "jerk" => (1.0, " m/s³"),
+        name if name.starts_with("pressure_angle") => (1f64.to_degrees(), "°"),
+        name if name.starts_with("force") => (1.0, " N"),
+        name if name.starts_with("rms") => (100.0, " %"),
+        _ => (1.0, ""),
+    };
+    format!("{}{unit}", number(factor * value, 4))
+}
+
+/// How far the worst value stays from its limit, as a share of the limit; negative when broken.
+fn margin(check: &Check) -> f64 {
+    let gap = (check.worst - check.limit).abs();
+    let share = if check.limit == 0.0 {
+        if gap == 0.0 { 0.0 } else { f64::INFINITY }
+    } else {
+        gap / check.limit.abs()
+    };
+    if check.pass { share } else { -share }
+}
+
+/// Every check with its light.
+pub fn checks(out: &mut String, synthesis: &Synthesis) {
+    if synthesis.checks.is_empty() {
+        return;
+    }
+    out.push_str(
+        "<h2>Checks</h2>\n<div class=\"scroll\"><table><tr><th>Check</th><th>State</th><th class=\"n\">Worst</th>\
+         <th class=\"n\">Limit</th><th class=\"n\">Margin</th><th class=\"n\">At θ</th></tr>\n",
+    );
+    for check in &synthesis.checks {
+        let margin = margin(check);
+        let (light, state) = if !check.pass {
+            ("bad", "broken")
+        } else if margin <= ON_THE_LIMIT {
+            ("fair", "on the limit")
+        } else {
+            ("good", "holds")
+        };
+        let margin = if margin.is_finite() {
+            format!("{:+.1} %", 100.0 * margin).replace('-', "−")
+        } else {
+            "—".into()
+        };
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{state}</span></td>\
+             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{margin}</td><td class=\"n\">{}</td></tr>",
+            escaped(&spoken(&check.name)),
+            shown(&check.name, check.worst),
+            shown(&check.name, check.limit),
+            degrees(check.at)
+        );
+    }
+    out.push_str("</table></div>\n");
+}
+
+/// The limits that shape the law.
+pub fn binding(out: &mut String, synthesis: &Synthesis) {
+    out.push_str("<h2>Limits that bind</h2>\n");
+    if synthesis.binding.is_empty() {
+        out.push_str(
+            "<p>None: the law is what the force asks for, and every limit has room.</p>\n",
+        );
+        return;
+    }
+    out.push_str(
+        "<div class=\"scroll\"><table><tr><th>Limit</th><th class=\"n\">At θ</th>\
+         <th class=\"n\">Multiplier (SI)</th></tr>\n",
+    );
+    for b in &synthesis.binding {
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>",
+            escaped(&spoken(&b.limit)),
+            degrees(b.at),
+            number(b.multiplier, 4)
+        );
+    }
+    out.push_str(
+        "</table></div>\n<p class=\"note\">The multiplier is what the objective gains per unit by which the \
+         limit is eased: the limit with the largest one is the first to talk about.</p>\n",
+    );
+}
+
+/// Drive, law and cam in numbers.
+pub fn numbers(out: &mut String, synthesis: &Synthesis) {
+    out.push_str("<h2>The design in numbers</h2>\n<div class=\"columns\">\n");
+    table(out, "Drive", &drive(synthesis));
+    table(out, "Law", &law(synthesis));
+    table(out, "Cam", &cam(synthesis));
+    out.push_str("</div>\n");
+}
+
+type Rows = Vec<(&'static str, String)>;
+
+fn table(out: &mut String, name: &str, rows: &Rows) {
+    let _ = write!(out, "<div><h3>{name}</h3><table>");
+    for (what, value) in rows {
+        let _ = write!(out, "<tr><td>{what}</td><td>{}</td></tr>", escaped(value));
+    }
+    out.push_str("</table></div>\n");
+}
+
+fn drive(synthesis: &Synthesis) -> Rows {
+    let d = &synthesis.drive;
+    let mut rows = vec![
+        ("machine", spoken(d.kind.name())),
+        ("speed", format!("{} rad/s", number(d.speed, 5))),
+        (
+            "one turn",
+            format!("{} s", number(std::f64::consts::TAU / d.speed, 5)),
+        ),
+        ("force at rest", format!("{} N", number(d.rest_force, 5))),
+    ];
+    if d.mass != 0.0 {
+        rows.push(("moved mass", format!("{} kg", number(d.mass, 5))));
+    }
+    if d.spring_rate != 0.0 {
+        rows.push((
+            "force per lift",
+            format!("{} N/mm", number(d.spring_rate / 1000.0, 5)),
+        ));
+    }
+    if d.damping != 0.0 {
+        rows.push(("damping", format!("{} N·s/m", number(d.damping, 5))));
+    }
+    rows
+}
+
+fn law(synthesis: &Synthesis) -> Rows {
+    let law = &synthesis.cam.law;
+    let (factor, unit) = lift_unit(synthesis);
+    let speed = synthesis.drive.speed;
+    let mut rows = vec![
+        ("family", spoken(&synthesis.family)),
+        ("pieces", law.poly().pieces().to_string()),
+    ];
+    if synthesis.degree > 0 {
+        rows.push(("degree", synthesis.degree.to_string()));
+    }
+    rows.push((
+        "stroke",
+        format!("{} {unit}", number(factor * law.stroke(), 5)),
+    ));
+    let per = ["/rad", "/rad²", "/rad³"];
+    let in_time = ["/s", "/s²", "/s³"];
+    let names = [
+        ["velocity", "…in time"],
+        ["acceleration", "…in time"],
+        ["jerk", "…in time"],
+    ];
+    for k in 0..3 {
+        let (low, high) = law.extremes(k + 1);
+        let range = |scale: f64, digits: i32| {
+            format!(
+                "{} … {}",
+                number(scale * low.value, digits),
+                number(scale * high.value, digits)
+            )
+        };
+        rows.push((
+            names[k][0],
+            format!("{} {unit}{}", range(factor, 4), per[k]),
+        ));
+        let rate = speed.powi(k as i32 + 1);
+        let (scale, unit) = if unit == "mm" {
+            (rate, "m")
+        } else {
+            (rate, "rad")
+        };
+        rows.push((
+            names[k][1],
+            format!("{} {unit}{}", range(scale, 4), in_time[k]),
+        ));
+    }
+    rows
+}
+
+fn cam(synthesis: &Synthesis) -> Rows {
+    let cam = &synthesis.cam;
+    let mm = |x: f64| format!("{} mm", number(1000.0 * x, 5));
+    let follower = &cam.follower;
+    let mut rows = vec![
+        ("follower", spoken(follower.name())),
+        ("base circle", mm(follower.base_radius())),
+    ];
+    let curvature = cam.curvature();
+    if follower.roller_radius() > 0.0 {
+        rows.push(("prime circle", mm(follower.prime_radius())));
+        rows.push(("roller radius", mm(follower.roller_radius())));
+        rows.push(("offset", mm(follower.offset())));
+    }
+    rows.push(("smallest convex radius", mm(curvature.convex.value)));
+    rows.push(("at θ", degrees(curvature.convex.at)));
+    if let Some(concave) = curvature.concave {
+        rows.push(("tightest concave radius", mm(-concave.value)));
+    }
+    if let Some(width) = cam.face_width() {
+        rows.push(("face width", mm(width)));
+    } else {
+        let (low, high) = cam.pressure_angle_extremes();
+        let range = format!("{} … {}", degrees(low.value), degrees(high.value));
+        rows.push(("pressure angle", range));
+    }
+    rows
+}
+
+/// How the answer was found, and what was remarked on the way.
+pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
+    let solver = &synthesis.solver;
+    let how = match solver.tier {
+        Tier::Spectral => "in closed form, harmonic by harmonic",
+        Tier::Equality => "by least squares with equalities, in one factorisation",
+        Tier::Qp => "as a convex quadratic program",
+        Tier::Socp => "as a second-order cone program",
+        Tier::Scp => "as a sequence of convex programs",
+    };
+    let certified = if solver.certified {
+        "Every limit was confirmed on the continuous law, between the samples too."
+    } else {
+        "The limits were not confirmed between the samples."
+    };
+    let _ = writeln!(
+        out,
+        "<h2>How it was solved</h2>\n<p>Solved {how} in {} ms ({} iterations). {}{certified}</p>",
+        number(1000.0 * time.solve_s, 3),
+        solver.iterations,
+        sentence(&solver.status),
+    );
+    if !synthesis.remarks.is_empty() {
+        out.push_str("<h3>Remarks</h3>\n<ul>\n");
+        for remark in &synthesis.remarks {
+            let _ = writeln!(out, "<li>{}</li>", escaped(remark));
+        }
+        out.push_str("</ul>\n");
+    }
+}
+
+/// A status as a sentence of its own, escaped; nothing for an empty one.
+fn sentence(status: &str) -> String {
+    let mut letters = status.trim().trim_end_matches('.').chars();
+    match letters.next() {
+        None => String::new(),
+        Some(first) => {
+            let text: String = first.to_uppercase().chain(letters).collect();
+            format!("{}. ", escaped(&text))
+        }
+    }
+}
