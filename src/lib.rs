@@ -3,6 +3,7 @@
 #![deny(missing_docs)]
 
 pub mod cam;
+pub mod cli;
 pub mod drive;
 pub mod emit;
 pub mod error;

@@ -1,1 +1,8 @@
-fn main() {}
+//! The `gaitcam` command.
+#![forbid(unsafe_code)]
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ExitCode::from(gaitcam::cli::run(std::env::args_os()))
+}

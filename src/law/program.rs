@@ -387,7 +387,11 @@ fn check_base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Res
     // The first dip is the one to blame; later segments may only stay down there.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
     let first = depth
-        .peaks_above(JUMP * (high.value - low.value), f64::NEG_INFINITY, f64::INFINITY)
+        .peaks_above(
+            JUMP * (high.value - low.value),
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        )
         .first()
         .copied();
     let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));

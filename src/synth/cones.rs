@@ -5,7 +5,7 @@ use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
 };
 
-use super::program::{Failure, Program, Row};
+use super::problem::{Failure, Program, Row};
 
 /// What the interior-point method returns, in the program's own units.
 pub struct Point {

@@ -2,7 +2,7 @@
 
 use super::answer::{Infeasible, Relaxation};
 use super::band::ArrowMatrix;
-use super::program::{Failure, Meaning, Program};
+use super::problem::{Failure, Meaning, Program};
 
 /// Explains a program without solution.
 pub fn explain(program: &Program, failure: &Failure) -> Infeasible {

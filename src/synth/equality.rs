@@ -2,7 +2,7 @@
 
 use super::band::ArrowFactor;
 use super::basis::apply;
-use super::program::{Failure, Program};
+use super::problem::{Failure, Program};
 
 /// Demands whose pivot falls below this part of the first are consequences of (or contradictions to) the
 /// others.

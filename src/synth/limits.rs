@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::demand::Demand;
-use super::program::{Limit, Meaning};
+use super::problem::{Limit, Meaning};
 use crate::scene::Scene;
 
 /// Limits over the whole turn that are linear in the law.

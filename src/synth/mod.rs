@@ -26,16 +26,16 @@ mod limits;
 mod objective;
 mod polish;
 mod polynomial;
-mod program;
+mod problem;
 mod spline;
 mod verify;
 
 pub use answer::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};
 pub use conflict::in_units;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
-use crate::law::Law;
+use crate::law::{Extent, Law, Rise, Segment, program};
 use crate::scene::{Family, Scene};
 use demand::Demand;
 
@@ -116,12 +116,47 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
             })
         }
         Family::Harmonic => from_harmonics(scene, demand),
-        other => Err(Error::key(
+        Family::Program => from_program(scene),
+        Family::DoubleHarmonic => Err(Error::key(
             "law.family",
-            format!("\"{}\" cannot be synthesised yet", other.name()),
+            "\"double-harmonic\" cannot be synthesised yet",
         )
-        .help("use spline, polynomial or harmonic")),
+        .help("use spline, polynomial, harmonic or program")),
     }
+}
+
+fn from_program(scene: &Scene) -> Result<Found> {
+    let segments = scene
+        .law
+        .segments
+        .iter()
+        .enumerate()
+        .map(|(i, s)| {
+            let motion = Rise::from_name(&s.motion)
+                .map_err(|e| e.at(Place::Key(format!("law.segment[{}].motion", i + 1))))?;
+            Ok(Segment {
+                motion,
+                lift: s.lift,
+                angle: s.angle,
+            })
+        })
+        .collect::<Result<Vec<Segment>>>()?;
+    let law = program(&segments, Extent::Turn)
+        .map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
+    Ok(Found {
+        degree: law.poly().degree(),
+        coefficients: segments.iter().map(|s| s.lift).collect(),
+        law,
+        family: Family::Program,
+        binding: Vec::new(),
+        solver: report(
+            Tier::Equality,
+            "the programme is given: nothing to solve",
+            0,
+            true,
+        ),
+        infeasible: None,
+    })
 }
 
 fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> SolverReport {
@@ -184,7 +219,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
             }
         })
         .collect();
-    let certified = solution.violation <= program::TOLERANCE * 1.000_001;
+    let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
     let solver = if solution.used_rows {
         let status = format!(
             "{} rounds of exchange; limits hold to {:.1e}",

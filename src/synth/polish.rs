@@ -1,7 +1,7 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
 use super::cones::Point;
-use super::program::{Program, Row};
+use super::problem::{Program, Row};
 
 /// Larger systems are left as the solver gave them.
 const LARGEST: usize = 500;

@@ -6,7 +6,7 @@ use super::basis::{Basis, Entries};
 use super::demand::Demand;
 use super::limits;
 use super::objective::Quadratic;
-use super::program::{Equality, Failure, Limit, Meaning, Program, Solution};
+use super::problem::{Equality, Failure, Limit, Meaning, Program, Solution};
 use crate::error::{Error, Result};
 use crate::law::Law;
 use crate::poly::SplineSpace;

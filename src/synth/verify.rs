@@ -2,7 +2,7 @@
 
 use super::answer::ForceReport;
 use super::demand::Demand;
-use super::program::TOLERANCE;
+use super::problem::TOLERANCE;
 use crate::cam::{Cam, Check, Verdict};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::scene::Scene;

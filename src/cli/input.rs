@@ -1,0 +1,142 @@
+//! Reading scenes and the force curves they name.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use toml::Table;
+
+use super::SceneArgs;
+use crate::error::{Error, Place, Result};
+use crate::gait::{self, ForceCurve};
+use crate::scene::{self, Scene, Source};
+
+/// A scene with the folder that its paths are relative to.
+pub struct Input {
+    /// The scene.
+    pub scene: Scene,
+    /// Its table after changes, for sweeps.
+    pub table: Table,
+    folder: PathBuf,
+}
+
+/// Reads the scene file (or the built-in scene) and applies the changes.
+pub fn scene(args: &SceneArgs) -> Result<Input> {
+    let (text, folder) = match &args.scene {
+        None => (scene::DEFAULT.to_string(), PathBuf::from(".")),
+        Some(path) => (
+            read_text(path)?,
+            path.parent().unwrap_or(Path::new(".")).to_path_buf(),
+        ),
+    };
+    let mut table: Table = text
+        .parse()
+        .map_err(|e: toml::de::Error| not_toml(args.scene.as_deref(), &text, &e))?;
+    for change in &args.set {
+        scene::set(&mut table, change)?;
+    }
+    let scene = scene::read(&table).map_err(|e| name_file(args.scene.as_deref(), e))?;
+    Ok(Input {
+        scene,
+        table,
+        folder,
+    })
+}
+
+impl Input {
+    /// The force curve that the scene names, if it names one.
+    pub fn target(&self) -> Result<Option<ForceCurve>> {
+        let Some(gait) = &self.scene.gait else {
+            return Ok(None);
+        };
+        match &gait.source {
+            Source::Model {
+                name,
+                step_frequency_hz,
+                body_weight_n,
+            } => {
+                let curve = gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
+                curve
+                    .map(Some)
+                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))
+            }
+            Source::File {
+                path,
+                time,
+                force,
+                unit,
+                rate_hz,
+                mass_kg,
+            } => {
+                let path = self.find(path);
+                let bytes = read_bytes(&path)?;
+                let unit = unit
+                    .as_deref()
+                    .map(|u| {
+                        u.parse()
+                            .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
+                    })
+                    .transpose()?;
+                let options = gait::ReadOptions {
+                    time: time.clone(),
+                    force: force.clone(),
+                    unit,
+                    rate_hz: *rate_hz,
+                    mass_kg: *mass_kg,
+                    metadata: metadata(&path),
+                };
+                let recording = gait::read(&path, &bytes, &options)?;
+                let stances = gait::stances(&recording);
+                gait::cycle(&recording, &stances, gait.feet).map(|c| Some(c.curve))
+            }
+        }
+    }
+
+    /// A path of the scene: beside the scene file if it is there, else from the working directory.
+    fn find(&self, path: &Path) -> PathBuf {
+        let beside = self.folder.join(path);
+        if beside.exists() {
+            beside
+        } else {
+            path.to_path_buf()
+        }
+    }
+}
+
+/// The table of subjects that lies beside a table of stances, if there is one.
+pub fn metadata(path: &Path) -> Option<Vec<u8>> {
+    let name = gait::metadata_name(path)?;
+    fs::read(path.with_file_name(name)).ok()
+}
+
+/// A whole file.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    fs::read(path)
+        .map_err(|e| Error::file(path, format!("cannot be read ({e})")).help("check the path"))
+}
+
+fn read_text(path: &Path) -> Result<String> {
+    String::from_utf8(read_bytes(path)?).map_err(|e| {
+        Error::byte(path, e.utf8_error().valid_up_to(), "is not UTF-8 text")
+            .help("a scene is a TOML file, see scenes/")
+    })
+}
+
+fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
+    let line = e.span().map_or(1, |s| {
+        text[..s.start.min(text.len())].matches('\n').count() + 1
+    });
+    let error =
+        Error::new(e.message().replace('\n', ", ")).help("a scene is a TOML file, see scenes/");
+    match path {
+        Some(path) => error.at(Place::Line(path.to_path_buf(), line)),
+        None => error,
+    }
+}
+
+/// Puts the scene file's name before a key's.
+fn name_file(path: Option<&Path>, mut e: Error) -> Error {
+    if let (Some(path), Place::Key(key)) = (path, &e.place) {
+        e.place = Place::Key(format!("{}: {key}", path.display()));
+    }
+    e
+}

@@ -1,0 +1,113 @@
+//! The command: arguments, files, progress, exit codes. The only module that reads, writes or looks at
+//! the clock.
+
+mod files;
+mod input;
+mod laws;
+mod synth;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::error::Error;
+
+/// From a vertical walking force to the cam that reproduces it.
+#[derive(Parser, Debug)]
+#[command(name = "gaitcam", version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Design a cam: force curve or programme → law → cam → checks → files
+    Synth(SynthArgs),
+    /// List the catalogue of rise laws with their peak factors
+    Laws {
+        /// Print JSON
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+/// A scene with changes.
+#[derive(Args, Debug, Default)]
+struct SceneArgs {
+    /// Scene file; without one, the built-in footbridge
+    scene: Option<PathBuf>,
+    /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+#[derive(Args, Debug, Default)]
+struct SynthArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// Folder for the files (default out/NAME)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print summary.json instead of the summary for people
+    #[arg(long)]
+    json: bool,
+    /// Rows of law.csv and profile.csv
+    #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
+    points: u32,
+}
+
+/// Everything went well and every check passes.
+pub const BUILT: u8 = 0;
+/// Our own fault.
+pub const OUR_FAULT: u8 = 1;
+/// Bad input.
+pub const BAD_INPUT: u8 = 2;
+/// No such cam: the limits leave none, or a check fails.
+pub const NO_SUCH_CAM: u8 = 3;
+
+/// Runs the command with its arguments (the first is the program's name) and returns the exit code.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(e) => {
+            // Help and version are answers, not faults.
+            let code = if e.use_stderr() { BAD_INPUT } else { BUILT };
+            let _ = e.print();
+            return code;
+        }
+    };
+    let outcome = std::panic::catch_unwind(|| dispatch(cli));
+    match outcome {
+        Ok(Ok(code)) => code,
+        Ok(Err(error)) => {
+            eprintln!("gaitcam: {error}");
+            BAD_INPUT
+        }
+        Err(_) => {
+            eprintln!(
+                "gaitcam: this is a fault of gaitcam itself, not of your input; please report it with the scene"
+            );
+            OUR_FAULT
+        }
+    }
+}
+
+fn dispatch(cli: Cli) -> Result<u8, Error> {
+    match cli.command {
+        None => synth::run(&SynthArgs {
+            points: 1440,
+            ..SynthArgs::default()
+        }),
+        Some(Command::Synth(args)) => synth::run(&args),
+        Some(Command::Laws { json }) => laws::run(json),
+    }
+}
+
+/// Prints a line, or stops quietly when nobody reads any more (`gaitcam … | head`).
+fn say(text: &str) {
+    use std::io::Write;
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "{text}");
+}
