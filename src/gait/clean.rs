@@ -14,8 +14,14 @@ const SAMPLE: usize = 1 << 15;
 /// Makes a channel of raw readings in newtons of either sign (NaN where samples are missing).
 ///
 /// The sign is such that the load is positive; the unloaded baseline is the densest level at the
-/// unloaded end of the readings. A channel that never moves is marked idle and keeps its readings.
-pub(super) fn channel(name: String, mut raw: Vec<f64>, rate_hz: f64) -> Channel {
+/// unloaded end of the readings; where there is none, `zero` may name samples (first, one past the last)
+/// that the file calls unloaded, and they count if they are quiet. A channel that never moves is marked idle and keeps its readings.
+pub(super) fn channel(
+    name: String,
+    mut raw: Vec<f64>,
+    rate_hz: f64,
+    zero: Option<(usize, usize)>,
+) -> Channel {
     let missing = bridge(&mut raw);
     let lacking: usize = missing.iter().map(|(a, b)| b - a).sum();
     let mut out = Channel {
@@ -65,7 +71,8 @@ pub(super) fn channel(name: String, mut raw: Vec<f64>, rate_hz: f64) -> Channel 
             *x = -*x;
         }
     }
-    if let Some((level, noise)) = baseline(&sorted, &out.force_n, rate_hz) {
+    let found = baseline(&sorted, &out.force_n, rate_hz);
+    if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
         out.baseline_n = level;
         out.noise_n = noise;
         for x in &mut out.force_n {
@@ -175,6 +182,14 @@ fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
     Some((level, 1.4826 * off[off.len() / 2]))
 }
 
+/// Level and standard deviation of samples that should be unloaded; `None` where they move.
+fn quiet(force: &[f64]) -> Option<(f64, f64)> {
+    let n = force.len() as f64;
+    let mean = force.iter().sum::<f64>() / n;
+    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    (n >= 2.0 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
+}
+
 fn longest_run(force: &[f64], low: f64, high: f64) -> usize {
     let mut longest = 0;
     let mut run = 0;
@@ -210,7 +225,7 @@ mod tests {
             (1.0, 400.0),
         ] {
             let raw = walk().iter().map(|f| sign * f + offset).collect();
-            let c = channel(String::new(), raw, 100.0);
+            let c = channel(String::new(), raw, 100.0, None);
             let worst = c
                 .force_n
                 .iter()
@@ -227,14 +242,18 @@ mod tests {
         let raw: Vec<f64> = (0..2000)
             .map(|i| 700.0 + 250.0 * (f64::from(i) * 0.115).sin())
             .collect();
-        let c = channel(String::new(), raw.clone(), 100.0);
+        let c = channel(String::new(), raw.clone(), 100.0, None);
         assert_eq!(c.baseline_n, 0.0);
         assert!(c.force_n == raw);
     }
 
     #[test]
     fn dead_plates_are_named() {
-        let idle = |v: Vec<f64>| channel(String::new(), v, 100.0).idle.unwrap_or_default();
+        let idle = |v: Vec<f64>| {
+            channel(String::new(), v, 100.0, None)
+                .idle
+                .unwrap_or_default()
+        };
         assert_eq!(idle(vec![-0.0; 50]), "never touched");
         assert_eq!(idle(vec![812.0; 50]), "stuck at 812 N");
         assert!(idle(vec![f64::NAN; 50]).starts_with("mostly empty"));

@@ -3,6 +3,7 @@
 //! The kind of file is told from its bytes, never from its name. Nothing here trusts a count in a file:
 //! memory is reserved for what the bytes present can hold.
 
+mod c3d;
 mod columns;
 mod headerless;
 mod keys;
@@ -32,7 +33,11 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
             Error::file(path, "the file is empty").help("give a recording of vertical force")
         );
     }
-    text::read(path, bytes, options)
+    if c3d::is_c3d(bytes) {
+        c3d::read(path, bytes, options)
+    } else {
+        text::read(path, bytes, options)
+    }
 }
 
 fn check(options: &ReadOptions) -> Result<()> {

@@ -294,7 +294,8 @@ fn finish(
     let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
     let mass = options.mass_kg.or(keys.mass_kg);
     let mut recording =
-        vertical::recording(raw.forces, base, raw.samples, mass, options, notes).map_err(place)?;
+        vertical::recording(raw.forces, base, raw.samples, mass, options, None, notes)
+            .map_err(place)?;
     recording.mass_from = match (options.mass_kg, keys.mass_kg) {
         (Some(_), _) => "user".to_string(),
         (None, Some(_)) => "file".to_string(),

@@ -13,12 +13,15 @@ const HARDEST_N: f64 = 8000.0;
 const SOFTEST_N: f64 = 60.0;
 
 /// Makes the recording of raw columns on their time base; the format is left to the caller.
+///
+/// `zero`: samples that the file calls unloaded.
 pub(super) fn recording(
     mut raw: Vec<RawForce>,
     base: TimeBase,
     samples: usize,
     mass_kg: Option<f64>,
     options: &ReadOptions,
+    zero: Option<(usize, usize)>,
     mut notes: Vec<String>,
 ) -> Result<Recording> {
     keep_vertical(&mut raw, &mut notes);
@@ -42,7 +45,7 @@ pub(super) fn recording(
                 *x *= factor;
             }
         }
-        let mut channel = clean::channel(column.name, values, base.rate_hz);
+        let mut channel = clean::channel(column.name, values, base.rate_hz, zero);
         channel.foot = column.foot;
         channels.push(channel);
     }

@@ -1,0 +1,169 @@
+//! The parameter section of a C3D file.
+
+use super::storage::Words;
+
+/// Most values of one parameter that are read; real files hold a few hundred.
+const MOST_VALUES: usize = 1 << 16;
+
+/// One parameter: its group's number, its name and where its values lie.
+#[derive(Debug, Clone)]
+struct Parameter<'a> {
+    group: i8,
+    name: String,
+    /// Bytes per value: 1, 2 or 4, or −1 for characters.
+    kind: i8,
+    dims: Vec<usize>,
+    data: &'a [u8],
+}
+
+/// All parameters of a file that could be read.
+#[derive(Debug)]
+pub(super) struct Parameters<'a> {
+    words: Words,
+    groups: Vec<(i8, String)>,
+    all: Vec<Parameter<'a>>,
+}
+
+impl<'a> Parameters<'a> {
+    /// Reads the chain of groups and parameters; a broken link ends it.
+    pub fn read(bytes: &'a [u8], start: usize, words: Words) -> Self {
+        let mut found = Parameters {
+            words,
+            groups: Vec::new(),
+            all: Vec::new(),
+        };
+        let mut at = start + 4;
+        while let Some(next) = found.record(bytes, at) {
+            at = next;
+        }
+        found
+    }
+
+    /// Reads one record; the place of the next one, which lies further on.
+    fn record(&mut self, bytes: &'a [u8], at: usize) -> Option<usize> {
+        // A negative length only locks the name.
+        let length = usize::from(bytes.get(at)?.cast_signed().unsigned_abs());
+        let group = bytes.get(at + 1)?.cast_signed();
+        if length == 0 || group == 0 {
+            return None;
+        }
+        let link = at + 2 + length;
+        let name: String = bytes
+            .get(at + 2..link)?
+            .iter()
+            .map(|&b| char::from(b.to_ascii_uppercase()))
+            .collect();
+        let offset = usize::from(self.words.u16(bytes, link)?);
+        if group < 0 {
+            if self.groups.len() < 256 {
+                self.groups.push((group.checked_neg()?, name));
+            }
+        } else if let Some(p) = self.parameter(bytes, link + 2, group, name) {
+            self.all.push(p);
+        }
+        (offset > 2).then_some(link + offset)
+    }
+
+    fn parameter(
+        &self,
+        bytes: &'a [u8],
+        at: usize,
+        group: i8,
+        name: String,
+    ) -> Option<Parameter<'a>> {
+        let kind = bytes.get(at)?.cast_signed();
+        let count = usize::from(*bytes.get(at + 1)?);
+        let dims: Vec<usize> = bytes
+            .get(at + 2..at + 2 + count)?
+            .iter()
+            .map(|&d| usize::from(d))
+            .collect();
+        let size = usize::from(kind.unsigned_abs()).clamp(1, 4);
+        let values = dims.iter().try_fold(1usize, |p, &d| p.checked_mul(d))?;
+        let from = at + 2 + count;
+        let end = from.checked_add(values.checked_mul(size)?)?;
+        Some(Parameter {
+            group,
+            name,
+            kind,
+            dims,
+            data: bytes.get(from..end)?,
+        })
+    }
+
+    fn find(&self, group: &str, name: &str) -> Option<&Parameter<'a>> {
+        let id = self.groups.iter().find(|(_, g)| g == group)?.0;
+        self.all.iter().find(|p| p.group == id && p.name == name)
+    }
+
+    /// Numbers of a parameter in the order of the file (first index fastest); empty where there is none.
+    pub fn numbers(&self, group: &str, name: &str) -> Vec<f64> {
+        self.find(group, name)
+            .map_or(Vec::new(), |p| self.values(p))
+    }
+
+    /// First number of a parameter.
+    pub fn number(&self, group: &str, name: &str) -> Option<f64> {
+        self.numbers(group, name).first().copied()
+    }
+
+    /// Dimensions of a parameter; empty where there is none.
+    pub fn dims(&self, group: &str, name: &str) -> &[usize] {
+        self.find(group, name).map_or(&[], |p| &p.dims)
+    }
+
+    /// Texts of a parameter, blanks at their ends cut.
+    pub fn strings(&self, group: &str, name: &str) -> Vec<String> {
+        let Some(p) = self.find(group, name).filter(|p| p.kind == -1) else {
+            return Vec::new();
+        };
+        let length = p.dims.first().copied().unwrap_or(p.data.len());
+        if length == 0 {
+            return Vec::new();
+        }
+        let text = |c: &[u8]| {
+            c.iter()
+                .map(|&b| char::from(b))
+                .collect::<String>()
+                .trim_matches(['\0', ' '])
+                .to_string()
+        };
+        p.data.chunks(length).map(text).collect()
+    }
+
+    /// Every numeric parameter, in any group, whose name fits.
+    pub fn named<'s>(
+        &'s self,
+        fits: impl Fn(&str) -> bool + 's,
+    ) -> impl Iterator<Item = (&'s str, Vec<f64>)> + 's {
+        let numeric = self.all.iter().filter(move |p| p.kind > 0 && fits(&p.name));
+        numeric.map(|p| (p.name.as_str(), self.values(p)))
+    }
+
+    fn values(&self, p: &Parameter) -> Vec<f64> {
+        let words = self.words;
+        match p.kind {
+            1 => p
+                .data
+                .iter()
+                .take(MOST_VALUES)
+                .map(|&b| f64::from(b))
+                .collect(),
+            2 => p
+                .data
+                .chunks_exact(2)
+                .take(MOST_VALUES)
+                .filter_map(|c| words.i16(c, 0))
+                .map(f64::from)
+                .collect(),
+            4 => p
+                .data
+                .chunks_exact(4)
+                .take(MOST_VALUES)
+                .filter_map(|c| words.f32(c, 0))
+                .map(f64::from)
+                .collect(),
+            _ => Vec::new(),
+        }
+    }
+}
