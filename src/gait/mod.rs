@@ -3,6 +3,7 @@
 mod clean;
 mod curve;
 mod cycle;
+mod describe;
 mod models;
 mod read;
 mod recording;
@@ -11,7 +12,8 @@ mod stance;
 
 pub use curve::ForceCurve;
 pub use cycle::{Cycle, cycle};
+pub use describe::{csv, json, spread_rms_n, table};
 pub use models::{Feet, ModelInfo, SAMPLES, Status, catalogue, model};
-pub use read::{metadata_name, read};
+pub use read::{force_curve, metadata_name, read};
 pub use recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row, Strike};
 pub use stance::{Point, Rejected, Stance, Stances, Why, stances};

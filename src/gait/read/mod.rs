@@ -5,6 +5,7 @@
 
 mod c3d;
 mod columns;
+mod cycle_file;
 mod headerless;
 mod keys;
 mod layout;
@@ -17,8 +18,12 @@ mod vertical;
 
 use std::path::Path;
 
+use super::curve::ForceCurve;
+use super::cycle::cycle;
+use super::models::Feet;
 use super::recording::{ReadOptions, Recording};
-use crate::error::{Error, Result};
+use super::stance::stances;
+use crate::error::{Error, Place, Result};
 
 pub use rows::metadata_name;
 
@@ -38,6 +43,34 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
     } else {
         text::read(path, bytes, options)
     }
+}
+
+/// Reads one cycle of force from any file that [`read`] takes.
+///
+/// A text whose comment says `# cycle` or `# critical points` is one cycle as it stands, whatever `feet` says;
+/// in every other file stances are found and averaged into a stride.
+pub fn force_curve(
+    path: &Path,
+    bytes: &[u8],
+    options: &ReadOptions,
+    feet: Feet,
+) -> Result<ForceCurve> {
+    check(options)?;
+    if !c3d::is_c3d(bytes)
+        && let Some(curve) = cycle_file::read(path, bytes, options)?
+    {
+        return Ok(curve);
+    }
+    let recording = read(path, bytes, options)?;
+    let mean = cycle(&recording, &stances(&recording), feet)
+        .map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+    let file = path
+        .file_name()
+        .and_then(|n| n.to_str())
+        .unwrap_or("recording");
+    let mut curve = mean.curve;
+    curve.name = format!("{file}, {}", mean.how);
+    Ok(curve)
 }
 
 fn check(options: &ReadOptions) -> Result<()> {

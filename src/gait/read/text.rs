@@ -146,7 +146,7 @@ fn is_newtons(table: &Table, i: usize) -> bool {
         )
 }
 
-fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
+pub(super) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
     let name = table.names.get(i)?;
     let row = table
         .units
@@ -167,7 +167,7 @@ fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
 }
 
 /// A column by name (case does not matter) or by number from 1.
-fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> {
+pub(super) fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> {
     let plain = |s: &str| s.trim().to_lowercase();
     let names = &table.names;
     let found = names
