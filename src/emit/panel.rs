@@ -193,13 +193,30 @@ impl<'a, 'c> Panel<'a, 'c> {
         )
     }
 
-    /// A curve; points well outside the frame's range interrupt it.
+    /// A curve, cut where it leaves the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
-        let slack = 0.02 * (self.y[1] - self.y[0]);
-        let inside = |&(_, v): &(f64, f64)| v >= self.y[0] - slack && v <= self.y[1] + slack;
-        for part in points.split(|p| !inside(p)).filter(|p| p.len() > 1) {
+        let [low, high] = self.y;
+        let mut part: Vec<(f64, f64)> = Vec::new();
+        let mut parts = Vec::new();
+        for (i, &(x, v)) in points.iter().enumerate() {
+            let inside = v >= low && v <= high;
+            if let Some(&(x0, v0)) = i.checked_sub(1).map(|k| &points[k]) {
+                let was_inside = v0 >= low && v0 <= high;
+                if inside != was_inside && (v - v0).is_finite() {
+                    let edge = if v.max(v0) > high { high } else { low };
+                    part.push((x0 + (x - x0) * (edge - v0) / (v - v0), edge));
+                }
+            }
+            if inside {
+                part.push((x, v));
+            } else if !part.is_empty() {
+                parts.push(std::mem::take(&mut part));
+            }
+        }
+        parts.push(part);
+        for part in parts.into_iter().filter(|p| p.len() > 1) {
             self.plane
-                .draw(&PathElement::new(part.to_vec(), stroke(colour, width)))?;
+                .draw(&PathElement::new(part, stroke(colour, width)))?;
         }
         Ok(())
     }
@@ -257,6 +274,15 @@ impl<'a, 'c> Panel<'a, 'c> {
         } else {
             (VPos::Top, 0.6 * size)
         };
+        // A ground under the number keeps lines from striking it through.
+        let height = 1.1 * size;
+        let middle = y + shift + if above { -0.5 } else { 0.5 } * 0.73 * size;
+        let corners = [
+            (units(x - half), units(middle - 0.5 * height)),
+            (units(x + half), units(middle + 0.5 * height)),
+        ];
+        let ground = Rectangle::new(corners, palette::PAPER.mix(0.8).filled());
+        self.canvas.draw(&ground)?;
         let lettering = Lettering::new(size, palette::INK).anchored(HPos::Center, v);
         write(self.canvas, &text, [x, y + shift], lettering)
     }

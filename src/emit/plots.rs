@@ -19,6 +19,8 @@ pub use super::picture::Picture;
 pub(super) const SIZE: (u32, u32) = (1200, 800);
 /// Size of their lettering.
 const LETTERS: f64 = 17.0;
+/// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
+const CAP: f64 = 2.2;
 /// Points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
@@ -221,8 +223,7 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         title(canvas, layout, &synthesis.name, "curvature and contact")?;
         let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * e);
 
-        // A profile that is nearly straight has radii without end: what is beyond a few prime radii is cut.
-        let cap = 1000.0 * 4.0 * cam.follower.prime_radius();
+        let cap = 1000.0 * CAP * cam.follower.prime_radius().max(cam.law.stroke());
         let rho: Vec<(f64, f64)> = points
             .iter()
             .map(|p| (p.theta.to_degrees(), 1000.0 * p.rho))
@@ -231,7 +232,10 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
         let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
         let panel = Panel::new(canvas, frames[0], turn(synthesis), y, e)?;
-        panel.curve(&rho, BLUE, 2.2)?;
+        // The radius passes through infinity where the flank turns from convex to concave.
+        for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
+            panel.curve(part, BLUE, 2.2)?;
+        }
         for check in synthesis.checks.iter().filter(|c| c.name == "curvature") {
             let name = format!("limit {} mm", number(1000.0 * check.limit, 3));
             panel.level(1000.0 * check.limit, Some((&name, VPos::Top)), RED)?;

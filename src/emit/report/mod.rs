@@ -83,24 +83,27 @@ fn conflict(out: &mut String, synthesis: &Synthesis) {
         let _ = writeln!(out, "<li>{}</li>", escaped(&tables::spoken(limit)));
     }
     out.push_str("</ul>\n");
-    if !answer.relaxations.is_empty() {
-        out.push_str("<h3>Any one of these changes is enough</h3>\n<ul>\n");
-        for r in &answer.relaxations {
-            let name = escaped(&tables::spoken(&r.limit));
-            let from = tables::shown(&r.limit, r.from);
-            let _ = match r.to {
-                Some(to) => {
-                    let to = tables::shown(&r.limit, to);
-                    writeln!(out, "<li>{name}: from {from} to <strong>{to}</strong></li>")
-                }
-                None => writeln!(
-                    out,
-                    "<li class=\"note\">{name}: {from}; no value of this limit alone helps</li>"
-                ),
-            };
-        }
-        out.push_str("</ul>\n");
+    let helps = answer.relaxations.iter().any(|r| r.to.is_some());
+    out.push_str(if helps {
+        "<h3>Any one of these changes is enough</h3>\n<ul>\n"
+    } else {
+        "<h3>No change of a single limit is enough</h3>\n<ul>\n"
+    });
+    for r in &answer.relaxations {
+        let name = escaped(&tables::spoken(&r.limit));
+        let from = tables::shown(&r.limit, r.from);
+        let _ = match r.to {
+            Some(to) => {
+                let to = tables::shown(&r.limit, to);
+                writeln!(out, "<li>{name}: from {from} to <strong>{to}</strong></li>")
+            }
+            None => writeln!(
+                out,
+                "<li class=\"note\">{name}, now {from}: no value of it alone helps</li>"
+            ),
+        };
     }
+    out.push_str("</ul>\n");
     out.push_str("</div>\n");
 }
 
@@ -117,7 +120,11 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
     }
     all.push((
         "Force",
-        format!("{} … {} N", number(force.min_n, 4), number(force.max_n, 4)),
+        format!(
+            "{} … {}\u{a0}N",
+            number(force.min_n, 4),
+            number(force.max_n, 4)
+        ),
         format!("mean {} N", number(force.mean_n, 4)),
     ));
     let stroke = format!("{} {unit}", number(factor * cam.law.stroke(), 4));

@@ -239,18 +239,28 @@ pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
         Tier::Socp => "as a second-order cone program",
         Tier::Scp => "as a sequence of convex programs",
     };
-    let certified = if solver.certified {
-        "Every limit was confirmed on the continuous law, between the samples too."
-    } else {
-        "The limits were not confirmed between the samples."
-    };
-    let _ = writeln!(
-        out,
-        "<h2>How it was solved</h2>\n<p>Solved {how} in {} ms ({} iterations). {}{certified}</p>",
+    let status = sentence(&solver.status);
+    let spent = format!(
+        "in {} ms ({} iterations)",
         number(1000.0 * time.solve_s, 3),
-        solver.iterations,
-        sentence(&solver.status),
+        solver.iterations
     );
+    let _ = if synthesis.infeasible.is_some() {
+        writeln!(
+            out,
+            "<h2>What was tried</h2>\n<p>The search ran {how}, {spent}. {status}</p>"
+        )
+    } else {
+        let certified = if solver.certified {
+            "Every limit was confirmed on the continuous law, between the samples too."
+        } else {
+            "The limits were not confirmed between the samples."
+        };
+        writeln!(
+            out,
+            "<h2>How it was solved</h2>\n<p>Solved {how}, {spent}. {status}{certified}</p>"
+        )
+    };
     if !synthesis.remarks.is_empty() {
         out.push_str("<h3>Remarks</h3>\n<ul>\n");
         for remark in &synthesis.remarks {
