@@ -2,14 +2,25 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-pub mod cam;
-pub mod cli;
-pub mod drive;
-pub mod emit;
 pub mod error;
-pub mod gait;
-pub mod law;
-pub mod poly;
-pub mod scene;
-pub mod synth;
 pub mod units;
+
+pub mod poly;
+
+pub mod gait;
+
+pub mod drive;
+
+pub mod law;
+
+pub mod cam;
+
+pub mod dynamics;
+
+pub mod scene;
+
+pub mod synth;
+
+pub mod emit;
+
+pub mod cli;

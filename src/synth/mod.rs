@@ -125,6 +125,35 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
     }
 }
 
+/// Active rows as a user reads them: rows of one limit within half a piece are one contact.
+fn gathered(fitted: &spline::Fitted) -> Vec<Binding> {
+    let mut out: Vec<Binding> = Vec::new();
+    let mut rows: Vec<&problem::Row> = fitted.solution.active.iter().collect();
+    rows.sort_by(|a, b| {
+        (a.limit, a.peak.at)
+            .partial_cmp(&(b.limit, b.peak.at))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
+    let near = std::f64::consts::PI / fitted.spans as f64;
+    for row in rows {
+        let limit = &fitted.program.limits[row.limit];
+        let multiplier = row.multiplier / limit.meaning.slope();
+        match out.last_mut() {
+            Some(last) if last.limit == limit.name && (row.peak.at - last.at).abs() < near => {
+                let both = last.multiplier + multiplier;
+                last.at = (last.at * last.multiplier + row.peak.at * multiplier) / both;
+                last.multiplier = both;
+            }
+            _ => out.push(Binding {
+                limit: limit.name.to_string(),
+                multiplier,
+                at: row.peak.at,
+            }),
+        }
+    }
+    out
+}
+
 fn from_program(scene: &Scene) -> Result<Found> {
     let segments = scene
         .law
@@ -207,18 +236,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
         }
     };
     let solution = &fitted.solution;
-    let binding = solution
-        .active
-        .iter()
-        .map(|row| {
-            let limit = &fitted.program.limits[row.limit];
-            Binding {
-                limit: limit.name.to_string(),
-                multiplier: row.multiplier / limit.meaning.slope(),
-                at: row.peak.at,
-            }
-        })
-        .collect();
+    let binding = gathered(&fitted);
     let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
     let solver = if solution.used_rows {
         let status = format!(

@@ -147,7 +147,7 @@ pub const TOLERANCE: f64 = 1e-9;
 /// Rounds of exchange before giving up; a handful is usual.
 const MAX_ROUNDS: usize = 60;
 /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
-const SAME_SPOT: f64 = 1e-3;
+const COINCIDENT: f64 = 1e-4;
 
 impl Program {
     /// The optimum without limits, then with as many rows as they need.
@@ -250,21 +250,17 @@ impl Program {
         }
     }
 
+    /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a
+    /// secant); only one that all but coincides is replaced.
     fn add_rows(&self, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
         for (limit, peak) in broken {
-            let near = |r: &Row| {
+            let same = |r: &Row| {
                 r.limit == limit
                     && r.peak.piece == peak.piece
-                    && (r.peak.u - peak.u).abs() < SAME_SPOT
-                    && r.peak.u != peak.u
+                    && (r.peak.u - peak.u).abs() < COINCIDENT
             };
-            rows.retain(|r| !near(r));
-            if !rows
-                .iter()
-                .any(|r| r.limit == limit && r.peak.piece == peak.piece && r.peak.u == peak.u)
-            {
-                rows.push(self.row(limit, peak));
-            }
+            rows.retain(|r| !same(r));
+            rows.push(self.row(limit, peak));
         }
     }
 

@@ -1,0 +1,464 @@
+//! Followers that give: one or two masses on the cam through springs, a shaft that winds up, a column of
+//! fluid that is squeezed.
+//!
+//! All are written relative to the rigid motion: the masses stand at s + x, and x is driven by minus the
+//! rigid force. For one mass m on a train of stiffness k₁ and damping c₁, with the machine's own k and c,
+//! m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the cam feels N = −(k₁ x + c₁ ẋ). The forcing is the law's
+//! own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in
+//! the law kick the state.
+
+use super::linear::{Linear, States};
+use crate::drive::{Drive, DriveKind};
+use crate::error::{Error, Result};
+use crate::law::{Joint, Law};
+use crate::poly::{Extreme, PiecewisePoly};
+use nalgebra::{Matrix4, Vector4};
+
+/// What gives between the cam and the moved mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Train {
+    /// One mass on the train's spring and damper.
+    OneMass {
+        /// Stiffness between cam and mass, N/m; for hydraulics, of the fluid column.
+        stiffness: f64,
+        /// Damping between cam and mass, N·s/m.
+        damping: f64,
+    },
+    /// A mass near the cam and the rest behind a second spring.
+    TwoMass {
+        /// Mass next to the cam, kg; the drive's mass less this one sits at the far end.
+        near_mass: f64,
+        /// Stiffness between cam and near mass, N/m.
+        stiffness: f64,
+        /// Damping between cam and near mass, N·s/m.
+        damping: f64,
+        /// Stiffness between the masses, N/m.
+        far_stiffness: f64,
+        /// Damping between the masses, N·s/m.
+        far_damping: f64,
+    },
+}
+
+/// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steady {
+    /// Cam angles, rad; the last is one period after the first.
+    pub theta: Vec<f64>,
+    /// What the far end (the moved mass) does beyond the rigid lift, m.
+    pub deflection: Vec<f64>,
+    /// Force between cam and follower, N.
+    pub contact: Vec<f64>,
+    /// Its derivative by the angle, N/rad.
+    pub contact_rate: Vec<f64>,
+    /// Force the machine hands on, N: the contact force, but for hydraulics the piston's.
+    pub output: Vec<f64>,
+}
+
+impl Train {
+    /// A train with the given natural frequency on the cam (Hz, return spring not counted) and damping
+    /// ratio, for the drive's mass. Fails when frequency or mass is not positive or the ratio negative.
+    pub fn from_frequency(drive: &Drive, hertz: f64, ratio: f64) -> Result<Self> {
+        if !(hertz > 0.0 && hertz.is_finite() && ratio >= 0.0 && ratio.is_finite()) {
+            return Err(Error::new(format!(
+                "a follower cannot ring at {hertz} Hz with damping ratio {ratio}"
+            ))
+            .help("give a positive frequency and a ratio of 0 or more"));
+        }
+        if drive.mass <= 0.0 {
+            return Err(Error::new("a natural frequency needs a moved mass")
+                .help("give the mass, or the stiffness of the fluid column"));
+        }
+        let w = std::f64::consts::TAU * hertz;
+        Ok(Train::OneMass {
+            stiffness: drive.mass * w * w,
+            damping: 2.0 * ratio * drive.mass * w,
+        })
+    }
+
+    /// Undamped natural frequencies, rad/s, lowest first, return spring included; none without mass.
+    pub fn natural_frequencies(&self, drive: &Drive) -> Vec<f64> {
+        match *self {
+            Train::OneMass { stiffness, .. } if drive.mass > 0.0 => {
+                vec![((stiffness + drive.spring_rate) / drive.mass).sqrt()]
+            }
+            Train::OneMass { .. } => Vec::new(),
+            Train::TwoMass {
+                near_mass,
+                stiffness,
+                far_stiffness,
+                ..
+            } => {
+                let far = drive.mass - near_mass;
+                let p = (stiffness + far_stiffness) / near_mass;
+                let q = (far_stiffness + drive.spring_rate) / far;
+                let cross = far_stiffness * far_stiffness / (near_mass * far);
+                let mean = 0.5 * (p + q);
+                let high = mean + (0.25 * (p - q).powi(2) + cross).sqrt();
+                let low = (p * q - cross) / high;
+                vec![low.max(0.0).sqrt(), high.sqrt()]
+            }
+        }
+    }
+
+    fn check(&self, drive: &Drive) -> Result<()> {
+        let (values, near): (Vec<f64>, f64) = match *self {
+            Train::OneMass { stiffness, damping } => (vec![stiffness, damping], 0.0),
+            Train::TwoMass {
+                near_mass,
+                stiffness,
+                damping,
+                far_stiffness,
+                far_damping,
+            } => (
+                vec![stiffness, damping, far_stiffness, far_damping, near_mass],
+                near_mass,
+            ),
+        };
+        let two = matches!(self, Train::TwoMass { .. });
+        if values.iter().any(|x| !(x.is_finite() && *x >= 0.0)) || values[0] <= 0.0 {
+            return Err(Error::new(
+                "a follower's stiffness must be positive and its damping not negative",
+            ));
+        }
+        if two && !(near > 0.0 && near < drive.mass && values[2] > 0.0) {
+            return Err(Error::new(format!(
+                "a near mass of {near} kg does not split {} kg in two",
+                drive.mass
+            ))
+            .help("give a part of the moved mass and a positive stiffness behind it"));
+        }
+        Ok(())
+    }
+}
+
+/// The linear system of a train, its forcing polynomials and the way back to forces.
+struct Model {
+    linear: Linear,
+    forcing: Vec<PiecewisePoly>,
+    /// Contact force = Σ wᵢ zᵢ; the first states are x and x′/scale of the near (only) mass.
+    contact: Vector4<f64>,
+    /// Index of the far mass's displacement, and of its velocity over `scale`.
+    far: usize,
+    scale: f64,
+}
+
+fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
+    let w = drive.speed;
+    let mut rates = -Matrix4::identity();
+    let force = drive.force_curve(law);
+    match *train {
+        Train::OneMass { stiffness, damping } if drive.mass > 0.0 => {
+            let inertia = drive.mass * w * w;
+            let rate = (drive.spring_rate + stiffness) / inertia;
+            let scale = rate.sqrt();
+            rates[(0, 0)] = 0.0;
+            rates[(0, 1)] = scale;
+            rates[(1, 0)] = -scale;
+            rates[(1, 1)] = -(drive.damping + damping) * w / inertia;
+            Model {
+                linear: Linear {
+                    rates,
+                    inputs: vec![Vector4::new(0.0, -1.0 / (inertia * scale), 0.0, 0.0)],
+                },
+                forcing: vec![force],
+                contact: Vector4::new(-stiffness, -damping * w * scale, 0.0, 0.0),
+                far: 0,
+                scale,
+            }
+        }
+        Train::OneMass { stiffness, damping } => {
+            // Without mass the state is x alone: (c + c₁) ω x′ = −(k + k₁) x − F.
+            let drag = (drive.damping + damping) * w;
+            rates[(0, 0)] = -(drive.spring_rate + stiffness) / drag;
+            Model {
+                linear: Linear {
+                    rates,
+                    inputs: vec![Vector4::new(-1.0 / drag, 0.0, 0.0, 0.0)],
+                },
+                forcing: vec![force],
+                contact: Vector4::new(-stiffness, 0.0, 0.0, 0.0),
+                far: 0,
+                scale: 0.0,
+            }
+        }
+        Train::TwoMass {
+            near_mass,
+            stiffness,
+            damping,
+            far_stiffness,
+            far_damping,
+        } => {
+            let far_mass = drive.mass - near_mass;
+            let (i1, i2) = (near_mass * w * w, far_mass * w * w);
+            let scale = ((stiffness + far_stiffness) / i1)
+                .max((far_stiffness + drive.spring_rate) / i2)
+                .sqrt();
+            rates[(0, 0)] = 0.0;
+            rates[(2, 2)] = 0.0;
+            rates[(0, 1)] = scale;
+            rates[(2, 3)] = scale;
+            rates[(1, 0)] = -(stiffness + far_stiffness) / (i1 * scale);
+            rates[(1, 1)] = -(damping + far_damping) * w / i1;
+            rates[(1, 2)] = far_stiffness / (i1 * scale);
+            rates[(1, 3)] = far_damping * w / i1;
+            rates[(3, 0)] = far_stiffness / (i2 * scale);
+            rates[(3, 1)] = far_damping * w / i2;
+            rates[(3, 2)] = -(far_stiffness + drive.spring_rate) / (i2 * scale);
+            rates[(3, 3)] = -(far_damping + drive.damping) * w / i2;
+            let near = law.combination([0.0, 0.0, i1, 0.0], 0.0);
+            let far = PiecewisePoly::combine(&[(1.0, &force), (-1.0, &near)], 0.0);
+            Model {
+                linear: Linear {
+                    rates,
+                    inputs: vec![
+                        Vector4::new(0.0, -1.0 / (i1 * scale), 0.0, 0.0),
+                        Vector4::new(0.0, 0.0, 0.0, -1.0 / (i2 * scale)),
+                    ],
+                },
+                forcing: vec![near, far],
+                contact: Vector4::new(-stiffness, -damping * w * scale, 0.0, 0.0),
+                far: 2,
+                scale,
+            }
+        }
+    }
+}
+
+/// The periodic steady state under a closed law, exact at the angles returned.
+///
+/// The drive's speed must be positive (a cam that turns clockwise: run the mirrored law). Fails on
+/// stiffness or masses that are none, and at the resonance of an undamped machine, which has no steady
+/// state.
+pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
+    train.check(drive)?;
+    if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
+        return Ok(quasi_static(law, drive, train));
+    }
+    let model = model(law, drive, train);
+    let stiffest = model.linear.rates.norm() * widest(&model.forcing[0]);
+    if stiffest > super::linear::STIFFEST {
+        // Millions of cycles of ringing between two points: nothing is left of it but the static part.
+        return Ok(quasi_static(law, drive, train));
+    }
+    let kicks = Kicks::new(law, &model);
+    let forcing: Vec<&PiecewisePoly> = model.forcing.iter().collect();
+    let states = model
+        .linear
+        .periodic(&forcing, |i| kicks.at(i))
+        .ok_or_else(|| resonance(drive, train))?;
+    Ok(read(law, drive, train, &model, &states))
+}
+
+/// Amplitude of the vibration left after a rise of an undamped follower of natural frequency `ratio`
+/// radians per radian of the cam (λ·2π/β for a rise in β), in the units of the lift.
+///
+/// The follower starts at rest at the law's first angle; the law's own steps in velocity at its start and
+/// end (into the dwell) are counted.
+pub fn residual_vibration(law: &Law, ratio: f64) -> f64 {
+    let mut rates = -Matrix4::identity();
+    (rates[(0, 0)], rates[(1, 1)]) = (0.0, 0.0);
+    (rates[(0, 1)], rates[(1, 0)]) = (ratio, -ratio);
+    let linear = Linear {
+        rates,
+        inputs: vec![Vector4::new(0.0, -1.0 / ratio, 0.0, 0.0)],
+    };
+    let acceleration = law.combination([0.0, 0.0, 1.0, 0.0], 0.0);
+    let model = Model {
+        linear,
+        forcing: vec![acceleration],
+        contact: Vector4::zeros(),
+        far: 0,
+        scale: ratio,
+    };
+    let kicks = Kicks::new(law, &model);
+    let first = law.svaj_on(0, 0.0);
+    let start = Vector4::new(0.0, -first.v / ratio, 0.0, 0.0);
+    let states = model
+        .linear
+        .through(&[&model.forcing[0]], start, |i| kicks.at(i));
+    let last = states.last().copied().unwrap_or_default();
+    let end = law.svaj_on(law.breaks().len() - 2, 1.0);
+    last[0].hypot(last[1] + end.v / ratio)
+}
+
+/// What the jumps of the law do to the relative state, per piece of the forcing: the mass does not
+/// follow a step of the lift, so x and x′ step by minus it.
+struct Kicks {
+    at_piece: Vec<(usize, Vector4<f64>)>,
+}
+
+impl Kicks {
+    fn new(law: &Law, model: &Model) -> Self {
+        let breaks = model.forcing[0].breaks();
+        let scale = law
+            .joints()
+            .iter()
+            .fold(0.0_f64, |m, j| m.max(j.jump.v.abs()));
+        let counts = |j: &&Joint| {
+            let lift = law
+                .extremes(0)
+                .1
+                .value
+                .abs()
+                .max(law.extremes(0).0.value.abs());
+            j.jump.v.abs() > 1e-12 * lift || j.jump.s.abs() > 1e-12 * lift
+        };
+        let joints = law.joints();
+        let counted = if scale == 0.0 {
+            Vec::new()
+        } else {
+            joints.iter().filter(counts).collect()
+        };
+        let at_piece = counted
+            .into_iter()
+            .filter_map(|j| {
+                let piece = breaks.iter().position(|b| (b - j.at).abs() < 1e-12)?;
+                let (x, v) = (
+                    -j.jump.s,
+                    if model.scale > 0.0 {
+                        -j.jump.v / model.scale
+                    } else {
+                        0.0
+                    },
+                );
+                let mut kick = Vector4::new(x, v, 0.0, 0.0);
+                if model.far == 2 {
+                    (kick[2], kick[3]) = (x, v);
+                }
+                Some((piece, kick))
+            })
+            .collect();
+        Kicks { at_piece }
+    }
+
+    fn at(&self, piece: usize) -> Vector4<f64> {
+        self.at_piece
+            .iter()
+            .find(|k| k.0 == piece)
+            .map_or_else(Vector4::zeros, |k| k.1)
+    }
+}
+
+fn widest(p: &PiecewisePoly) -> f64 {
+    p.breaks()
+        .windows(2)
+        .map(|w| w[1] - w[0])
+        .fold(0.0, f64::max)
+}
+
+fn still(drive: &Drive, train: &Train) -> bool {
+    matches!(train, Train::OneMass { damping, .. } if drive.damping + damping <= 0.0)
+}
+
+fn resonance(drive: &Drive, train: &Train) -> Error {
+    let ratios: Vec<String> = train
+        .natural_frequencies(drive)
+        .iter()
+        .map(|w| format!("{:.6}", w / drive.speed))
+        .collect();
+    Error::new(format!(
+        "resonance: the undamped follower rings {} times per turn, on a harmonic of the cam, and has no steady state",
+        ratios.join(" and ")
+    ))
+    .help("give a damping ratio above 0, or another speed")
+}
+
+/// Inertia of the vibration left out: springs in series carry the rigid force.
+fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
+    let force = drive.force_curve(law);
+    let give = match *train {
+        Train::OneMass { stiffness, .. } => 1.0 / (stiffness + drive.spring_rate),
+        Train::TwoMass {
+            stiffness,
+            far_stiffness,
+            ..
+        } => 1.0 / (1.0 / (1.0 / stiffness + 1.0 / far_stiffness) + drive.spring_rate),
+    };
+    let carried = 1.0 - drive.spring_rate * give;
+    let rate = force.derivative();
+    let theta = force.breaks().to_vec();
+    let at: Vec<(f64, f64)> = breaks_of(&force).zip(breaks_of(&rate)).collect();
+    let deflection: Vec<f64> = at.iter().map(|(f, _)| -f * give).collect();
+    let contact: Vec<f64> = at.iter().map(|(f, _)| f * carried).collect();
+    Steady {
+        theta,
+        deflection,
+        contact_rate: at.iter().map(|(_, r)| r * carried).collect(),
+        output: contact.clone(),
+        contact,
+    }
+}
+
+/// Values at the breaks, from the right, and at the end from the left.
+fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
+    let last = p.pieces() - 1;
+    (0..=last)
+        .map(|i| p.piece(i)[0])
+        .chain(std::iter::once(p.piece(last)[p.degree()]))
+}
+
+fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &States) -> Steady {
+    let theta = model.forcing[0].breaks().to_vec();
+    let rates = &model.linear.rates;
+    let values: Vec<Vec<f64>> = model
+        .forcing
+        .iter()
+        .map(|f| breaks_of(f).collect())
+        .collect();
+    let mut out = Steady {
+        deflection: states.iter().map(|z| z[model.far]).collect(),
+        contact: Vec::with_capacity(states.len()),
+        contact_rate: Vec::with_capacity(states.len()),
+        output: Vec::new(),
+        theta,
+    };
+    let extra = match *train {
+        // Without mass the damper's force follows from balance: N = F + (k x + c ω x′).
+        Train::OneMass { damping, .. } if drive.mass <= 0.0 => damping * drive.speed,
+        _ => 0.0,
+    };
+    for (i, z) in states.iter().enumerate() {
+        let mut dz = rates * z;
+        for (input, f) in model.linear.inputs.iter().zip(&values) {
+            dz += input * f[i];
+        }
+        out.contact.push(model.contact.dot(z) - extra * dz[0]);
+        out.contact_rate.push(model.contact.dot(&dz));
+    }
+    out.output = match drive.kind {
+        DriveKind::Hydraulic => {
+            let (start, length) = law.extent();
+            out.theta
+                .iter()
+                .zip(states)
+                .map(|(t, z)| {
+                    let at = law.svaj(t.min(start + length));
+                    drive.rest_force + drive.spring_rate * (at.s + z[model.far])
+                })
+                .collect()
+        }
+        DriveKind::MovingAxis | DriveKind::FixedAxis => out.contact.clone(),
+    };
+    out
+}
+
+impl Steady {
+    /// Smallest and largest contact force, N: extremes of the cubics through the exact values and slopes.
+    pub fn contact_extremes(&self) -> (Extreme, Extreme) {
+        let mut coef = Vec::with_capacity(4 * self.theta.len());
+        for i in 0..self.theta.len() - 1 {
+            let third = (self.theta[i + 1] - self.theta[i]) / 3.0;
+            coef.extend([
+                self.contact[i],
+                self.contact[i] + third * self.contact_rate[i],
+                self.contact[i + 1] - third * self.contact_rate[i + 1],
+                self.contact[i + 1],
+            ]);
+        }
+        PiecewisePoly::new(self.theta.clone(), 3, coef).extremes()
+    }
+}
+
+#[cfg(test)]
+#[path = "flexible_tests.rs"]
+mod tests;

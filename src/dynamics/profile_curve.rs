@@ -1,0 +1,388 @@
+//! The emitted profile as a smooth closed curve: the lift that its points give the follower.
+//!
+//! Row i of a profile is the contact at θᵢ, so its coordinates, turned into the fixed frame, hold two
+//! things: how high the follower stands and, by where it touches, the slope of the lift. For a flat face
+//! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
+//! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
+//! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
+//! step of the angle once, not twice, and there is no facet anywhere (FACTS §10).
+
+use crate::cam::{Follower, ProfilePoint};
+use crate::error::{Error, Result};
+use crate::law::{Law, Svaj, Wave};
+use crate::poly::{PiecewisePoly, bernstein};
+use realfft::RealFftPlanner;
+use std::f64::consts::TAU;
+
+/// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
+const STEP_SLACK: f64 = 1e-3;
+/// Angles at which the support function of a hand-drawn outline is taken.
+const OUTLINE_ANGLES: usize = 1440;
+
+/// The motion that an emitted profile gives its follower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Emitted {
+    /// Lift over the base (prime) circle; degree 4 between the angles of the points, C³ at them.
+    pub law: Law,
+    /// Lift and derivatives at the points.
+    pub nodes: Vec<Svaj>,
+    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or a
+    /// profile whose rows are not the contacts they claim to be.
+    pub mismatch: f64,
+    /// Harmonics kept when the points were smoothed, `None` when they are interpolated.
+    pub harmonics: Option<usize>,
+}
+
+/// The lift that `points` (equal steps of θ over one turn) give `follower`.
+///
+/// With `tolerance` > 0 (m) the heights are first smoothed to the fewest harmonics that stay within it
+/// at every point. Fails on fewer than 8 points, on angles that are not equal steps of one turn, on
+/// coordinates that are not finite or out of the follower's reach, on a tolerance that no smoothing
+/// meets, and on a profile with a concave or undercut stretch under a flat face.
+pub fn recover(follower: &Follower, points: &[ProfilePoint], tolerance: f64) -> Result<Emitted> {
+    let step = equal_step(points)?;
+    let slopes_known = !matches!(follower, Follower::RollerTranslating { roller_radius, .. } if *roller_radius == 0.0);
+    let mut heights = Vec::with_capacity(points.len());
+    let mut slopes = Vec::with_capacity(points.len());
+    for (i, point) in points.iter().enumerate() {
+        let (height, slope) =
+            height_and_slope(follower, point).ok_or_else(|| out_of_reach(follower, i))?;
+        heights.push(height);
+        slopes.push(slope);
+    }
+    let start = points[0].theta;
+    let mut harmonics = None;
+    if tolerance > 0.0 {
+        let smooth = fewest_harmonics(&heights, tolerance, heights.len() / 4).ok_or_else(|| {
+            Error::new(format!(
+                "no smoothing of the profile stays within {tolerance:e} m of its points"
+            ))
+            .help("allow a larger tolerance, or emit the profile with more decimals")
+        })?;
+        harmonics = Some(smooth.terms.len());
+        (heights, slopes) = smooth.sample(points.len());
+        slopes
+            .iter_mut()
+            .for_each(|v| *v *= TAU / (step * points.len() as f64));
+    } else if !slopes_known {
+        slopes = periodic_slopes(&heights, step);
+    }
+    let emitted = from_heights(start, step, &heights, &slopes, harmonics);
+    if let Follower::FlatTranslating { base_radius } = follower {
+        refuse_concave(&emitted, *base_radius, start, step)?;
+    }
+    Ok(emitted)
+}
+
+/// The lift over a base circle that a closed outline drawn by hand gives a flat face.
+///
+/// A polyline is not a cam: it hops from facet to facet (FACTS §10). Its support function is smoothed to
+/// the fewest harmonics that stay within `tolerance`, m, of it; no more than half as many as there are
+/// points. Fails when there is no such curve, or when it is not convex.
+pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -> Result<Emitted> {
+    if outline.len() < 8 || outline.iter().flatten().any(|x| !x.is_finite()) {
+        return Err(Error::new("an outline needs at least 8 finite points"));
+    }
+    let n = OUTLINE_ANGLES;
+    let heights: Vec<f64> = (0..n)
+        .map(|i| {
+            let (sin, cos) = (TAU * i as f64 / n as f64).sin_cos();
+            let reach = |p: &[f64; 2]| sin * p[0] + cos * p[1];
+            outline.iter().map(reach).fold(f64::NEG_INFINITY, f64::max) - base_radius
+        })
+        .collect();
+    let most = (outline.len() / 2).min(n / 4);
+    let refused = || {
+        Error::new(format!(
+            "the outline of {} points is no smooth convex cam within {tolerance:e} m",
+            outline.len()
+        ))
+        .help("allow a larger tolerance, or give the profile as emitted instead of a drawing")
+    };
+    let smooth = fewest_harmonics(&heights, tolerance, most).ok_or_else(refused)?;
+    let kept = smooth.terms.len();
+    let (heights, slopes) = smooth.sample(n);
+    let step = TAU / n as f64;
+    let emitted = from_heights(0.0, step, &heights, &slopes, Some(kept));
+    refuse_concave(&emitted, base_radius, 0.0, step).map_err(|_| refused())?;
+    Ok(emitted)
+}
+
+/// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
+pub fn mirrored(law: &Law) -> Law {
+    let poly = law.poly();
+    let breaks: Vec<f64> = poly.breaks().iter().rev().map(|b| -b).collect();
+    let pieces = poly.pieces();
+    let mut coef = Vec::with_capacity(pieces * (poly.degree() + 1));
+    let mut waves = Vec::new();
+    for i in (0..pieces).rev() {
+        coef.extend(poly.piece(i).iter().rev());
+        let width = poly.breaks()[i + 1] - poly.breaks()[i];
+        waves.push(
+            law.waves(i)
+                .iter()
+                .map(|w| backwards(w, width))
+                .collect::<Vec<_>>(),
+        );
+    }
+    if waves.iter().all(Vec::is_empty) {
+        waves.clear();
+    }
+    let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
+    Law::with_waves(poly, waves, law.is_closed())
+}
+
+fn backwards(wave: &Wave, width: f64) -> Wave {
+    let (sin, cos) = (wave.rate * width).sin_cos();
+    Wave {
+        rate: wave.rate,
+        cos: wave.cos * cos + wave.sin * sin,
+        sin: wave.cos * sin - wave.sin * cos,
+    }
+}
+
+fn equal_step(points: &[ProfilePoint]) -> Result<f64> {
+    let n = points.len();
+    if n < 8 {
+        return Err(Error::new(format!("a profile of {n} points is no curve"))
+            .help("emit at least 8 points, better 360 or more"));
+    }
+    let step = TAU / n as f64;
+    for (i, p) in points.iter().enumerate() {
+        let expected = points[0].theta + step * i as f64;
+        if (p.theta - expected).abs() > STEP_SLACK * step || !p.theta.is_finite() {
+            return Err(Error::new(format!(
+                "profile row {i} stands at {} rad, not at {expected} rad",
+                p.theta
+            ))
+            .help("the contact run needs rows at equal steps of one turn"));
+        }
+    }
+    Ok(step)
+}
+
+fn out_of_reach(follower: &Follower, row: usize) -> Error {
+    Error::new(format!(
+        "profile row {row} cannot touch a {} follower",
+        follower.name()
+    ))
+    .help("the contact run knows flat and roller translating followers and finite coordinates")
+}
+
+/// Lift over the base (prime) circle and its slope at the follower's contact with `point`.
+fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
+    let (sin, cos) = point.theta.sin_cos();
+    let x = cos * point.x - sin * point.y;
+    let y = sin * point.x + cos * point.y;
+    let (height, slope) = if let Follower::FlatTranslating { base_radius } = *follower {
+        (y - base_radius, x)
+    } else if let Follower::RollerTranslating {
+        prime_radius,
+        offset,
+        roller_radius,
+    } = *follower
+    {
+        let side = offset - x;
+        let up = (roller_radius * roller_radius - side * side).sqrt();
+        let centre = y + up;
+        let rest = (prime_radius * prime_radius - offset * offset).sqrt();
+        // Tangent of the pitch curve is normal to (side, up): Y·side + (Y′ − e)·up = 0.
+        let slope = if roller_radius > 0.0 {
+            offset - centre * side / up
+        } else {
+            0.0
+        };
+        (
+            if roller_radius > 0.0 {
+                centre - rest
+            } else {
+                y - rest
+            },
+            slope,
+        )
+    } else {
+        return None;
+    };
+    (height.is_finite() && slope.is_finite()).then_some((height, slope))
+}
+
+fn refuse_concave(emitted: &Emitted, base_radius: f64, start: f64, step: f64) -> Result<()> {
+    let radius = |at: &Svaj| base_radius + at.s + at.a;
+    match emitted.nodes.iter().position(|at| radius(at) <= 0.0) {
+        None => Ok(()),
+        Some(i) => Err(Error::new(format!(
+            "the profile is undercut or concave at {:.2}°: radius of curvature {:.4e} m",
+            (start + step * i as f64).to_degrees(),
+            radius(&emitted.nodes[i])
+        ))
+        .help("a flat face cannot touch it; enlarge the base radius")),
+    }
+}
+
+/// The quartic C³ lift through the slopes, raised to the mean of the heights.
+fn from_heights(
+    start: f64,
+    step: f64,
+    heights: &[f64],
+    slopes: &[f64],
+    harmonics: Option<usize>,
+) -> Emitted {
+    let n = heights.len();
+    // A closed lift has no mean slope; what noise leaves of it is spread evenly.
+    let drift = slopes.iter().sum::<f64>() / n as f64;
+    let slopes: Vec<f64> = slopes.iter().map(|v| v - drift).collect();
+    let accelerations = periodic_slopes(&slopes, step);
+    let mut rising = Vec::with_capacity(n);
+    let mut pieces = Vec::with_capacity(n);
+    let mut lift = 0.0;
+    for i in 0..n {
+        let k = (i + 1) % n;
+        let velocity = [
+            slopes[i],
+            slopes[i] + accelerations[i] * step / 3.0,
+            slopes[k] - accelerations[k] * step / 3.0,
+            slopes[k],
+        ];
+        rising.push(lift);
+        let piece: Vec<f64> = bernstein::antiderivative(&velocity)
+            .iter()
+            .map(|x| lift + step * x)
+            .collect();
+        lift = piece[4];
+        pieces.push(piece);
+    }
+    let level = heights.iter().zip(&rising).map(|(h, r)| h - r).sum::<f64>() / n as f64;
+    let mismatch = heights
+        .iter()
+        .zip(&rising)
+        .fold(0.0_f64, |m, (h, r)| m.max((h - r - level).abs()));
+    let breaks: Vec<f64> = (0..=n).map(|i| start + step * i as f64).collect();
+    let coef: Vec<f64> = pieces.iter().flatten().map(|b| b + level).collect();
+    let nodes = (0..n)
+        .map(|i| Svaj {
+            s: rising[i] + level,
+            v: slopes[i],
+            a: accelerations[i],
+            j: 6.0 * (slopes[(i + 1) % n] - slopes[i]) / (step * step)
+                - (4.0 * accelerations[i] + 2.0 * accelerations[(i + 1) % n]) / step,
+        })
+        .collect();
+    Emitted {
+        law: Law::from_poly(PiecewisePoly::new(breaks, 4, coef), true),
+        nodes,
+        mismatch,
+        harmonics,
+    }
+}
+
+/// Slopes at the nodes of the periodic C² cubic spline through equally spaced values:
+/// mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step, by elimination with one cyclic correction.
+pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
+    let n = values.len();
+    let right = |i: usize| 3.0 * (values[(i + 1) % n] - values[(i + n - 1) % n]) / step;
+    // Sherman and Morrison: the corners 1 are taken out by u = (−4, 0 … 1), v = (1, 0 … −1/4).
+    let mut ratio = vec![0.0; n];
+    let mut x = vec![0.0; n];
+    let mut z = vec![0.0; n];
+    let (mut pivot, mut below) = (8.0, (0.0, 0.0));
+    for i in 0..n {
+        let diagonal = match i {
+            0 => 8.0,
+            _ if i + 1 == n => 4.25,
+            _ => 4.0,
+        };
+        if i > 0 {
+            ratio[i - 1] = 1.0 / pivot;
+            pivot = diagonal - ratio[i - 1];
+        }
+        let corner = match i {
+            0 => -4.0,
+            _ if i + 1 == n => 1.0,
+            _ => 0.0,
+        };
+        let before = if i > 0 { below } else { (0.0, 0.0) };
+        below = ((right(i) - before.0) / pivot, (corner - before.1) / pivot);
+        (x[i], z[i]) = below;
+    }
+    for i in (0..n - 1).rev() {
+        x[i] -= ratio[i] * x[i + 1];
+        z[i] -= ratio[i] * z[i + 1];
+    }
+    let weight = |y: &[f64]| y[0] - 0.25 * y[n - 1];
+    let factor = weight(&x) / (1.0 + weight(&z));
+    x.iter().zip(&z).map(|(a, b)| a - factor * b).collect()
+}
+
+/// A truncated Fourier series, c₀ + Σ (cₙ cos nθ + sₙ sin nθ).
+struct Series {
+    mean: f64,
+    terms: Vec<(f64, f64)>,
+}
+
+impl Series {
+    /// Values and derivatives by the angle at `n` equal steps of one turn.
+    fn sample(&self, n: usize) -> (Vec<f64>, Vec<f64>) {
+        let at = |i: usize| {
+            let (mut value, mut slope) = (self.mean, 0.0);
+            for (k, (c, s)) in self.terms.iter().enumerate() {
+                let order = (k + 1) as f64;
+                // The index is reduced first so that high harmonics keep their phase.
+                let (sin, cos) = (TAU * (((k + 1) * i) % n) as f64 / n as f64).sin_cos();
+                value += c * cos + s * sin;
+                slope += order * (s * cos - c * sin);
+            }
+            (value, slope)
+        };
+        (0..n).map(at).unzip()
+    }
+}
+
+/// The fewest leading harmonics (at most `most`) that stay within `tolerance` of every value.
+fn fewest_harmonics(values: &[f64], tolerance: f64, most: usize) -> Option<Series> {
+    let n = values.len();
+    let mut planner = RealFftPlanner::<f64>::new();
+    let forward = planner.plan_fft_forward(n);
+    let mut input = values.to_vec();
+    let mut spectrum = forward.make_output_vec();
+    forward.process(&mut input, &mut spectrum).ok()?;
+    let scale = 2.0 / n as f64;
+    let all: Vec<(f64, f64)> = spectrum[1..]
+        .iter()
+        .map(|c| (scale * c.re, -scale * c.im))
+        .collect();
+    let mean = spectrum[0].re / n as f64;
+    let series = |k: usize| Series {
+        mean,
+        terms: all[..k].to_vec(),
+    };
+    let fits = |s: &Series| {
+        let (smooth, _) = s.sample(n);
+        values
+            .iter()
+            .zip(&smooth)
+            .all(|(a, b)| (a - b).abs() <= tolerance)
+    };
+    let most = most.min(all.len().saturating_sub(1));
+    let mut low = 0;
+    let mut high = 1;
+    while high < most && !fits(&series(high)) {
+        low = high;
+        high = (2 * high).min(most);
+    }
+    if !fits(&series(high)) {
+        return None;
+    }
+    while high - low > 1 {
+        let middle = (low + high) / 2;
+        if fits(&series(middle)) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(series(high))
+}
+
+#[cfg(test)]
+#[path = "profile_curve_tests.rs"]
+mod tests;

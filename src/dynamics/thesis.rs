@@ -1,0 +1,77 @@
+//! The two cams of thesis 000 (FACTS §3) and the numbers of its machine.
+
+use crate::cam::{Cam, Follower};
+use crate::drive::{Drive, DriveKind};
+use crate::law::{Law, Wave};
+use crate::poly::PiecewisePoly;
+use crate::units::G;
+use std::f64::consts::{PI, TAU};
+
+/// Speed of the shaft, rad/s: 1.85 steps per second.
+pub const SPEED: f64 = 11.624;
+/// Mass of the shaft block, kg.
+pub const MASS: f64 = 1.0;
+/// Radius of the base circle, m.
+pub const BASE_RADIUS: f64 = 0.03;
+/// Eccentricity, and lift of the double harmonic, m.
+pub const LIFT: f64 = 0.01;
+/// Motor power (%) and seconds for 11.1 turns, table 1.
+pub const MOTOR_TABLE: [(f64, f64); 8] = [
+    (10.0, 37.97),
+    (20.0, 19.87),
+    (30.0, 13.15),
+    (40.0, 10.42),
+    (50.0, 8.17),
+    (60.0, 6.94),
+    (70.0, 5.73),
+    (80.0, 5.08),
+];
+
+/// The circle of radius 30 mm about a centre 10 mm off: d = r + e sin θ.
+pub fn eccentric() -> Cam {
+    Cam {
+        law: Law::harmonic(0.0, &[(0.0, LIFT)]),
+        follower: Follower::FlatTranslating {
+            base_radius: BASE_RADIUS,
+        },
+    }
+}
+
+/// Double harmonic: 10 mm up in 135°, down in 135°, dwell 90°.
+pub fn double_harmonic() -> Cam {
+    let beta = 0.75 * PI;
+    let half = 0.5 * LIFT;
+    let waves = |sign: f64| {
+        let wave = |rate: f64, cos: f64| Wave {
+            rate,
+            cos,
+            sin: 0.0,
+        };
+        vec![wave(PI / beta, sign * half), wave(TAU / beta, 0.25 * half)]
+    };
+    let breaks = vec![0.0, beta, 2.0 * beta, TAU];
+    let poly = PiecewisePoly::new(breaks, 0, vec![0.75 * half, 0.75 * half, 0.0]);
+    Cam {
+        law: Law::with_waves(poly, vec![waves(-1.0), waves(1.0), Vec::new()], true),
+        follower: Follower::FlatTranslating {
+            base_radius: BASE_RADIUS,
+        },
+    }
+}
+
+/// The "real" machine: the shaft block rides on the cam (eq. 22).
+pub fn real(speed: f64) -> Drive {
+    Drive::moving_axis(MASS, G, speed)
+}
+
+/// The "ideal" machine: fixed axis, the mass alone (eq. 15).
+pub fn ideal(speed: f64) -> Drive {
+    Drive {
+        kind: DriveKind::FixedAxis,
+        rest_force: 0.0,
+        spring_rate: 0.0,
+        damping: 0.0,
+        mass: MASS,
+        speed,
+    }
+}
