@@ -84,9 +84,7 @@ impl Input {
                     mass_kg: *mass_kg,
                     metadata: metadata(&path),
                 };
-                let recording = gait::read(&path, &bytes, &options)?;
-                let stances = gait::stances(&recording);
-                gait::cycle(&recording, &stances, gait.feet).map(|c| Some(c.curve))
+                gait::force_curve(&path, &bytes, &options, gait.feet).map(Some)
             }
         }
     }

@@ -2,6 +2,7 @@
 //! the clock.
 
 mod files;
+mod gait;
 mod input;
 mod laws;
 mod synth;
@@ -25,6 +26,8 @@ struct Cli {
 enum Command {
     /// Design a cam: force curve or programme → law → cam → checks → files
     Synth(SynthArgs),
+    /// Read a recording, say what it holds, give its mean cycle
+    Gait(GaitArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws {
         /// Print JSON
@@ -56,6 +59,37 @@ struct SynthArgs {
     /// Rows of law.csv and profile.csv
     #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     points: u32,
+}
+
+#[derive(Args, Debug)]
+struct GaitArgs {
+    /// Recordings: text, OpenSim .mot/.sto, C3D, insole exports
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Write the mean cycle as csv
+    #[arg(long, value_name = "CURVE.csv")]
+    out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Whose force the cycle is: both, one, left, right
+    #[arg(long, default_value = "both")]
+    feet: String,
+    /// Name or number of the time column
+    #[arg(long, value_name = "COLUMN")]
+    time: Option<String>,
+    /// Name or number of a vertical force column (may be repeated)
+    #[arg(long, value_name = "COLUMN")]
+    force: Vec<String>,
+    /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
+    #[arg(long)]
+    unit: Option<String>,
+    /// Samples per second where the file does not say: "1000 Hz"
+    #[arg(long)]
+    rate: Option<String>,
+    /// Mass of the walker: "72.6 kg"
+    #[arg(long)]
+    mass: Option<String>,
 }
 
 /// Everything went well and every check passes.
@@ -101,6 +135,7 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
             ..SynthArgs::default()
         }),
         Some(Command::Synth(args)) => synth::run(&args),
+        Some(Command::Gait(args)) => gait::run(&args),
         Some(Command::Laws { json }) => laws::run(json),
     }
 }
