@@ -1,0 +1,338 @@
+//! The main job on the ready scenes: numbers of FACTS §2 and of the design brief, from the outside.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+
+const INCH: f64 = 0.0254;
+const POUND: f64 = 4.448_221_615_260_5;
+
+fn here() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+struct Run {
+    folder: tempfile::TempDir,
+    code: i32,
+    summary: Value,
+}
+
+fn synth(arguments: &[&str]) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .current_dir(here())
+        .arg("synth")
+        .args(arguments)
+        .arg("--json")
+        .arg("--out")
+        .arg(folder.path())
+        .output()
+        .unwrap();
+    let code = output.status.code().unwrap();
+    let summary = serde_json::from_slice(&output.stdout)
+        .unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&output.stderr)));
+    Run {
+        folder,
+        code,
+        summary,
+    }
+}
+
+fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let header = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_string)
+        .collect();
+    let rows = reader
+        .records()
+        .map(|r| r.unwrap().iter().map(|x| x.parse().unwrap()).collect())
+        .collect();
+    (header, rows)
+}
+
+fn number(value: &Value, path: &str) -> f64 {
+    path.split('.')
+        .fold(value, |v, key| &v[key])
+        .as_f64()
+        .unwrap_or_else(|| panic!("{path} is no number"))
+}
+
+fn close(what: &str, got: f64, expected: f64, tolerance: f64) {
+    assert!(
+        (got - expected).abs() <= tolerance,
+        "{what}: {got} instead of {expected} ± {tolerance}"
+    );
+}
+
+#[test]
+fn the_default_scene_reaches_half_a_percent_with_few_spans_and_49_mm() {
+    let run = synth(&[]);
+    assert_eq!(run.code, 0);
+    let s = &run.summary;
+    assert_eq!(s["outcome"], "built");
+    assert_eq!(s["verdict"], "acceptable");
+    assert!(number(s, "force.rms_error_percent_of_mean") <= 0.5);
+    assert!(number(s, "law.pieces") <= 24.0);
+    // FACTS §1: 49.2 mm for 1.85 Hz and Young's factors, whatever the mass.
+    close("stroke", number(s, "law.stroke_m"), 0.0492, 0.0002);
+    close("mass", number(s, "drive.mass_kg"), 700.0 / 9.81, 1e-9);
+    close("mean", number(s, "force.mean_n"), 700.0, 1e-9);
+    assert!(number(s, "cam.rho_min_m") >= 0.005);
+}
+
+#[test]
+fn spans_are_the_fewest_that_reach_the_accuracy() {
+    let chosen = number(&synth(&[]).summary, "law.pieces") as usize;
+    let fewer = synth(&["--set", &format!("law.spans={}", chosen - 1)]);
+    assert_eq!(fewer.code, 3, "one span fewer must miss the accuracy");
+    assert!(number(&fewer.summary, "force.rms_error_percent_of_mean") > 0.5);
+}
+
+#[test]
+fn force_column_is_the_force_relation_of_the_law_column() {
+    // F = M(g + ω²a) (thesis 000, eq. 22), row by row, against a finite difference of the lift.
+    let run = synth(&[]);
+    let (header, rows) = table(&run.folder.path().join("law.csv"));
+    assert_eq!(
+        header,
+        [
+            "theta_rad",
+            "s_m",
+            "v_m_per_rad",
+            "a_m_per_rad2",
+            "j_m_per_rad3",
+            "force_n",
+            "target_n"
+        ]
+    );
+    assert_eq!(rows.len(), 1440);
+    let (mass, speed) = (
+        number(&run.summary, "drive.mass_kg"),
+        number(&run.summary, "drive.speed_rad_per_s"),
+    );
+    let step = std::f64::consts::TAU / 1440.0;
+    let mut square = 0.0;
+    for i in 0..1440 {
+        let row = &rows[i];
+        let (before, after) = (&rows[(i + 1439) % 1440], &rows[(i + 1) % 1440]);
+        close(
+            "force",
+            row[5],
+            mass * (9.81 + speed * speed * row[3]),
+            1e-9,
+        );
+        close(
+            "a",
+            (after[1] - 2.0 * row[1] + before[1]) / (step * step),
+            row[3],
+            1e-6,
+        );
+        close("v", (after[1] - before[1]) / (2.0 * step), row[2], 1e-6);
+        square += (row[5] - row[6]).powi(2) / 1440.0;
+    }
+    close(
+        "rms",
+        square.sqrt(),
+        number(&run.summary, "force.rms_error_n"),
+        1e-3,
+    );
+}
+
+#[test]
+fn profile_stands_on_the_true_envelope() {
+    // The flat face put back on the emitted points: at every angle the highest point of the cam in the
+    // face's direction is the face. The polyline falls short of the curve by its sagitta, ρ·Δθ²/8 ≈
+    // 1e-7 m here, so points are compared and the sagitta is added.
+    let run = synth(&[]);
+    let (header, rows) = table(&run.folder.path().join("profile.csv"));
+    assert_eq!(
+        header,
+        [
+            "theta_rad",
+            "x_m",
+            "y_m",
+            "pitch_x_m",
+            "pitch_y_m",
+            "rho_m",
+            "pressure_angle_rad"
+        ]
+    );
+    let (_, law) = table(&run.folder.path().join("law.csv"));
+    let base = number(&run.summary, "cam.base_radius_m");
+    for i in (0..1440).step_by(5) {
+        let (sin, cos) = rows[i][0].sin_cos();
+        let highest = rows
+            .iter()
+            .map(|p| p[1] * sin + p[2] * cos)
+            .fold(f64::NEG_INFINITY, f64::max);
+        close("face", highest, base + law[i][1], 1e-9);
+    }
+}
+
+#[test]
+fn heel_tester_reproduces_the_paper() {
+    // FACTS §2, recomputed column, four significant digits.
+    let run = synth(&["scenes/heel_tester.toml"]);
+    assert_eq!(run.code, 0);
+    let s = &run.summary;
+    let coefficients: Vec<f64> = s["law"]["coefficients"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| c.as_f64().unwrap() / INCH)
+        .collect();
+    let paper = [
+        612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
+    ];
+    for (c, expected) in coefficients[3..].iter().zip(paper) {
+        close("coefficient", *c, expected, 1e-3);
+    }
+    close(
+        "C0..C2",
+        coefficients[..3].iter().map(|c| c.abs()).sum(),
+        0.0,
+        1e-9,
+    );
+    close(
+        "largest force",
+        number(s, "force.max_n") / POUND,
+        126.183,
+        0.0005,
+    );
+    close(
+        "largest lift",
+        number(s, "law.stroke_m") / INCH,
+        1.3469,
+        0.00005,
+    );
+    close(
+        "φ rise",
+        number(s, "cam.pressure_angle_max_rad").to_degrees(),
+        26.572,
+        0.0005,
+    );
+    close(
+        "φ fall",
+        number(s, "cam.pressure_angle_min_rad").to_degrees(),
+        -25.739,
+        0.0005,
+    );
+    let speed = number(s, "drive.speed_rad_per_s");
+    close(
+        "velocity",
+        number(s, "law.v_max_m_per_rad") * speed / INCH,
+        22.550,
+        0.0005,
+    );
+    close(
+        "acceleration",
+        number(s, "law.a_max_m_per_rad2") * speed * speed / INCH,
+        685.53,
+        0.005,
+    );
+    close(
+        "acceleration",
+        number(s, "law.a_min_m_per_rad2") * speed * speed / INCH,
+        -594.22,
+        0.005,
+    );
+    close(
+        "convex pitch radius",
+        number(s, "cam.rho_min_m") / INCH + 1.0,
+        2.3024,
+        0.00005,
+    );
+    let (_, law) = table(&run.folder.path().join("law.csv"));
+    close("jerk at the start", law[0][4] / INCH, 41.0615, 0.00005);
+    close("lift at 135°", law[540][1] / INCH, 0.8450, 0.00005);
+}
+
+#[test]
+fn fitted_heel_tester_meets_the_peaks_and_never_exceeds_them() {
+    let run = synth(&["scenes/heel_tester_fitted.toml"]);
+    assert_eq!(run.code, 0);
+    let s = &run.summary;
+    assert_eq!(s["verdict"], "acceptable");
+    assert_eq!(s["solver"]["certified"], true);
+    close("peak", number(s, "force.max_n") / POUND, 110.282, 0.008);
+    let points = synth(&["scenes/heel_tester_fitted.toml", "--points", "36000"]);
+    let (_, law) = table(&points.folder.path().join("law.csv"));
+    let at = |degrees: f64| law[(degrees * 100.0).round() as usize][5] / POUND;
+    close("first peak", at(56.88), 110.282, 0.01);
+    close("valley", at(123.84), 79.338, 0.01);
+    close("second peak", at(198.72), 106.667, 0.01);
+    assert!(law.iter().all(|r| r[5] / POUND < 110.29));
+    // Monotone between the critical points, at rest after them.
+    for w in law.windows(2) {
+        // Hundredths of a degree, so that the critical points fall on rows.
+        let hundredth = (w[0][0].to_degrees() * 100.0).round() as u32;
+        let rising = hundredth < 5688 || (12384..19872).contains(&hundredth);
+        let step = w[1][1] - w[0][1];
+        assert!(
+            if rising { step > -1e-12 } else { step < 1e-12 },
+            "at {hundredth}"
+        );
+    }
+    // The smallest prime circle: both pressure angles at their limit.
+    close(
+        "φ",
+        number(s, "cam.pressure_angle_max_rad").to_degrees(),
+        30.0,
+        1e-6,
+    );
+    close(
+        "φ",
+        number(s, "cam.pressure_angle_min_rad").to_degrees(),
+        -30.0,
+        1e-6,
+    );
+}
+
+#[test]
+fn thesis_scale_uses_all_the_stroke_it_is_given() {
+    let run = synth(&["scenes/footbridge_thesis_scale.toml"]);
+    assert_eq!(run.code, 0);
+    close("stroke", number(&run.summary, "law.stroke_m"), 0.01, 1e-8);
+    assert!(number(&run.summary, "law.stroke_m") <= 0.01 * (1.0 + 1e-9));
+    assert_eq!(run.summary["solver"]["tier"], "qp");
+    // The thesis's own double harmonic on the same 10 mm misses this target by more: an RMS of ω²a for
+    // 135/135/90 and the same mean leaves a shape that is not the force (compared in the reproduction).
+    assert!(number(&run.summary, "force.rms_error_n") < 2.0);
+}
+
+#[test]
+fn every_promised_file_is_there_and_closed() {
+    let run = synth(&["scenes/heel_tester.toml"]);
+    for name in [
+        "law.csv",
+        "profile.csv",
+        "profile.dxf",
+        "profile.svg",
+        "svaj.svg",
+        "force.svg",
+        "cam.svg",
+        "svaj.png",
+        "force.png",
+        "cam.png",
+        "report.html",
+        "summary.json",
+    ] {
+        let length = fs::metadata(run.folder.path().join(name))
+            .unwrap_or_else(|e| panic!("{name}: {e}"))
+            .len();
+        assert!(length > 500, "{name} holds {length} bytes");
+    }
+    let left = fs::read_dir(run.folder.path()).unwrap().filter(|e| {
+        e.as_ref()
+            .unwrap()
+            .file_name()
+            .to_string_lossy()
+            .contains("partial")
+    });
+    assert_eq!(left.count(), 0);
+}
