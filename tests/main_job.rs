@@ -227,7 +227,7 @@ fn heel_tester_reproduces_the_paper() {
         "velocity",
         number(s, "law.v_max_m_per_rad") * speed / INCH,
         22.550,
-        0.0005,
+        0.005,
     );
     close(
         "acceleration",

@@ -140,11 +140,13 @@ pub enum Minimise {
     Energy(usize),
     /// Largest absolute value of the derivative of this order.
     Peak(usize),
+    /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
+    Size,
 }
 
 impl Minimise {
     /// Every objective with the name users write.
-    pub const NAMES: [(&'static str, Minimise); 8] = [
+    pub const NAMES: [(&'static str, Minimise); 9] = [
         ("force-error", Minimise::ForceError),
         ("peak-force-error", Minimise::PeakForceError),
         ("acceleration", Minimise::Energy(2)),
@@ -153,6 +155,7 @@ impl Minimise {
         ("peak-acceleration", Minimise::Peak(2)),
         ("peak-jerk", Minimise::Peak(3)),
         ("peak-snap", Minimise::Peak(4)),
+        ("size", Minimise::Size),
     ];
 }
 

@@ -5,14 +5,14 @@ use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
 };
 
-use super::problem::{Failure, Program, Row};
+use super::problem::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row};
 
 /// What the interior-point method returns, in the program's own units.
 pub struct Point {
     /// Coefficients.
     pub x: Vec<f64>,
-    /// The peak variable.
-    pub peak: Option<f64>,
+    /// Variables beside the law.
+    pub extra: [f64; EXTRAS],
     /// Iterations.
     pub iterations: usize,
 }
@@ -23,25 +23,29 @@ const SOLVER_TOLERANCE: f64 = 1e-9;
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
 /// limit's scale) is kept free inside every limit.
-pub fn solve(
-    program: &Program,
-    rows: &mut [Row],
-    has_peak: bool,
-    margin: f64,
-) -> Result<Point, Failure> {
+pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
     let n = program.basis.columns();
-    let columns = n + usize::from(has_peak);
     let length = program.length;
-    let (peak_unit, cost) = peak_unit(program, rows, has_peak);
     let weight = program.objective_unit();
+    let columns = Columns::new(program, rows, n);
 
-    let p = upper_triangle(program, columns, length * length / weight);
+    let p = upper_triangle(program, columns.total, length * length / weight);
     let mut q: Vec<f64> = program
         .gradient
         .iter()
         .map(|g| g * length / weight)
         .collect();
-    q.resize(columns, cost);
+    q.resize(columns.total, 0.0);
+    for k in 0..EXTRAS {
+        if let Some(column) = columns.of[k] {
+            // The peak has a unit of its own and stands alone in the objective.
+            q[column] = if k == PEAK {
+                program.cost[k].signum()
+            } else {
+                program.cost[k] * length / weight
+            };
+        }
+    }
 
     let mut b = Vec::new();
     let mut triplets = Triplets::default();
@@ -54,24 +58,31 @@ pub fn solve(
     let equalities = b.len();
     let mut units = Vec::with_capacity(rows.len());
     for row in rows.iter() {
-        let limit = &program.limits[row.limit];
         let unit = row_unit(&row.entries, length);
         let r = b.len();
         triplets.extend(r, row.entries.iter().map(|&(i, v)| (i, v * length / unit)));
-        let room = margin * limit.scale / unit;
-        if limit.is_peak {
-            triplets.push(r, n, -peak_unit / unit);
-            b.push(-room);
-        } else {
-            b.push(limit.bound / unit - room);
+        for k in 0..EXTRAS {
+            if let (Some(column), true) = (columns.of[k], row.extra[k] != 0.0) {
+                triplets.push(r, column, row.extra[k] * columns.unit[k] / unit);
+            }
         }
+        b.push((row.bound - margin * row.scale) / unit);
         units.push(unit);
     }
-    let a = triplets.matrix(b.len(), columns);
-    let cones = [
+    let mut cones = vec![
         SupportedConeT::ZeroConeT(equalities),
         SupportedConeT::NonnegativeConeT(rows.len()),
     ];
+    if program.cone {
+        for k in [RADIUS, RISE, OFFSET] {
+            if let Some(column) = columns.of[k] {
+                triplets.push(b.len(), column, -1.0);
+            }
+            b.push(0.0);
+        }
+        cones.push(SupportedConeT::SecondOrderConeT(3));
+    }
+    let a = triplets.matrix(b.len(), columns.total);
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
         .max_iter(200)
@@ -98,23 +109,44 @@ pub fn solve(
     for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
         row.multiplier = z * weight / unit;
     }
+    let mut extra = [0.0; EXTRAS];
+    for k in 0..EXTRAS {
+        if let Some(column) = columns.of[k] {
+            extra[k] = answer.x[column] * columns.unit[k];
+        }
+    }
     Ok(Point {
         x: answer.x[..n].iter().map(|y| y * length).collect(),
-        peak: has_peak.then(|| answer.x[n] * peak_unit),
+        extra,
         iterations: answer.iterations as usize,
     })
 }
 
-/// Unit of the peak variable and its cost in the scaled objective.
-fn peak_unit(program: &Program, rows: &[Row], has_peak: bool) -> (f64, f64) {
-    if !has_peak {
-        return (1.0, 0.0);
+/// Where the variables beside the law stand among the columns, and their units.
+struct Columns {
+    of: [Option<usize>; EXTRAS],
+    unit: [f64; EXTRAS],
+    total: usize,
+}
+
+impl Columns {
+    fn new(program: &Program, rows: &[Row], n: usize) -> Self {
+        let mut of = [None; EXTRAS];
+        let mut total = n;
+        for (k, present) in program.present().into_iter().enumerate() {
+            if present {
+                of[k] = Some(total);
+                total += 1;
+            }
+        }
+        let largest = rows
+            .iter()
+            .filter(|r| r.extra[PEAK] != 0.0)
+            .fold(0.0_f64, |m, r| m.max(row_unit(&r.entries, program.length)));
+        let mut unit = [program.length; EXTRAS];
+        unit[PEAK] = if largest > 0.0 { largest } else { 1.0 };
+        Columns { of, unit, total }
     }
-    let largest = rows
-        .iter()
-        .filter(|r| program.limits[r.limit].is_peak)
-        .fold(0.0_f64, |m, r| m.max(row_unit(&r.entries, program.length)));
-    (if largest > 0.0 { largest } else { 1.0 }, 1.0)
 }
 
 fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {

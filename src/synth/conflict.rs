@@ -2,7 +2,7 @@
 
 use super::answer::{Infeasible, Relaxation};
 use super::band::ArrowMatrix;
-use super::problem::{Failure, Meaning, Program};
+use super::problem::{Failure, Meaning, PEAK, Program};
 
 /// Explains a program without solution.
 pub fn explain(program: &Program, failure: &Failure) -> Infeasible {
@@ -108,17 +108,18 @@ fn relax(program: &Program, name: &str) -> Option<Relaxation> {
     let (band, border) = elastic.basis.pattern();
     elastic.hessian = ArrowMatrix::zero(elastic.basis.columns(), band, border);
     elastic.gradient.iter_mut().for_each(|g| *g = 0.0);
-    elastic.limits.retain(|l| !l.is_peak);
+    elastic.limits.retain(|l| !l.is_peak());
+    elastic.cost = [0.0; super::problem::EXTRAS];
+    elastic.cost[PEAK] = 1.0;
     let first = *elastic.limits.iter().find(|l| l.name == name)?;
     let from = first.meaning.value(first.bound)?;
     for limit in elastic.limits.iter_mut().filter(|l| l.name == name) {
-        limit.is_peak = true;
+        *limit = limit.minimised();
     }
     let to = elastic
         .solve()
         .ok()
-        .and_then(|s| s.peak)
-        .and_then(|t| first.meaning.value(t));
+        .and_then(|s| first.meaning.value(s.extra[PEAK]));
     let limit = match first.meaning {
         Meaning::PrimeRadius { .. } => "cam.prime_radius".to_string(),
         _ => name.to_string(),

@@ -6,7 +6,7 @@ use crate::law::Law;
 use crate::scene::Scene;
 
 /// Pressure angle that sizes a roller cam when the scene limits none: 30°, the usual rule.
-const USUAL_PRESSURE_ANGLE: f64 = std::f64::consts::PI / 6.0;
+pub const USUAL_PRESSURE_ANGLE: f64 = std::f64::consts::PI / 6.0;
 /// Room around a bore, m, when the base circle follows from it.
 const WALL: f64 = 1e-3;
 /// Relative accuracy of a prime radius found by bisection.
@@ -94,10 +94,6 @@ fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
             follower: make(prime, offset),
         }
         .curvature();
-        let concave_fits = curvature.concave.is_none_or(|c| {
-            c.value < -2.0 * spec.roller_radius - wanted || spec.roller_radius == 0.0
-        });
-        let _ = concave_fits;
         curvature.convex.value >= wanted && !curvature.undercut
     };
     let first = lift.max(least * 1e-3);

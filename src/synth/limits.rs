@@ -1,9 +1,7 @@
 //! Every limit of a scene as the same thing: a linear row that must hold over a range of angles.
 
-use std::f64::consts::TAU;
-
 use super::demand::Demand;
-use super::problem::{Limit, Meaning};
+use super::problem::{Limit, Meaning, OFFSET, Program, RADIUS, RISE};
 use crate::scene::Scene;
 
 /// Limits over the whole turn that are linear in the law.
@@ -119,6 +117,58 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
     }
 }
 
+/// Limits of the profile with the cam's size among the variables, and what the size costs. Flat face:
+/// −(s + a) − Rb ≤ −ρ. Roller: v − e ≤ tan φ₁·(s + D), −(v − e) ≤ tan φ₂·(s + D), Rp = ‖(D, e)‖ (FACTS §6).
+pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
+    let limits = &scene.limits;
+    let length = demand.length;
+    let mut base = Limit::new("base_circle", [-1.0, 0.0, 0.0, 0.0, 0.0], 0.0, length);
+    base.meaning = Meaning::Structure;
+    program.limits.push(base);
+    if scene.cam.follower == "flat-translating" {
+        let rho = limits.curvature.unwrap_or(0.0);
+        let mut limit = Limit::new("curvature", [-1.0, 0.0, -1.0, 0.0, 0.0], -rho, length);
+        limit.extra[RADIUS] = -1.0;
+        limit.meaning = Meaning::Value {
+            factor: -1.0,
+            offset: 0.0,
+        };
+        program.limits.push(limit);
+        program.cost[RADIUS] = 1.0;
+        return;
+    }
+    let usual = super::design::USUAL_PRESSURE_ANGLE;
+    let sides = [
+        (
+            "pressure_angle_rise",
+            limits.pressure_angle_rise.unwrap_or(usual),
+            1.0,
+        ),
+        (
+            "pressure_angle_fall",
+            limits.pressure_angle_fall.unwrap_or(usual),
+            -1.0,
+        ),
+    ];
+    for (name, angle, side) in sides {
+        let t = angle.tan();
+        let given = scene.cam.offset.unwrap_or(0.0);
+        let mut limit = Limit::new(name, [-t, side, 0.0, 0.0, 0.0], side * given, length);
+        limit.extra[RISE] = -t;
+        if scene.cam.offset.is_none() {
+            limit.extra[OFFSET] = -side;
+        }
+        program.limits.push(limit);
+    }
+    if scene.cam.offset.is_some() {
+        // With the offset given, the prime radius grows with D alone.
+        program.cost[RISE] = 1.0;
+    } else {
+        program.cost[RADIUS] = 1.0;
+        program.cone = true;
+    }
+}
+
 /// The prime radius where the scene fixes it, directly or through the base radius.
 pub fn prime_radius(scene: &Scene) -> Option<f64> {
     let cam = &scene.cam;
@@ -194,13 +244,8 @@ impl List {
         meaning: Meaning,
     ) {
         self.limits.push(Limit {
-            name,
-            weights,
-            bound,
-            domain: (0.0, TAU),
-            scale,
-            is_peak: false,
             meaning,
+            ..Limit::new(name, weights, bound, scale)
         });
     }
 }

@@ -18,6 +18,7 @@ mod band;
 mod basis;
 mod cones;
 mod conflict;
+mod curvature;
 mod demand;
 mod design;
 mod equality;
@@ -36,7 +37,7 @@ pub use conflict::in_units;
 use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
 use crate::law::{Extent, Law, Rise, Segment, program};
-use crate::scene::{Family, Scene};
+use crate::scene::{Family, Minimise, Scene};
 use demand::Demand;
 
 /// A law with how it was found, before it has a cam.
@@ -125,6 +126,38 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
     }
 }
 
+/// Brings the curvature of a roller cam into the law where the size is among the variables or given, and
+/// the law without it would be undercut or too sharp. Returns the number of programs solved.
+fn roller_curvature(scene: &Scene, fitted: &mut spline::Fitted) -> Option<usize> {
+    if !scene.cam.follower.ends_with("translating") || scene.cam.follower.starts_with("flat") {
+        return None;
+    }
+    let rho = scene.limits.curvature.unwrap_or(0.0) + scene.cam.roller_radius;
+    let offset = scene.cam.offset.unwrap_or(0.0);
+    let size = match limits::prime_radius(scene) {
+        Some(prime) => curvature::Size {
+            rise: (prime * prime - offset * offset).max(0.0).sqrt(),
+            offset,
+            rho,
+        },
+        None if spline::objective(scene) == Minimise::Size => curvature::Size {
+            rise: 0.0,
+            offset,
+            rho,
+        },
+        None => return None,
+    };
+    if rho <= 0.0 {
+        return None;
+    }
+    let (solution, _, steps) = curvature::refine(&fitted.program, &fitted.solution, size)?;
+    if steps.is_empty() && solution.x == fitted.solution.x {
+        return None;
+    }
+    fitted.solution = solution;
+    Some(steps.len() + 1)
+}
+
 /// Active rows as a user reads them: rows of one limit within half a piece are one contact.
 fn gathered(fitted: &spline::Fitted) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
@@ -136,16 +169,17 @@ fn gathered(fitted: &spline::Fitted) -> Vec<Binding> {
     });
     let near = std::f64::consts::PI / fitted.spans as f64;
     for row in rows {
-        let limit = &fitted.program.limits[row.limit];
-        let multiplier = row.multiplier / limit.meaning.slope();
+        let limit = row.limit.map(|i| &fitted.program.limits[i]);
+        let name = limit.map_or("curvature", |l| l.name);
+        let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope());
         match out.last_mut() {
-            Some(last) if last.limit == limit.name && (row.peak.at - last.at).abs() < near => {
+            Some(last) if last.limit == name && (row.peak.at - last.at).abs() < near => {
                 let both = last.multiplier + multiplier;
                 last.at = (last.at * last.multiplier + row.peak.at * multiplier) / both;
                 last.multiplier = both;
             }
             _ => out.push(Binding {
-                limit: limit.name.to_string(),
+                limit: name.to_string(),
                 multiplier,
                 at: row.peak.at,
             }),
@@ -235,22 +269,37 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
             }
         }
     };
+    let mut fitted = fitted;
+    let sequence = if infeasible.is_none() {
+        roller_curvature(scene, &mut fitted)
+    } else {
+        None
+    };
     let solution = &fitted.solution;
     let binding = gathered(&fitted);
     let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
-    let solver = if solution.used_rows {
-        let status = format!(
-            "{} rounds of exchange; limits hold to {:.1e}",
-            solution.rounds, solution.violation
-        );
-        report(Tier::Qp, &status, solution.iterations, certified)
-    } else {
-        report(
+    let holds = format!("limits hold to {:.1e}", solution.violation);
+    let solver = match sequence {
+        Some(steps) => {
+            let status =
+                format!("{steps} convex programs in sequence for the roller's curvature; {holds}");
+            report(Tier::Scp, &status, solution.iterations, certified)
+        }
+        None if solution.used_rows => {
+            let tier = if fitted.program.cone {
+                Tier::Socp
+            } else {
+                Tier::Qp
+            };
+            let status = format!("{} rounds of exchange; {holds}", solution.rounds);
+            report(tier, &status, solution.iterations, certified)
+        }
+        None => report(
             Tier::Equality,
             "no limit is broken without being asked",
             0,
             certified,
-        )
+        ),
     };
     Ok(Found {
         law: fitted.law(),

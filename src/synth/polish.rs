@@ -1,87 +1,82 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
 use super::cones::Point;
-use super::problem::{Program, Row};
+use super::problem::{EXTRAS, PEAK, Program, Row};
+use nalgebra::{DMatrix, DVector};
 
 /// Larger systems are left as the solver gave them.
 const LARGEST: usize = 500;
 
 /// Improves the point where that is possible without breaking a row or turning a multiplier negative;
 /// otherwise returns it as it came. Multipliers of rows found inactive become 0.
-pub fn polish(
-    program: &Program,
-    rows: &mut [Row],
-    point: &Point,
-    has_peak: bool,
-) -> (Vec<f64>, Option<f64>) {
-    let as_given = (point.x.clone(), point.peak);
-    let n = program.basis.columns();
-    let columns = n + usize::from(has_peak);
+pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, [f64; EXTRAS]) {
+    let as_given = (point.x.clone(), point.extra);
     let active = active_rows(program, rows, point);
     for (i, row) in rows.iter_mut().enumerate() {
         if !active.contains(&i) {
             row.multiplier = 0.0;
         }
     }
+    // A cone's surface is curved: what is active on it is not linear.
+    if program.cone {
+        return as_given;
+    }
+    let n = program.basis.columns();
+    let present = program.present();
+    let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
+    let columns = n + free.len();
     let k = program.equalities.len() + active.len();
     if columns + k > LARGEST {
         return as_given;
     }
     // Work in units of `length` and scaled rows, as the solver did, so that pivots mean something.
     let length = program.length;
-    let h_unit = program.objective_unit();
-    let t_unit = point
-        .peak
-        .map_or(1.0, |t| if t == 0.0 { 1.0 } else { t.abs() });
-    let mut kkt = nalgebra::DMatrix::<f64>::zeros(columns + k, columns + k);
+    let objective = program.objective_unit();
+    let unit_of = |k: usize| {
+        if k == PEAK && point.extra[PEAK] != 0.0 {
+            point.extra[PEAK].abs()
+        } else {
+            length
+        }
+    };
+    let mut kkt = DMatrix::<f64>::zeros(columns + k, columns + k);
     for (i, j, value) in program.hessian.lower_entries() {
-        let v = value * length * length / h_unit;
+        let v = value * length * length / objective;
         kkt[(i, j)] = v;
         kkt[(j, i)] = v;
     }
-    let mut rhs = nalgebra::DVector::<f64>::zeros(columns + k);
+    let mut rhs = DVector::<f64>::zeros(columns + k);
     for i in 0..n {
-        rhs[i] = -program.gradient[i] * length / h_unit;
+        rhs[i] = -program.gradient[i] * length / objective;
     }
-    if has_peak {
-        rhs[n] = -1.0;
+    for (c, &k) in free.iter().enumerate() {
+        rhs[n + c] = -program.cost[k] * unit_of(k) / objective;
     }
     let mut units = Vec::with_capacity(k);
-    let mut put = |r: usize,
-                   entries: &[(usize, f64)],
-                   bound: f64,
-                   is_peak: bool,
-                   rhs: &mut nalgebra::DVector<f64>| {
+    let demands = program
+        .equalities
+        .iter()
+        .map(|e| (&e.entries, [0.0; EXTRAS], e.value));
+    let touching = active
+        .iter()
+        .map(|&i| (&rows[i].entries, rows[i].extra, rows[i].bound));
+    for (r, (entries, extra, bound)) in demands.chain(touching).enumerate() {
         let unit = entries
             .iter()
             .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()))
             .max(f64::MIN_POSITIVE);
+        let mut put = |column: usize, value: f64| {
+            kkt[(columns + r, column)] = value / unit;
+            kkt[(column, columns + r)] = value / unit;
+        };
         for &(i, v) in entries {
-            kkt[(columns + r, i)] = v * length / unit;
-            kkt[(i, columns + r)] = v * length / unit;
+            put(i, v * length);
         }
-        if is_peak {
-            kkt[(columns + r, n)] = -t_unit / unit;
-            kkt[(n, columns + r)] = -t_unit / unit;
-            rhs[columns + r] = 0.0;
-        } else {
-            rhs[columns + r] = bound / unit;
+        for (c, &k) in free.iter().enumerate() {
+            put(n + c, extra[k] * unit_of(k));
         }
+        rhs[columns + r] = bound / unit;
         units.push(unit);
-    };
-    for (r, e) in program.equalities.iter().enumerate() {
-        put(r, &e.entries, e.value, false, &mut rhs);
-    }
-    let first = program.equalities.len();
-    for (r, &index) in active.iter().enumerate() {
-        let limit = &program.limits[rows[index].limit];
-        put(
-            first + r,
-            &rows[index].entries,
-            limit.bound,
-            limit.is_peak,
-            &mut rhs,
-        );
     }
     let lu = kkt.clone().lu();
     let Some(mut y) = lu.solve(&rhs) else {
@@ -94,38 +89,38 @@ pub fn polish(
     if !residual.is_finite() || residual > 1e-9 * (1.0 + rhs.amax()) {
         return as_given;
     }
-    let signs_hold = (0..active.len()).all(|r| y[columns + first + r] > -1e-7 * y.amax());
+    let first = columns + program.equalities.len();
+    let signs_hold = (0..active.len()).all(|r| y[first + r] > -1e-7 * y.amax());
     let x: Vec<f64> = (0..n).map(|i| y[i] * length).collect();
-    let t = has_peak.then(|| y[n] * t_unit);
-    if !signs_hold || program.violation(&x, t) > program.violation(&point.x, point.peak).max(1e-9) {
+    let mut extra = [0.0; EXTRAS];
+    for (c, &k) in free.iter().enumerate() {
+        extra[k] = y[n + c] * unit_of(k);
+    }
+    let before = program.violation(&point.x, &point.extra);
+    if !signs_hold || program.violation(&x, &extra) > before.max(1e-9) {
         return as_given;
     }
     for (r, &index) in active.iter().enumerate() {
-        rows[index].multiplier = (y[columns + first + r] * h_unit / units[first + r]).max(0.0);
+        let unit = units[program.equalities.len() + r];
+        rows[index].multiplier = (y[first + r] * objective / unit).max(0.0);
     }
-    (x, t)
+    (x, extra)
 }
 
 /// Rows whose multiplier outweighs their slack, both in the solver's scaled units.
 fn active_rows(program: &Program, rows: &[Row], point: &Point) -> Vec<usize> {
-    let h_unit = (program.hessian.largest_diagonal() * program.length * program.length)
-        .max(f64::MIN_POSITIVE);
+    let objective = program.objective_unit();
     rows.iter()
         .enumerate()
         .filter(|(_, row)| {
-            let limit = &program.limits[row.limit];
-            let unit = row
+            let largest = row
                 .entries
                 .iter()
-                .fold(0.0_f64, |m, e| m.max((e.1 * program.length).abs()))
-                .max(f64::MIN_POSITIVE);
-            let bound = if limit.is_peak {
-                point.peak.unwrap_or(0.0)
-            } else {
-                limit.bound
-            };
-            let slack = (bound - super::basis::apply(&row.entries, &point.x)) / unit;
-            row.multiplier * unit / h_unit > slack.max(0.0)
+                .fold(0.0_f64, |m, e| m.max((e.1 * program.length).abs()));
+            let unit = largest.max(f64::MIN_POSITIVE);
+            let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * point.extra[k]).sum();
+            let slack = (row.bound - beside - super::basis::apply(&row.entries, &point.x)) / unit;
+            row.multiplier * unit / objective > slack.max(0.0)
         })
         .map(|(i, _)| i)
         .collect()

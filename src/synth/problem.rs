@@ -1,6 +1,6 @@
 //! The convex program over the coefficients of a law, and its solution by exchange of rows.
 //!
-//! Minimise ½xᵀHx + gᵀx (+ t) subject to equalities and to limits that must hold *everywhere* on their
+//! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
 //! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; the exchange starts from the optimum
 //! without it, finds its exact worst points by roots, adds rows there and solves again until nothing is
 //! broken. What is active at the end is then solved once more as equalities, which gives back the digits
@@ -9,7 +9,18 @@
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
 use super::cones;
-use crate::poly::Peak;
+use crate::poly::{Peak, PiecewisePoly};
+
+/// Variables beside the coefficients of the law, by their index in `extra` arrays.
+pub const EXTRAS: usize = 4;
+/// A bound that is itself minimised: a peak objective, an elastic limit.
+pub const PEAK: usize = 0;
+/// Base radius of a flat-faced cam, prime radius Rp of a roller cam, m.
+pub const RADIUS: usize = 1;
+/// Height D of the roller centre above the cam centre at s = 0, m.
+pub const RISE: usize = 2;
+/// Offset e of the follower, m.
+pub const OFFSET: usize = 3;
 
 /// A linear limit on the law over a range of cam angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,16 +29,52 @@ pub struct Limit {
     pub name: &'static str,
     /// Weights of s, v, a, j and the fourth derivative, by cam angle.
     pub weights: [f64; 5],
-    /// Σ weights·svaj ≤ bound.
+    /// Σ weights·svaj + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
+    /// Weights of the variables beside the law.
+    pub extra: [f64; EXTRAS],
+    /// Index into the program's shapes of the part of the bound that varies with θ.
+    pub shape: Option<usize>,
     /// First and last cam angle at which it is asked for, rad.
     pub domain: (f64, f64),
     /// Size against which a violation counts: |bound| unless that is 0.
     pub scale: f64,
-    /// The bound is a variable to be minimised (a peak objective or an elastic limit).
-    pub is_peak: bool,
     /// What a change of the bound means to the user.
     pub meaning: Meaning,
+}
+
+impl Limit {
+    /// Σ weights·svaj ≤ bound over one turn.
+    pub fn new(name: &'static str, weights: [f64; 5], bound: f64, scale: f64) -> Self {
+        Limit {
+            name,
+            weights,
+            bound,
+            extra: [0.0; EXTRAS],
+            shape: None,
+            domain: (0.0, std::f64::consts::TAU),
+            scale,
+            meaning: Meaning::Structure,
+        }
+    }
+
+    /// The same limit with its bound (beyond the shape) replaced by the peak variable.
+    #[must_use]
+    pub fn minimised(mut self) -> Self {
+        self.bound = 0.0;
+        self.extra[PEAK] = -1.0;
+        self
+    }
+
+    /// Whether its bound is minimised.
+    pub fn is_peak(&self) -> bool {
+        self.extra[PEAK] != 0.0
+    }
+
+    /// The bound less what the variables beside the law take of it.
+    fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
+        self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
+    }
 }
 
 /// How a bound is read by users.
@@ -95,19 +142,35 @@ pub struct Program {
     pub equalities: Vec<Equality>,
     /// Limits over ranges.
     pub limits: Vec<Limit>,
+    /// Parts of bounds that vary with θ.
+    pub shapes: Vec<PiecewisePoly>,
+    /// Rows that stand for themselves (linearised curvature).
+    pub fixed: Vec<Row>,
+    /// Rows to begin the exchange with: the contacts of a neighbouring program.
+    pub seeds: Vec<Row>,
+    /// Cost of each variable beside the law.
+    pub cost: [f64; EXTRAS],
+    /// Rp ≥ ‖(D, e)‖.
+    pub cone: bool,
     /// Typical size of the coefficients, m: the unit in which the solver works.
     pub length: f64,
 }
 
-/// A row of a limit at one angle.
+/// A row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// Index of the limit.
-    pub limit: usize,
+    /// Index of the limit; `None` for a fixed row.
+    pub limit: Option<usize>,
     /// Where on the law.
     pub peak: Peak,
     /// The row.
     pub entries: Entries,
+    /// Weights of the variables beside the law.
+    pub extra: [f64; EXTRAS],
+    /// Its bound.
+    pub bound: f64,
+    /// Size against which a violation counts.
+    pub scale: f64,
     /// Multiplier of the last solve, in units of the objective per unit of the bound.
     pub multiplier: f64,
 }
@@ -117,8 +180,8 @@ pub struct Row {
 pub struct Solution {
     /// Coefficients.
     pub x: Vec<f64>,
-    /// Value of the peak variable, where there is one.
-    pub peak: Option<f64>,
+    /// Values of the variables beside the law.
+    pub extra: [f64; EXTRAS],
     /// Active rows with their multipliers.
     pub active: Vec<Row>,
     /// Whether inequalities had to be brought in at all.
@@ -146,25 +209,67 @@ pub enum Failure {
 pub const TOLERANCE: f64 = 1e-9;
 /// Rounds of exchange before giving up; a handful is usual.
 const MAX_ROUNDS: usize = 60;
+/// Room inside a limit never exceeds this part of its scale.
+const LARGEST_MARGIN: f64 = 1e-6;
+/// What the solver leaves unresolved on a second-order cone program.
+const CONE_MARGIN: f64 = 1e-7;
 /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
 const COINCIDENT: f64 = 1e-4;
 
 impl Program {
+    /// A program without limits.
+    pub fn new(
+        basis: Basis,
+        hessian: ArrowMatrix,
+        gradient: Vec<f64>,
+        equalities: Vec<Equality>,
+        length: f64,
+    ) -> Self {
+        Program {
+            basis,
+            hessian,
+            gradient,
+            equalities,
+            limits: Vec::new(),
+            shapes: Vec::new(),
+            fixed: Vec::new(),
+            seeds: Vec::new(),
+            cost: [0.0; EXTRAS],
+            cone: false,
+            length,
+        }
+    }
+
+    /// Which of the variables beside the law take part.
+    pub fn present(&self) -> [bool; EXTRAS] {
+        let mut out = [false; EXTRAS];
+        for (k, present) in out.iter_mut().enumerate() {
+            *present = self.cost[k] != 0.0
+                || self.limits.iter().any(|l| l.extra[k] != 0.0)
+                || self.fixed.iter().any(|r| r.extra[k] != 0.0)
+                || (self.cone && k != PEAK);
+        }
+        out
+    }
+
     /// The optimum without limits, then with as many rows as they need.
     pub fn solve(&self) -> Result<Solution, Failure> {
-        let peak = self.limits.iter().any(|l| l.is_peak);
-        let mut rows: Vec<Row> = Vec::new();
-        if peak {
+        let mut rows: Vec<Row> = self.fixed.clone();
+        if !self.seeds.is_empty() {
+            rows.extend(self.seeds.iter().cloned());
+        } else if self.present().iter().any(|p| *p) {
             self.seed_rows(&mut rows);
         } else {
             let x = super::equality::solve(self)?;
-            let broken = self.broken(&x, None);
-            if broken.is_empty() {
-                let violation = self.violation(&x, None);
+            let extra = [0.0; EXTRAS];
+            let broken = self.broken(&x, &extra);
+            if broken.is_empty() && rows.iter().all(|r| apply(&r.entries, &x) <= r.bound) {
+                let violation = self.violation(&x, &extra);
+                let active = Vec::new();
                 return Ok(Solution {
                     x,
-                    peak: None,
-                    active: Vec::new(),
+                    extra,
+                    active,
                     used_rows: false,
                     iterations: 0,
                     rounds: 0,
@@ -173,28 +278,35 @@ impl Program {
             }
             self.add_rows(&mut rows, broken);
         }
-        self.exchange(rows, peak)
+        self.exchange(rows)
     }
 
-    fn exchange(&self, mut rows: Vec<Row>, has_peak: bool) -> Result<Solution, Failure> {
+    fn exchange(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
         let mut iterations = 0;
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
-        let mut margin = 0.0;
+        // Cones are not polished, so there it is kept from the start.
+        let mut margin = if self.cone { CONE_MARGIN } else { 0.0 };
         for round in 1..=MAX_ROUNDS {
-            let point = cones::solve(self, &mut rows, has_peak, margin)?;
+            let point = match (cones::solve(self, &mut rows, margin), &best) {
+                (Ok(point), _) => point,
+                // The room kept free is ours, not the user's: without it there is a solution.
+                (Err(_), Some(_)) if margin > 0.0 => break,
+                (Err(failure), _) => return Err(failure),
+            };
             iterations += point.iterations;
-            let (x, t) = super::polish::polish(self, &mut rows, &point, has_peak);
-            let broken = self.broken(&x, t);
-            let violation = self.violation(&x, t);
+            let (x, extra) = super::polish::polish(self, &mut rows, &point);
+            let broken = self.broken(&x, &extra);
+            let violation = self.violation(&x, &extra);
+            let active = rows
+                .iter()
+                .filter(|r| r.multiplier > 0.0)
+                .cloned()
+                .collect();
             let solution = Solution {
-                active: rows
-                    .iter()
-                    .filter(|r| r.multiplier > 0.0)
-                    .cloned()
-                    .collect(),
+                active,
                 x,
-                peak: t,
+                extra,
                 used_rows: true,
                 iterations,
                 rounds: round,
@@ -208,7 +320,7 @@ impl Program {
                 best = Some(solution);
             }
             if stalled && violation < 1e-6 {
-                margin = (2.0 * violation).max(2.0 * margin);
+                margin = (2.0 * violation).max(2.0 * margin).min(LARGEST_MARGIN);
             }
             self.add_rows(&mut rows, broken);
         }
@@ -218,34 +330,44 @@ impl Program {
     /// Both ends and the middle of every piece, for limits whose bound is itself a variable.
     fn seed_rows(&self, rows: &mut Vec<Row>) {
         let breaks = self.basis.breaks();
-        for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| l.is_peak) {
+        let variable = |l: &Limit| l.extra.iter().any(|e| *e != 0.0);
+        for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| variable(l)) {
             for piece in 0..breaks.len() - 1 {
                 for u in [0.0, 0.5, 1.0] {
                     let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
                     if at >= limit.domain.0 && at <= limit.domain.1 {
-                        let peak = Peak {
-                            piece,
-                            u,
-                            at,
-                            value: 0.0,
-                        };
-                        rows.push(self.row(index, peak));
+                        rows.push(self.row(
+                            index,
+                            Peak {
+                                piece,
+                                u,
+                                at,
+                                value: 0.0,
+                            },
+                        ));
                     }
                 }
             }
         }
     }
 
-    fn row(&self, limit: usize, peak: Peak) -> Row {
-        let weights = &self.limits[limit].weights;
-        let entries = match self.basis {
-            Basis::Spline { .. } => self.basis.row_on(peak.piece, peak.u, weights),
-            Basis::Harmonic { .. } => self.basis.row(peak.at, weights),
+    fn row(&self, index: usize, peak: Peak) -> Row {
+        let limit = &self.limits[index];
+        // With a shape the pieces are cut finer than the basis: only the angle counts then.
+        let by_piece = matches!(self.basis, Basis::Spline { .. }) && limit.shape.is_none();
+        let entries = if by_piece {
+            self.basis.row_on(peak.piece, peak.u, &limit.weights)
+        } else {
+            self.basis.row(peak.at, &limit.weights)
         };
+        let shape = limit.shape.map_or(0.0, |i| self.shapes[i].eval(peak.at));
         Row {
-            limit,
+            limit: Some(index),
             peak,
             entries,
+            extra: limit.extra,
+            bound: limit.bound + shape,
+            scale: limit.scale,
             multiplier: 0.0,
         }
     }
@@ -255,7 +377,7 @@ impl Program {
     fn add_rows(&self, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
         for (limit, peak) in broken {
             let same = |r: &Row| {
-                r.limit == limit
+                r.limit == Some(limit)
                     && r.peak.piece == peak.piece
                     && (r.peak.u - peak.u).abs() < COINCIDENT
             };
@@ -265,37 +387,29 @@ impl Program {
     }
 
     /// Exact worst points at which a limit is exceeded by more than the tolerance.
-    pub fn broken(&self, x: &[f64], t: Option<f64>) -> Vec<(usize, Peak)> {
-        let curves = Curves::new(self, x);
+    pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
+        let law = self.basis.law(x);
         let mut out = Vec::new();
         for (index, limit) in self.limits.iter().enumerate() {
-            let bound = if limit.is_peak {
-                t.unwrap_or(0.0)
-            } else {
-                limit.bound
-            };
+            let bound = limit.room(extra);
             let allowed = bound + TOLERANCE * limit.scale.max(bound.abs());
-            let curve = curves.of(limit);
-            for peak in curve.peaks_above(allowed, limit.domain.0, limit.domain.1) {
-                out.push((index, peak));
-            }
+            let peaks =
+                self.curve(&law, limit)
+                    .peaks_above(allowed, limit.domain.0, limit.domain.1);
+            out.extend(peaks.into_iter().map(|peak| (index, peak)));
         }
         out
     }
 
     /// Largest excess over any limit, relative to its scale; 0 when all hold.
-    pub fn violation(&self, x: &[f64], t: Option<f64>) -> f64 {
-        let curves = Curves::new(self, x);
+    pub fn violation(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+        let law = self.basis.law(x);
         let mut worst = 0.0_f64;
         for limit in &self.limits {
-            let bound = if limit.is_peak {
-                t.unwrap_or(0.0)
-            } else {
-                limit.bound
-            };
+            let bound = limit.room(extra);
             let scale = limit.scale.max(bound.abs());
-            for peak in curves
-                .of(limit)
+            for peak in self
+                .curve(&law, limit)
                 .peaks_above(bound, limit.domain.0, limit.domain.1)
             {
                 worst = worst.max((peak.value - bound) / scale);
@@ -304,49 +418,36 @@ impl Program {
         worst
     }
 
+    /// Left side of a limit less its shape, over the whole law.
+    fn curve(&self, law: &crate::law::Law, limit: &Limit) -> PiecewisePoly {
+        let w = limit.weights;
+        let mut curve = law.combination([w[0], w[1], w[2], w[3]], 0.0);
+        if w[4] != 0.0 {
+            let snap = law.combination([0.0, 0.0, 0.0, 1.0], 0.0).derivative();
+            curve = PiecewisePoly::combine(&[(1.0, &curve), (w[4], &snap)], 0.0);
+        }
+        if let Some(shape) = limit.shape.map(|i| &self.shapes[i]) {
+            let own = curve.cut_at(shape.breaks());
+            curve =
+                PiecewisePoly::combine(&[(1.0, &own), (-1.0, &shape.cut_at(own.breaks()))], 0.0);
+        }
+        curve
+    }
+
     /// Size by which solvers divide the objective: its value for coefficients of typical size.
     pub fn objective_unit(&self) -> f64 {
         let h = self.hessian.largest_diagonal() * self.length * self.length;
         let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
-        let unit = h.max(g);
+        let linear = (1..EXTRAS).fold(0.0_f64, |m, k| m.max(self.cost[k].abs())) * self.length;
+        let unit = h.max(g).max(linear);
         if unit > 0.0 { unit } else { 1.0 }
     }
 
-    /// Value of the quadratic objective.
+    /// Value of the quadratic part of the objective.
     pub fn objective(&self, x: &[f64]) -> f64 {
         let hx = self.hessian.times(&x[..self.basis.columns()]);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
-    }
-
-    /// Largest violation of an equality, in the equality's own units.
-    pub fn equality_error(&self, x: &[f64]) -> f64 {
-        self.equalities
-            .iter()
-            .fold(0.0, |m, e| (apply(&e.entries, x) - e.value).abs().max(m))
-    }
-}
-
-/// The law of a trial solution, asked for each limit's curve.
-struct Curves {
-    law: crate::law::Law,
-}
-
-impl Curves {
-    fn new(program: &Program, x: &[f64]) -> Self {
-        Curves {
-            law: program.basis.law(x),
-        }
-    }
-
-    fn of(&self, limit: &Limit) -> crate::poly::PiecewisePoly {
-        let w = limit.weights;
-        let mut curve = self.law.combination([w[0], w[1], w[2], w[3]], 0.0);
-        if w[4] != 0.0 {
-            let snap = self.law.combination([0.0, 0.0, 0.0, 1.0], 0.0).derivative();
-            curve = crate::poly::PiecewisePoly::combine(&[(1.0, &curve), (w[4], &snap)], 0.0);
-        }
-        curve
     }
 }
 
@@ -379,14 +480,7 @@ mod tests {
             equalities.push(demand(last, 1.0, if order == 0 { 1.0 } else { 0.0 }));
         }
         let zero = Quadratic::zero(&basis);
-        Program {
-            basis,
-            hessian: zero.hessian,
-            gradient: zero.gradient,
-            equalities,
-            limits: vec![],
-            length: 1.0,
-        }
+        Program::new(basis, zero.hessian, zero.gradient, equalities, 1.0)
     }
 
     fn uniform(n: usize) -> Vec<f64> {
@@ -400,32 +494,24 @@ mod tests {
         p
     }
 
-    fn peak_limits(order: usize) -> Vec<Limit> {
+    fn two_sided(order: usize, bound: f64) -> Vec<Limit> {
         [1.0, -1.0]
             .map(|sign| {
                 let mut weights = [0.0; 5];
                 weights[order] = sign;
                 Limit {
-                    name: "peak",
-                    weights,
-                    bound: 0.0,
                     domain: (0.0, 1.0),
-                    scale: 1.0,
-                    is_peak: true,
-                    meaning: Meaning::Structure,
+                    ..Limit::new("peak", weights, bound, 1.0)
                 }
             })
             .to_vec()
     }
 
-    fn two_sided(order: usize, bound: f64) -> Vec<Limit> {
-        let mut out = peak_limits(order);
-        for l in &mut out {
-            l.is_peak = false;
-            l.bound = bound;
-            l.scale = bound;
-        }
-        out
+    fn minimise_peak(program: &mut Program, order: usize) {
+        program
+            .limits
+            .extend(two_sided(order, 0.0).into_iter().map(Limit::minimised));
+        program.cost[PEAK] = 1.0;
     }
 
     #[test]
@@ -455,9 +541,9 @@ mod tests {
                 .map(|k| 0.5 * (1.0 - (k as f64 * PI / n as f64).cos()))
                 .collect();
             let mut program = rest_to_rest(n, n, &breaks);
-            program.limits = peak_limits(n);
+            minimise_peak(&mut program, n);
             let solution = program.solve().unwrap();
-            let peak = solution.peak.unwrap();
+            let peak = solution.extra[PEAK];
             assert!((peak / expected - 1.0).abs() < 1e-6, "{n}: {peak}");
         }
     }
@@ -467,11 +553,12 @@ mod tests {
         // FACTS §8: A*(J) = (J/4)(1 − √(1 − 32/J)); breaks on the ramp ends make it exact.
         for (jerk, n, expected) in [(32.0, 8, 8.0), (36.0, 12, 6.0), (50.0, 20, 5.0)] {
             let mut program = rest_to_rest(3, 3, &uniform(n));
-            program.limits = [peak_limits(2), two_sided(3, jerk)].concat();
+            program.limits = two_sided(3, jerk);
+            minimise_peak(&mut program, 2);
             let solution = program.solve().unwrap();
             let closed = jerk / 4.0 * (1.0 - (1.0 - 32.0 / jerk as f64).max(0.0).sqrt());
             assert!((closed - expected).abs() < 1e-12);
-            let peak = solution.peak.unwrap();
+            let peak = solution.extra[PEAK];
             assert!((peak / expected - 1.0).abs() < 1e-6, "J = {jerk}: {peak}");
             assert!(solution.violation < 1e-6);
         }

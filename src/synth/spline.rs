@@ -6,7 +6,7 @@ use super::basis::{Basis, Entries};
 use super::demand::Demand;
 use super::limits;
 use super::objective::Quadratic;
-use super::problem::{Equality, Failure, Limit, Meaning, Program, Solution};
+use super::problem::{Equality, Failure, Limit, PEAK, Program, Solution};
 use crate::error::{Error, Result};
 use crate::law::Law;
 use crate::poly::SplineSpace;
@@ -21,6 +21,9 @@ const SPANS_WITHOUT_FORCE: usize = 48;
 /// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
 /// leaves open (phases of zero weight) and is far below any accuracy.
 const JERK_TERM: f64 = 1e-12;
+/// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
+/// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
+const SIZE_JERK: f64 = 1e3;
 /// A limit that is broken may want more spans; they grow by this factor while the error still falls.
 const GROWTH: f64 = 1.5;
 /// … by at least this part.
@@ -150,22 +153,21 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     if scene.law.monotone {
         rows.extend(limits::monotone(scene, demand));
     }
+    if objective(scene) == Minimise::Size {
+        rows.retain(|l| l.name != "base_circle");
+    }
     if let Minimise::Peak(order) = objective(scene) {
         for sign in [1.0, -1.0] {
             let mut weights = [0.0; 5];
             weights[order] = sign;
-            rows.push(Limit {
-                name: "peak",
-                weights,
-                bound: 0.0,
-                domain: (0.0, TAU),
-                scale: demand.length,
-                is_peak: true,
-                meaning: Meaning::Structure,
-            });
+            rows.push(Limit::new("peak", weights, 0.0, demand.length).minimised());
         }
+        program.cost[PEAK] = 1.0;
     }
     program.limits = rows;
+    if objective(scene) == Minimise::Size {
+        limits::with_size(scene, demand, &mut program);
+    }
     Ok(match program.solve() {
         Ok(solution) => Outcome::Law(Box::new(Fitted {
             program,
@@ -199,11 +201,16 @@ fn program(
     let force = force_distance(scene, demand, &basis);
     let mut quadratic = match objective(scene) {
         Minimise::ForceError | Minimise::PeakForceError => force.clone(),
-        Minimise::Energy(_) | Minimise::Peak(_) => Quadratic::zero(&basis),
+        Minimise::Energy(_) | Minimise::Peak(_) | Minimise::Size => Quadratic::zero(&basis),
     };
     match objective(scene) {
         Minimise::Energy(order) => quadratic.add_energy(&basis, order, 1.0),
         Minimise::Peak(_) => {}
+        Minimise::Size => {
+            // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
+            let unit = SIZE_JERK * demand.length;
+            quadratic.add_energy(&basis, 3, demand.length / (unit * unit));
+        }
         Minimise::ForceError | Minimise::PeakForceError => {
             let scale = quadratic.hessian.largest_diagonal();
             let mut jerk = Quadratic::zero(&basis);
@@ -214,14 +221,14 @@ fn program(
             }
         }
     }
-    let program = Program {
+    let mut program = Program::new(
         basis,
-        hessian: quadratic.hessian,
-        gradient: quadratic.gradient,
+        quadratic.hessian,
+        quadratic.gradient,
         equalities,
-        limits,
-        length: demand.length,
-    };
+        demand.length,
+    );
+    program.limits = limits;
     Ok((program, force))
 }
 

@@ -174,7 +174,10 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
 pub fn verdict(cam: &Cam, checks: &[Check]) -> (Verdict, String) {
     let range = |order: usize| {
         let (low, high) = cam.law.extremes(order);
-        (high.value - low.value).max(f64::MIN_POSITIVE)
+        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
+        (high.value - low.value)
+            .max(1e-6 * cam.follower.prime_radius())
+            .max(f64::MIN_POSITIVE)
     };
     let ranges = [range(0), range(1), range(2)];
     for joint in cam.law.joints() {
