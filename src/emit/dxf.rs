@@ -6,6 +6,7 @@ use ::dxf::enums::{AcadVersion, DrawingUnits, Units};
 use ::dxf::tables::Layer;
 use ::dxf::{Color, LwPolylineVertex, Point};
 
+use super::biarc;
 use crate::synth::Synthesis;
 
 const MM: f64 = 1000.0;
@@ -62,25 +63,42 @@ pub fn drawing(synthesis: &Synthesis, options: Options) -> Vec<u8> {
     let cam = &synthesis.cam;
     let rows = cam.profile(options.points);
     let closed = cam.law.is_closed();
-    let (base, prime) = (cam.follower.base_radius(), cam.follower.prime_radius());
     let mut sheet = Sheet::new(options.version);
     let profile: Vec<[f64; 3]> = rows.iter().map(|p| [MM * p.x, MM * p.y, 0.0]).collect();
     sheet.polyline("PROFILE", &profile, closed);
-    if prime != base {
-        let pitch: Vec<[f64; 3]> = rows
-            .iter()
-            .map(|p| [MM * p.pitch_x, MM * p.pitch_y, 0.0])
-            .collect();
-        sheet.polyline("PITCH_CURVE", &pitch, closed);
-        sheet.circle("PRIME_CIRCLE", MM * prime);
-    }
-    sheet.circle("BASE_CIRCLE", MM * base);
-    if let Some(bore) = options.bore {
-        sheet.circle("BORE", MM * bore / 2.0);
-    }
-    sheet.line("CENTRE", [-MARK, 0.0], [MARK, 0.0]);
-    sheet.line("CENTRE", [0.0, -MARK], [0.0, MARK]);
+    sheet.construction(synthesis, options);
     sheet.bytes()
+}
+
+/// A profile drawn in arcs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcDrawing {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Number of arcs.
+    pub arcs: usize,
+    /// Largest distance between the true profile and the arcs, m.
+    pub deviation: f64,
+}
+
+/// As [`drawing`], with the profile as a polyline of circular arcs (bulges) within `tolerance` m of the
+/// true profile; `options.points` counts for the pitch curve only. `None` where no arcs can follow it
+/// ([`biarc::fit`]).
+pub fn arcs(synthesis: &Synthesis, tolerance: f64, options: Options) -> Option<ArcDrawing> {
+    let fit = biarc::fit(&synthesis.cam, tolerance)?;
+    let mut sheet = Sheet::new(options.version);
+    let vertices: Vec<[f64; 3]> = fit
+        .vertices
+        .iter()
+        .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
+        .collect();
+    sheet.polyline("PROFILE", &vertices, fit.closed);
+    sheet.construction(synthesis, options);
+    Some(ArcDrawing {
+        bytes: sheet.bytes(),
+        arcs: vertices.len() - usize::from(!fit.closed),
+        deviation: fit.deviation,
+    })
 }
 
 /// A drawing under way.
@@ -150,6 +168,27 @@ impl Sheet {
         };
         polyline.set_is_closed(closed);
         self.add(layer, EntityType::LwPolyline(polyline));
+    }
+
+    /// Everything but the profile.
+    fn construction(&mut self, synthesis: &Synthesis, options: Options) {
+        let cam = &synthesis.cam;
+        let (base, prime) = (cam.follower.base_radius(), cam.follower.prime_radius());
+        if prime != base {
+            let pitch: Vec<[f64; 3]> = cam
+                .profile(options.points)
+                .iter()
+                .map(|p| [MM * p.pitch_x, MM * p.pitch_y, 0.0])
+                .collect();
+            self.polyline("PITCH_CURVE", &pitch, cam.law.is_closed());
+            self.circle("PRIME_CIRCLE", MM * prime);
+        }
+        self.circle("BASE_CIRCLE", MM * base);
+        if let Some(bore) = options.bore {
+            self.circle("BORE", MM * bore / 2.0);
+        }
+        self.line("CENTRE", [-MARK, 0.0], [MARK, 0.0]);
+        self.line("CENTRE", [0.0, -MARK], [0.0, MARK]);
     }
 
     fn circle(&mut self, layer: &str, radius: f64) {

@@ -4,8 +4,10 @@
 //! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
 //! SI units with the unit in the column's name, pictures in millimetres and degrees.
 
+pub mod biarc;
 mod cam_picture;
 pub mod csv;
+pub mod cutter;
 pub mod dxf;
 mod geometry;
 pub mod json;
@@ -16,7 +18,10 @@ mod raster;
 pub mod report;
 mod samples;
 mod sheet;
+pub mod solid;
 pub mod svg;
+mod threemf;
+pub mod xlsx;
 
 /// How long the work took, s; measured by the caller, since emitters read no clock.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -238,7 +238,7 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         }
         for check in synthesis.checks.iter().filter(|c| c.name == "curvature") {
             let name = format!("limit {} mm", number(1000.0 * check.limit, 3));
-            panel.level(1000.0 * check.limit, Some((&name, VPos::Top)), RED)?;
+            panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
         }
         if sharpest.value.is_finite() {
             let at = sharpest.at.to_degrees();

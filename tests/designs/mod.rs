@@ -114,7 +114,7 @@ pub fn heel_tester() -> Synthesis {
     let c = [
         0.0, 0.0, 0.0, 612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
     ];
-    // Paper 001 gives C in 1e-... of an inch: s = Σ Cₖ (θ/β)ᵏ in inches.
+    // s = Σ Cₖ (θ/β)ᵏ in inches.
     let rise: Vec<f64> = bernstein::from_power(&c.map(|x| x * INCH));
     let dwell = vec![0.0; 9];
     let law = Law::from_poly(
@@ -176,7 +176,7 @@ pub fn heel_tester() -> Synthesis {
         checks: vec![
             Check::at_most("pressure_angle_rise", phi_high, limit, 1e-9),
             Check::at_most("pressure_angle_fall", falling, limit, 1e-9),
-            Check::at_least("curvature", cam.curvature().convex, 0.04, 1e-9),
+            Check::at_least("curvature", cam.curvature().convex, 0.005, 1e-9),
         ],
         binding: Vec::new(),
         solver: SolverReport {

@@ -82,9 +82,11 @@ pub fn checks(out: &mut String, synthesis: &Synthesis) {
 pub fn binding(out: &mut String, synthesis: &Synthesis) {
     out.push_str("<h2>Limits that bind</h2>\n");
     if synthesis.binding.is_empty() {
-        out.push_str(
-            "<p>None: the law is what the force asks for, and every limit has room.</p>\n",
-        );
+        out.push_str(if synthesis.checks.iter().all(|c| c.pass) {
+            "<p>None: the law is what the force asks for, and every limit has room.</p>\n"
+        } else {
+            "<p>None: no limit took part in shaping the law.</p>\n"
+        });
         return;
     }
     out.push_str(
