@@ -142,7 +142,10 @@ impl<'a> Scene<'a> {
             (x, y)
         };
         let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
-        plane.draw(&Polygon::new(outline.clone(), BLUE.mix(0.13).filled()))?;
+        if self.synthesis.cam.law.is_closed() {
+            let body = BLUE.mix(0.13).filled();
+            plane.draw(&Polygon::new(outline.clone(), body))?;
+        }
         dashed(plane, circle(self.base), GREEN, BASE)?;
         if self.has_roller() {
             dashed(plane, circle(self.prime), PURPLE, PRIME)?;
@@ -243,16 +246,22 @@ impl<'a> Scene<'a> {
             Pose::Roller { centre, radius } => {
                 let [x, y] = centre.map(|c| MM * c);
                 let radius = MM * radius;
-                rod(x, y, y + radius + self.stem())?;
-                if radius > 0.0 {
-                    let rim: Vec<(f64, f64)> = circle(radius)
-                        .into_iter()
-                        .map(|(u, v)| (x + u, y + v))
-                        .collect();
-                    plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
-                    plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
-                    plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
+                if radius == 0.0 {
+                    let shoulder = y + 2.5 * half;
+                    let edge = vec![(x - half, shoulder), (x, y), (x + half, shoulder)];
+                    rod(x, shoulder, y + self.stem())?;
+                    plane.draw(&Polygon::new(edge.clone(), PAPER.filled()))?;
+                    plane.draw(&Polygon::new(edge.clone(), AXIS.mix(0.35).filled()))?;
+                    return plane.draw(&PathElement::new(edge, stroke(INK, 1.8)));
                 }
+                rod(x, y, y + radius + self.stem())?;
+                let rim: Vec<(f64, f64)> = circle(radius)
+                    .into_iter()
+                    .map(|(u, v)| (x + u, y + v))
+                    .collect();
+                plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
+                plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
+                plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
                 dot(plane, (x, y), INK)
             }
         }

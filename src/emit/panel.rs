@@ -195,7 +195,9 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// A curve, cut where it leaves the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
-        let [low, high] = self.y;
+        // What rounding or interpolation carries a hair past the edge belongs to the curve.
+        let slack = 0.01 * (self.y[1] - self.y[0]);
+        let [low, high] = [self.y[0] - slack, self.y[1] + slack];
         let mut part: Vec<(f64, f64)> = Vec::new();
         let mut parts = Vec::new();
         for (i, &(x, v)) in points.iter().enumerate() {
@@ -254,6 +256,28 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// A dot with its value above (a maximum) or below (a minimum), kept inside the frame.
     pub fn mark(&self, degrees: f64, value: f64, maximum: bool, colour: RGBAColor) -> Drawn {
+        self.label(degrees, value, maximum, colour, false)
+    }
+
+    /// The same on a ground of its own, where dashed levels would strike the number through.
+    pub fn mark_on_ground(
+        &self,
+        degrees: f64,
+        value: f64,
+        maximum: bool,
+        colour: RGBAColor,
+    ) -> Drawn {
+        self.label(degrees, value, maximum, colour, true)
+    }
+
+    fn label(
+        &self,
+        degrees: f64,
+        value: f64,
+        maximum: bool,
+        colour: RGBAColor,
+        ground: bool,
+    ) -> Drawn {
         let [x, y] = self.place(degrees, value);
         let dot = Circle::new((units(x), units(y)), units(3.6), colour.filled());
         self.canvas.draw(&dot)?;
@@ -274,15 +298,15 @@ impl<'a, 'c> Panel<'a, 'c> {
         } else {
             (VPos::Top, 0.6 * size)
         };
-        // A ground under the number keeps lines from striking it through.
-        let height = 1.1 * size;
-        let middle = y + shift + if above { -0.5 } else { 0.5 } * 0.73 * size;
-        let corners = [
-            (units(x - half), units(middle - 0.5 * height)),
-            (units(x + half), units(middle + 0.5 * height)),
-        ];
-        let ground = Rectangle::new(corners, palette::PAPER.mix(0.8).filled());
-        self.canvas.draw(&ground)?;
+        if ground {
+            let middle = y + shift + if above { -0.5 } else { 0.5 } * 0.73 * size;
+            let corners = [
+                (units(x - half), units(middle - 0.55 * size)),
+                (units(x + half), units(middle + 0.55 * size)),
+            ];
+            let paper = palette::PAPER.mix(0.8).filled();
+            self.canvas.draw(&Rectangle::new(corners, paper))?;
+        }
         let lettering = Lettering::new(size, palette::INK).anchored(HPos::Center, v);
         write(self.canvas, &text, [x, y + shift], lettering)
     }

@@ -56,7 +56,7 @@ impl Layout {
     pub fn frame(&self) -> Frame {
         let e = self.letters;
         Frame {
-            left: 5.8 * e,
+            left: 6.8 * e,
             right: f64::from(self.size.0) - 1.8 * e,
             top: if self.title { 4.6 * e } else { 0.8 * e },
             bottom: f64::from(self.size.1) - 4.0 * e,
@@ -99,7 +99,7 @@ pub(super) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             }
             panel.quantity(
                 &format!("{}, {unit}{}", names[k], per[k]),
-                4.6 * layout.letters,
+                5.7 * layout.letters,
             )?;
             if k == 3 {
                 panel.angles()?;
@@ -127,13 +127,22 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         let legend = [frame.left, frame.top - 1.1 * e];
         let (low, high) = synthesis.drive.force_curve(law).extremes();
         let ends = [low, high].map(|x| (x.at.to_degrees(), x.value));
+        // A force that never pulls is drawn from zero.
+        let pushes = low.value >= -1e-9 * high.value.abs();
+        let marks = |panel: &Panel| {
+            panel.mark(ends[1].0, ends[1].1, true, BLUE)?;
+            if high.value - low.value > 1e-9 * high.value.abs() {
+                panel.mark(ends[0].0, ends[0].1, false, BLUE)?;
+            }
+            Ok(())
+        };
         let Some(target) = &synthesis.target else {
             let y = padded(achieved.iter().map(|p| p.1).chain([0.0]), 0.12);
+            let y = if pushes { [0.0, y[1]] } else { y };
             let panel = Panel::new(canvas, frame, turn(synthesis), y, e)?;
             panel.curve(&achieved, BLUE, 2.6)?;
-            panel.mark(ends[1].0, ends[1].1, true, BLUE)?;
-            panel.mark(ends[0].0, ends[0].1, false, BLUE)?;
-            panel.quantity("force, N", 4.6 * e)?;
+            marks(&panel)?;
+            panel.quantity("force, N", 5.7 * e)?;
             panel.angles()?;
             return key(canvas, legend, e, &[(BLUE, 2.6, "force of the cam")]);
         };
@@ -155,16 +164,15 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             .flat_map(|(u, l)| u.iter().chain(l))
             .map(|p| p.1);
         let y = padded(values.chain(edges).chain([0.0]), 0.1);
-        let y = if low.value >= 0.0 { [0.0, y[1]] } else { y };
+        let y = if pushes { [0.0, y[1]] } else { y };
         let panel = Panel::new(canvas, frames[0], turn(synthesis), y, e)?;
         if let Some((upper, lower)) = &band {
             panel.band(upper, lower, ORANGE.mix(0.22))?;
         }
         panel.curve(&wanted, ORANGE.mix(0.55), 8.0)?;
         panel.curve(&achieved, BLUE, 2.4)?;
-        panel.mark(ends[1].0, ends[1].1, true, BLUE)?;
-        panel.mark(ends[0].0, ends[0].1, false, BLUE)?;
-        panel.quantity("force, N", 4.6 * e)?;
+        marks(&panel)?;
+        panel.quantity("force, N", 5.7 * e)?;
 
         let error: Vec<(f64, f64)> = motion(law)
             .iter()
@@ -181,7 +189,7 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         panel.curve(&error, RED, 1.8)?;
         panel.level(rms, None, QUIET)?;
         panel.level(-rms, None, QUIET)?;
-        panel.quantity("error, N", 4.6 * e)?;
+        panel.quantity("error, N", 5.7 * e)?;
         panel.angles()?;
 
         let difference = if layout.title {
@@ -242,9 +250,9 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         }
         if sharpest.value.is_finite() {
             let at = sharpest.at.to_degrees();
-            panel.mark(at, 1000.0 * sharpest.value, true, BLUE)?;
+            panel.mark_on_ground(at, 1000.0 * sharpest.value, true, BLUE)?;
         }
-        panel.quantity("radius ρ, mm", 4.6 * e)?;
+        panel.quantity("radius ρ, mm", 5.7 * e)?;
 
         if cam.face_width().is_some() {
             let (low, high) = cam.law.extremes(1);
@@ -258,9 +266,9 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
                 .map(|(t, m)| (t.to_degrees(), 1000.0 * m.v))
                 .collect();
             panel.curve(&contact, GREEN, 2.2)?;
-            panel.mark(high.at.to_degrees(), 1000.0 * high.value, true, GREEN)?;
-            panel.mark(low.at.to_degrees(), 1000.0 * low.value, false, GREEN)?;
-            panel.quantity("contact, mm", 4.6 * e)?;
+            panel.mark_on_ground(high.at.to_degrees(), 1000.0 * high.value, true, GREEN)?;
+            panel.mark_on_ground(low.at.to_degrees(), 1000.0 * low.value, false, GREEN)?;
+            panel.quantity("contact, mm", 5.7 * e)?;
             return panel.angles();
         }
         let (low, high) = cam.pressure_angle_extremes();
@@ -278,9 +286,9 @@ pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             let name = format!("limit {}°", number(limit, 3));
             panel.level(limit, Some((&name, side)), RED)?;
         }
-        panel.mark(high.at.to_degrees(), ends[1], true, GREEN)?;
-        panel.mark(low.at.to_degrees(), ends[0], false, GREEN)?;
-        panel.quantity("pressure angle, °", 4.6 * e)?;
+        panel.mark_on_ground(high.at.to_degrees(), ends[1], true, GREEN)?;
+        panel.mark_on_ground(low.at.to_degrees(), ends[0], false, GREEN)?;
+        panel.quantity("pressure angle, °", 5.7 * e)?;
         panel.angles()
     })
 }

@@ -168,7 +168,11 @@ fn bored(outline: &[[f64; 2]], radius: f64, thickness: f64) -> Mesh {
 
 /// The plate as binary STL, mm. Fails as [`plate`] does.
 pub fn stl(synthesis: &Synthesis, form: Plate) -> Result<Vec<u8>> {
-    let mesh = plate(synthesis, form)?;
+    binary_stl(&plate(synthesis, form)?)
+}
+
+/// Any mesh as binary STL, mm. Fails only if the bytes cannot be put together.
+pub fn binary_stl(mesh: &Mesh) -> Result<Vec<u8>> {
     let triangles: Vec<Triangle> = mesh
         .triangles
         .iter()

@@ -158,6 +158,14 @@ fn follower(out: &mut String, synthesis: &Synthesis, pose: Option<&Pose>, reach:
     let look = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
     out.push_str("<g id=\"cam-follower\">");
     let _ = match pose {
+        Some(Pose::Roller { radius: 0.0, .. }) => {
+            let shoulder = 2.5 * half;
+            write!(
+                out,
+                "<path d=\"M0 0L{:.3} {shoulder:.3}V{stem:.3}H{half:.3}V{shoulder:.3}Z\" {look}/>",
+                -half
+            )
+        }
         Some(Pose::Roller { radius, .. }) => {
             let r = MM * radius;
             let top = r + stem;

@@ -171,9 +171,9 @@ fn law(synthesis: &Synthesis) -> Rows {
     let per = ["/rad", "/rad²", "/rad³"];
     let in_time = ["/s", "/s²", "/s³"];
     let names = [
-        ["velocity", "…in time"],
-        ["acceleration", "…in time"],
-        ["jerk", "…in time"],
+        ["velocity", "velocity by time"],
+        ["acceleration", "acceleration by time"],
+        ["jerk", "jerk by time"],
     ];
     for k in 0..3 {
         let (low, high) = law.extremes(k + 1);
