@@ -6,6 +6,8 @@ mod designs;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use gaitcam::emit::dxf::{Options, Version};
+use gaitcam::emit::solid::{self, Plate};
 use gaitcam::emit::{self, Timing};
 
 fn main() -> std::io::Result<()> {
@@ -58,11 +60,57 @@ fn main() -> std::io::Result<()> {
             emit::report::html(&design, time).into_bytes()
         });
         let total = begin.elapsed().as_secs_f64();
+        let mut timed = |name, render: &dyn Fn() -> Vec<u8>| {
+            let start = Instant::now();
+            let bytes = render();
+            files.push((name, bytes, start.elapsed().as_secs_f64()));
+        };
+        let plate = Plate {
+            thickness: 0.012,
+            bore: Some(0.016),
+            points: 1440,
+        };
+        let options = |version| Options {
+            points: 1440,
+            version,
+            bore: Some(0.016),
+        };
+        timed("r2010.dxf", &|| {
+            emit::dxf::drawing(&design, options(Version::R2010))
+        });
+        timed("arcs.dxf", &|| {
+            emit::dxf::arcs(&design, 1e-6, options(Version::R2000))
+                .map(|d| d.bytes)
+                .unwrap_or_default()
+        });
+        timed("arcs_r12.dxf", &|| {
+            emit::dxf::arcs(&design, 1e-6, options(Version::R12))
+                .map(|d| d.bytes)
+                .unwrap_or_default()
+        });
+        timed("cam.stl", &|| {
+            solid::stl(&design, plate).unwrap_or_default()
+        });
+        timed("cam.3mf", &|| {
+            solid::threemf(&design, plate).unwrap_or_default()
+        });
+        timed("cam.xlsx", &|| {
+            emit::xlsx::workbook(&design, time).unwrap_or_default()
+        });
+        timed("cutter.csv", &|| {
+            emit::cutter::path(&design, 0.006, 1440)
+                .map(|p| emit::cutter::csv(&p).into_bytes())
+                .unwrap_or_default()
+        });
         for (name, bytes, seconds) in &files {
             println!("{:>9.2} ms {:>9} B  {name}", 1e3 * seconds, bytes.len());
             std::fs::write(dir.join(name), bytes)?;
         }
-        println!("{:>9.2} ms  {}", 1e3 * total, design.name);
+        println!(
+            "{:>9.2} ms  {}: all that synth writes by default",
+            1e3 * total,
+            design.name
+        );
     }
     Ok(())
 }

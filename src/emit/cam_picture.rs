@@ -182,9 +182,10 @@ impl<'a> Scene<'a> {
             plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
-        // Counter-clockwise, as the cam turns.
-        let r = 0.45 * self.base.min(self.reach);
-        let (from, to) = (-0.35_f64, 1.75_f64);
+        // Counter-clockwise, as the cam turns, on the side where the cam has most room for it.
+        let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
+        let middle = self.bulk().unwrap_or(0.7);
+        let (from, to) = (middle - 1.05, middle + 1.05);
         let arc: Vec<(f64, f64)> = (0..=60)
             .map(|i| {
                 let a = from + (to - from) * f64::from(i) / 60.0;
@@ -201,6 +202,17 @@ impl<'a> Scene<'a> {
             corner(r - 0.5 * head, to - 0.3 * head / r),
         ];
         plane.draw(&Polygon::new(arrow, INK.filled()))
+    }
+
+    /// Direction from the centre to the middle of the profile, rad; `None` where the cam is about round.
+    fn bulk(&self) -> Option<f64> {
+        let n = self.rows.len().max(1) as f64;
+        let (x, y) = self
+            .rows
+            .iter()
+            .fold((0.0, 0.0), |(x, y), p| (x + MM * p.x / n, y + MM * p.y / n));
+        let [x, y] = turned([x, y], self.start);
+        (x.hypot(y) > 0.1 * self.reach).then(|| y.atan2(x))
     }
 
     fn follower(&self, plane: &Plane) -> Drawn {

@@ -23,6 +23,9 @@ const LAYERS: [(&str, u8); 6] = [
     ("CENTRE", 1),
 ];
 
+/// Group 440 for "by value, fully opaque": the writer's own 0 is not a value of that group.
+const OPAQUE: i32 = 0x0200_00ff;
+
 /// The oldest program that must read the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
@@ -116,6 +119,8 @@ impl Sheet {
             Version::R2000 => AcadVersion::R2000,
             Version::R2010 => AcadVersion::R2010,
         };
+        // In R12's dimension styles the handle's group means something else.
+        header.handles_enabled = version != Version::R12;
         header.drawing_units = DrawingUnits::Metric;
         header.default_drawing_units = Units::Millimeters;
         // The same design gives the same bytes: no clock, no random identity.
@@ -138,6 +143,7 @@ impl Sheet {
     fn add(&mut self, layer: &str, specific: EntityType) {
         let mut entity = Entity::new(specific);
         entity.common.layer = layer.to_string();
+        entity.common.transparency = OPAQUE;
         self.drawing.add_entity(entity);
     }
 
@@ -209,6 +215,22 @@ impl Sheet {
         if self.drawing.save(&mut out).is_err() {
             out.clear();
         }
+        if self.version == Version::R12 {
+            out = without_subclasses(&out);
+        }
         out
     }
+}
+
+/// R12 knows no subclass markers (group 100), and strict readers stop at the ones the writer leaves.
+fn without_subclasses(text: &[u8]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(text.len());
+    let mut lines = text.split_inclusive(|&b| b == b'\n');
+    while let (Some(code), Some(value)) = (lines.next(), lines.next()) {
+        if code.trim_ascii() != b"100" {
+            out.extend_from_slice(code);
+            out.extend_from_slice(value);
+        }
+    }
+    out
 }

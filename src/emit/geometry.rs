@@ -30,22 +30,10 @@ pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     (0..n).map(move |i| start + length * i as f64 / steps as f64)
 }
 
-/// Force wanted at `theta`, N: the cubic through the four nearest samples.
-///
-/// Exact at the samples; between them its error falls with the fourth power of their distance.
+/// Force wanted at `theta`, N: the target's cycle spread over the law's extent.
 pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     let (start, length) = law.extent();
-    let n = target.force_n.len();
-    let x = ((theta - start) / length).rem_euclid(1.0) * n as f64;
-    let i = x.floor();
-    let u = x - i;
-    let f = |k: usize| target.force_n[(i as usize + n + k - 1) % n];
-    if u == 0.0 {
-        return f(1);
-    }
-    let (a, b, c) = (u + 1.0, u - 1.0, u - 2.0);
-    -f(0) * u * b * c / 6.0 + f(1) * a * b * c / 2.0 - f(2) * a * u * c / 2.0
-        + f(3) * a * u * b / 6.0
+    target.at(std::f64::consts::TAU * ((theta - start) / length))
 }
 
 /// The part of the follower that touches the cam, in the fixed frame, m.

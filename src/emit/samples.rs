@@ -58,6 +58,13 @@ pub fn number(x: f64, digits: i32) -> String {
     text.replace('-', "−")
 }
 
+/// "low … high"; an end that is zero but for rounding is called so.
+pub fn range(low: f64, high: f64, digits: i32) -> String {
+    let noise = 1e-9 * (high - low).abs();
+    let [low, high] = [low, high].map(|x| number(if x.abs() < noise { 0.0 } else { x }, digits));
+    format!("{low} … {high}")
+}
+
 /// Degrees to one decimal, in [0, 360] for one turn.
 pub fn degrees(theta: f64) -> String {
     format!("{:.1}°", theta.to_degrees() + 0.0).replace('-', "−")

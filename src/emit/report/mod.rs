@@ -9,7 +9,7 @@ use super::Timing;
 use super::cam_picture::cam_in;
 use super::panel::Frame;
 use super::plots::{Layout, force_frame, force_in, geometry_in, svaj_in};
-use super::samples::{lift_unit, number};
+use super::samples::{lift_unit, number, range};
 use super::svg::escaped;
 use crate::cam::Verdict;
 use crate::synth::Synthesis;
@@ -120,11 +120,7 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
     }
     all.push((
         "Force",
-        format!(
-            "{} … {}\u{a0}N",
-            number(force.min_n, 4),
-            number(force.max_n, 4)
-        ),
+        format!("{}\u{a0}N", range(force.min_n, force.max_n, 4)),
         format!("mean {} N", number(force.mean_n, 4)),
     ));
     let stroke = format!("{} {unit}", number(factor * cam.law.stroke(), 4));

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::cam::Check;
 use crate::emit::Timing;
-use crate::emit::samples::{degrees, lift_unit, number};
+use crate::emit::samples::{degrees, lift_unit, number, range};
 use crate::emit::svg::escaped;
 use crate::synth::{Synthesis, Tier};
 
@@ -19,13 +19,13 @@ pub fn spoken(name: &str) -> String {
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
 pub fn shown(limit: &str, value: f64) -> String {
     let (factor, unit) = match limit {
-        "stroke" | "curvature" | "concave_curvature" | "face_width" | "base_radius"
-        | "prime_radius" | "roller_radius" | "offset" => (1000.0, " mm"),
+        "stroke" | "curvature" | "concave" | "face_width" | "bore" | "base_circle"
+        | "base_radius" | "prime_radius" | "roller_radius" | "offset" => (1000.0, " mm"),
+        "velocity" => (1.0, " m/s"),
         "acceleration" => (1.0, " m/s²"),
         "jerk" => (1.0, " m/s³"),
+        "force_min" | "force_max" | "rms_error" => (1.0, " N"),
         name if name.starts_with("pressure_angle") => (1f64.to_degrees(), "°"),
-        name if name.starts_with("force") => (1.0, " N"),
-        name if name.starts_with("rms") => (100.0, " %"),
         _ => (1.0, ""),
     };
     format!("{}{unit}", number(factor * value, 4))
@@ -177,17 +177,8 @@ fn law(synthesis: &Synthesis) -> Rows {
     ];
     for k in 0..3 {
         let (low, high) = law.extremes(k + 1);
-        let range = |scale: f64, digits: i32| {
-            format!(
-                "{} … {}",
-                number(scale * low.value, digits),
-                number(scale * high.value, digits)
-            )
-        };
-        rows.push((
-            names[k][0],
-            format!("{} {unit}{}", range(factor, 4), per[k]),
-        ));
+        let range = |scale: f64| range(scale * low.value, scale * high.value, 4);
+        rows.push((names[k][0], format!("{} {unit}{}", range(factor), per[k])));
         let rate = speed.powi(k as i32 + 1);
         let (scale, unit) = if unit == "mm" {
             (rate, "m")
@@ -196,7 +187,7 @@ fn law(synthesis: &Synthesis) -> Rows {
         };
         rows.push((
             names[k][1],
-            format!("{} {unit}{}", range(scale, 4), in_time[k]),
+            format!("{} {unit}{}", range(scale), in_time[k]),
         ));
     }
     rows
