@@ -16,7 +16,17 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
     let transform = Transform::new();
-    let mut scale = 0.0;
+    // The scale of the whole comes first: judged by its own, a piece that is only rounding (a dwell)
+    // would be halved without end.
+    let mut scale = 0.0_f64;
+    for (piece, w) in breaks.windows(2).enumerate() {
+        for x in transform.nodes {
+            let value = f(piece, w[0] + (w[1] - w[0]) * 0.5 * (1.0 + x)).abs();
+            if value.is_finite() {
+                scale = scale.max(value);
+            }
+        }
+    }
     for (piece, w) in breaks.windows(2).enumerate() {
         let on_piece = |x: f64| f(piece, x);
         refine(
