@@ -1,5 +1,7 @@
 //! The smallest cam for a law: closed forms of FACTS §6.
 
+use super::{Cam, Follower};
+use crate::error::{Error, Result};
 use crate::law::Law;
 
 /// A prime circle and the offset of the follower's line of motion, m.
@@ -59,4 +61,88 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
         radius: best.0.hypot(best.1),
         offset: best.1,
     }
+}
+
+/// What a cam must keep while it shrinks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizeLimits {
+    /// Least convex radius of the finished cam, m; 0 stops at the cusp.
+    pub rho_min: f64,
+    /// Largest pressure angle on the positive side, rad; π/2 for any.
+    pub pressure_rise: f64,
+    /// Largest pressure angle on the negative side, rad; π/2 for any.
+    pub pressure_fall: f64,
+}
+
+impl SizeLimits {
+    /// No undercut, any pressure angle.
+    pub fn no_undercut() -> Self {
+        SizeLimits {
+            rho_min: 0.0,
+            pressure_rise: std::f64::consts::FRAC_PI_2,
+            pressure_fall: std::f64::consts::FRAC_PI_2,
+        }
+    }
+
+    fn hold(&self, cam: &Cam) -> bool {
+        if cam.check().is_err() {
+            return false;
+        }
+        let (low, high) = cam.pressure_angle_extremes();
+        // Rounding of the angle at the limit itself.
+        let slack = 1e-12;
+        cam.curvature().convex.value >= self.rho_min
+            && high.value <= self.pressure_rise + slack
+            && -low.value <= self.pressure_fall + slack
+    }
+}
+
+/// Steps by which a cam grows until it holds the limits, and how often.
+const GROWTH: f64 = 1.25;
+const GROWTHS: i32 = 90;
+
+/// Smallest base radius (m; for a barrel: radius of the cylinder) on which `cam`, all else kept, fits its
+/// law and holds the limits, to 1e-10 relative. The cam's own base radius does not matter.
+///
+/// Closed form for a flat translating face; otherwise the first size that works when the cam grows in
+/// steps of a quarter, refined by halving. Fails when none works.
+pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
+    if matches!(cam.follower, Follower::FlatTranslating { .. }) {
+        return Ok(smallest_base_radius(&cam.law, limits.rho_min));
+    }
+    let at = |base: f64| Cam {
+        law: cam.law.clone(),
+        follower: cam.follower.with_base_radius(base),
+    };
+    let unit = match cam.follower {
+        Follower::RollerOscillating { pivot_distance, .. }
+        | Follower::MushroomOscillating { pivot_distance, .. }
+        | Follower::FlatOscillating { pivot_distance, .. } => pivot_distance.abs(),
+        _ => cam.law.stroke().max(cam.follower.roller_radius()),
+    };
+    let mut bad = 0.0;
+    let found = (-40..GROWTHS - 40).find_map(|k| {
+        let base = unit * GROWTH.powi(k);
+        if limits.hold(&at(base)) {
+            return Some(base);
+        }
+        bad = base;
+        None
+    });
+    let mut good = found.ok_or_else(|| {
+        Error::new(format!(
+            "no base radius lets this {} cam hold its limits",
+            cam.follower.name()
+        ))
+        .help("allow a larger pressure angle or a smaller radius, spread the motion over more angle, or move the pivot out")
+    })?;
+    while good - bad > 1e-10 * good {
+        let middle = 0.5 * (good + bad);
+        if limits.hold(&at(middle)) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    Ok(good)
 }

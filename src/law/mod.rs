@@ -1,16 +1,19 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
+mod envelope;
 mod hermite;
 mod joint;
 mod pieces;
 mod program;
 mod rise;
+mod walk;
 mod wave;
 
 pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
 pub use program::{Extent, Segment, assemble, constant_breadth, program};
 pub use rise::{End, Ends, Factors, Rise};
+pub use walk::{BATCH, Batch};
 pub use wave::Wave;
 
 use crate::poly::{Extreme, PiecewisePoly, bernstein};

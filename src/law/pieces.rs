@@ -76,6 +76,27 @@ impl Pieces {
         }
     }
 
+    /// Adds what `law` does from `from` to `to`, both within one extent of it.
+    pub fn push_part(&mut self, law: &Law, from: f64, to: f64) {
+        let start = self.reached();
+        for i in 0..law.poly().pieces() {
+            let (a, b) = (law.breaks()[i], law.breaks()[i + 1]);
+            let (left, right) = (a.max(from), b.min(to));
+            if right <= left {
+                continue;
+            }
+            let mut coef = law.poly().piece(i).to_vec();
+            if right < b {
+                coef = bernstein::split(&coef, (right - a) / (b - a)).0;
+            }
+            if left > a {
+                coef = bernstein::split(&coef, (left - a) / (right - a)).1;
+            }
+            let waves = law.waves(i).iter().map(|w| w.from(left - a)).collect();
+            self.push(start + (right - from), coef, waves);
+        }
+    }
+
     /// Moves the last break, which sums may have missed by rounding, to where it belongs.
     pub fn end_exactly_at(&mut self, end: f64) {
         if let Some(last) = self.breaks.last_mut() {

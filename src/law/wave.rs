@@ -32,6 +32,16 @@ impl Wave {
         out.j -= square * slope;
     }
 
+    /// The wave seen from a later start: g(x) = f(x + later).
+    pub fn from(&self, later: f64) -> Wave {
+        let (sin, cos) = (self.rate * later).sin_cos();
+        Wave {
+            rate: self.rate,
+            cos: self.cos * cos + self.sin * sin,
+            sin: self.sin * cos - self.cos * sin,
+        }
+    }
+
     /// The wave seen backwards from the end of a piece of given width: g(x) = f(width − x).
     pub fn mirrored(&self, width: f64) -> Wave {
         let (sin, cos) = (self.rate * width).sin_cos();

@@ -1,0 +1,217 @@
+//! Barrel cams: a groove around a cylinder with both walls in space, at any depth.
+//!
+//! The barrel's axis is z; a roller with a radial axis stands at z = s(θ). Seen from the barrel, which
+//! turns counter-clockwise, the roller goes round by −θ. On its axis at radius R the roller slides along
+//! the unrolled groove at the angle tan φ = v/R (thesis 002, eq. 30), and touches the walls at ±R_f along
+//! the groove's normal.
+
+use crate::error::{Error, Result};
+use crate::law::{Law, Svaj};
+use crate::poly::{Extreme, stand_in};
+
+/// What runs in the groove.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rollers {
+    /// One roller: it touches one wall at a time and changes its sense of rotation with it.
+    One {
+        /// Radius of the roller, m.
+        radius: f64,
+    },
+    /// Two equal rollers on one stud, one above the other along the stud, set off by ±eccentricity along
+    /// z: each keeps to its own wall (desmodromic, thesis 002).
+    TwoEccentric {
+        /// Radius of both rollers, m.
+        radius: f64,
+        /// Offset of each roller's axis from the stud's, m.
+        eccentricity: f64,
+    },
+}
+
+/// One side of the groove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wall {
+    /// Towards +z: the thesis' index 1.
+    Upper,
+    /// Towards −z: the thesis' index 2.
+    Lower,
+}
+
+impl Wall {
+    fn sign(self) -> f64 {
+        match self {
+            Wall::Upper => 1.0,
+            Wall::Lower => -1.0,
+        }
+    }
+}
+
+/// A groove: law, depth and rollers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BarrelGroove {
+    law: Law,
+    inner: f64,
+    outer: f64,
+    rollers: Rollers,
+}
+
+impl BarrelGroove {
+    /// A groove between the radii `inner` (its floor) and `outer` (the cylinder's surface), m; the law
+    /// may run over several turns.
+    pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
+        if !(inner > 0.0 && outer > inner && outer.is_finite()) {
+            return Err(Error::new(format!(
+                "a groove from radius {inner} m to {outer} m has no depth"
+            ))
+            .help("the floor's radius must be more than 0 and less than the surface's"));
+        }
+        let (radius, eccentricity) = match rollers {
+            Rollers::One { radius } => (radius, 0.0),
+            Rollers::TwoEccentric {
+                radius,
+                eccentricity,
+            } => (radius, eccentricity),
+        };
+        if !(radius > 0.0 && eccentricity >= 0.0 && eccentricity.is_finite()) {
+            return Err(Error::new(format!(
+                "rollers of radius {radius} m set off by {eccentricity} m do not fit a groove"
+            ))
+            .help("the radius must be more than 0, the eccentricity not negative"));
+        }
+        if radius >= inner {
+            return Err(Error::new(format!(
+                "rollers of radius {radius} m are as thick as the groove's floor of radius {inner} m"
+            ))
+            .help("the roller must be thinner than the radius of the floor"));
+        }
+        Ok(BarrelGroove {
+            law,
+            inner,
+            outer,
+            rollers,
+        })
+    }
+
+    /// The law of motion along z.
+    pub fn law(&self) -> &Law {
+        &self.law
+    }
+
+    /// Radii of floor and surface, m.
+    pub fn depth(&self) -> (f64, f64) {
+        (self.inner, self.outer)
+    }
+
+    /// Radius of the rollers, m.
+    pub fn roller_radius(&self) -> f64 {
+        match self.rollers {
+            Rollers::One { radius } | Rollers::TwoEccentric { radius, .. } => radius,
+        }
+    }
+
+    /// Offset along z of the axis of the roller that touches a wall, m.
+    pub fn axis_offset(&self, wall: Wall) -> f64 {
+        match self.rollers {
+            Rollers::One { .. } => 0.0,
+            Rollers::TwoEccentric { eccentricity, .. } => wall.sign() * eccentricity,
+        }
+    }
+
+    /// Pressure angle on a roller's axis at `radius`, rad, positive when rising: tan φ = v/R.
+    pub fn pressure_angle(&self, theta: f64, radius: f64) -> f64 {
+        (self.law.svaj(theta).v / radius).atan()
+    }
+
+    /// Smallest and largest pressure angle on the axis at `radius`, rad: steepest at the floor.
+    pub fn pressure_angle_extremes(&self, radius: f64) -> (Extreme, Extreme) {
+        let (low, high) = self.law.extremes(1);
+        let angle = |e: Extreme| Extreme {
+            at: e.at,
+            value: (e.value / radius).atan(),
+        };
+        (angle(low), angle(high))
+    }
+
+    /// Radius of curvature of the unrolled groove's middle line at `radius`, m: positive where it bends
+    /// towards −z (convex seen from below), infinite where straight.
+    pub fn rho_pitch(&self, theta: f64, radius: f64) -> f64 {
+        1.0 / pitch_curvature(self.law.svaj(theta), radius)
+    }
+
+    /// Signed radius of curvature of a wall, unrolled at `radius`, m: positive where the wall bulges into
+    /// the groove. Undercut where positive pitch radii fall below the roller's.
+    pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
+        // The lower wall's body lies below, the upper one's above: bulges have opposite signs.
+        -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
+    }
+
+    /// Smallest radius with which a wall bulges into the groove at `radius`, m; negative: the roller cuts
+    /// away wall that it needs. Infinite when the wall nowhere bulges.
+    pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
+        let breaks = self.law.breaks();
+        let side = -wall.sign();
+        let high = stand_in(breaks, 1e-12, |i, x| {
+            let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+            side * pitch_curvature(self.law.svaj_on(i, u), radius)
+        })
+        .extremes()
+        .1;
+        Extreme {
+            at: high.at,
+            value: if high.value > 0.0 {
+                1.0 / high.value - self.roller_radius()
+            } else {
+                f64::INFINITY
+            },
+        }
+    }
+
+    /// The point of a wall in space that touches its roller where the roller's axis is at `radius`,
+    /// barrel frame, m: the exact envelope of a cylindrical roller with a radial axis.
+    pub fn wall_point(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 3] {
+        let at = self.law.svaj(theta);
+        let [across, up] = self.wall_offset(at, radius, wall);
+        // Before turning: axis along +x, the groove's length along −y.
+        let (sin, cos) = theta.sin_cos();
+        let (x, y) = (radius, -across);
+        [
+            cos * x + sin * y,
+            cos * y - sin * x,
+            at.s + self.axis_offset(wall) + up,
+        ]
+    }
+
+    /// The same wall by the thesis' unrolled formulae (eq. 37, 38): angle δ along the groove, rad, and
+    /// height z, m. It bends the roller's circle around the cylinder, so it misses [`Self::wall_point`]
+    /// by about R_f³/(6R²)·sin³φ.
+    pub fn wall_unrolled(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 2] {
+        let at = self.law.svaj(theta);
+        let [across, up] = self.wall_offset(at, radius, wall);
+        [theta + across / radius, at.s + self.axis_offset(wall) + up]
+    }
+
+    /// From the roller's axis to the contact: along the groove (growing θ) and along z.
+    fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
+        let slope = at.v / radius;
+        let unit = wall.sign() * self.roller_radius() / (1.0 + slope * slope).sqrt();
+        [-slope * unit, unit]
+    }
+
+    /// Room between a roller and the wall it must not touch, m: 0 for one roller, about
+    /// 2·eccentricity·cos φ for two; least over the law at the floor.
+    pub fn clearance(&self) -> f64 {
+        match self.rollers {
+            Rollers::One { .. } => 0.0,
+            Rollers::TwoEccentric { eccentricity, .. } => {
+                let (low, high) = self.pressure_angle_extremes(self.inner);
+                2.0 * eccentricity * low.value.cos().min(high.value.cos())
+            }
+        }
+    }
+}
+
+/// Curvature of the unrolled middle line, positive where it bends towards −z.
+fn pitch_curvature(at: Svaj, radius: f64) -> f64 {
+    let slope = at.v / radius;
+    let square = 1.0 + slope * slope;
+    -at.a / (radius * radius * square * square.sqrt())
+}
