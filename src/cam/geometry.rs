@@ -290,8 +290,8 @@ impl Contacts {
 fn turns(batch: &Batch, start: f64) -> [[f64; BATCH]; 2] {
     let mut out = [[0.0; BATCH]; 2];
     let mut known = (f64::NAN, (0.0, 1.0));
-    for k in 0..batch.len {
-        let angle = start + batch.s[k];
+    for (k, s) in batch.s[..batch.len].iter().enumerate() {
+        let angle = start + s;
         if angle != known.0 {
             known = (angle, angle.sin_cos());
         }

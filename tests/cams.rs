@@ -1,0 +1,604 @@
+//! Cams against the papers' numbers, closed forms and finite differences.
+
+use gaitcam::cam::{
+    Cam, Closure, Conjugate, Follower, SizeLimits, Verdict, eccentric_disc, eccentric_roller_law,
+    judge, smallest_base_radius, smallest_for, smallest_prime_circle,
+};
+use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
+use gaitcam::poly::PiecewisePoly;
+use std::f64::consts::{PI, TAU};
+
+fn turn(segments: &[(&str, f64, f64)]) -> Law {
+    let list: Vec<Segment> = segments
+        .iter()
+        .map(|&(motion, lift, degrees)| Segment {
+            motion: Rise::from_name(motion).unwrap(),
+            lift,
+            angle: degrees.to_radians(),
+        })
+        .collect();
+    program(&list, Extent::Turn).unwrap()
+}
+
+fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
+    Follower::RollerTranslating {
+        prime_radius,
+        offset,
+        roller_radius,
+    }
+}
+
+fn near(value: f64, expected: f64, within: f64) {
+    assert!(
+        (value - expected).abs() <= within,
+        "{value} is not {expected}"
+    );
+}
+
+/// FACTS §2: the paper's law with its dwell, inches.
+fn heel_tester() -> Law {
+    let k = 30.0 * (PI * 0.75 * 0.75_f64).powi(2);
+    let end = 256.32_f64.to_radians();
+    let mut conditions: Vec<Condition> = [
+        (0.0, 0.0),
+        (56.88, 110.282),
+        (123.84, 79.338),
+        (198.72, 106.667),
+        (256.32, 0.0),
+    ]
+    .into_iter()
+    .map(|(degrees, force): (f64, f64)| Condition {
+        theta: degrees.to_radians(),
+        order: 0,
+        value: force / k,
+    })
+    .collect();
+    for theta in [0.0, end] {
+        for order in 1..3 {
+            conditions.push(Condition {
+                theta,
+                order,
+                value: 0.0,
+            });
+        }
+    }
+    let rise = hermite_birkhoff(&conditions, 0.0, end).unwrap();
+    let mut coef = rise.piece(0).to_vec();
+    coef.extend([0.0; 9]);
+    Law::from_poly(PiecewisePoly::new(vec![0.0, end, TAU], 8, coef), true)
+}
+
+#[test]
+fn heel_tester_pressure_angles_and_radius_are_those_recomputed() {
+    // FACTS §2: Rp = 3 in, ε = 0, roller 1 in.
+    let cam = Cam::new(heel_tester(), roller(3.0, 0.0, 1.0)).unwrap();
+    let (low, high) = cam.pressure_angle_extremes();
+    near(high.value.to_degrees(), 26.572, 5e-4);
+    near(high.at.to_degrees(), 33.66, 5e-3);
+    near(low.value.to_degrees(), -25.739, 5e-4);
+    near(low.at.to_degrees(), 222.75, 5e-3);
+    let curvature = cam.curvature();
+    near(curvature.convex.value + 1.0, 2.3024, 5e-5);
+    assert!(!curvature.undercut);
+}
+
+#[test]
+fn thesis_eccentric_and_double_harmonic_cams() {
+    // FACTS §3: eccentric r = 0.03, e = 0.01 m is a circle; sliding speed ω·d.
+    let disc = eccentric_disc(0.03, 0.01).unwrap();
+    for p in disc.profile(360) {
+        near((p.x - 0.01).hypot(p.y), 0.03, 1e-15);
+        near(p.rho, 0.03, 1e-15);
+    }
+    let omega = 11.624;
+    near(omega * (0.02 + disc.law.extremes(0).1.value), 0.46496, 5e-6);
+    // Double harmonic 135/135/90, Rb = 0.03, h = 0.01: the recomputed column.
+    let law = turn(&[
+        ("double-harmonic", 0.01, 135.0),
+        ("double-harmonic", -0.01, 135.0),
+        ("dwell", 0.0, 90.0),
+    ]);
+    let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.03 }).unwrap();
+    let rho = cam.curvature().convex;
+    near(rho.value, 0.022222, 5e-7);
+    near(rho.at.to_degrees(), 135.0, 1e-4);
+    near(cam.face_width().unwrap(), 0.0173205, 5e-8);
+}
+
+#[test]
+fn eccentric_disc_under_a_roller_is_the_same_disc() {
+    let cam = eccentric_roller_law(0.03, 0.01, 0.008).unwrap();
+    for p in cam.profile(400) {
+        near((p.x - 0.01).hypot(p.y), 0.03, 1e-12);
+        near(p.rho, 0.03, 1e-8);
+    }
+    assert!(eccentric_disc(0.01, 0.01).is_err());
+    let half = Rise::Eccentric { ratio: 3.8 }.law().unwrap();
+    for i in 0..=50 {
+        let x = f64::from(i) / 50.0;
+        let s = cam.law.svaj(-0.5 * PI + PI * x).s / 0.02;
+        near(half.svaj(x).s, s, 1e-13);
+    }
+}
+
+#[test]
+fn simple_harmonic_roller_cam_of_cam_das() {
+    // FACTS §5, Ejemplo1RT: Rb 50, SHM ±50 in 180°, mm; roller 5 and 500.
+    let law = turn(&[
+        ("simple-harmonic", 50.0, 180.0),
+        ("simple-harmonic", -50.0, 180.0),
+    ]);
+    for (radius, phi, low, high) in [
+        (5.0, 18.2100, 70.9934, 95.8333),
+        (500.0, 2.4919, 74.4563, 76.1905),
+    ] {
+        let cam = Cam::new(law.clone(), roller(50.0 + radius, 0.0, radius)).unwrap();
+        let (least, most) = cam.pressure_angle_extremes();
+        near(most.value.to_degrees(), phi, 5e-5);
+        near(least.value.to_degrees(), -phi, 5e-5);
+        near(cam.curvature().convex.value, low, 5e-5);
+        let flattest = cam.profile(36000).iter().map(|p| p.rho).fold(0.0, f64::max);
+        near(flattest, high, 5e-5);
+    }
+    // Ejemplo10EX: under a flat face a circle of Rb + L/2.
+    let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 50.0 }).unwrap();
+    for p in cam.profile(90) {
+        near(p.rho, 75.0, 1e-12);
+    }
+}
+
+#[test]
+fn conjugate_of_ejemplo8_has_a_base_of_80() {
+    // FACTS §5: 225 = 45 + 100 + 80, mm.
+    let law = turn(&[
+        ("double-harmonic", 0.1, 180.0),
+        ("double-harmonic", -0.1, 180.0),
+    ]);
+    let first = Cam::new(law, Follower::FlatTranslating { base_radius: 0.045 }).unwrap();
+    let pair = Conjugate::new(&first, Closure::Distance(0.225), None).unwrap();
+    near(pair.second.follower.base_radius(), 0.08, 1e-15);
+    near(pair.second.law.svaj(0.0).s, 0.1, 1e-15);
+    let none = Conjugate::new(&first, Closure::Distance(0.14), None)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        none.contains("140.0000 mm")
+            && none.contains("145.0000 mm")
+            && none.contains("exists without undercut"),
+        "{none}"
+    );
+    assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());
+}
+
+#[test]
+fn groove_of_the_barrel_thesis() {
+    use gaitcam::cam::{BarrelGroove, Rollers, Wall};
+    let rise = Segment {
+        motion: Rise::BerzakD,
+        lift: 0.04,
+        angle: TAU,
+    };
+    let law = program(
+        &[
+            rise.clone(),
+            Segment {
+                lift: -0.04,
+                ..rise
+            },
+        ],
+        Extent::Turns(2),
+    )
+    .unwrap();
+    let groove = BarrelGroove::new(law, 0.021, 0.03, Rollers::One { radius: 0.005 }).unwrap();
+    // FACTS §4: table at 21 mm (misprinted radius), text at 30 mm.
+    let phi = |degrees: f64, radius: f64| {
+        groove
+            .pressure_angle(degrees.to_radians(), radius)
+            .to_degrees()
+    };
+    near(phi(90.0, 0.021), 18.166, 1e-3);
+    near(phi(180.0, 0.021), 28.745, 1e-3);
+    near(phi(90.0, 0.03), 12.936, 5e-4);
+    near(phi(180.0, 0.03), 21.005, 5e-4);
+    let rho = |degrees: f64, radius: f64| groove.rho_pitch(degrees.to_radians(), radius);
+    near(1e3 * rho(90.0, 0.021), -96.540, 1e-3);
+    near(1e3 * rho(270.0, 0.021), 96.540, 1e-3);
+    near(1e3 * rho(90.0, 0.03), -182.553, 1e-3);
+    near(
+        1e3 * groove.rho_wall(90_f64.to_radians(), 0.021, Wall::Lower),
+        -101.540,
+        1e-3,
+    );
+    near(
+        1e3 * groove.rho_wall(270_f64.to_radians(), 0.021, Wall::Lower),
+        91.540,
+        1e-3,
+    );
+    // The thesis' unrolled walls: z = s ± R_f cos φ, δ = θ ∓ (R_f/R) sin φ.
+    let theta = 1.0;
+    let (at, angle) = (groove.law().svaj(theta), groove.pressure_angle(theta, 0.03));
+    for (wall, sign) in [(Wall::Upper, 1.0), (Wall::Lower, -1.0)] {
+        let [delta, z] = groove.wall_unrolled(theta, 0.03, wall);
+        near(z, at.s + sign * 0.005 * angle.cos(), 1e-15);
+        near(delta, theta - sign * 0.005 / 0.03 * angle.sin(), 1e-15);
+        let p = groove.wall_point(theta, 0.03, wall);
+        near(p[2], z, 1e-15);
+        // Space and unrolled walls differ by R_f³ sin³φ/(3R²) along the groove.
+        near(
+            -p[1].atan2(p[0]),
+            delta,
+            0.005_f64.powi(3) / 0.03_f64.powi(3) * angle.sin().powi(3),
+        );
+    }
+    assert!(groove.smallest_bulge(0.021, Wall::Lower).value > 0.0);
+    assert!(
+        BarrelGroove::new(
+            groove.law().clone(),
+            0.03,
+            0.02,
+            Rollers::One { radius: 0.005 }
+        )
+        .is_err()
+    );
+}
+
+#[test]
+fn smallest_prime_circles_have_their_closed_form() {
+    // FACTS §6: 3-4-5 rise and fall, lift 1.
+    let law = |beta: f64| {
+        turn(&[
+            ("3-4-5", 1.0, beta),
+            ("dwell", 0.0, 180.0 - beta),
+            ("3-4-5", -1.0, beta),
+            ("dwell", 0.0, 180.0 - beta),
+        ])
+    };
+    let deg = |x: f64| x.to_radians();
+    for (beta, radius) in [(60.0, 2.63648), (90.0, 1.62006), (120.0, 1.12016)] {
+        let circle = smallest_prime_circle(&law(beta), deg(30.0), deg(30.0), None);
+        near(circle.radius, radius, 5.1e-6);
+        near(circle.offset, 0.0, 1e-12);
+        // The closed form against the general search, offset fixed.
+        let cam = Cam::new(law(beta), roller(3.0, 0.0, 0.0)).unwrap();
+        let limits = SizeLimits {
+            rho_min: f64::NEG_INFINITY,
+            pressure_rise: deg(30.0),
+            pressure_fall: deg(30.0),
+        };
+        near(smallest_for(&cam, &limits).unwrap(), circle.radius, 1e-6);
+    }
+    let circle = smallest_prime_circle(&law(60.0), deg(30.0), deg(45.0), None);
+    near(circle.radius, 1.88131, 5.1e-6);
+    near(circle.offset, 0.47052, 5.1e-6);
+    let rise_only = smallest_prime_circle(&rise_only(60.0), deg(30.0), deg(30.0), None);
+    near(rise_only.radius, 1.52217, 5.1e-6);
+    near(rise_only.offset, 0.76109, 5.1e-6);
+    // Flat face: −min(s + a)/h.
+    for (beta, radius) in [(60.0, 4.33369), (90.0, 1.41139), (120.0, 0.39177)] {
+        near(smallest_base_radius(&law(beta), 0.0), radius, 5.1e-6);
+    }
+}
+
+/// A rise alone: an open law, so that no fall asks for anything.
+fn rise_only(beta: f64) -> Law {
+    let up = Segment {
+        motion: Rise::Poly345,
+        lift: 1.0,
+        angle: beta.to_radians(),
+    };
+    program(&[up], Extent::Length(beta.to_radians())).unwrap()
+}
+
+/// FACTS §6: lift 20 mm, quarter turns of rise, dwell, fall, dwell, cycloidal.
+fn reference_law() -> Law {
+    turn(&[
+        ("cycloidal", 20.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("cycloidal", -20.0, 90.0),
+        ("dwell", 0.0, 90.0),
+    ])
+}
+
+#[test]
+fn reference_cam_has_its_known_radii() {
+    let cam = Cam::new(reference_law(), roller(50.0, 0.0, 10.0)).unwrap();
+    let rho = cam.curvature().convex.value;
+    near(rho, 29.42456, 5e-6);
+    near(rho + 10.0, 39.42456, 5e-6);
+    near(
+        cam.pressure_angle_extremes().1.value.to_degrees(),
+        23.2330,
+        5e-5,
+    );
+    let flat = Cam::new(
+        reference_law(),
+        Follower::FlatTranslating { base_radius: 40.0 },
+    )
+    .unwrap();
+    near(flat.curvature().convex.value, 7.14737, 5e-6);
+    near(smallest_base_radius(&flat.law, 5.0), 37.85263, 5e-6);
+}
+
+#[test]
+fn mistakes_of_other_programs_stay_out() {
+    // FACTS §6, last paragraph. Profile as plain Rb + s: the true profile differs by this much.
+    let cam = Cam::new(reference_law(), roller(50.0, 0.0, 10.0)).unwrap();
+    let off = |cam: &Cam, base: f64| {
+        cam.profile(3600)
+            .iter()
+            .map(|p| {
+                // Plain polar plot: radius Rb + s at the contact's own polar angle.
+                let angle = 0.5 * PI - p.y.atan2(p.x);
+                (p.x.hypot(p.y) - base - cam.law.svaj(angle).s).abs()
+            })
+            .fold(0.0, f64::max)
+    };
+    let flat = Cam::new(
+        reference_law(),
+        Follower::FlatTranslating { base_radius: 40.0 },
+    )
+    .unwrap();
+    println!(
+        "plain Rb + s misses the roller cam by {:.4} mm, the flat cam by {:.4} mm",
+        off(&cam, 40.0),
+        off(&flat, 40.0)
+    );
+    assert!(off(&cam, 40.0) > 0.5 && off(&flat, 40.0) > 3.0);
+    // Flat ρ: 7.15, not 31.61; at Rb 30 it is −2.85 and undercut.
+    let small = Cam::new(
+        reference_law(),
+        Follower::FlatTranslating { base_radius: 30.0 },
+    )
+    .unwrap();
+    near(small.curvature().convex.value, -2.85263, 5e-6);
+    assert!(small.curvature().undercut);
+    // Sign of ρ: 40° rise, Rp 30: convex pitch radius 9.675 < R_f 10 is undercut.
+    let steep = turn(&[
+        ("cycloidal", 20.0, 40.0),
+        ("dwell", 0.0, 140.0),
+        ("cycloidal", -20.0, 40.0),
+        ("dwell", 0.0, 140.0),
+    ]);
+    let cam = Cam::new(steep, roller(30.0, 0.0, 10.0)).unwrap();
+    near(cam.curvature().convex.value + 10.0, 9.675, 5e-4);
+    assert!(cam.curvature().undercut);
+    let verdict = judge(&cam, &[]);
+    assert!(
+        verdict.verdict == Verdict::Unacceptable && verdict.reason.contains("undercut"),
+        "{}",
+        verdict.reason
+    );
+    // Oscillating followers: the pitch radius is the same all through a dwell.
+    for cam in oscillating() {
+        let (first, last) = (1.1 * PI / 2.0, 1.9 * PI / 2.0);
+        let radius = |theta: f64| {
+            let p = cam.point(theta);
+            p.pitch_x.hypot(p.pitch_y)
+        };
+        let rho = cam.point(first).rho;
+        for i in 0..20 {
+            let theta = first + (last - first) * f64::from(i) / 20.0;
+            near(radius(theta), radius(first), 1e-13);
+            near(cam.point(theta).rho, rho, 1e-12);
+            near(
+                cam.point(theta).rho,
+                cam.point(theta).x.hypot(cam.point(theta).y),
+                1e-12,
+            );
+        }
+    }
+}
+
+fn oscillating() -> Vec<Cam> {
+    let law = turn(&[
+        ("cycloidal", 0.15, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", -0.15, 110.0),
+        ("dwell", 0.0, 70.0),
+    ]);
+    let mut out = Vec::new();
+    for pivot_distance in [0.1, -0.1] {
+        for follower in [
+            Follower::RollerOscillating {
+                pivot_distance,
+                arm: 0.08,
+                prime_radius: 0.05,
+                roller_radius: 0.01,
+            },
+            Follower::MushroomOscillating {
+                pivot_distance,
+                arm: 0.12,
+                prime_radius: 0.09,
+                arc_radius: 0.03,
+            },
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset: 0.006,
+                base_radius: 0.04,
+            },
+        ] {
+            out.push(Cam::new(law.clone(), follower).unwrap());
+        }
+    }
+    out
+}
+
+#[test]
+fn oscillating_radii_follow_the_closed_forms() {
+    // FACTS §6, inward convention: C = m − A cos ξ(1+ξ′), Dd = A sin ξ(1+ξ′); mirrored: ξ′ → −ξ′.
+    for cam in oscillating() {
+        for i in 0..300 {
+            let theta = TAU * (f64::from(i) + 0.3) / 300.0;
+            let at = cam.law.svaj(theta);
+            let point = cam.point(theta);
+            let xi = cam.follower.start_angle().unwrap() + at.s;
+            match cam.follower {
+                Follower::FlatOscillating {
+                    pivot_distance,
+                    face_offset,
+                    ..
+                } => {
+                    let (m, v) = (pivot_distance.abs(), pivot_distance.signum() * at.v);
+                    let rho = m
+                        * (xi.sin() * (1.0 + 2.0 * v) / (1.0 + v).powi(2)
+                            + xi.cos() * at.a / (1.0 + v).powi(3));
+                    near(point.rho, face_offset + rho, 1e-13);
+                }
+                Follower::RollerOscillating {
+                    pivot_distance,
+                    arm,
+                    ..
+                }
+                | Follower::MushroomOscillating {
+                    pivot_distance,
+                    arm,
+                    ..
+                } => {
+                    let (m, v) = (pivot_distance.abs(), pivot_distance.signum() * at.v);
+                    let c = m - arm * xi.cos() * (1.0 + v);
+                    let d = arm * xi.sin() * (1.0 + v);
+                    let square = c * c + d * d;
+                    let rho = square.powf(1.5)
+                        / (square * (1.0 + v) - m * c * v - m * arm * xi.sin() * at.a);
+                    let found = point.rho + cam.follower.roller_radius();
+                    near(found, rho, 1e-9 * rho.abs());
+                    let tan = (arm * (1.0 + v) - m * xi.cos()) / (m * xi.sin());
+                    near(
+                        point.pressure_angle.tan(),
+                        pivot_distance.signum() * tan,
+                        1e-12,
+                    );
+                }
+                _ => unreachable!(),
+            }
+        }
+    }
+}
+
+fn every_rotating_cam() -> Vec<Cam> {
+    let law = turn(&[
+        ("4-5-6-7", 0.02, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", -0.02, 110.0),
+        ("dwell", 0.0, 70.0),
+    ]);
+    let mut out = oscillating();
+    for follower in [
+        Follower::FlatTranslating { base_radius: 0.05 },
+        roller(0.05, 0.007, 0.01),
+        roller(0.05, -0.007, 0.0),
+        Follower::MushroomTranslating {
+            prime_radius: 0.24,
+            offset: 0.003,
+            arc_radius: 0.2,
+        },
+    ] {
+        out.push(Cam::new(law.clone(), follower).unwrap());
+    }
+    out
+}
+
+#[test]
+fn radii_and_pressure_angles_agree_with_differences_along_the_profile() {
+    // A second route: the profile as a bare curve. Clockwise, so ρ > 0 where it turns right.
+    let h = 2e-4;
+    for cam in every_rotating_cam() {
+        assert!(!cam.curvature().undercut, "{:?}", cam.follower);
+        for i in 0..200 {
+            let theta = TAU * (f64::from(i) + 0.37) / 200.0;
+            let p: Vec<_> = (-2..=2)
+                .map(|k| cam.point(theta + h * f64::from(k)))
+                .collect();
+            let d = |f: fn(&gaitcam::cam::ProfilePoint) -> f64| {
+                let first = (f(&p[0]) - 8.0 * f(&p[1]) + 8.0 * f(&p[3]) - f(&p[4])) / (12.0 * h);
+                let second = (-f(&p[0]) + 16.0 * f(&p[1]) - 30.0 * f(&p[2]) + 16.0 * f(&p[3])
+                    - f(&p[4]))
+                    / (12.0 * h * h);
+                (first, second)
+            };
+            let ((x1, x2), (y1, y2)) = (d(|p| p.x), d(|p| p.y));
+            let rho = (x1 * x1 + y1 * y1).powf(1.5) / (y1 * x2 - x1 * y2);
+            let curvature = 1.0 / cam.point(theta).rho;
+            near(1.0 / rho, curvature, 2e-4 * (1.0 + curvature.abs()));
+            if cam.follower.is_flat() {
+                continue;
+            }
+            // Motion of the circle's centre in space when only s grows, against the profile's normal.
+            let motion = |ds: f64| {
+                let raised = Cam {
+                    law: cam.law.raised(ds),
+                    follower: cam.follower,
+                };
+                let q = raised.point(theta);
+                [q.pitch_x, q.pitch_y]
+            };
+            let (up, down) = (motion(1e-6), motion(-1e-6));
+            let (mx, my) = (up[0] - down[0], up[1] - down[1]);
+            // Outward normal: left of the clockwise tangent.
+            let (nx, ny) = (-y1, x1);
+            let phi = (mx * ny - my * nx).atan2(mx * nx + my * ny);
+            near(phi, cam.point(theta).pressure_angle, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn extremes_bound_every_sample_and_are_reached() {
+    for cam in every_rotating_cam() {
+        let profile = cam.profile(20_000);
+        let (low, high) = cam.pressure_angle_extremes();
+        let angles = profile.iter().map(|p| p.pressure_angle);
+        near(
+            angles.clone().fold(f64::INFINITY, f64::min),
+            low.value,
+            1e-6,
+        );
+        near(angles.fold(f64::NEG_INFINITY, f64::max), high.value, 1e-6);
+        let curvature = cam.curvature();
+        let sharpest = profile
+            .iter()
+            .map(|p| p.rho)
+            .filter(|r| *r > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        near(curvature.convex.value, sharpest, 1e-6);
+        near(
+            cam.point(curvature.convex.at).rho,
+            curvature.convex.value,
+            1e-9,
+        );
+    }
+}
+
+#[test]
+fn contact_wanders_as_far_as_the_face_is_wide() {
+    for cam in every_rotating_cam()
+        .into_iter()
+        .filter(|c| c.follower.is_flat())
+    {
+        let (low, high) = cam.contact_travel().unwrap();
+        let along = |theta: f64| {
+            // Contact in space, measured from the foot of centre or pivot on the face.
+            let p = cam.point(theta);
+            let (sin, cos) = theta.sin_cos();
+            let (x, y) = (cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+            match cam.follower {
+                Follower::FlatOscillating {
+                    pivot_distance,
+                    face_offset,
+                    ..
+                } => ((x - pivot_distance).powi(2) + y * y - face_offset * face_offset).sqrt(),
+                _ => x,
+            }
+        };
+        let all: Vec<f64> = (0..7200)
+            .map(|i| along(TAU * f64::from(i) / 7200.0))
+            .collect();
+        near(
+            all.iter().copied().fold(f64::INFINITY, f64::min),
+            low.value,
+            1e-6,
+        );
+        near(all.iter().copied().fold(0.0, f64::max), high.value, 1e-6);
+        near(cam.face_width().unwrap(), high.value - low.value, 1e-15);
+    }
+}

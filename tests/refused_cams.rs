@@ -1,0 +1,402 @@
+//! Cams that cannot be, verdicts, interference, and two cams over a plate.
+
+use gaitcam::cam::{
+    Body, Cam, Carrier, Check, Closure, Conjugate, Follower, Pair, SizeLimits, Verdict, judge,
+    smallest_for,
+};
+use gaitcam::drive::Drive;
+use gaitcam::law::{Extent, Law, Rise, Segment, assemble, constant_breadth, program};
+use gaitcam::poly::Extreme;
+use std::f64::consts::{PI, TAU};
+
+fn segments(list: &[(&str, f64, f64)]) -> Vec<Segment> {
+    list.iter()
+        .map(|&(motion, lift, degrees)| Segment {
+            motion: Rise::from_name(motion).unwrap(),
+            lift,
+            angle: degrees.to_radians(),
+        })
+        .collect()
+}
+
+fn turn(list: &[(&str, f64, f64)]) -> Law {
+    program(&segments(list), Extent::Turn).unwrap()
+}
+
+fn up_and_down(motion: &str, lift: f64) -> Law {
+    turn(&[
+        (motion, lift, 90.0),
+        ("dwell", 0.0, 90.0),
+        (motion, -lift, 90.0),
+        ("dwell", 0.0, 90.0),
+    ])
+}
+
+fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
+    Follower::RollerTranslating {
+        prime_radius,
+        offset,
+        roller_radius,
+    }
+}
+
+#[test]
+fn impossible_followers_are_refused_with_what_would_be_right() {
+    let say = |lift: f64, f: Follower| {
+        Cam::new(up_and_down("3-4-5", lift), f)
+            .unwrap_err()
+            .to_string()
+    };
+    let offset = say(0.02, roller(0.05, 0.05, 0.01));
+    assert!(
+        offset.contains("offset of 50.0000 mm") && offset.contains("below 50.0000 mm"),
+        "{offset}"
+    );
+    let thick = say(0.02, roller(0.05, 0.0, 0.06));
+    assert!(thick.contains("60.0000 mm leaves nothing"), "{thick}");
+    let arm = |arm: f64, prime_radius: f64, lift: f64| {
+        say(
+            lift,
+            Follower::RollerOscillating {
+                pivot_distance: 0.1,
+                arm,
+                prime_radius,
+                roller_radius: 0.01,
+            },
+        )
+    };
+    let short = arm(0.04, 0.05, 0.2);
+    assert!(
+        short.contains("too short to reach")
+            && short.contains("between 50.0000 mm and 150.0000 mm"),
+        "{short}"
+    );
+    assert!(arm(0.2, 0.05, 0.2).contains("too long"));
+    let inside = arm(0.14, 0.09, 0.6);
+    assert!(
+        inside.contains("inside the cam") && inside.contains("farther out"),
+        "{inside}"
+    );
+    assert!(arm(0.08, 0.05, 2.9).contains("dead centres"));
+    let flat = |base_radius: f64, lift: f64| {
+        say(
+            lift,
+            Follower::FlatOscillating {
+                pivot_distance: 0.1,
+                face_offset: 0.0,
+                base_radius,
+            },
+        )
+    };
+    assert!(flat(0.12, 0.1).contains("pivot distance must exceed 120.0000 mm"));
+    let fast = flat(0.02, 1.0);
+    assert!(fast.contains("as fast as the cam turns"), "{fast}");
+    assert!(say(0.02, Follower::FlatTranslating { base_radius: -0.01 }).contains("more than 0"));
+    assert!(
+        say(
+            0.02,
+            Follower::FlatTranslating {
+                base_radius: f64::NAN
+            }
+        )
+        .contains("more than 0")
+    );
+    let deep = Cam::new(
+        up_and_down("3-4-5", 0.02).raised(-0.05),
+        roller(0.04, 0.0, 0.01),
+    )
+    .unwrap_err()
+    .to_string();
+    assert!(
+        deep.contains("below the cam's centre") && deep.contains("exceed 50.0000 mm"),
+        "{deep}"
+    );
+}
+
+#[test]
+fn a_conjugate_that_cannot_exist_says_from_where_on_it_can() {
+    let cam = Cam::new(
+        up_and_down("cycloidal", 0.3),
+        Follower::RollerOscillating {
+            pivot_distance: 0.1,
+            arm: 0.08,
+            prime_radius: 0.05,
+            roller_radius: 0.01,
+        },
+    )
+    .unwrap();
+    let none = Conjugate::new(&cam, Closure::Angle(0.5), None)
+        .unwrap_err()
+        .to_string();
+    let from = none
+        .split("from ")
+        .nth(1)
+        .unwrap()
+        .split('°')
+        .next()
+        .unwrap();
+    let least: f64 = from.parse().unwrap();
+    let pair = Conjugate::new(&cam, Closure::Angle((least + 0.001).to_radians()), None).unwrap();
+    assert!(!pair.second.curvature().undercut);
+    let less = Conjugate::new(&cam, Closure::Angle((least - 0.5).to_radians()), None);
+    assert!(less.is_err() || less.unwrap().second.curvature().undercut);
+}
+
+#[test]
+fn the_smallest_base_radius_stops_at_the_cusp_for_every_follower() {
+    let lift = 0.25;
+    let law = up_and_down("cycloidal", lift);
+    for pivot_distance in [0.1, -0.1] {
+        for follower in [
+            Follower::RollerOscillating {
+                pivot_distance,
+                arm: 0.09,
+                prime_radius: 0.05,
+                roller_radius: 0.01,
+            },
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset: 0.0,
+                base_radius: 0.04,
+            },
+        ] {
+            let cam = Cam {
+                law: law.clone(),
+                follower,
+            };
+            let base = smallest_for(&cam, &SizeLimits::no_undercut()).unwrap();
+            let at = |base: f64| Cam {
+                law: law.clone(),
+                follower: follower.with_base_radius(base),
+            };
+            assert!(at(base).curvature().convex.value >= 0.0);
+            let smaller = at(0.999 * base);
+            assert!(
+                smaller.check().is_err() || smaller.curvature().undercut,
+                "{follower:?} {base}"
+            );
+        }
+    }
+}
+
+#[test]
+fn verdicts_have_three_classes_and_a_reason() {
+    let flat = |law: Law| Cam {
+        law,
+        follower: Follower::FlatTranslating { base_radius: 0.2 },
+    };
+    let smooth = judge(&flat(up_and_down("4-5-6-7", 0.02)), &[]);
+    assert_eq!(
+        (smooth.verdict, smooth.cam_das),
+        (Verdict::Acceptable, Verdict::Acceptable)
+    );
+    // CAM-DAS (004, Ejemplo4): "discontinuity in jerk: not fit for high speeds".
+    let jerky = judge(&flat(up_and_down("3-4-5", 0.02)), &[]);
+    assert_eq!(
+        (jerky.verdict, jerky.cam_das),
+        (Verdict::Acceptable, Verdict::NotForHighSpeed)
+    );
+    assert!(jerky.reason.contains("the jerk jumps by"));
+    let struck = judge(
+        &flat(turn(&[
+            ("simple-harmonic", 0.02, 90.0),
+            ("dwell", 0.0, 60.0),
+            ("simple-harmonic", -0.02, 90.0),
+            ("dwell", 0.0, 120.0),
+        ])),
+        &[],
+    );
+    assert_eq!(
+        (struck.verdict, struck.cam_das),
+        (Verdict::NotForHighSpeed, Verdict::Unacceptable)
+    );
+    assert!(
+        struck.reason.contains("the acceleration jumps by 4") && struck.reason.contains("at 0.00°"),
+        "{}",
+        struck.reason
+    );
+    // Constant breadth is CAM-DAS's one exception (004, Ejemplo5).
+    let breadth = constant_breadth(&segments(&[
+        ("simple-harmonic", 0.02, 120.0),
+        ("dwell", 0.0, 60.0),
+    ]))
+    .unwrap();
+    assert_eq!(judge(&flat(breadth), &[]).cam_das, Verdict::Acceptable);
+    let torn = assemble(
+        &segments(&[
+            ("constant-velocity", 0.02, 90.0),
+            ("dwell", 0.0, 90.0),
+            ("constant-velocity", -0.02, 90.0),
+            ("dwell", 0.0, 90.0),
+        ]),
+        Extent::Turn,
+    )
+    .unwrap();
+    let torn = judge(&flat(torn), &[]);
+    assert!(
+        torn.verdict == Verdict::Unacceptable && torn.reason.contains("the velocity jumps"),
+        "{}",
+        torn.reason
+    );
+    // Undercut names the base radius that mends it.
+    let small = Cam {
+        law: up_and_down("cycloidal", 0.02),
+        follower: Follower::FlatTranslating { base_radius: 0.03 },
+    };
+    let small = judge(&small, &[]);
+    assert!(
+        small.verdict == Verdict::Unacceptable && small.reason.contains("above 32.8526 mm"),
+        "{}",
+        small.reason
+    );
+    // A failed limit.
+    let steep = Cam::new(up_and_down("4-5-6-7", 0.02), roller(0.03, 0.0, 0.005)).unwrap();
+    let (_, high) = steep.pressure_angle_extremes();
+    let check = Check::at_most("pressure_angle_rise", high, 30_f64.to_radians(), 1e-9);
+    let steep = judge(&steep, &[check]);
+    assert!(
+        steep.verdict == Verdict::Unacceptable && steep.reason.contains("30.00° allowed"),
+        "{}",
+        steep.reason
+    );
+    let check = Check::at_least(
+        "curvature",
+        Extreme {
+            at: 0.0,
+            value: 1.0,
+        },
+        2.0,
+        0.0,
+    );
+    assert!(
+        judge(&flat(up_and_down("4-5-6-7", 0.02)), &[check])
+            .reason
+            .contains("curvature")
+    );
+}
+
+#[test]
+fn interference_is_found_where_it_is_and_only_there() {
+    // A good cam is free, with its stem as wide as the roller.
+    let law = up_and_down("cycloidal", 0.02);
+    let good = Cam::new(law.clone(), roller(0.05, 0.0, 0.01)).unwrap();
+    assert!(good.interference(720, 0.02, 1e-6).is_empty());
+    let flat = Cam::new(law.clone(), Follower::FlatTranslating { base_radius: 0.05 }).unwrap();
+    assert!(flat.interference(720, 0.0, 1e-9).is_empty());
+    // An undercut flat cam sticks out beyond the face.
+    let bad = Cam::new(law, Follower::FlatTranslating { base_radius: 0.03 }).unwrap();
+    let found = bad.interference(720, 0.0, 1e-9);
+    assert!(
+        found.len() == 1 && found[0].body == Body::Face && found[0].depth > 1e-5,
+        "{found:?}"
+    );
+    // A roller larger than the valley between two hills touches the far flank, though no point is undercut
+    // by itself: the pitch curve crosses itself.
+    let hills = turn(&[
+        ("4-5-6-7", 0.02, 20.0),
+        ("4-5-6-7", -0.02, 20.0),
+        ("dwell", 0.0, 20.0),
+        ("4-5-6-7", 0.02, 20.0),
+        ("4-5-6-7", -0.02, 20.0),
+        ("dwell", 0.0, 260.0),
+    ]);
+    let cam = Cam {
+        law: hills,
+        follower: roller(0.05, 0.0, 0.012),
+    };
+    let found = cam.interference(1440, 0.0, 1e-6);
+    assert!(found.iter().any(|i| i.body == Body::Roller), "{found:?}");
+    // An arm in the plane of the cam, long over a low hub, is hit by the nose of the cam.
+    let law = up_and_down("cycloidal", 0.35);
+    for pivot_distance in [0.1, -0.1] {
+        let arm = Cam::new(
+            law.clone(),
+            Follower::RollerOscillating {
+                pivot_distance,
+                arm: 0.1,
+                prime_radius: 0.035,
+                roller_radius: 0.008,
+            },
+        )
+        .unwrap();
+        assert!(arm.interference(720, 0.0, 1e-6).is_empty());
+        let found = arm.interference(720, 0.015, 1e-6);
+        assert!(found.iter().all(|i| i.body == Body::Arm), "{found:?}");
+        let face = Cam::new(
+            up_and_down("cycloidal", 0.1),
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset: 0.01,
+                base_radius: 0.05,
+            },
+        )
+        .unwrap();
+        assert!(!face.curvature().undercut);
+        assert!(face.interference(720, 0.0, 1e-9).is_empty());
+    }
+}
+
+#[test]
+fn two_cams_over_a_plate_carry_in_turn() {
+    // Thesis 000: double harmonic 135/135/90, two cams half a turn apart.
+    let law = turn(&[
+        ("double-harmonic", 0.01, 135.0),
+        ("double-harmonic", -0.01, 135.0),
+        ("dwell", 0.0, 90.0),
+    ]);
+    let cam = Cam::new(law.clone(), Follower::FlatTranslating { base_radius: 0.03 }).unwrap();
+    let pair = Pair::new(&cam).unwrap();
+    for i in 0..3600 {
+        let theta = TAU * f64::from(i) / 3600.0;
+        let (one, two) = (law.svaj(theta).s, law.svaj(theta + PI).s);
+        let height = 0.03 + one.max(two);
+        assert!((pair.shaft_height(theta) - height).abs() < 1e-15, "{theta}");
+        assert!((pair.gap(theta) - (one - two).abs()).abs() < 1e-15);
+        let carrier = pair.carrier(theta);
+        assert!(
+            (one - two).abs() < 1e-12
+                || carrier
+                    == if one > two {
+                        Carrier::First
+                    } else {
+                        Carrier::Second
+                    }
+        );
+    }
+    // By symmetry s(θ) = s(270° − θ): equal at 45° and 225°, where the second cam is half a turn off.
+    let at: Vec<f64> = pair.handovers().iter().map(|h| h.at.to_degrees()).collect();
+    assert_eq!(at.len(), 2);
+    assert!(
+        (at[0] - 45.0).abs() < 1e-9 && (at[1] - 225.0).abs() < 1e-9,
+        "{at:?}"
+    );
+    let drive = Drive::moving_axis(1.0, 9.81, 11.624);
+    for handover in pair.handovers() {
+        // The lower branch falls as fast as the higher one rises.
+        let v = law.svaj(45_f64.to_radians()).v;
+        assert!((handover.velocity_jump - 2.0 * v).abs() < 1e-12);
+        assert!((Pair::blow(&drive, handover) - 11.624 * 2.0 * v).abs() < 1e-11);
+    }
+    let force = pair.force(&drive, 135_f64.to_radians());
+    assert!((force - 7.40791).abs() < 5e-6);
+    let [one, two, both] = pair.separate_forces(&drive, 1.0);
+    assert!((one + two - both).abs() < 1e-15);
+    // Two quarter dwells face each other: both touch there.
+    let shared = turn(&[
+        ("3-4-5", 0.01, 60.0),
+        ("3-4-5", -0.01, 60.0),
+        ("dwell", 0.0, 240.0),
+    ]);
+    let pair =
+        Pair::new(&Cam::new(shared, Follower::FlatTranslating { base_radius: 0.1 }).unwrap())
+            .unwrap();
+    assert_eq!(pair.carrier(150_f64.to_radians()), Carrier::Both);
+    assert_eq!(pair.carrier(60_f64.to_radians()), Carrier::First);
+    assert_eq!(pair.carrier(240_f64.to_radians()), Carrier::Second);
+    assert!(
+        pair.height()
+            .joints()
+            .iter()
+            .all(|j| j.jump.v.abs() < 1e-12)
+    );
+}
