@@ -17,6 +17,7 @@ mod pair;
 mod profile;
 mod shape;
 mod size;
+mod space;
 
 pub use barrel::{BarrelGroove, Rollers, Wall};
 pub use breadth::{constant_breadth_cam, constant_diameter_cam};

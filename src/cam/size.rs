@@ -102,13 +102,20 @@ const GROWTH: f64 = 1.25;
 const GROWTHS: i32 = 90;
 
 /// Smallest base radius (m; for a barrel: radius of the cylinder) on which `cam`, all else kept, fits its
-/// law and holds the limits, to 1e-10 relative. The cam's own base radius does not matter.
+/// law and holds the limits, to 1e-10 relative; 0 when every size does. The cam's own base radius does not
+/// matter.
 ///
 /// Closed form for a flat translating face; otherwise the first size that works when the cam grows in
 /// steps of a quarter, refined by halving. Fails when none works.
 pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if matches!(cam.follower, Follower::FlatTranslating { .. }) {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));
+    }
+    if matches!(cam.follower, Follower::TranslatingCam { .. }) {
+        return Err(Error::new(
+            "the height of a translating cam changes neither curvature nor pressure angle",
+        )
+        .help("lengthen its travel or use a smaller roller"));
     }
     let at = |base: f64| Cam {
         law: cam.law.clone(),
@@ -129,6 +136,9 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
         bad = base;
         None
     });
+    if bad == 0.0 && found.is_some() {
+        return Ok(0.0);
+    }
     let mut good = found.ok_or_else(|| {
         Error::new(format!(
             "no base radius lets this {} cam hold its limits",

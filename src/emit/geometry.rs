@@ -11,12 +11,8 @@ pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
 }
 
 /// Outward unit normal of the profile at a point, cam frame, exact.
-///
-/// A translating follower moves along +y, and the contact normal leans from it by the pressure angle:
-/// (−sin φ, cos φ) in the fixed frame.
-pub fn normal(point: &ProfilePoint) -> [f64; 2] {
-    let (sin, cos) = point.pressure_angle.sin_cos();
-    turned([-sin, cos], -point.theta)
+pub fn normal(cam: &Cam, point: &ProfilePoint) -> [f64; 2] {
+    cam.normal(point)
 }
 
 /// Angles of `n` rows at equal steps: a closed law does not repeat its first, an open one ends on its last.
@@ -56,34 +52,47 @@ pub enum Pose {
 }
 
 /// Where the follower stands when the cam has turned to `theta`.
+///
+/// A swinging face runs from the foot of its pivot along the arm; its reach counts from there.
 pub fn pose(cam: &Cam, theta: f64) -> Pose {
     let point = cam.point(theta);
+    let [nx, ny] = cam.motion(theta);
     match cam.follower {
         Follower::FlatTranslating { .. } => Pose::Face {
-            at: [0.0, turned([point.x, point.y], theta)[1]],
+            at: [0.0, cam.into_space(theta, [point.x, point.y])[1]],
             angle: 0.0,
         },
-        Follower::RollerTranslating { roller_radius, .. } => Pose::Roller {
-            centre: turned([point.pitch_x, point.pitch_y], theta),
-            radius: roller_radius,
+        Follower::FlatOscillating {
+            pivot_distance,
+            face_offset,
+            ..
+        } => Pose::Face {
+            at: [pivot_distance + face_offset * nx, face_offset * ny],
+            // From the pivot the arm points to (−σ cos ξ, sin ξ): a quarter turn from the normal.
+            angle: if pivot_distance > 0.0 {
+                nx.atan2(-ny)
+            } else {
+                (-nx).atan2(ny)
+            },
+        },
+        _ => Pose::Roller {
+            centre: cam.into_space(theta, [point.pitch_x, point.pitch_y]),
+            radius: cam.follower.roller_radius(),
         },
     }
 }
 
-/// The face a flat follower needs: how far the contact wanders to −x and to +x, m; `None` for rollers.
+/// The face a flat follower needs: how far the contact wanders, m, to −x and to +x of the cam's centre, or
+/// along the arm from the foot of the pivot; `None` for others.
 pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
-    match cam.follower {
-        Follower::FlatTranslating { .. } => {
-            let (low, high) = cam.law.extremes(1);
-            Some((low.value, high.value))
-        }
-        Follower::RollerTranslating { .. } => None,
+    if !cam.follower.is_flat() {
+        return None;
     }
+    cam.contact_travel()
+        .map(|(low, high)| (low.value, high.value))
 }
 
 /// Whether lift is an angle: its columns then read rad in place of m.
 pub fn oscillates(follower: &Follower) -> bool {
-    match follower {
-        Follower::FlatTranslating { .. } | Follower::RollerTranslating { .. } => false,
-    }
+    follower.is_oscillating()
 }

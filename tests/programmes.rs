@@ -1,0 +1,360 @@
+//! Programmes of motions against CAM-DAS's printed figures, and programmes that cannot be.
+
+use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
+use std::f64::consts::PI;
+
+fn near(value: f64, expected: f64, relative: f64) -> bool {
+    (value - expected).abs() <= relative * expected.abs()
+}
+
+fn segment(motion: &str, lift: f64, degrees: f64) -> Segment {
+    Segment {
+        motion: Rise::from_name(motion).unwrap(),
+        lift,
+        angle: degrees.to_radians(),
+    }
+}
+
+fn turn(segments: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
+    let list: Vec<Segment> = segments.iter().map(|s| segment(s.0, s.1, s.2)).collect();
+    program(&list, Extent::Turn)
+}
+
+/// Largest and smallest of a derivative at whole degrees, as CAM-DAS samples.
+fn sampled(law: &Law, order: usize) -> (f64, f64) {
+    (0..360).fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), i| {
+        let at = law.svaj(f64::from(i).to_radians());
+        let x = [at.s, at.v, at.a, at.j][order];
+        (lo.min(x), hi.max(x))
+    })
+}
+
+#[test]
+fn cam_das_prints_what_whole_degrees_show_and_misses_the_peaks() {
+    // FACTS §5, Ejemplo11. Its 34.816 for the true peak velocity is 35/16·25/(π/2) = 34.8151.
+    let law = turn(&[
+        ("dwell", 0.0, 90.0),
+        ("4-5-6-7", 25.0, 90.0),
+        ("4-5-6-7", -10.0, 45.0),
+        ("4-5-6-7", 10.0, 45.0),
+        ("4-5-6-7", -25.0, 90.0),
+    ])
+    .unwrap();
+    for (order, at_degrees, exact) in [
+        (1, 34.815, 34.815),
+        (2, 121.511, 121.799),
+        (3, 1080.442, 1083.652),
+    ] {
+        let (_, high) = sampled(&law, order);
+        assert!((high - at_degrees).abs() < 6e-4, "order {order}: {high}");
+        let (low, high) = law.extremes(order);
+        assert!(
+            (high.value - exact).abs() < 6e-4,
+            "order {order}: {}",
+            high.value
+        );
+        assert!(
+            (low.value + exact).abs() < 6e-4,
+            "order {order}: {}",
+            low.value
+        );
+    }
+}
+
+#[test]
+fn fall_of_ejemplo4_has_its_printed_and_its_true_extremes() {
+    // FACTS §5: 4-5-6-7, −20° in 45°.
+    let law = turn(&[
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", 20.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("4-5-6-7", -20.0, 45.0),
+        ("dwell", 0.0, 45.0),
+    ])
+    .unwrap();
+    let fall: Vec<_> = (270..=315)
+        .map(|d| law.svaj(f64::from(d).to_radians()))
+        .collect();
+    let lowest =
+        |f: fn(&gaitcam::law::Svaj) -> f64| fall.iter().map(f).fold(f64::INFINITY, f64::min);
+    assert!((lowest(|p| p.v) + 55.622).abs() < 6e-4);
+    assert!((lowest(|p| p.a) + 243.023).abs() < 6e-4 && (lowest(|p| -p.a) + 243.023).abs() < 6e-4);
+    assert!(
+        (lowest(|p| -p.j) + 2160.884).abs() < 6e-4 && (lowest(|p| p.j) + 1733.578).abs() < 6e-4
+    );
+    assert!((law.extremes(1).0.value + 55.704).abs() < 6e-4);
+    assert!((law.extremes(2).0.value + 243.598).abs() < 6e-4);
+    assert!((law.extremes(3).1.value - 2167.303).abs() < 6e-4);
+    assert!((law.extremes(3).0.value + 1733.842).abs() < 6e-4);
+    // Fig. 8.19: 60 mm in 60°.
+    let law = turn(&[
+        ("3-4-5", 60.0, 60.0),
+        ("dwell", 0.0, 120.0),
+        ("4-5-6-7", -60.0, 60.0),
+        ("dwell", 0.0, 120.0),
+    ])
+    .unwrap();
+    assert!((law.extremes(1).1.value - 107.430).abs() < 6e-4);
+    assert!((law.extremes(1).0.value + 125.335).abs() < 6e-4);
+}
+
+#[test]
+fn general_polynomials_take_their_ends_from_their_neighbours() {
+    for (name, continuous) in [("polynomial-5", 2), ("polynomial-7", 3)] {
+        let law = turn(&[
+            ("semicycloidal-start", 5.0, 60.0),
+            (name, 15.0, 60.0),
+            ("simple-harmonic", -20.0, 90.0),
+            (name, 0.0, 60.0),
+            ("dwell", 0.0, 90.0),
+        ])
+        .unwrap();
+        let joints = law.joints();
+        for joint in &joints {
+            // The semicycloidal start leaves the dwell at the wrap with a jump of jerk.
+            let jumps = [joint.jump.s, joint.jump.v, joint.jump.a, joint.jump.j];
+            let limit = if joint.at == 0.0 { 2 } else { continuous };
+            assert!(
+                jumps[..=limit].iter().all(|j| j.abs() < 1e-10),
+                "{name} {joint:?}"
+            );
+        }
+        assert_eq!(joints.len(), 5);
+    }
+    let alone = turn(&[
+        ("polynomial-5", 1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("polynomial-7", -1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+    ])
+    .unwrap();
+    let plain = turn(&[
+        ("3-4-5", 1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("4-5-6-7", -1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+    ])
+    .unwrap();
+    for i in 0..100 {
+        let x = 0.0628 * f64::from(i);
+        assert!((alone.svaj(x).s - plain.svaj(x).s).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn refused_programmes_name_the_segment() {
+    let say = |s: &[(&str, f64, f64)]| turn(s).unwrap_err().to_string();
+    let short = say(&[
+        ("3-4-5", 1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", -1.0, 90.0),
+        ("dwell", 0.0, 80.0),
+    ]);
+    assert!(
+        short.contains("350.000000°") && short.contains("10.000000° are missing"),
+        "{short}"
+    );
+    let below = say(&[
+        ("3-4-5", -0.01, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", 0.01, 90.0),
+        ("dwell", 0.0, 90.0),
+    ]);
+    assert!(
+        below.contains("segment 1 (3-4-5)") && below.contains("10.000000 mm below"),
+        "{below}"
+    );
+    let twins = say(&[
+        ("polynomial-5", 1.0, 90.0),
+        ("polynomial-7", -1.0, 90.0),
+        ("dwell", 0.0, 180.0),
+    ]);
+    assert!(
+        twins.contains("segment 1") && twins.contains("segment 2"),
+        "{twins}"
+    );
+    let line = say(&[
+        ("constant-velocity", 1.0, 90.0),
+        ("dwell", 0.0, 90.0),
+        ("3-4-5", -1.0, 180.0),
+    ]);
+    assert!(
+        line.contains("velocity jumps") && line.contains("segment 1"),
+        "{line}"
+    );
+    let open = say(&[("3-4-5", 1.0, 180.0), ("3-4-5", -0.5, 180.0)]);
+    assert!(
+        open.contains("lift jumps") && open.contains("segment 2"),
+        "{open}"
+    );
+    let half = say(&[
+        ("semicycloidal-start", 1.0, 60.0),
+        ("constant-velocity", 1.0, 40.0),
+        ("semicycloidal-end", 1.0, 60.0),
+        ("3-4-5", -3.0, 200.0),
+    ]);
+    assert!(half.contains("cover 30.000000°"), "{half}");
+    assert!(
+        Rise::from_name("cyclodal")
+            .unwrap_err()
+            .to_string()
+            .contains("`cycloidal`")
+    );
+    assert!(Rise::from_name("scca 0.5 0.6 0.1").is_err());
+    assert!(Rise::from_name("eccentric 0.5").is_err());
+    assert!(say(&[("dwell", 0.1, 360.0)]).contains("does not move"));
+    assert!(say(&[("3-4-5", 1.0, -10.0), ("3-4-5", -1.0, 370.0)]).contains("segment 1"));
+}
+
+#[test]
+fn angles_rounded_by_the_user_still_close() {
+    let s = 51.428571;
+    let list: Vec<_> = (0..7)
+        .map(|i| {
+            (
+                if i % 2 == 0 { "dwell" } else { "cycloidal" },
+                [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0][i],
+                s,
+            )
+        })
+        .collect();
+    let law = turn(&list).unwrap();
+    assert_eq!(law.extent(), (0.0, 2.0 * PI));
+}
+
+#[test]
+fn both_halves_of_a_constant_breadth_law_add_to_its_lift() {
+    // FACTS §5, Ejemplo5: SHM 120°, dwell 60°, SHM 120°, dwell 60°.
+    let law = constant_breadth(&[
+        segment("simple-harmonic", 0.04, 120.0),
+        segment("dwell", 0.0, 60.0),
+    ])
+    .unwrap();
+    for i in 0..720 {
+        let x = PI * f64::from(i) / 360.0;
+        assert!((law.svaj(x).s + law.svaj(x + PI).s - 0.04).abs() < 1e-15);
+    }
+    assert!(constant_breadth(&[segment("3-4-5", 0.04, 120.0)]).is_err());
+    assert!(constant_breadth(&[segment("3-4-5", -0.04, 180.0)]).is_err());
+}
+
+#[test]
+fn tables_and_control_points_become_laws() {
+    let rows: Vec<(f64, f64)> = (0..=40)
+        .map(|i| f64::from(i) / 40.0)
+        .map(|x| {
+            (
+                3.0 + 2.0 * x,
+                1.0 + 5.0 * (x - (2.0 * PI * x).sin() / (2.0 * PI)),
+            )
+        })
+        .collect();
+    for rest in [true, false] {
+        let law = Rise::table("mine", &rows, rest).unwrap().law().unwrap();
+        let exact = Rise::Cycloidal.law().unwrap();
+        for i in 0..=200 {
+            let x = f64::from(i) / 200.0;
+            let (a, b) = (law.svaj(x), exact.svaj(x));
+            assert!(
+                (a.s - b.s).abs() < 2e-7 && (a.a - b.a).abs() < 5e-3,
+                "{rest} {x} {a:?} {b:?}"
+            );
+        }
+    }
+    let spline = Rise::spline("mine", 5, &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]).unwrap();
+    let f = spline.factors().unwrap();
+    assert!(near(f.cv, 1.875, 1e-12) && near(f.ca, 10.0 / 3.0_f64.sqrt(), 1e-12));
+    assert!(
+        Rise::table("mine", &[(0.0, 0.0), (0.0, 1.0)], true)
+            .unwrap_err()
+            .to_string()
+            .contains("row 2")
+    );
+    assert!(Rise::spline("mine", 5, &[0.0, 1.0]).is_err());
+}
+
+#[test]
+fn thesis_double_harmonic_accelerates_as_recomputed() {
+    // FACTS §3: h = 10 mm, 135° up, 135° down, dwell 90°, ω = 11.624 rad/s.
+    let law = turn(&[
+        ("double-harmonic", 0.01, 135.0),
+        ("double-harmonic", -0.01, 135.0),
+        ("dwell", 0.0, 90.0),
+    ])
+    .unwrap();
+    let (low, high) = law.extremes(2);
+    let square = 11.624 * 11.624;
+    assert!(
+        (square * high.value - 1.35117).abs() < 5e-6 && (square * low.value + 2.40209).abs() < 5e-6
+    );
+    let (down, up) = law.extremes(1);
+    assert!((up.value - 0.0086603).abs() < 5e-8 && (down.value + 0.0086603).abs() < 5e-8);
+    assert!(law.joints().iter().all(|j| j.jump.a.abs() < 1e-12));
+}
+
+#[test]
+fn programmes_of_several_turns_and_of_a_length() {
+    let up = Segment {
+        motion: Rise::BerzakD,
+        lift: 0.04,
+        angle: 2.0 * PI,
+    };
+    let down = Segment {
+        lift: -0.04,
+        ..up.clone()
+    };
+    let law = program(&[up, down], Extent::Turns(2)).unwrap();
+    // FACTS §4: ω = 2π rad/s.
+    let w = 2.0 * PI;
+    for (degrees, s, v, a) in [
+        (90.0, 4.41748, 43.2949, 210.234),
+        (180.0, 20.0, 72.375, 0.0),
+        (270.0, 35.58252, 43.2949, -210.234),
+    ] {
+        let at = law.svaj(f64::to_radians(degrees));
+        assert!(
+            (1e3 * at.s - s).abs() < 6e-6
+                && (1e3 * w * at.v - v).abs() < 6e-5
+                && (1e3 * w * w * at.a - a).abs() < 6e-4
+        );
+    }
+    let slide = program(
+        &[
+            Segment {
+                motion: Rise::Poly345,
+                lift: 0.02,
+                angle: 0.06,
+            },
+            Segment {
+                motion: Rise::Dwell,
+                lift: 0.0,
+                angle: 0.04,
+            },
+        ],
+        Extent::Length(0.1),
+    )
+    .unwrap();
+    assert!(!slide.is_closed() && (slide.svaj(0.1).s - 0.02).abs() < 1e-15);
+}
+
+#[test]
+fn the_eight_motions_of_ejemplo9_join() {
+    // FACTS §5, Ejemplo9RT.
+    let law = turn(&[
+        ("modified-sine", 0.01, 50.0),
+        ("dwell", 0.0, 40.0),
+        ("cycloidal", -0.01, 50.0),
+        ("dwell", 0.0, 40.0),
+        ("3-4-5", 0.01, 50.0),
+        ("dwell", 0.0, 40.0),
+        ("4-5-6-7", -0.01, 50.0),
+        ("dwell", 0.0, 40.0),
+    ])
+    .unwrap();
+    for joint in law.joints() {
+        assert!(
+            joint.jump.s.abs() < 1e-15 && joint.jump.v.abs() < 1e-14 && joint.jump.a.abs() < 1e-12
+        );
+    }
+    assert!((law.stroke() - 0.01).abs() < 1e-16);
+}
