@@ -6,6 +6,9 @@ use super::{PiecewisePoly, bernstein};
 const DEGREE: usize = 12;
 /// A part is not halved more often than this: a cusp or jump inside a piece ends there.
 const MAX_HALVINGS: u32 = 30;
+/// Last coefficients below this share of the scale that halving does not make smaller are rounding noise
+/// of the function itself: halving on would chase it through every part.
+const NOISE: f64 = 1e-9;
 
 /// Piecewise polynomial that agrees with `f` to about `tolerance` times its scale on every interval of
 /// `breaks`; `f` must be smooth between breaks and is asked only strictly inside them, with the index
@@ -36,6 +39,7 @@ pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -
             w[1],
             tolerance,
             &mut scale,
+            f64::INFINITY,
             0,
             &mut out_breaks,
             &mut coef,
@@ -80,6 +84,7 @@ fn refine(
     b: f64,
     tolerance: f64,
     scale: &mut f64,
+    parent_tail: f64,
     halvings: u32,
     breaks: &mut Vec<f64>,
     coef: &mut Vec<f64>,
@@ -104,7 +109,8 @@ fn refine(
     let tail = c[DEGREE - 2..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let mid = 0.5 * (a + b);
     let splittable = halvings < MAX_HALVINGS && mid > a && mid < b && largest.is_finite();
-    if tail > tolerance * *scale && splittable {
+    let noise = tail < NOISE * *scale && tail > 0.5 * parent_tail;
+    if tail > tolerance * *scale && splittable && !noise {
         refine(
             transform,
             f,
@@ -112,6 +118,7 @@ fn refine(
             mid,
             tolerance,
             scale,
+            tail,
             halvings + 1,
             breaks,
             coef,
@@ -123,6 +130,7 @@ fn refine(
             b,
             tolerance,
             scale,
+            tail,
             halvings + 1,
             breaks,
             coef,
@@ -142,6 +150,15 @@ fn refine(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn noise_of_the_function_is_not_halved_for_ever() {
+        // Digits beyond the eleventh are arbitrary.
+        let f = |_: usize, x: f64| x.sin() + 1e-11 * (1e7 * x).sin();
+        let p = stand_in(&[0.0, 3.0], 1e-13, f);
+        assert!(p.pieces() < 100, "{}", p.pieces());
+        assert!((p.extremes().1.value - 1.0).abs() < 1e-10);
+    }
 
     #[test]
     fn extremes_of_a_rational_function_are_found_to_twelve_digits() {
