@@ -42,6 +42,8 @@ pub struct Pair {
     base_radius: f64,
     /// Height law of the shaft.
     height: Law,
+    /// Differences of height below this are rounding, m.
+    slack: f64,
     handovers: Vec<Handover>,
 }
 
@@ -73,6 +75,7 @@ impl Pair {
         let second = first.ahead(phase);
         let (height, changes) = Law::higher_of(&first, &second);
         let mut pair = Pair {
+            slack: TOUCH * first.stroke(),
             first,
             second,
             base_radius,
@@ -116,8 +119,7 @@ impl Pair {
     /// Who carries at `theta`.
     pub fn carrier(&self, theta: f64) -> Carrier {
         let difference = self.first.svaj(theta).s - self.second.svaj(theta).s;
-        let slack = TOUCH * self.height.stroke().max(self.first.stroke());
-        if difference.abs() <= slack {
+        if difference.abs() <= self.slack {
             Carrier::Both
         } else if difference > 0.0 {
             Carrier::First

@@ -47,6 +47,9 @@ pub(super) fn sine_series(terms: &[(f64, f64)]) -> Law {
     line_and_waves(0.0, 1.0, &waves)
 }
 
+/// Zones narrower than this do nothing but lose digits.
+const SLIVER: f64 = 1e-9;
+
 /// Acceleration on one zone of the SCCA family.
 #[derive(Clone, Copy)]
 enum Zone {
@@ -78,7 +81,7 @@ pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     // Integrated from rest with unit peak acceleration; the lift reached sets the scale.
     let mut pieces = Pieces::starting_at(0.0);
     let (mut s, mut v) = (0.0, 0.0);
-    for (width, zone) in zones.into_iter().filter(|z| z.0 > 0.0) {
+    for (width, zone) in zones.into_iter().filter(|z| z.0 > SLIVER) {
         let end = pieces.reached() + width;
         match zone {
             Zone::Constant(a) => {
