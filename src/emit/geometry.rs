@@ -1,6 +1,6 @@
 //! What every drawing of a cam needs besides its profile: directions, poses, angles of the rows.
 
-use crate::cam::{Cam, Follower, ProfilePoint};
+use crate::cam::{Cam, Follower};
 use crate::gait::ForceCurve;
 use crate::law::Law;
 
@@ -8,11 +8,6 @@ use crate::law::Law;
 pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
     let (sin, cos) = theta.sin_cos();
     [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
-}
-
-/// Outward unit normal of the profile at a point, cam frame, exact.
-pub fn normal(cam: &Cam, point: &ProfilePoint) -> [f64; 2] {
-    cam.normal(point)
 }
 
 /// Angles of `n` rows at equal steps: a closed law does not repeat its first, an open one ends on its last.
