@@ -339,7 +339,7 @@ fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
 /// A stride of both feet built from single stances half a stride apart.
 fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
     let all: Vec<&Stance> = stances.used.iter().collect();
-    let (left, right) = by_side(&all);
+    let (left, right) = by_side(&all, has_rows(recording));
     let sides = !left.is_empty() && !right.is_empty();
     let (first, second) = if sides {
         (
@@ -379,8 +379,9 @@ fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
 
 /// Stances of the left and of the right foot; where no side is known, of the one and of the other.
 ///
-/// Without sides the feet are told apart by turns, as far as the stances follow each other.
-fn by_side<'a>(stances: &[&'a Stance]) -> (Vec<&'a Stance>, Vec<&'a Stance>) {
+/// Without sides the feet are told apart by turns, as far as the stances follow each other; the `rows` of a
+/// table of stances do not.
+fn by_side<'a>(stances: &[&'a Stance], rows: bool) -> (Vec<&'a Stance>, Vec<&'a Stance>) {
     let of = |foot| {
         stances
             .iter()
@@ -392,6 +393,9 @@ fn by_side<'a>(stances: &[&'a Stance]) -> (Vec<&'a Stance>, Vec<&'a Stance>) {
         return (of(Foot::Left), of(Foot::Right));
     }
     let mut sides = (Vec::new(), Vec::new());
+    if rows {
+        return sides;
+    }
     let mut first = true;
     for (i, s) in stances.iter().enumerate() {
         let same = i
@@ -464,6 +468,11 @@ fn place(stance: &MeanStance, period: f64, shift: f64, force: &mut [f64], varian
     }
 }
 
+/// Whether the recording is a table of single stances.
+fn has_rows(recording: &Recording) -> bool {
+    recording.channels.iter().any(|c| !c.rows.is_empty())
+}
+
 /// Duration of a stride, s, and what it was taken from.
 ///
 /// Heel strikes that follow each other say it; else a known mass does, since both feet together carry it
@@ -475,8 +484,7 @@ fn stride_time(
     stance: &MeanStance,
 ) -> (f64, String) {
     let mut strides: Vec<f64> = Vec::new();
-    let rows = recording.channels.iter().any(|c| !c.rows.is_empty());
-    if !rows {
+    if !has_rows(recording) {
         for w in stances.used.windows(2) {
             let step = w[1].start_s - w[0].start_s;
             match same_foot(&w[0], &w[1]) {

@@ -120,7 +120,7 @@ fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
     if columns.len() < 2 {
         return None;
     }
-    let t = columns.first()?;
+    let t = columns.first().filter(|t| t.len() >= 2)?;
     let rises = t.windows(2).filter(|w| w[1] >= w[0]).count();
     let mut steps: Vec<f64> = t
         .windows(2)

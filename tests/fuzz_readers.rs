@@ -1,0 +1,174 @@
+//! Damaged files: whatever the bytes, a reader answers or refuses, soon, and never panics.
+//!
+//! A plain, repeatable stand-in for the cargo-fuzz targets in fuzz/ (which need a nightly compiler), on the
+//! same corpus. It runs for a second or two per reader; GAITCAM_FUZZ_SECONDS makes it run longer.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use gaitcam::gait::{Feet, ReadOptions, cycle, force_curve, json, read, stances, table};
+
+/// Everything that a user's file goes through.
+fn exercise(bytes: &[u8], options: &ReadOptions) {
+    let path = Path::new("fuzz");
+    let _ = force_curve(path, bytes, options, Feet::Both);
+    if let Ok(r) = read(path, bytes, options) {
+        let s = stances(&r);
+        for feet in [Feet::Both, Feet::One, Feet::Left] {
+            let c = cycle(&r, &s, feet);
+            let _ = table(&r, &s, c.as_ref().map_err(|_| "refused"));
+            let _ = json(&r, &s, c.as_ref().ok());
+            if let Ok(c) = c {
+                assert!(c.curve.force_n.iter().all(|f| f.is_finite()));
+            }
+        }
+    }
+}
+
+/// Xorshift: the same damage every time.
+struct Dice(u64);
+
+impl Dice {
+    fn roll(&mut self, below: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as usize % below.max(1)
+    }
+}
+
+/// Words that readers give a meaning to.
+const WORDS: &[&[u8]] = &[
+    b"nan",
+    b"inf",
+    b"-1e308",
+    b"1e-320",
+    b"99999999999999999999",
+    b"\n",
+    b"\r\n",
+    b"\t",
+    b";",
+    b",",
+    b"#",
+    b"\"",
+    b"00:01,5",
+    b"time",
+    b"force_n",
+    b"Fz",
+    b"endheader",
+    b"nRows=99999999",
+    b"# cycle, period_s = 1e-9\n",
+    b"# critical points\n",
+    b"\0",
+    b"\xFF\xFE",
+    b"\xFF\xFF\xFF\xFF",
+    b"\xFF\x7F",
+    b"\x00\x80",
+    b"Devices\n1000\n",
+    b"F_V_RAW_1",
+    b" ",
+];
+
+fn damage(dice: &mut Dice, corpus: &[Vec<u8>]) -> Vec<u8> {
+    let mut b = corpus[dice.roll(corpus.len())].clone();
+    for _ in 0..=dice.roll(6) {
+        let at = dice.roll(b.len() + 1);
+        let end = (at + 1 + dice.roll(64)).min(b.len());
+        match dice.roll(8) {
+            0 if at < b.len() => b[at] ^= 1 << dice.roll(8),
+            1 if at < b.len() => b[at] = dice.roll(256) as u8,
+            2 => b.truncate(at),
+            3 if at < end => drop(b.drain(at..end)),
+            4 if at < end => {
+                let piece = b[at..end].to_vec();
+                let times = 1 + dice.roll(8);
+                b.splice(at..at, piece.repeat(times));
+            }
+            5 => drop(b.splice(at..at, WORDS[dice.roll(WORDS.len())].iter().copied())),
+            6 if at < end => drop(b.splice(at..end, WORDS[dice.roll(WORDS.len())].iter().copied())),
+            7 => {
+                let other = &corpus[dice.roll(corpus.len())];
+                let from = dice.roll(other.len() + 1);
+                b.truncate(at);
+                b.extend(&other[from..]);
+            }
+            _ => (),
+        }
+    }
+    b
+}
+
+fn folder(reader: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("fuzz/corpus")
+        .join(reader)
+}
+
+fn run(reader: &str) {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder(reader))
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
+    files.sort();
+    assert!(!files.is_empty(), "no corpus for {reader}");
+    let corpus: Vec<Vec<u8>> = files.iter().map(|f| std::fs::read(f).unwrap()).collect();
+    let seconds = std::env::var("GAITCAM_FUZZ_SECONDS")
+        .ok()
+        .and_then(|s| s.parse().ok());
+    let seed = std::env::var("GAITCAM_FUZZ_SEED")
+        .ok()
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(1u64);
+    let end = Instant::now() + Duration::from_secs_f64(seconds.unwrap_or(1.5));
+    let options = [
+        ReadOptions::default(),
+        ReadOptions {
+            rate_hz: Some(100.0),
+            mass_kg: Some(70.0),
+            ..ReadOptions::default()
+        },
+        ReadOptions {
+            force: vec!["2".to_string()],
+            ..ReadOptions::default()
+        },
+    ];
+    let mut dice = Dice(0x9E37_79B9_7F4A_7C15 ^ (seed << 1));
+    for (file, bytes) in files.iter().zip(&corpus) {
+        assert!(!bytes.is_empty(), "{}", file.display());
+        exercise(bytes, &options[0]);
+    }
+    let mut rounds = 0u64;
+    while Instant::now() < end {
+        let bytes = damage(&mut dice, &corpus);
+        let options = &options[dice.roll(options.len())];
+        let started = Instant::now();
+        let answer = std::panic::catch_unwind(|| exercise(&bytes, options));
+        let slow = started.elapsed() > Duration::from_secs(2);
+        if answer.is_err() || slow {
+            let case = std::env::temp_dir().join(format!("gaitcam_fuzz_{reader}_{rounds}.bin"));
+            std::fs::write(&case, &bytes).unwrap();
+            panic!(
+                "{reader} round {rounds}: {} ({})",
+                if slow { "too slow" } else { "panicked" },
+                case.display()
+            );
+        }
+        rounds += 1;
+    }
+    println!("{reader}: {rounds} damaged files, no panic");
+}
+
+#[test]
+fn damaged_texts_are_answered() {
+    run("text");
+}
+
+#[test]
+fn damaged_c3d_files_are_answered() {
+    run("c3d");
+}
+
+#[test]
+fn damaged_cycles_are_answered() {
+    run("cycle");
+}

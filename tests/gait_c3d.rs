@@ -1,0 +1,86 @@
+//! C3D files of every processor, storage and plate type, made here.
+
+use std::path::Path;
+
+use gaitcam::gait::{Foot, ReadOptions, Recording, read, stances};
+
+#[path = "support/c3d.rs"]
+mod c3d;
+use c3d::{Build, Processor, build, one_stance};
+
+const RATE: f64 = 500.0;
+
+fn plain(processor: Processor, float: bool, kind: i16) -> Build {
+    Build {
+        processor,
+        float,
+        kind,
+        per_frame: 5,
+        frames: 160,
+        scale: 0.05,
+        offset: 7,
+    }
+}
+
+fn open(b: &Build) -> Recording {
+    let bytes = build(b, |i| one_stance(i, RATE));
+    read(Path::new("made.c3d"), &bytes, &ReadOptions::default()).unwrap()
+}
+
+#[test]
+fn every_processor_storage_and_plate_type_gives_the_same_force() {
+    for processor in [Processor::Intel, Processor::Dec, Processor::Sgi] {
+        for float in [true, false] {
+            for kind in 1..=4 {
+                let r = open(&plain(processor, float, kind));
+                let what = format!("{processor:?} float {float} TYPE {kind}");
+                assert_eq!(r.rate_hz, RATE, "{what}");
+                assert_eq!(r.mass_kg, Some(70.0), "{what}");
+                let c = &r.channels[0];
+                assert_eq!(c.force_n.len(), 800, "{what}");
+                // Four sensors of a TYPE 3 plate are rounded to 0.05 N each.
+                for (i, f) in c.force_n.iter().enumerate() {
+                    assert!(
+                        (f + one_stance(i, RATE)).abs() < 0.11,
+                        "{what}: sample {i} is {f}"
+                    );
+                }
+                let s = stances(&r);
+                assert_eq!(s.used.len(), 1, "{what}");
+                assert_eq!(s.used[0].foot, Some(Foot::Right), "{what}");
+                assert!((s.used[0].start_s - 0.5).abs() < 0.01, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_short_keeps_its_whole_frames_and_says_so() {
+    let b = plain(Processor::Intel, true, 2);
+    let whole = build(&b, |i| one_stance(i, RATE));
+    let cut = &whole[..whole.len() - 3000];
+    let r = read(Path::new("cut.c3d"), cut, &ReadOptions::default()).unwrap();
+    assert!(r.channels[0].force_n.len() < 800);
+    assert!(
+        r.notes.iter().any(|n| n.contains("announces 160 frames")),
+        "{:?}",
+        r.notes
+    );
+}
+
+#[test]
+fn damage_is_named_by_its_byte() {
+    let b = plain(Processor::Intel, true, 2);
+    let whole = build(&b, |i| one_stance(i, RATE));
+    let message = |change: &dyn Fn(&mut Vec<u8>)| {
+        let mut bytes = whole.clone();
+        change(&mut bytes);
+        read(Path::new("bad.c3d"), &bytes, &ReadOptions::default())
+            .unwrap_err()
+            .to_string()
+    };
+    assert!(message(&|b| b[515] = 99).starts_with("bad.c3d byte 515: processor type is 99"));
+    assert!(message(&|b| b[4] = 0).contains("byte 4: the file holds no analog samples"));
+    assert!(message(&|b| b.truncate(1600)).contains("no frame of data"));
+    assert!(message(&|b| b[18] = 7).contains("byte 18"));
+}

@@ -1,0 +1,214 @@
+//! Writes small C3D files with force plates, for tests: every processor, storage and plate type.
+
+/// Number format of the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Processor {
+    Intel,
+    Dec,
+    Sgi,
+}
+
+/// What a file should be like.
+#[derive(Debug, Clone, Copy)]
+pub struct Build {
+    pub processor: Processor,
+    pub float: bool,
+    /// FORCE_PLATFORM:TYPE, 1 to 4.
+    pub kind: i16,
+    /// Analog samples per frame.
+    pub per_frame: usize,
+    pub frames: usize,
+    /// Newtons per unit of an integer sample.
+    pub scale: f32,
+    /// ANALOG:OFFSET of every channel.
+    pub offset: i16,
+}
+
+impl Processor {
+    fn word(self, x: u16) -> [u8; 2] {
+        if self == Processor::Sgi {
+            x.to_be_bytes()
+        } else {
+            x.to_le_bytes()
+        }
+    }
+
+    fn float(self, x: f32) -> [u8; 4] {
+        match self {
+            Processor::Intel => x.to_le_bytes(),
+            Processor::Sgi => x.to_be_bytes(),
+            Processor::Dec => {
+                let b = if x == 0.0 {
+                    [0; 4]
+                } else {
+                    (x * 4.0).to_le_bytes()
+                };
+                [b[2], b[3], b[0], b[1]]
+            }
+        }
+    }
+}
+
+struct Writer {
+    p: Processor,
+    out: Vec<u8>,
+}
+
+impl Writer {
+    fn record(&mut self, id: i8, name: &str, body: &[u8]) {
+        self.out.push(name.len() as u8);
+        self.out.push(id.cast_unsigned());
+        self.out.extend(name.as_bytes());
+        let next = (2 + body.len()) as u16;
+        self.out.extend(self.p.word(next));
+        self.out.extend(body);
+    }
+
+    fn group(&mut self, id: i8, name: &str) {
+        self.record(-id, name, &[0]);
+    }
+
+    fn ints(&mut self, id: i8, name: &str, dims: &[u8], values: &[i16]) {
+        let mut body = vec![2, dims.len() as u8];
+        body.extend(dims);
+        for v in values {
+            body.extend(self.p.word(v.cast_unsigned()));
+        }
+        body.push(0);
+        self.record(id, name, &body);
+    }
+
+    fn floats(&mut self, id: i8, name: &str, dims: &[u8], values: &[f32]) {
+        let mut body = vec![4, dims.len() as u8];
+        body.extend(dims);
+        for v in values {
+            body.extend(self.p.float(*v));
+        }
+        body.push(0);
+        self.record(id, name, &body);
+    }
+
+    fn texts(&mut self, id: i8, name: &str, length: u8, values: &[&str]) {
+        let mut body = vec![0xFF, 2, length, values.len() as u8];
+        for v in values {
+            body.extend(format!("{v:<width$}", width = length as usize).bytes());
+        }
+        body.push(0);
+        self.record(id, name, &body);
+    }
+}
+
+/// Channels that one plate of a type has, and how the vertical force is spread over them.
+fn channels(kind: i16, force: f64) -> Vec<f64> {
+    match kind {
+        3 => vec![
+            1.0,
+            -1.0,
+            2.0,
+            -2.0,
+            0.1 * force,
+            0.2 * force,
+            0.3 * force,
+            0.4 * force,
+        ],
+        // TYPE 4: the calibration matrix below doubles the third channel and adds a tenth of the first.
+        4 => vec![10.0, 0.0, (force - 1.0) / 2.0, 0.0, 0.0, 0.0],
+        _ => vec![3.0, -4.0, force, 5.0, 6.0, 7.0],
+    }
+}
+
+/// A file with one plate under `force` (newtons, downwards negative as plates give it), with mass 70 kg and
+/// one strike of the right foot at 0.5 s.
+pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
+    let count = channels(b.kind, 0.0).len();
+    let points = 1usize;
+    let mut w = Writer {
+        p: b.processor,
+        out: Vec::new(),
+    };
+    let code = match b.processor {
+        Processor::Intel => 84,
+        Processor::Dec => 85,
+        Processor::Sgi => 86,
+    };
+    w.out.extend([1, 0x50, 0, code]);
+    w.group(1, "POINT");
+    w.floats(1, "RATE", &[], &[100.0]);
+    w.floats(1, "SCALE", &[], &[if b.float { -0.1 } else { 0.1 }]);
+    w.group(2, "ANALOG");
+    w.ints(2, "USED", &[], &[count as i16]);
+    w.floats(2, "GEN_SCALE", &[], &[1.0]);
+    w.floats(2, "SCALE", &[count as u8], &vec![b.scale; count]);
+    w.ints(2, "OFFSET", &[count as u8], &vec![b.offset; count]);
+    w.texts(
+        2,
+        "LABELS",
+        4,
+        &["a", "b", "c", "d", "e", "f", "g", "h"][..count],
+    );
+    w.group(3, "FORCE_PLATFORM");
+    w.ints(3, "USED", &[], &[1]);
+    w.ints(3, "TYPE", &[1], &[b.kind]);
+    w.ints(3, "ZERO", &[2], &[1, 5]);
+    let numbers: Vec<i16> = (1..=count as i16).collect();
+    w.ints(3, "CHANNEL", &[count as u8, 1], &numbers);
+    let mut matrix = [0.0f32; 36];
+    for i in 0..6 {
+        matrix[6 * i + i] = 1.0;
+    }
+    matrix[2] = 0.1;
+    matrix[14] = 2.0;
+    w.floats(3, "CAL_MATRIX", &[6, 6, 1], &matrix);
+    w.group(4, "PROCESSING");
+    w.floats(4, "Bodymass", &[], &[70.0]);
+    w.group(5, "EVENT");
+    w.texts(5, "LABELS", 12, &["Foot Strike"]);
+    w.texts(5, "CONTEXTS", 6, &["Right"]);
+    w.floats(5, "TIMES", &[2, 1], &[0.0, 0.5]);
+    w.out.push(0);
+    let blocks = w.out.len().div_ceil(512);
+    w.out.resize(512 * blocks, 0);
+    w.out[2] = blocks as u8;
+    let p = b.processor;
+    let mut file = vec![0u8; 512];
+    file[0] = 2;
+    file[1] = 0x50;
+    let words = [points, count * b.per_frame, 1, b.frames, 10];
+    for (i, x) in words.iter().enumerate() {
+        file[2 + 2 * i..4 + 2 * i].copy_from_slice(&p.word(*x as u16));
+    }
+    file[12..16].copy_from_slice(&p.float(if b.float { -0.1 } else { 0.1 }));
+    file[16..18].copy_from_slice(&p.word((2 + blocks) as u16));
+    file[18..20].copy_from_slice(&p.word(b.per_frame as u16));
+    file[20..24].copy_from_slice(&p.float(100.0));
+    file.extend(&w.out);
+    for frame in 0..b.frames {
+        let mut put = |x: f64| {
+            if b.float {
+                file.extend(p.float(x as f32));
+            } else {
+                file.extend(p.word((x.round() as i16).cast_unsigned()));
+            }
+        };
+        for x in [1.0, 2.0, 3.0, 0.0] {
+            put(x);
+        }
+        for k in 0..b.per_frame {
+            for x in channels(b.kind, force(frame * b.per_frame + k)) {
+                put(x / f64::from(b.scale) + f64::from(b.offset));
+            }
+        }
+    }
+    file
+}
+
+/// Downward force of one stance of 0.6 s from 0.5 s on, at `rate` Hz, peaks 770 N and valley 455 N.
+pub fn one_stance(i: usize, rate: f64) -> f64 {
+    let x = (i as f64 / rate - 0.5) / 0.6;
+    if (0.0..=1.0).contains(&x) {
+        let a = std::f64::consts::PI * x;
+        -700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
+    } else {
+        0.0
+    }
+}
