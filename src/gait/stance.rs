@@ -63,6 +63,8 @@ pub enum Why {
     CutAtStart,
     /// The recording ends inside it.
     CutAtEnd,
+    /// The plate was loaded from the first sample to the last.
+    NeverUnloaded,
     /// Samples are missing inside it.
     Missing,
     /// It lasts too short for a step.
@@ -85,6 +87,7 @@ impl Why {
         match self {
             Why::CutAtStart => "cut: the recording starts inside the stance",
             Why::CutAtEnd => "cut: the recording ends inside the stance",
+            Why::NeverUnloaded => "never unloaded: standing, or both feet on one plate",
             Why::Missing => "samples are missing inside the stance",
             Why::Touch => "too short for a step",
             Why::Running => "running: one short hump",
@@ -241,6 +244,7 @@ fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Contact> {
             },
             peak_n,
             cut: match (cut_start, cut_end) {
+                (true, true) if last as f64 > STANDING_S * rate_hz => Some(Why::NeverUnloaded),
                 (true, _) => Some(Why::CutAtStart),
                 (false, true) => Some(Why::CutAtEnd),
                 (false, false) => None,

@@ -94,7 +94,7 @@ pub(super) fn read(
 }
 
 fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
-    let fall = times.windows(2).position(|w| !(w[1] >= w[0]));
+    let fall = times.windows(2).position(|w| w[1] < w[0] || w[1].is_nan());
     match fall {
         None => Ok(()),
         // Rows follow each other without gaps in such files, so the line is the row.

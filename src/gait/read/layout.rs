@@ -137,9 +137,9 @@ pub(super) fn detect(bytes: &[u8]) -> Layout {
         Separator::Byte(b';')
     } else if all_have(b'|') {
         Separator::Byte(b'|')
-    } else if all_have(b',') && !sample.iter().all(|l| blanks_part_decimal_commas(l)) {
-        Separator::Byte(b',')
-    } else if sample.is_empty() && bytes.contains(&b',') {
+    } else if all_have(b',') && !sample.iter().all(|l| blanks_part_decimal_commas(l))
+        || sample.is_empty() && bytes.contains(&b',')
+    {
         Separator::Byte(b',')
     } else {
         Separator::Blanks
@@ -151,7 +151,7 @@ pub(super) fn detect(bytes: &[u8]) -> Layout {
     let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
     Layout {
         separator,
-        comma: separator != Separator::Byte(b',') && sample.iter().any(|l| has_comma(&l)),
+        comma: separator != Separator::Byte(b',') && sample.iter().any(has_comma),
     }
 }
 

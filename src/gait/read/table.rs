@@ -137,9 +137,10 @@ fn with_header(start: Position, width: usize, head: &[&[u8]], layout: Layout) ->
         let row = cells(line, layout, width);
         if units.is_empty() && rows.is_empty() && is_unit_row(&row) && row.len() <= width + 1 {
             units = row;
-        } else if rows.is_empty() && is_name_row(&row, width, layout) {
-            rows.push(row);
-        } else if !rows.is_empty() && is_group_row(&row, &rows[rows.len() - 1], width, layout) {
+        } else if match rows.last() {
+            None => is_name_row(&row, width, layout),
+            Some(below) => is_group_row(&row, below, width, layout),
+        } {
             rows.push(row);
         } else if !(blank && rows.is_empty() && above == head.len()) {
             break;
@@ -273,7 +274,8 @@ pub(super) fn numbers(
                 continue;
             }
             let next = lines.clone().map(|(_, l)| l).next();
-            if next.is_some_and(|n| row_width(n, layout).is_some()) {
+            let goes_on = |n: &[u8]| row_width(n, layout).is_some_and(|w| 2 * w > table.width);
+            if next.is_some_and(goes_on) {
                 note_line(&mut skipped, at.line);
                 continue;
             }

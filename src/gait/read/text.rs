@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::columns::{Axis, Role, bracketed, foot, role, words};
-use super::layout::{Layout, Position, Separator, detect, plain, text};
+use super::layout::{Fields, Layout, Position, Separator, detect, plain, text};
+use super::number::trim;
 use super::table::{Numbers, Table, next_table, numbers, skip};
 use super::timebase::{TimeBase, usual_step};
 use super::{headerless, keys, rows, vertical};
@@ -58,22 +59,31 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         );
         from = skip(bytes, layout, &table);
     }
-    Err(nothing_found(path, bytes, &seen))
+    Err(nothing_found(path, bytes, layout, &seen))
 }
 
-fn nothing_found(path: &Path, bytes: &[u8], seen: &[String]) -> Error {
+fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {
     if bytes.trim_ascii().is_empty() {
         return Error::file(path, "the file is empty").help("give a recording of vertical force");
     }
-    if seen.is_empty() {
-        let first: String = text(&bytes[..bytes.len().min(60)])
+    // A table whose rows start with words has no numbers to go by; its first line may name its columns.
+    let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
+    let head = Fields::new(first, layout).take(40).map(|f| text(trim(f)));
+    let head: Vec<String> = head.filter(|f| f.len() < 60).collect();
+    let names = if seen.is_empty() && head.len() > 1 {
+        &head[..]
+    } else {
+        seen
+    };
+    if names.is_empty() {
+        let start: String = text(&bytes[..bytes.len().min(60)])
             .chars()
             .take(40)
             .collect();
         return Error::file(path, "no table of numbers found")
-            .help(format!("the file starts with {first:?}"));
+            .help(format!("the file starts with {start:?}"));
     }
-    let shown: Vec<&str> = seen.iter().take(40).map(String::as_str).collect();
+    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
     Error::file(path, "no column of vertical force found").help(format!(
         "the columns are {}; name the force column with --force",
         shown.join(", ")
