@@ -5,10 +5,13 @@
 
 use std::f64::consts::SQRT_2;
 
+use super::average::{Mean, mean_stance, place};
 use super::curve::ForceCurve;
+use super::feet::same_foot;
 use super::models::{Feet, SAMPLES};
 use super::recording::{Foot, Recording};
-use super::stance::{Rejected, Stance, Stances, Why, same_foot};
+use super::stance::{Stance, Stances, Why};
+use super::stride::{Stride, alternate, sample_stride, whole_strides};
 use crate::error::{Error, Result};
 use crate::units::G;
 
@@ -99,81 +102,6 @@ fn no_stance(recording: &Recording, stances: &Stances) -> Error {
     }
 }
 
-/// One contact in the row of footfalls: its span and whether it is whole.
-#[derive(Debug, Clone, Copy)]
-struct Footfall<'a> {
-    channel: usize,
-    start_s: f64,
-    end_s: f64,
-    stance: Option<&'a Stance>,
-    cut: Option<Why>,
-}
-
-/// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
-#[derive(Debug, Clone)]
-struct Stride {
-    start_s: f64,
-    end_s: f64,
-    foot: Option<Foot>,
-    /// Channel and span of each contact that reaches into the stride.
-    contacts: Vec<(usize, f64, f64)>,
-}
-
-/// Strides in which every footfall is on record.
-///
-/// Four footfalls in turn, each overlapping the next: the second to the fourth heel strike is a
-/// stride, the first gives its first double support and may be cut before, the fourth begins it anew.
-fn whole_strides(stances: &Stances) -> Vec<Stride> {
-    let mut falls: Vec<Footfall> = stances
-        .used
-        .iter()
-        .map(|s| Footfall {
-            channel: s.channel,
-            start_s: s.start_s,
-            end_s: s.end_s,
-            stance: Some(s),
-            cut: None,
-        })
-        .chain(
-            stances
-                .rejected
-                .iter()
-                .filter(|r| r.why != Why::Touch)
-                .map(rejected_fall),
-        )
-        .collect();
-    falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
-    let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
-    let found = falls.windows(4).filter(|w| {
-        let whole = w[1].stance.is_some() && w[2].stance.is_some();
-        let ends = (w[0].stance.is_some() || w[0].cut == Some(Why::CutAtStart))
-            && (w[3].stance.is_some() || w[3].cut == Some(Why::CutAtEnd));
-        let in_turn = w.windows(2).all(|p| overlap(&p[0], &p[1]));
-        whole && ends && in_turn && w[0].end_s < w[2].start_s && w[1].end_s < w[3].end_s
-    });
-    found
-        .map(|w| Stride {
-            start_s: w[1].start_s,
-            end_s: w[3].start_s,
-            foot: w[1].stance.and_then(|s| s.foot),
-            contacts: w[..3]
-                .iter()
-                .map(|f| (f.channel, f.start_s, f.end_s))
-                .collect(),
-        })
-        .collect()
-}
-
-fn rejected_fall(r: &Rejected) -> Footfall<'_> {
-    Footfall {
-        channel: r.channel,
-        start_s: r.from_s,
-        end_s: r.to_s,
-        stance: None,
-        cut: matches!(r.why, Why::CutAtStart | Why::CutAtEnd).then_some(r.why),
-    }
-}
-
 /// Mean of whole strides that begin with the same foot.
 fn averaged(recording: &Recording, strides: &[Stride]) -> Result<Cycle> {
     let mut durations: Vec<f64> = strides.iter().map(|s| s.end_s - s.start_s).collect();
@@ -218,122 +146,6 @@ fn averaged(recording: &Recording, strides: &[Stride]) -> Result<Cycle> {
     });
     let how = format!("{n} whole stride{} of both feet{with}", plural(n));
     finish(recording, period, force, spread, n, how)
-}
-
-/// Every other stride of each run of strides that overlap.
-fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
-    let mut kept: Vec<&Stride> = Vec::new();
-    for s in strides {
-        let clash = kept
-            .last()
-            .is_some_and(|k: &&Stride| s.start_s < k.end_s - 0.05 * (k.end_s - k.start_s));
-        if !clash {
-            kept.push(s);
-        }
-    }
-    kept
-}
-
-/// Sum of the contacts of a stride at equal phases.
-fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
-    row.fill(0.0);
-    let step = (stride.end_s - stride.start_s) / row.len() as f64;
-    for &(channel, from_s, to_s) in &stride.contacts {
-        let force = &recording.channels[channel].force_n;
-        for (i, x) in row.iter_mut().enumerate() {
-            let t = stride.start_s + i as f64 * step;
-            if t >= from_s && t <= to_s {
-                *x += at(force, t * recording.rate_hz);
-            }
-        }
-    }
-}
-
-/// Force at a place between samples, by a straight line.
-fn at(force: &[f64], place: f64) -> f64 {
-    let i = (place.max(0.0) as usize).min(force.len().saturating_sub(2));
-    let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
-        return force.first().copied().unwrap_or(0.0);
-    };
-    let x = (place - i as f64).clamp(0.0, 1.0);
-    a + x * (b - a)
-}
-
-/// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
-struct Mean {
-    count: f64,
-    mean: Vec<f64>,
-    squares: Vec<f64>,
-}
-
-impl Mean {
-    fn new() -> Self {
-        Mean {
-            count: 0.0,
-            mean: vec![0.0; SAMPLES],
-            squares: vec![0.0; SAMPLES],
-        }
-    }
-
-    fn add(&mut self, row: &[f64]) {
-        self.count += 1.0;
-        for ((m, s), x) in self.mean.iter_mut().zip(&mut self.squares).zip(row) {
-            let d = x - *m;
-            *m += d / self.count;
-            *s += d * (x - *m);
-        }
-    }
-
-    /// Mean and, of two or more, standard deviation.
-    fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
-        let degrees = self.count - 1.0;
-        let spread =
-            (degrees > 0.0).then(|| self.squares.iter().map(|s| (s / degrees).sqrt()).collect());
-        (self.mean, spread)
-    }
-}
-
-/// The mean stance of some stances on its own phase.
-struct MeanStance {
-    count: usize,
-    duration_s: f64,
-    impulse_ns: f64,
-    force: Vec<f64>,
-    spread: Option<Vec<f64>>,
-}
-
-/// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
-fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
-    let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
-    let usual = masses
-        .as_ref()
-        .map(|m| m.iter().sum::<f64>() / m.len() as f64);
-    let mut mean = Mean::new();
-    let mut row = vec![0.0; SAMPLES];
-    let (mut duration, mut impulse) = (0.0, 0.0);
-    for s in stances {
-        let scale = match (usual, s.mass_kg) {
-            (Some(u), Some(m)) => u / m,
-            _ => 1.0,
-        };
-        let force = &recording.channels[s.channel].force_n;
-        let step = (s.end_s - s.start_s) / (SAMPLES - 1) as f64;
-        for (i, x) in row.iter_mut().enumerate() {
-            *x = scale * at(force, (s.start_s + i as f64 * step) * recording.rate_hz);
-        }
-        mean.add(&row);
-        duration += s.end_s - s.start_s;
-        impulse += scale * s.impulse_ns;
-    }
-    let n = stances.len();
-    let (force, spread) = mean.finish();
-    MeanStance {
-        count: n,
-        duration_s: duration / n as f64,
-        impulse_ns: impulse / n as f64,
-        force,
-        spread,
-    }
 }
 
 /// A stride of both feet built from single stances half a stride apart.
@@ -450,24 +262,6 @@ fn one_foot(recording: &Recording, stances: &Stances, foot: Option<Foot>) -> Res
     Ok(cycle)
 }
 
-/// Adds a stance to a stride of `period` s, starting at phase `shift`.
-fn place(stance: &MeanStance, period: f64, shift: f64, force: &mut [f64], variance: &mut [f64]) {
-    let n = force.len() as f64;
-    for i in 0..force.len() {
-        // Phases of the stride at which this sample falls into the stance: a stance may reach past the wrap.
-        let phase = (i as f64 / n - shift).rem_euclid(1.0);
-        let mut t = phase * period;
-        while t <= stance.duration_s {
-            let place = t / stance.duration_s * (SAMPLES - 1) as f64;
-            force[i] += at(&stance.force, place);
-            if let Some(s) = &stance.spread {
-                variance[i] += at(s, place).powi(2);
-            }
-            t += period;
-        }
-    }
-}
-
 /// Whether the recording is a table of single stances.
 fn has_rows(recording: &Recording) -> bool {
     recording.channels.iter().any(|c| !c.rows.is_empty())
@@ -481,7 +275,7 @@ fn stride_time(
     recording: &Recording,
     stances: &Stances,
     impulse_ns: f64,
-    stance: &MeanStance,
+    stance: &super::average::MeanStance,
 ) -> (f64, String) {
     let mut strides: Vec<f64> = Vec::new();
     if !has_rows(recording) {

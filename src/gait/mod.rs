@@ -1,19 +1,24 @@
 //! Force curves: where the wanted vertical force comes from.
 
+mod average;
+mod catalogue;
 mod clean;
 mod curve;
 mod cycle;
 mod describe;
+mod feet;
 mod models;
 mod read;
 mod recording;
 mod shape;
 mod stance;
+mod stride;
 
+pub use catalogue::{ModelInfo, Status, catalogue};
 pub use curve::ForceCurve;
 pub use cycle::{Cycle, cycle};
 pub use describe::{csv, json, spread_rms_n, table};
-pub use models::{Feet, ModelInfo, SAMPLES, Status, catalogue, model};
+pub use models::{Feet, SAMPLES, model};
 pub use read::{force_curve, metadata_name, read};
 pub use recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row, Strike};
 pub use stance::{Point, Rejected, Stance, Stances, Why, stances};

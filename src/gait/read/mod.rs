@@ -6,6 +6,7 @@
 mod c3d;
 mod columns;
 mod cycle_file;
+mod header;
 mod headerless;
 mod keys;
 mod layout;
@@ -14,6 +15,7 @@ mod rows;
 mod table;
 mod text;
 mod timebase;
+mod times;
 mod vertical;
 
 use std::path::Path;
