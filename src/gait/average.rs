@@ -67,15 +67,7 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanSta
     let mut row = vec![0.0; SAMPLES];
     let (mut duration, mut impulse) = (0.0, 0.0);
     for s in stances {
-        let scale = match (usual, s.mass_kg) {
-            (Some(u), Some(m)) => u / m,
-            _ => 1.0,
-        };
-        let force = &recording.channels[s.channel].force_n;
-        let step = (s.end_s - s.start_s) / (SAMPLES - 1) as f64;
-        for (i, x) in row.iter_mut().enumerate() {
-            *x = scale * at(force, (s.start_s + i as f64 * step) * recording.rate_hz);
-        }
+        let scale = stance_row(recording, s, usual, &mut row);
         mean.add(&row);
         duration += s.end_s - s.start_s;
         impulse += scale * s.impulse_ns;
@@ -89,6 +81,29 @@ pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanSta
         force,
         spread,
     }
+}
+
+/// Fills `row` with one stance at equal phases, scaled to the `usual` mass; the scale.
+pub(super) fn stance_row(
+    recording: &Recording,
+    stance: &Stance,
+    usual: Option<f64>,
+    row: &mut [f64],
+) -> f64 {
+    let scale = match (usual, stance.mass_kg) {
+        (Some(u), Some(m)) => u / m,
+        _ => 1.0,
+    };
+    let force = &recording.channels[stance.channel].force_n;
+    let step = (stance.end_s - stance.start_s) / (row.len() - 1) as f64;
+    for (i, x) in row.iter_mut().enumerate() {
+        *x = scale
+            * at(
+                force,
+                (stance.start_s + i as f64 * step) * recording.rate_hz,
+            );
+    }
+    scale
 }
 
 /// Adds a stance to a stride of `period` s, starting at phase `shift`.

@@ -195,6 +195,8 @@ const OTHER: &[&str] = &[
     "friction",
     "rate",
     "impulse",
+    "normalised",
+    "normalized",
 ];
 
 /// Reads one column name.
@@ -351,6 +353,7 @@ mod tests {
             "FP1.MomX",
             "Ax",
             "|Ft|",
+            "LNormalisedGRF Z",
         ] {
             assert_eq!(role(name), Role::Other, "{name}");
         }

@@ -44,6 +44,10 @@ pub(super) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option
                 return Some(with_header(at, width, &head, layout));
             }
         }
+        // One blank line of several says as much.
+        if line.is_empty() && head.back().is_some_and(|l| l.is_empty()) {
+            continue;
+        }
         if head.len() >= HEADER_LINES {
             head.remove(HEADER_LINES / 2);
         }

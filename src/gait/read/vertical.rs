@@ -152,6 +152,13 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<String>) -> Res
     {
         return Ok(unit);
     }
+    // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
+    if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
+        notes.push(format!(
+            "no force above {peak:.3} N; if these are body weights, give --unit BW and --mass"
+        ));
+        return Ok(ForceUnit::Newton);
+    }
     let guess = if believable(ForceUnit::Newton) || peak < 0.3 {
         ForceUnit::Newton
     } else if (0.3..=6.0).contains(&peak) {

@@ -1,0 +1,212 @@
+//! The mean cycle of recordings whose true mean is known, and what is said about it.
+
+use std::path::Path;
+
+use gaitcam::gait::{
+    Cycle, Feet, ReadOptions, Recording, Stances, csv, cycle, force_curve, json, overlay, read,
+    stances, table,
+};
+
+const RATE: f64 = 500.0;
+
+fn stance(x: f64) -> f64 {
+    if !(0.0..=1.0).contains(&x) {
+        return 0.0;
+    }
+    let a = std::f64::consts::PI * x;
+    700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
+}
+
+/// A walk with strides of 1.1 s and stances of 0.68 s; step k has its force times `1 ± wobble`, right foot first.
+fn walk(seconds: f64, wobble: f64) -> (Recording, Stances) {
+    let force = |t: f64, lead: f64| {
+        let k = ((t + lead) / 1.1).floor();
+        let sign = if k as i64 % 2 == 0 { 1.0 } else { -1.0 };
+        (1.0 + sign * wobble) * stance(((t + lead) - 1.1 * k) / 0.68)
+    };
+    let rows: String = (0..(seconds * RATE) as usize)
+        .map(|i| {
+            let t = i as f64 / RATE;
+            format!("{t:.3},{:.4},{:.4}\n", force(t, 0.75), force(t, 0.2))
+        })
+        .collect();
+    let text = format!("time,right fz,left fz\n{rows}");
+    let r = read(
+        Path::new("walk.csv"),
+        text.as_bytes(),
+        &ReadOptions::default(),
+    )
+    .unwrap();
+    let s = stances(&r);
+    (r, s)
+}
+
+fn of(seconds: f64, wobble: f64, feet: Feet) -> Cycle {
+    let (r, s) = walk(seconds, wobble);
+    cycle(&r, &s, feet).unwrap()
+}
+
+#[test]
+fn the_mean_of_equal_strides_is_the_stride() {
+    let c = of(12.0, 0.0, Feet::Both);
+    assert!((c.curve.period_s - 1.1).abs() < 1e-3);
+    let n = c.curve.force_n.len();
+    // The stride starts where the force of the leading foot crosses 20 N; that is 0.0095 of its stance.
+    let late = 0.68 * 20.0 / (700.0 * std::f64::consts::PI * 2.05);
+    let worst = (0..n)
+        .map(|i| {
+            let t = late + 1.1 * i as f64 / n as f64;
+            let true_n = stance(t / 0.68) + stance((t + 0.55) / 0.68) + stance((t - 0.55) / 0.68);
+            (c.curve.force_n[i] - true_n).abs()
+        })
+        .fold(0.0, f64::max);
+    // What lies below the 20 N threshold is left out at each end.
+    assert!(worst < 21.0, "{worst}");
+    let mass = 2.0 * 700.0 * std::f64::consts::FRAC_2_PI * (1.0 + 0.35 / 3.0) * 0.68 / 1.1 / 9.81;
+    assert!(
+        (c.mass_kg / mass - 1.0).abs() < 2e-3,
+        "{} {mass}",
+        c.mass_kg
+    );
+}
+
+#[test]
+fn spread_and_repeatability_are_those_of_the_steps() {
+    // Cycles alternate between 1 + w and 1 - w of the mean, so the deviation is w F √(n/(n−1)).
+    let c = of(40.0, 0.03, Feet::Right);
+    let spread = c.curve.spread_n.as_ref().unwrap();
+    let n = c.averaged as f64;
+    let (i, top) = c
+        .curve
+        .force_n
+        .iter()
+        .enumerate()
+        .max_by(|a, b| a.1.total_cmp(b.1))
+        .unwrap();
+    let expected = 0.03 * top * (n / (n - 1.0)).sqrt();
+    assert!(
+        (spread[i] / expected - 1.0).abs() < 0.02,
+        "{} {expected}",
+        spread[i]
+    );
+    let rms = (spread.iter().map(|s| s * s).sum::<f64>() / spread.len() as f64).sqrt();
+    assert!((c.repeatability_n.unwrap() / (1.96 * 2f64.sqrt() * rms) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn one_foot_is_zero_in_swing_and_carries_half_the_body() {
+    let one = of(12.0, 0.0, Feet::One);
+    let both = of(12.0, 0.0, Feet::Both);
+    let n = one.curve.force_n.len();
+    assert!(one.curve.force_n[n * 65 / 100..].iter().all(|f| *f == 0.0));
+    assert!((2.0 * one.curve.mean_n() / both.curve.mean_n() - 1.0).abs() < 5e-3);
+    assert!((one.mass_kg / both.mass_kg - 1.0).abs() < 5e-3);
+}
+
+#[test]
+fn a_single_stance_with_a_mass_gives_the_stride_that_carries_it() {
+    let rows: String = (0..600)
+        .map(|i| {
+            let t = f64::from(i) / RATE;
+            format!("{t:.3},{:.4}\n", stance((t - 0.2) / 0.68))
+        })
+        .collect();
+    let text = format!("time,fz\n{rows}");
+    let mean = 700.0 * std::f64::consts::FRAC_2_PI * (1.0 + 0.35 / 3.0) * 0.68;
+    let mass = 2.0 * mean / 1.1 / 9.81;
+    let options = ReadOptions {
+        mass_kg: Some(mass),
+        ..ReadOptions::default()
+    };
+    let c = force_curve(Path::new("one.csv"), text.as_bytes(), &options, Feet::Both).unwrap();
+    assert!((c.period_s - 1.1).abs() < 3e-3, "{}", c.period_s);
+    assert!((c.mean_n() / (mass * 9.81) - 1.0).abs() < 5e-3);
+    let e = force_curve(Path::new("one.csv"), text.as_bytes(), &options, Feet::Left)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        e.starts_with("one.csv: no whole stance of the left foot"),
+        "{e}"
+    );
+}
+
+#[test]
+fn the_written_cycle_reads_back_bit_for_bit() {
+    let c = of(12.0, 0.02, Feet::Both);
+    let text = csv(&c.curve, &[&c.how]);
+    let back = force_curve(
+        Path::new("mean.csv"),
+        text.as_bytes(),
+        &ReadOptions::default(),
+        Feet::Both,
+    )
+    .unwrap();
+    assert_eq!(back.force_n, c.curve.force_n);
+    assert_eq!(back.spread_n, c.curve.spread_n);
+    assert_eq!(
+        (back.period_s, back.mass_kg),
+        (c.curve.period_s, c.curve.mass_kg)
+    );
+}
+
+#[test]
+fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
+    let (r, s) = walk(12.0, 0.0);
+    let c = cycle(&r, &s, Feet::Both).unwrap();
+    let v = json(&r, &s, Some(&c));
+    for key in [
+        "format",
+        "rate_hz",
+        "duration_s",
+        "mass_kg",
+        "channels",
+        "stances",
+        "cycle",
+    ] {
+        assert!(v.get(key).is_some(), "{key}");
+    }
+    for key in ["name", "foot", "baseline_n", "stances", "rejected"] {
+        assert!(v["channels"][0].get(key).is_some(), "{key}");
+    }
+    for key in [
+        "foot",
+        "start_s",
+        "end_s",
+        "p1_n",
+        "p1_at",
+        "valley_n",
+        "valley_at",
+        "p2_n",
+        "p2_at",
+    ] {
+        assert!(v["stances"][0].get(key).is_some(), "{key}");
+    }
+    for key in ["from_s", "to_s", "why"] {
+        assert!(v["channels"][1]["rejected"][0].get(key).is_some(), "{key}");
+    }
+    assert_eq!(v["cycle"]["period_s"], c.curve.period_s);
+    assert_eq!(v["cycle"]["mean_n"], c.curve.mean_n());
+    assert_eq!(v["stances"].as_array().unwrap().len(), s.used.len());
+    let t = table(&r, &s, Ok(&c));
+    for part in [
+        "500.00 Hz",
+        "right fz",
+        "cut: the recording ends inside the stance",
+        "whole stride",
+        &format!("{:.4} s", c.curve.period_s),
+    ] {
+        assert!(t.contains(part), "{part} is not in\n{t}");
+    }
+    assert!(table(&r, &s, Err("none")).contains("no mean cycle: none"));
+}
+
+#[test]
+fn the_overlay_holds_the_stances_their_mean_and_band() {
+    let (r, s) = walk(40.0, 0.03);
+    let o = overlay(&r, &s, 10).unwrap();
+    assert!(o.stances.len() <= 10 && o.stances.len() >= 8);
+    assert!((o.duration_s - 0.68).abs() < 0.01);
+    let middle = o.mean_n.len() / 2;
+    assert!((o.mean_n[middle] - 455.0).abs() < 3.0 && o.spread_n.is_some());
+    assert_eq!(overlay(&r, &Stances::default(), 10), None);
+}
