@@ -131,6 +131,46 @@ fn a_single_stance_with_a_mass_gives_the_stride_that_carries_it() {
 }
 
 #[test]
+fn both_feet_on_one_belt_give_their_stride_and_standing_gives_none() {
+    let total = |t: f64| {
+        (-2..2)
+            .map(|k| stance((t.rem_euclid(0.55) + 0.55 * f64::from(k)) / 0.68))
+            .sum::<f64>()
+    };
+    let text = |force: &dyn Fn(f64) -> f64| -> String {
+        let rows = (0..6000)
+            .map(|i| f64::from(i) / RATE)
+            .map(|t| format!("{t:.3},{:.3}\n", force(t)));
+        format!("time,fz\n{}", rows.collect::<String>())
+    };
+    let open = |text: String| {
+        force_curve(
+            Path::new("belt.csv"),
+            text.as_bytes(),
+            &ReadOptions::default(),
+            Feet::Both,
+        )
+    };
+    let c = open(text(&total)).unwrap();
+    assert!((c.period_s - 1.1).abs() < 1e-3, "{}", c.period_s);
+    let mean = 2.0 * 700.0 * std::f64::consts::FRAC_2_PI * (1.0 + 0.35 / 3.0) * 0.68 / 1.1;
+    assert!(
+        (c.mean_n() / mean - 1.0).abs() < 2e-3,
+        "{} {mean}",
+        c.mean_n()
+    );
+    let high = (0..1100)
+        .map(|i| total(f64::from(i) / 1000.0))
+        .fold(0.0, f64::max);
+    let got = c.force_n.iter().copied().fold(0.0, f64::max);
+    assert!((got - high).abs() < 3.0, "{got} {high}");
+    let e = open(text(&|t| 700.0 + 20.0 * (9.0 * t).sin()))
+        .unwrap_err()
+        .to_string();
+    assert!(e.contains("never unloaded: standing"), "{e}");
+}
+
+#[test]
 fn the_written_cycle_reads_back_bit_for_bit() {
     let c = of(12.0, 0.02, Feet::Both);
     let text = csv(&c.curve, &[&c.how]);

@@ -12,6 +12,7 @@ use super::models::{Feet, SAMPLES};
 use super::recording::{Foot, Recording};
 use super::stance::{Stance, Stances, Why};
 use super::stride::{Stride, alternate, sample_stride, whole_strides};
+use super::total::total_stride;
 use crate::error::{Error, Result};
 use crate::units::G;
 
@@ -45,6 +46,16 @@ pub struct Cycle {
 /// reasons, where there is no whole stance, or none of the wanted side.
 pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
     if stances.used.is_empty() {
+        if feet == Feet::Both
+            && let Some(t) = total_stride(recording, stances)
+        {
+            let how = format!(
+                "{} stride{} of both feet on one plate, from a rise through the mean force",
+                t.strides,
+                plural(t.strides)
+            );
+            return finish(recording, t.period_s, t.force_n, t.spread_n, t.strides, how);
+        }
         return Err(no_stance(recording, stances));
     }
     match feet {

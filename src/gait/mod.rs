@@ -14,6 +14,7 @@ mod recording;
 mod shape;
 mod stance;
 mod stride;
+mod total;
 
 pub use catalogue::{ModelInfo, Status, catalogue};
 pub use curve::ForceCurve;

@@ -1,0 +1,95 @@
+//! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
+
+use super::average::{Mean, at};
+use super::models::SAMPLES;
+use super::recording::Recording;
+use super::stance::{Stances, Why};
+
+/// A total force that moves less than this part of its mean is standing.
+const STEADY: f64 = 0.05;
+/// Steps whose duration is further than this from the middle one are not averaged.
+const ODD_STEP: f64 = 0.25;
+/// Fewest regular steps that make a walk.
+const FEWEST_STEPS: usize = 6;
+/// Durations of a step that a walker can keep, s.
+const STEP_S: std::ops::Range<f64> = 0.3..1.2;
+
+/// The mean stride of a total force.
+pub(super) struct TotalStride {
+    pub period_s: f64,
+    pub force_n: Vec<f64>,
+    pub spread_n: Option<Vec<f64>>,
+    pub strides: usize,
+}
+
+/// Averages the strides of a channel that is loaded throughout; `None` where nobody walks on it.
+///
+/// A step is the time between two rises of the force through its mean; a stride is two steps, so that
+/// a difference between the feet is kept. Which foot begins is not known.
+pub(super) fn total_stride(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
+    let loaded = stances
+        .rejected
+        .iter()
+        .find(|r| r.why == Why::NeverUnloaded)?;
+    let force = &recording.channels.get(loaded.channel)?.force_n;
+    let n = force.len() as f64;
+    let mean = force.iter().sum::<f64>() / n;
+    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    if deviation < STEADY * mean {
+        return None;
+    }
+    let rises = rises(force, mean, 0.5 * deviation);
+    let steps: Vec<f64> = rises
+        .windows(2)
+        .map(|w| (w[1] - w[0]) / recording.rate_hz)
+        .collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = *sorted.get(sorted.len() / 2)?;
+    let regular = |s: &f64| (s / usual - 1.0).abs() < ODD_STEP;
+    let count = steps.iter().filter(|s| regular(s)).count();
+    if !STEP_S.contains(&usual) || count < FEWEST_STEPS || 4 * count < 3 * steps.len() {
+        return None;
+    }
+    let mut average = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    let (mut period, mut strides) = (0.0, 0usize);
+    for (pair, ends) in steps.windows(2).zip(rises.windows(3)).step_by(2) {
+        if !pair.iter().all(regular) {
+            continue;
+        }
+        let step = (ends[2] - ends[0]) / SAMPLES as f64;
+        for (i, x) in row.iter_mut().enumerate() {
+            *x = at(force, ends[0] + i as f64 * step);
+        }
+        average.add(&row);
+        period += pair[0] + pair[1];
+        strides += 1;
+    }
+    let (force_n, spread_n) = average.finish();
+    (strides > 0).then(|| TotalStride {
+        period_s: period / strides as f64,
+        force_n,
+        spread_n,
+        strides,
+    })
+}
+
+/// Places, in samples, where the force rises through a level after having been `margin` below it.
+fn rises(force: &[f64], level: f64, margin: f64) -> Vec<f64> {
+    let mut places = Vec::new();
+    let mut low = false;
+    let mut crossing = None;
+    for (i, w) in force.windows(2).enumerate() {
+        low |= w[0] < level - margin;
+        if low && w[0] <= level && w[1] > level {
+            crossing = Some(i as f64 + (level - w[0]) / (w[1] - w[0]));
+        }
+        // The rise counts once the force is as far above.
+        if low && w[1] > level + margin {
+            places.extend(crossing.take());
+            low = false;
+        }
+    }
+    places
+}
