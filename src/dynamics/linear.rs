@@ -69,7 +69,8 @@ impl Linear {
         let closing = Matrix4::identity() - turn;
         // The smallest singular value says how near the turn comes to returning some state unchanged.
         let singular = closing.singular_values();
-        if !(singular.min() > NEAR_RESONANCE * singular.max().max(1.0)) {
+        let margin = NEAR_RESONANCE * singular.max().max(1.0);
+        if singular.min() <= margin || singular.min().is_nan() {
             return None;
         }
         let last = once.last().copied().unwrap_or_default();
@@ -175,11 +176,12 @@ fn doubled(carry: &Matrix4<f64>, push: &[Vector4<f64>]) -> Vec<Vector4<f64>> {
     let mut out = vec![Vector4::zeros(); n + 1];
     for (i, g) in push.iter().enumerate() {
         let carried = carry * g;
-        for j in 0..=i {
-            out[j] += carried * (bernstein::binomial(i, j) * 0.5_f64.powi(i as i32));
+        let halves = |k: usize, c: usize| bernstein::binomial(k, c) * 0.5_f64.powi(k as i32);
+        for (j, o) in out[..=i].iter_mut().enumerate() {
+            *o += carried * halves(i, j);
         }
-        for j in i..=n {
-            out[j] += g * (bernstein::binomial(n - i, j - i) * 0.5_f64.powi((n - i) as i32));
+        for (c, o) in out[i..].iter_mut().enumerate() {
+            *o += g * halves(n - i, c);
         }
     }
     out

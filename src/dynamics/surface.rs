@@ -1,0 +1,121 @@
+//! One profile as the contact run sees it: its lift, and where the force would have to pull.
+
+use crate::drive::Drive;
+use crate::law::{Law, Svaj};
+use crate::poly::PiecewisePoly;
+use std::f64::consts::TAU;
+
+/// Forces this small against the largest are rounding, not a pull.
+const NO_PULL: f64 = 1e-13;
+
+/// A closed lift with the stretches on which contact cannot be kept.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// The lift over one turn, by the angle in the sense of the cam's turning.
+    pub law: Law,
+    /// Contact force while touching, N.
+    pub force: PiecewisePoly,
+    /// Stretches (from, to) of negative force, increasing, `from` in the first turn; `to` may lie in the
+    /// second.
+    pub pulls: Vec<(f64, f64)>,
+    /// Largest second derivative of the lift, m/rad².
+    pub steepest: f64,
+    /// Smallest second derivative of the lift, m/rad².
+    pub hollowest: f64,
+    start: f64,
+}
+
+impl Surface {
+    /// A surface under the given machine (its speed positive).
+    pub fn new(law: Law, drive: &Drive) -> Self {
+        let force = drive.force_curve(&law);
+        let (low, high) = law.extremes(2);
+        let pulls = pulls(&force);
+        Surface {
+            start: law.extent().0,
+            force,
+            pulls,
+            steepest: high.value,
+            hollowest: low.value,
+            law,
+        }
+    }
+
+    /// Lift and derivatives at any angle, turns counted on.
+    pub fn at(&self, angle: f64) -> Svaj {
+        self.law.svaj(angle)
+    }
+
+    /// The first stretch of negative force that ends after `angle`, in the turns of `angle`.
+    pub fn next_pull(&self, angle: f64) -> Option<(f64, f64)> {
+        let turn = ((angle - self.start) / TAU).floor();
+        (-1..=1)
+            .flat_map(|k| {
+                let shift = (turn + f64::from(k)) * TAU;
+                self.pulls.iter().map(move |(a, b)| (a + shift, b + shift))
+            })
+            .find(|(_, to)| *to > angle + 1e-12)
+    }
+}
+
+/// Stretches on which the force is negative, joined across the end of the turn.
+fn pulls(force: &PiecewisePoly) -> Vec<(f64, f64)> {
+    let (first, last) = (force.breaks()[0], force.breaks()[force.pieces()]);
+    let (low, high) = force.extremes();
+    let none = NO_PULL * low.value.abs().max(high.value.abs());
+    if low.value >= -none {
+        return Vec::new();
+    }
+    if high.value < 0.0 {
+        return vec![(first, last)];
+    }
+    let mut marks = vec![first];
+    marks.extend(
+        force
+            .roots()
+            .into_iter()
+            .filter(|r| *r > first && *r < last),
+    );
+    marks.push(last);
+    let mut out: Vec<(f64, f64)> = Vec::new();
+    for pair in marks.windows(2) {
+        if force.eval(0.5 * (pair[0] + pair[1])) >= 0.0 {
+            continue;
+        }
+        match out.last_mut() {
+            Some(stretch) if stretch.1 == pair[0] => stretch.1 = pair[1],
+            _ => out.push((pair[0], pair[1])),
+        }
+    }
+    let wraps = out.len() > 1 && out[0].0 == first && out[out.len() - 1].1 == last;
+    if wraps {
+        let (_, to) = out.remove(0);
+        if let Some(stretch) = out.last_mut() {
+            stretch.1 = to + (last - first);
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::thesis;
+
+    #[test]
+    fn the_pull_of_a_fast_eccentric_is_where_its_sine_says() {
+        // M(g − ω²e sin θ) < 0 between asin(g/ω²e) and its supplement.
+        let drive = thesis::real(35.0);
+        let surface = Surface::new(thesis::eccentric().law, &drive);
+        let edge = (9.81 / (35.0 * 35.0 * 0.01_f64)).asin();
+        let (from, to) = surface.next_pull(2.0 * TAU).unwrap();
+        assert!((from - edge - 2.0 * TAU).abs() < 1e-12);
+        assert!((to - (std::f64::consts::PI - edge) - 2.0 * TAU).abs() < 1e-12);
+        // Shifted by a quarter turn the stretch runs over the end of the turn and stays one.
+        let turned = Law::harmonic(0.0, &[(0.01, 0.0)]);
+        let surface = Surface::new(turned, &drive);
+        assert_eq!(surface.pulls.len(), 1);
+        let (from, to) = surface.next_pull(0.0).unwrap();
+        assert!(from < 0.0 && to > 0.0 && (from + to).abs() < 1e-9);
+    }
+}
