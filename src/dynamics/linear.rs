@@ -221,6 +221,12 @@ fn exponential(z: &Matrix4<f64>) -> Matrix4<f64> {
     sum
 }
 
+/// Gauss–Legendre nodes and weights on [0, 1], in pairs.
+pub fn gauss_points(n: usize) -> Vec<(f64, f64)> {
+    let (nodes, weights) = gauss(n);
+    nodes.into_iter().zip(weights).collect()
+}
+
 /// Gauss–Legendre nodes and weights on [0, 1]: roots of the Legendre polynomial by Newton.
 fn gauss(n: usize) -> (Vec<f64>, Vec<f64>) {
     let mut nodes = Vec::with_capacity(n);

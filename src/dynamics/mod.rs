@@ -1,12 +1,16 @@
 //! The cam in motion, with no more model than the scene needs.
 
 pub mod contact;
+pub mod design;
 pub mod flexible;
 pub mod flight;
+pub mod hertz;
 pub mod impact;
 pub mod linear;
+pub mod motor;
 pub mod profile_curve;
 pub mod rigid;
+pub mod shaft;
 pub mod surface;
 pub mod thesis;
 
