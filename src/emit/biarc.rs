@@ -3,7 +3,6 @@
 //! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
 //! biarc). Where they stray too far the interval is halved.
 
-use super::geometry::normal;
 use crate::cam::Cam;
 
 /// Widest interval that one biarc is tried on, rad.
@@ -76,7 +75,7 @@ pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
 
 fn end(cam: &Cam, theta: f64) -> End {
     let point = cam.point(theta);
-    let [nx, ny] = normal(&point);
+    let [nx, ny] = cam.normal(&point);
     // The profile runs clockwise: its tangent is the outward normal turned to the right.
     End {
         theta,

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use super::geometry::normal;
 use crate::error::{Error, Result};
 use crate::synth::Synthesis;
 
@@ -72,7 +71,7 @@ pub fn path(synthesis: &Synthesis, tool: f64, points: usize) -> Result<CutterPat
     let path: Vec<CutterPoint> = rows
         .iter()
         .map(|p| {
-            let [nx, ny] = normal(p);
+            let [nx, ny] = synthesis.cam.normal(p);
             CutterPoint {
                 theta: p.theta,
                 x: p.x + tool * nx,

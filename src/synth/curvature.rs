@@ -159,7 +159,35 @@ pub fn refine(
         }
     }
     let size = sized(&current.extra);
+    if let Some(exact) = held(program, &current, size, &present) {
+        let active = current.active;
+        current = Solution {
+            active,
+            extra: current.extra,
+            iterations: current.iterations + exact.iterations,
+            ..exact
+        };
+    }
     Some((current, size, steps))
+}
+
+/// The last law once more with the size held a hair larger, so that its limits hold to rounding.
+fn held(
+    program: &Program,
+    current: &Solution,
+    size: Size,
+    present: &[bool; EXTRAS],
+) -> Option<Solution> {
+    let room = 1e-6;
+    let mut last = program.clone();
+    last.fixed = linearised(program, current, size, present);
+    let exact = last.with_sizes_held(current, room).solve().ok()?;
+    let enlarged = Size {
+        rise: size.rise * (1.0 + room),
+        ..size
+    };
+    let keeps = clearance(&program.basis.law(&exact.x), enlarged).0 >= 0.0;
+    (keeps && exact.violation < current.violation).then_some(exact)
 }
 
 /// Where the limits themselves touched in the last program.

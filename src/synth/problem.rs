@@ -169,7 +169,7 @@ pub struct Row {
     pub extra: [f64; EXTRAS],
     /// Its bound.
     pub bound: f64,
-    /// Size against which a violation counts.
+    /// Size of which a part may be kept free; 0 where none can be.
     pub scale: f64,
     /// Multiplier of the last solve, in units of the objective per unit of the bound.
     pub multiplier: f64,
@@ -327,6 +327,28 @@ impl Program {
         best.ok_or_else(|| Failure::Solver("no progress".to_string()))
     }
 
+    /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is
+    /// solved to rounding, which a cone program is not.
+    pub fn with_sizes_held(&self, solution: &Solution, room: f64) -> Program {
+        let mut held = self.clone();
+        let mut sizes = solution.extra;
+        sizes[RISE] *= 1.0 + room;
+        sizes[RADIUS] *= 1.0 + room;
+        let taken = |extra: &[f64; EXTRAS]| (1..EXTRAS).map(|k| extra[k] * sizes[k]).sum::<f64>();
+        for limit in &mut held.limits {
+            limit.bound -= taken(&limit.extra);
+            limit.extra = [limit.extra[PEAK], 0.0, 0.0, 0.0];
+        }
+        for row in &mut held.fixed {
+            row.bound -= taken(&row.extra);
+            row.extra = [row.extra[PEAK], 0.0, 0.0, 0.0];
+        }
+        held.cost = [self.cost[PEAK], 0.0, 0.0, 0.0];
+        held.cone = false;
+        held.seeds = Vec::new();
+        held
+    }
+
     /// Both ends and the middle of every piece, for limits whose bound is itself a variable.
     fn seed_rows(&self, rows: &mut Vec<Row>) {
         let breaks = self.basis.breaks();
@@ -367,7 +389,12 @@ impl Program {
             entries,
             extra: limit.extra,
             bound: limit.bound + shape,
-            scale: limit.scale,
+            // A law at rest lies on the base circle and on the edge of steadiness: no room can be kept there.
+            scale: if limit.meaning == Meaning::Structure {
+                0.0
+            } else {
+                limit.scale
+            },
             multiplier: 0.0,
         }
     }
