@@ -10,7 +10,7 @@
 use super::basis::apply;
 use super::problem::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
 use crate::law::{Law, Svaj};
-use crate::poly::{Peak, stand_in};
+use crate::poly::{Peak, PiecewisePoly, stand_in};
 
 /// Size of a roller cam.
 #[derive(Debug, Clone, Copy)]
@@ -40,13 +40,19 @@ pub struct Step {
 const MOST_STEPS: usize = 40;
 /// The merit must improve by this part, or the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
+/// Tolerance of the limits between steps; the last law is solved to rounding.
+const STEP_TOLERANCE: f64 = 1e-6;
 /// Rows per piece of the law.
 const ROWS_PER_PIECE: usize = 4;
 /// Places where h exceeds this part of its largest term are left out of a step; the search along the step
 /// watches them.
 const FAR: f64 = 0.6;
+/// Low points of h/w below this become rows.
+const NEAR: f64 = 0.05;
 /// Room kept in h, relative to w, so that the finished cam passes its own check.
 const ROOM: f64 = 1e-9;
+/// Linearisations tried for the last law.
+const HELD_ROUNDS: usize = 6;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
@@ -77,16 +83,19 @@ fn slack(at: Svaj, size: Size) -> Slack {
     }
 }
 
-/// Smallest h/w over the law and where.
-pub fn clearance(law: &Law, size: Size) -> (f64, f64) {
+/// h/w over the law.
+fn relative(law: &Law, size: Size) -> PiecewisePoly {
     let breaks = law.breaks();
-    let relative = stand_in(breaks, 1e-11, |i, x| {
+    stand_in(breaks, 1e-11, |i, x| {
         let at = law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
         let s = slack(at, size);
         s.h / s.w
-    });
-    let low = relative.extremes().0;
-    (low.value, low.at)
+    })
+}
+
+/// Smallest h/w over the law.
+pub fn clearance(law: &Law, size: Size) -> f64 {
+    relative(law, size).extremes().0.value
 }
 
 /// Improves `program`'s solution until the curvature holds as well; `start` is its optimum without
@@ -99,6 +108,11 @@ pub fn refine(
     start: &Solution,
     size: Size,
 ) -> Option<(Solution, Size, Vec<Step>)> {
+    // Between steps limits need not hold better than the next step will change them.
+    let program = &Program {
+        tolerance: STEP_TOLERANCE,
+        ..program.clone()
+    };
     let present = program.present();
     let sized = |extra: &[f64; EXTRAS]| Size {
         rise: if present[RISE] {
@@ -130,7 +144,7 @@ pub fn refine(
         let mut taken = 1.0;
         let accepted = loop {
             let trial = blend(&current, &target, taken, program);
-            let (room, _) = clearance(&program.basis.law(&trial.x), sized(&trial.extra));
+            let room = clearance(&program.basis.law(&trial.x), sized(&trial.extra));
             if room >= ROOM && merit(&trial) < merit(&current) {
                 break Some((trial, room));
             }
@@ -159,7 +173,7 @@ pub fn refine(
         }
     }
     let size = sized(&current.extra);
-    if let Some(exact) = held(program, &current, size, &present) {
+    if let Some(exact) = held(program, &current, size) {
         let active = current.active;
         current = Solution {
             active,
@@ -171,23 +185,39 @@ pub fn refine(
     Some((current, size, steps))
 }
 
-/// The last law once more with the size held a hair larger, so that its limits hold to rounding.
-fn held(
-    program: &Program,
-    current: &Solution,
-    size: Size,
-    present: &[bool; EXTRAS],
-) -> Option<Solution> {
-    let room = 1e-6;
-    let mut last = program.clone();
-    last.fixed = linearised(program, current, size, present);
-    let exact = last.with_sizes_held(current, room).solve().ok()?;
+/// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.
+fn held(program: &Program, current: &Solution, size: Size) -> Option<Solution> {
+    // A given size stays as it is.
+    let room = if program.present()[RISE] {
+        4.0 * STEP_TOLERANCE
+    } else {
+        0.0
+    };
     let enlarged = Size {
         rise: size.rise * (1.0 + room),
         ..size
     };
-    let keeps = clearance(&program.basis.law(&exact.x), enlarged).0 >= 0.0;
-    (keeps && exact.violation < current.violation).then_some(exact)
+    let gradient: Vec<f64> = program
+        .hessian
+        .times(&current.x)
+        .iter()
+        .map(|g| -g)
+        .collect();
+    let mut about = current.clone();
+    for _ in 0..HELD_ROUNDS {
+        let mut last = program.clone();
+        last.fixed = linearised(program, &about, enlarged, &[false; EXTRAS]);
+        // Nearest to the law at hand, so that the linearised curvature stays true.
+        last.gradient.clone_from(&gradient);
+        let mut exact = last.with_sizes_held(current, room).solve().ok()?;
+        let violation = exact.violation;
+        if clearance(&program.basis.law(&exact.x), enlarged) >= 0.0 {
+            return (violation < current.violation).then_some(exact);
+        }
+        exact.extra = about.extra;
+        about = exact;
+    }
+    None
 }
 
 /// Where the limits themselves touched in the last program.
@@ -210,7 +240,7 @@ fn feasible_start(
     let mut current = start.clone();
     for _ in 0..20 {
         let here = sized(&current.extra);
-        if clearance(&program.basis.law(&current.x), here).0 >= ROOM {
+        if clearance(&program.basis.law(&current.x), here) >= ROOM {
             return Some(current);
         }
         let mut next = program.clone();
@@ -263,14 +293,21 @@ fn linearised(
     let mut out = Vec::new();
     let mut places = Vec::new();
     each_place(program, |place| places.push(place));
-    let (_, worst) = clearance(&law, size);
-    let (piece, u) = law.poly().locate(worst);
-    places.push(Peak {
-        piece,
-        u,
-        at: worst,
-        value: 0.0,
-    });
+    // The rows of the grid bound h between them only to second order; its own low points are rows too.
+    let low = PiecewisePoly::combine(&[(-1.0, &relative(&law, size))], 0.0).peaks_above(
+        -NEAR,
+        0.0,
+        f64::MAX,
+    );
+    for dip in low {
+        let (piece, u) = law.poly().locate(dip.at);
+        places.push(Peak {
+            piece,
+            u,
+            at: dip.at,
+            value: 0.0,
+        });
+    }
     for place in places {
         let at = law.svaj_on(place.piece, place.u);
         let s = slack(at, size);

@@ -154,6 +154,7 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
         let t = angle.tan();
         let given = scene.cam.offset.unwrap_or(0.0);
         let mut limit = Limit::new(name, [-t, side, 0.0, 0.0, 0.0], side * given, length);
+        limit.meaning = Meaning::Sized;
         limit.extra[RISE] = -t;
         if scene.cam.offset.is_none() {
             limit.extra[OFFSET] = -side;

@@ -89,6 +89,8 @@ pub enum Meaning {
         /// Offset.
         offset: f64,
     },
+    /// A limit on a size that is itself a variable: nothing to relax.
+    Sized,
     /// A pressure-angle limit on a given prime circle: bound = tan·D ± e, read as the prime radius.
     PrimeRadius {
         /// Tangent of the angle allowed.
@@ -102,7 +104,7 @@ impl Meaning {
     /// The user's value for a bound; `None` where there is none.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {
-            Meaning::Structure => None,
+            Meaning::Structure | Meaning::Sized => None,
             Meaning::Value { factor, offset } => Some(factor * bound + offset),
             Meaning::PrimeRadius { tan, offset } => Some(((bound - offset) / tan).hypot(offset)),
         }
@@ -111,7 +113,7 @@ impl Meaning {
     /// |d value / d bound|, for multipliers.
     pub fn slope(self) -> f64 {
         match self {
-            Meaning::Structure => 1.0,
+            Meaning::Structure | Meaning::Sized => 1.0,
             Meaning::Value { factor, .. } => factor.abs(),
             Meaning::PrimeRadius { tan, .. } => 1.0 / tan,
         }
@@ -152,6 +154,8 @@ pub struct Program {
     pub cost: [f64; EXTRAS],
     /// Rp ≥ ‖(D, e)‖.
     pub cone: bool,
+    /// A limit counts as kept when it is exceeded by no more than this part of its scale.
+    pub tolerance: f64,
     /// Typical size of the coefficients, m: the unit in which the solver works.
     pub length: f64,
 }
@@ -205,7 +209,7 @@ pub enum Failure {
     Solver(String),
 }
 
-/// A limit counts as kept when it is exceeded by no more than this part of its scale.
+/// Tolerance of a finished law.
 pub const TOLERANCE: f64 = 1e-9;
 /// Rounds of exchange before giving up; a handful is usual.
 const MAX_ROUNDS: usize = 60;
@@ -236,6 +240,7 @@ impl Program {
             seeds: Vec::new(),
             cost: [0.0; EXTRAS],
             cone: false,
+            tolerance: TOLERANCE,
             length,
         }
     }
@@ -345,7 +350,17 @@ impl Program {
         }
         held.cost = [self.cost[PEAK], 0.0, 0.0, 0.0];
         held.cone = false;
-        held.seeds = Vec::new();
+        held.tolerance = TOLERANCE;
+        held.seeds = solution
+            .active
+            .iter()
+            .filter(|r| r.limit.is_some())
+            .cloned()
+            .collect();
+        for row in &mut held.seeds {
+            row.bound -= taken(&row.extra);
+            row.extra = [row.extra[PEAK], 0.0, 0.0, 0.0];
+        }
         held
     }
 
@@ -419,7 +434,7 @@ impl Program {
         let mut out = Vec::new();
         for (index, limit) in self.limits.iter().enumerate() {
             let bound = limit.room(extra);
-            let allowed = bound + TOLERANCE * limit.scale.max(bound.abs());
+            let allowed = bound + self.tolerance * limit.scale.max(bound.abs());
             let peaks =
                 self.curve(&law, limit)
                     .peaks_above(allowed, limit.domain.0, limit.domain.1);
