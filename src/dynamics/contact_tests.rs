@@ -342,7 +342,7 @@ fn two_cams_hand_over_at_the_crossing_with_the_step_of_their_slopes() {
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
     let one = recover(&cam.follower, &cam.profile(1440), 0.0).unwrap().law;
-    let other = crate::dynamics::shifted(&one, PI);
+    let other = crate::dynamics::two_cams::shifted(&one, PI);
     let surfaces = [Surface::new(one, &drive), Surface::new(other, &drive)];
     let run = run(
         &surfaces,

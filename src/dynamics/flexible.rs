@@ -8,9 +8,10 @@
 //! the law kick the state.
 
 use super::linear::{Linear, States};
+use super::piecewise_force::{combination, steps};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Error, Result};
-use crate::law::{Joint, Law};
+use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use nalgebra::{Matrix4, Vector4};
 
@@ -145,7 +146,7 @@ struct Model {
 fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
     let w = drive.speed;
     let mut rates = -Matrix4::identity();
-    let force = drive.force_curve(law);
+    let force = rigid_force(law, drive);
     match *train {
         Train::OneMass { stiffness, damping } if drive.mass > 0.0 => {
             let inertia = drive.mass * w * w;
@@ -205,7 +206,7 @@ fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
             rates[(3, 1)] = far_damping * w / i2;
             rates[(3, 2)] = -(far_stiffness + drive.spring_rate) / (i2 * scale);
             rates[(3, 3)] = -(far_damping + drive.damping) * w / i2;
-            let near = law.combination([0.0, 0.0, i1, 0.0], 0.0);
+            let near = combination(law, [0.0, 0.0, i1], 0.0);
             let far = PiecewisePoly::combine(&[(1.0, &force), (-1.0, &near)], 0.0);
             Model {
                 linear: Linear {
@@ -290,25 +291,7 @@ struct Kicks {
 impl Kicks {
     fn new(law: &Law, model: &Model) -> Self {
         let breaks = model.forcing[0].breaks();
-        let scale = law
-            .joints()
-            .iter()
-            .fold(0.0_f64, |m, j| m.max(j.jump.v.abs()));
-        let counts = |j: &&Joint| {
-            let lift = law
-                .extremes(0)
-                .1
-                .value
-                .abs()
-                .max(law.extremes(0).0.value.abs());
-            j.jump.v.abs() > 1e-12 * lift || j.jump.s.abs() > 1e-12 * lift
-        };
-        let joints = law.joints();
-        let counted = if scale == 0.0 {
-            Vec::new()
-        } else {
-            joints.iter().filter(counts).collect()
-        };
+        let counted = steps(law);
         let at_piece = counted
             .into_iter()
             .filter_map(|j| {
@@ -339,6 +322,12 @@ impl Kicks {
     }
 }
 
+/// The force of rigid parts, N.
+fn rigid_force(law: &Law, drive: &Drive) -> PiecewisePoly {
+    let [k, c, m, _] = drive.weights();
+    combination(law, [k, c, m], drive.rest_force)
+}
+
 fn widest(p: &PiecewisePoly) -> f64 {
     p.breaks()
         .windows(2)
@@ -365,7 +354,7 @@ fn resonance(drive: &Drive, train: &Train) -> Error {
 
 /// Inertia of the vibration left out: springs in series carry the rigid force.
 fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
-    let force = drive.force_curve(law);
+    let force = rigid_force(law, drive);
     let give = match *train {
         Train::OneMass { stiffness, .. } => 1.0 / (stiffness + drive.spring_rate),
         Train::TwoMass {

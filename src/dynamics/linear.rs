@@ -63,8 +63,8 @@ impl Linear {
         let steps = self.steps(forcing);
         let once = run(&steps, forcing, kick(0), &kick);
         let mut turn = Matrix4::identity();
-        for &which in &steps.1 {
-            turn = steps.0[which].carry * turn;
+        for alike in steps.1.chunk_by(|a, b| a == b) {
+            turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
         let closing = Matrix4::identity() - turn;
         // The smallest singular value says how near the turn comes to returning some state unchanged.
@@ -219,6 +219,18 @@ fn exponential(z: &Matrix4<f64>) -> Matrix4<f64> {
         sum += term;
     }
     sum
+}
+
+fn power(base: Matrix4<f64>, mut n: usize) -> Matrix4<f64> {
+    let (mut square, mut out) = (base, Matrix4::identity());
+    while n > 0 {
+        if n & 1 == 1 {
+            out *= square;
+        }
+        square *= square;
+        n >>= 1;
+    }
+    out
 }
 
 /// Gauss–Legendre nodes and weights on [0, 1], in pairs.

@@ -3,7 +3,8 @@
 //! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (FACTS §1); the camshaft gives
 //! T = F·v, plus μ|F|·d against the turning under a flat face (thesis 000, eq. 27).
 
-use crate::cam::{Cam, Follower};
+use super::piecewise_force::combination;
+use crate::cam::Follower;
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
@@ -67,39 +68,42 @@ pub fn reach(follower: &Follower) -> f64 {
     }
 }
 
-/// Contact quantities at `theta`, rad.
-pub fn touch(cam: &Cam, drive: &Drive, friction: f64, theta: f64) -> Touch {
-    let at = cam.law.svaj(theta);
-    let force = drive.force(at);
-    if let Follower::FlatTranslating { base_radius } = cam.follower {
-        let d = base_radius + at.s;
-        return Touch {
-            normal: force,
-            sliding: drive.speed * d,
-            entraining: 0.5 * drive.speed * (d + 2.0 * at.a),
-            side_thrust: friction * force.abs(),
-            tipping: force * at.v,
-        };
-    }
-    let point = cam.point(theta);
-    let tan = point.pressure_angle.tan();
-    // Rolling: both surfaces pass the contact at the speed at which it walks along the cam, which is the
-    // pitch curve's |dp/dθ| reduced from the pitch radius to the cam's.
-    let pitch_speed = (point.pitch_x.hypot(point.pitch_y).powi(2) + at.v * at.v
-        - 2.0 * at.v * cam.follower.offset())
-    .sqrt();
-    let ratio = if point.rho.is_finite() {
-        point.rho / (point.rho + cam.follower.roller_radius())
-    } else {
-        1.0
-    };
-    Touch {
-        normal: force * (1.0 + tan * tan).sqrt(),
+/// What happens in the contact at one point of the motion, under `force` N along the follower's line.
+///
+/// A roller's pressure angle and pitch curvature are those of FACTS §6. Followers other than flat and
+/// roller translating get the force alone.
+pub fn touch(follower: &Follower, drive: &Drive, friction: f64, at: Svaj, force: f64) -> Touch {
+    let mut touch = Touch {
+        normal: force,
         sliding: 0.0,
-        entraining: drive.speed * pitch_speed * ratio,
-        side_thrust: force * tan,
+        entraining: 0.0,
+        side_thrust: 0.0,
         tipping: 0.0,
+    };
+    if let Follower::FlatTranslating { base_radius } = *follower {
+        let d = base_radius + at.s;
+        touch.sliding = drive.speed * d;
+        touch.entraining = 0.5 * drive.speed * (d + 2.0 * at.a);
+        touch.side_thrust = friction * force.abs();
+        touch.tipping = force * at.v;
+    } else if let Follower::RollerTranslating {
+        prime_radius,
+        offset,
+        roller_radius,
+    } = *follower
+    {
+        let x = at.s + (prime_radius * prime_radius - offset * offset).sqrt();
+        let y = at.v - offset;
+        let tan = y / x;
+        let square = x * x + y * y;
+        let curvature = (square + at.v * y - at.a * x) / (square * square.sqrt());
+        touch.normal = force * (1.0 + tan * tan).sqrt();
+        touch.side_thrust = force * tan;
+        // Rolling: both surfaces pass the contact as fast as it walks along the cam, the pitch curve's
+        // |dp/dθ| reduced from the pitch radius to the cam's.
+        touch.entraining = drive.speed * square.sqrt() * (1.0 - roller_radius * curvature);
     }
+    touch
 }
 
 /// Torque over the whole law, N·m, as a piecewise polynomial; friction included where the force presses
@@ -171,17 +175,18 @@ fn lowest_of_envelope(lines: &[(f64, f64)]) -> Option<(f64, f64)> {
 /// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
 /// nearer, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
-    let springs = law.combination([drive.spring_rate, 0.0, 0.0, 0.0], drive.rest_force);
-    let rest = springs.extremes().0;
-    if rest.value < 0.0 {
+    let springs = combination(law, [drive.spring_rate, 0.0, 0.0], drive.rest_force);
+    let (rest, most) = springs.extremes();
+    // A lift of zero is known from emitted points to their rounding only.
+    if rest.value < -1e-9 * most.value.abs() {
         return Some(0.0);
     }
     if drive.mass <= 0.0 && drive.damping <= 0.0 {
         return None;
     }
     // A speed at which inertia (or damping) surely outweighs springs somewhere, if any does.
-    let highest = springs.extremes().1.value;
-    let least_a = law.extremes(2).0;
+    let highest = most.value;
+    let least_a = combination(law, [0.0, 0.0, 1.0], 0.0).extremes().0;
     let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
         let at = law.svaj(least_a.at);
         let pull = (drive.mass * at.a.min(least_a.value)).abs();
@@ -199,8 +204,8 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
             speed: sign * speed,
             ..*drive
         };
-        let curve = here.force_curve(law);
-        let worst = curve.extremes().0;
+        let [k, c, m, _] = here.weights();
+        let worst = combination(law, [k, c, m], drive.rest_force).extremes().0;
         if worst.value >= 0.0 {
             break;
         }

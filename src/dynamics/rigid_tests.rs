@@ -1,4 +1,6 @@
 use super::*;
+use crate::cam::Cam;
+
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
 use crate::units::G;
@@ -13,6 +15,11 @@ fn spring_loaded(speed: f64) -> Drive {
         mass: 1.0,
         speed,
     }
+}
+
+fn touch_at(cam: &Cam, drive: &Drive, friction: f64, theta: f64) -> Touch {
+    let at = cam.law.svaj(theta);
+    touch(&cam.follower, drive, friction, at, drive.force(at))
 }
 
 #[test]
@@ -101,7 +108,7 @@ fn thesis_friction_torque_is_equation_27() {
 #[test]
 fn thesis_eccentric_slides_at_0_465_metres_per_second() {
     // FACTS §3: 0.465 m/s at 90°; entraining ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
-    let at = touch(
+    let at = touch_at(
         &thesis::eccentric(),
         &thesis::real(11.624),
         0.0,
@@ -121,7 +128,7 @@ fn entraining_speed_of_a_concentric_roller_is_the_cam_surface_speed() {
             roller_radius: 0.01,
         },
     };
-    let at = touch(&cam, &thesis::real(10.0), 0.0, 1.0);
+    let at = touch_at(&cam, &thesis::real(10.0), 0.0, 1.0);
     assert!((at.entraining - 0.4).abs() < 1e-12 && at.side_thrust.abs() < 1e-12);
 }
 
@@ -139,7 +146,7 @@ fn entraining_speed_of_a_roller_is_the_walk_of_the_contact_along_the_profile() {
     for theta in [0.4, 1.5, 3.0] {
         let (p, q) = (cam.point(theta - h), cam.point(theta + h));
         let walk = (q.x - p.x).hypot(q.y - p.y) / (2.0 * h) * 10.0;
-        let at = touch(&cam, &thesis::real(10.0), 0.0, theta);
+        let at = touch_at(&cam, &thesis::real(10.0), 0.0, theta);
         assert!(
             (at.entraining.abs() - walk).abs() < 1e-6,
             "{} {walk}",

@@ -1,12 +1,16 @@
 //! One profile as the contact run sees it: its lift, and where the force would have to pull.
 
+use super::piecewise_force::combination;
 use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
 /// Forces this small against the largest are rounding, not a pull.
-const NO_PULL: f64 = 1e-13;
+const NO_PULL: f64 = 1e-11;
+/// The same without inertia: the force is the lift's own, and rounded coordinates know a lift of zero to
+/// about a nanometre in a millimetre.
+const NO_PULL_STATIC: f64 = 1e-6;
 
 /// A closed lift with the stretches on which contact cannot be kept.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,9 +32,15 @@ pub struct Surface {
 impl Surface {
     /// A surface under the given machine (its speed positive).
     pub fn new(law: Law, drive: &Drive) -> Self {
-        let force = drive.force_curve(&law);
-        let (low, high) = law.extremes(2);
-        let pulls = pulls(&force);
+        let [k, c, m, _] = drive.weights();
+        let force = combination(&law, [k, c, m], drive.rest_force);
+        let (low, high) = combination(&law, [0.0, 0.0, 1.0], 0.0).extremes();
+        let none = if drive.mass > 0.0 {
+            NO_PULL
+        } else {
+            NO_PULL_STATIC
+        };
+        let pulls = pulls(&force, none);
         Surface {
             start: law.extent().0,
             force,
@@ -59,10 +69,10 @@ impl Surface {
 }
 
 /// Stretches on which the force is negative, joined across the end of the turn.
-fn pulls(force: &PiecewisePoly) -> Vec<(f64, f64)> {
+fn pulls(force: &PiecewisePoly, none: f64) -> Vec<(f64, f64)> {
     let (first, last) = (force.breaks()[0], force.breaks()[force.pieces()]);
     let (low, high) = force.extremes();
-    let none = NO_PULL * low.value.abs().max(high.value.abs());
+    let none = none * low.value.abs().max(high.value.abs());
     if low.value >= -none {
         return Vec::new();
     }

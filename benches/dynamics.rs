@@ -1,0 +1,90 @@
+//! Speed of the dynamic models on 1440 emitted points.
+
+use gaitcam::cam::Cam;
+use gaitcam::drive::Drive;
+use gaitcam::dynamics::contact::{self, Limits};
+use gaitcam::dynamics::flexible::{self, Train};
+use gaitcam::dynamics::impact::Restitution;
+use gaitcam::dynamics::profile_curve::{Emitted, recover};
+use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::{Machine, Model, Run, rigid, simulate, thesis};
+
+fn main() {
+    divan::main();
+}
+
+fn emitted(cam: &Cam) -> Emitted {
+    recover(&cam.follower, &cam.profile(1440), 0.0).expect("the thesis's cams are curves")
+}
+
+#[divan::bench]
+fn recover_1440_points(bencher: divan::Bencher) {
+    let cam = thesis::double_harmonic();
+    let points = cam.profile(1440);
+    bencher.bench(|| recover(&cam.follower, &points, 0.0));
+}
+
+/// Asked for: ≤ 50 µs.
+#[divan::bench]
+fn rigid_cycle(bencher: divan::Bencher) {
+    let emitted = emitted(&thesis::double_harmonic());
+    let drive = thesis::real(thesis::SPEED);
+    bencher.bench(|| rigid::cycle(divan::black_box(&emitted.nodes), &drive, 0.1, 0.03));
+}
+
+/// Asked for: ≤ 200 µs, from the emitted lift to the steady state.
+#[divan::bench]
+fn flexible_cycle(bencher: divan::Bencher) {
+    let emitted = emitted(&thesis::double_harmonic());
+    let drive = thesis::real(thesis::SPEED);
+    let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
+    bencher.bench(|| flexible::steady(&emitted.law, &drive, &train));
+}
+
+fn bouncing() -> (Vec<Surface>, Drive) {
+    let drive = thesis::real(27.0);
+    let law = emitted(&thesis::double_harmonic()).law;
+    (vec![Surface::new(law, &drive)], drive)
+}
+
+/// Asked for: ≤ 2 ms with ten impacts; e = 0.5 makes about thirty before rest.
+#[divan::bench]
+fn contact_cycle(bencher: divan::Bencher) {
+    let (surfaces, drive) = bouncing();
+    let limits = Limits::default();
+    bencher.bench(|| contact::run(&surfaces, &drive, &Restitution::Prescribed(0.5), &limits));
+}
+
+#[divan::bench]
+fn contact_cycle_compliant(bencher: divan::Bencher) {
+    let (surfaces, drive) = bouncing();
+    let limits = Limits {
+        turns: 1,
+        impacts: 10,
+    };
+    let contact = Restitution::Compliant {
+        stiffness: 1e10,
+        exponent: 1.5,
+        restitution: 0.5,
+    };
+    bencher.bench(|| contact::run(&surfaces, &drive, &contact, &limits));
+}
+
+#[divan::bench(args = ["rigid", "flexible", "contact", "auto"])]
+fn whole_simulation(bencher: divan::Bencher, model: &str) {
+    let cam = thesis::double_harmonic();
+    let drive = thesis::real(27.0);
+    let run = Run {
+        profile: cam.profile(1440),
+        cam,
+        drive,
+        target: None,
+        machine: Machine {
+            train: Train::from_frequency(&drive, 30.0, 0.05).ok(),
+            restitution: Restitution::Prescribed(0.5),
+            ..Machine::default()
+        },
+    };
+    let model = Model::parse(model).expect("a model's name");
+    bencher.bench(|| simulate(&run, model));
+}

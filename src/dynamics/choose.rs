@@ -1,0 +1,179 @@
+//! `--model auto`: the least model that is enough, and the numbers that say so.
+
+use super::flexible::Train;
+use super::outcome::{Difference, Model, Outcome};
+use super::simulate::{Prepared, Run, contact_run, flexible_run, rigid_run};
+use crate::error::Result;
+use realfft::RealFftPlanner;
+
+/// Force margin, as part of the mean, below which the contact itself is run.
+pub const MARGIN: f64 = 0.05;
+/// Part of the lift-off speed from which the contact itself is run.
+pub const NEAR_LIFTOFF: f64 = 0.95;
+/// RMS error of the rigid model, as part of the mean force, that is still nothing (FACTS §10: 0.20 % at
+/// 50 Hz for smooth walking targets).
+pub const RIGID_ENOUGH: f64 = 0.002;
+
+/// Rigid first; flexible when the follower's own vibration would move the force by more than
+/// [`RIGID_ENOUGH`]; contact when force margin or speed come near lift-off. The next model up is run once
+/// to say what it would change.
+pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
+    let rigid = rigid_run(input, p)?;
+    let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
+    let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+    if let Some(why) = asks_for_contact(p, &rigid, mean) {
+        let mut out = contact_run(input, p)?;
+        out.why = why;
+        out.next = input
+            .machine
+            .train
+            .map(|_| difference(&out, Model::Flexible, flexible_run(input, p)));
+        return Ok(out);
+    }
+    let margin = format!(
+        "smallest force {:.4} N is {:.1} % of the mean, {}",
+        rigid.force.min,
+        100.0 * rigid.force.min / mean,
+        liftoff_words(p, &rigid)
+    );
+    let Some(train) = &input.machine.train else {
+        let mut out = rigid;
+        out.why =
+            format!("{margin}; no natural frequency or stiffness is given, so nothing can vibrate");
+        out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        return Ok(out);
+    };
+    let (ringing, words) = vibration(train, p, &forces, mean);
+    if ringing > RIGID_ENOUGH {
+        let mut out = flexible_run(input, p)?;
+        if out.contact_lost {
+            let flexible_min = out.force.min;
+            out = contact_run(input, p)?;
+            out.why = format!(
+                "{words}; vibrating, the force falls to {flexible_min:.4} N and contact is lost; the contact model leaves the vibration out"
+            );
+            out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
+            return Ok(out);
+        }
+        out.why = format!("{words}, more than {:.1} %; {margin}", 100.0 * RIGID_ENOUGH);
+        out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        return Ok(out);
+    }
+    let mut out = rigid;
+    out.why = format!(
+        "{words}, no more than {:.1} %; {margin}",
+        100.0 * RIGID_ENOUGH
+    );
+    out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
+    Ok(out)
+}
+
+fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> {
+    let scale = mean.abs();
+    // Without mass a small force is no nearness to lift-off: only a pull asks for more.
+    let asked = if p.drive.mass > 0.0 {
+        rigid.force.min < MARGIN * scale
+    } else {
+        rigid.contact_lost
+    };
+    if asked {
+        return Some(format!(
+            "the rigid force falls to {:.4} N, below {:.0} % of its mean {mean:.4} N; {}",
+            rigid.force.min,
+            100.0 * MARGIN,
+            liftoff_words(p, rigid)
+        ));
+    }
+    if rigid
+        .liftoff_speed
+        .is_some_and(|w| p.drive.speed > NEAR_LIFTOFF * w)
+    {
+        return Some(format!("near lift-off: {}", liftoff_words(p, rigid)));
+    }
+    if p.laws.len() > 1 {
+        return Some(
+            "two cams hand the follower over with blows that only contact knows".to_string(),
+        );
+    }
+    None
+}
+
+fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
+    match rigid.liftoff_speed {
+        Some(w) => format!(
+            "the shaft turns at {:.4} rad/s, lift-off is at {w:.4} rad/s",
+            p.drive.speed
+        ),
+        None => format!(
+            "the shaft turns at {:.4} rad/s, no speed lifts the follower off",
+            p.drive.speed
+        ),
+    }
+}
+
+/// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, and what
+/// to say about it: each harmonic n is passed on with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, String) {
+    let Some(&natural) = train.natural_frequencies(&p.drive).first() else {
+        // Without mass nothing rings, but springs in series share the lift: always worth running.
+        return (
+            f64::INFINITY,
+            "the column gives without ringing".to_string(),
+        );
+    };
+    let damping = match *train {
+        Train::OneMass { damping, .. } | Train::TwoMass { damping, .. } => damping,
+    };
+    let zeta = damping / (2.0 * p.drive.mass * natural);
+    let mut planner = RealFftPlanner::<f64>::new();
+    let forward = planner.plan_fft_forward(forces.len());
+    let mut spectrum = forward.make_output_vec();
+    if forward
+        .process(&mut forces.to_vec(), &mut spectrum)
+        .is_err()
+    {
+        return (f64::INFINITY, "the force has no spectrum".to_string());
+    }
+    let scale = 2.0 / forces.len() as f64;
+    let mut sum = 0.0;
+    for (n, c) in spectrum.iter().enumerate().skip(1) {
+        let r = n as f64 * p.drive.speed / natural;
+        // H − 1 = r²/(1 − r² + 2iζr).
+        let extra = r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
+        sum += 0.5 * (scale * c.norm() * extra).powi(2);
+    }
+    // An undamped resonance gives an infinite sum: the flexible run then names it.
+    let part = sum.sqrt() / mean.abs();
+    let ratio = natural / p.drive.speed;
+    let words = format!(
+        "first natural frequency {:.2} Hz, {ratio:.1} times the shaft's; its harmonics would move the force by {:.3} % of the mean RMS",
+        natural / std::f64::consts::TAU,
+        100.0 * part
+    );
+    (if part.is_nan() { f64::INFINITY } else { part }, words)
+}
+
+fn difference(base: &Outcome, model: Model, next: Result<Outcome>) -> Difference {
+    match next {
+        Ok(next) => Difference {
+            model,
+            force_min: next.force.min - base.force.min,
+            force_max: next.force.max - base.force.max,
+            rms_error: next
+                .force
+                .rms_error
+                .zip(base.force.rms_error)
+                .map(|(a, b)| a - b),
+            lost_fraction: next.lost_fraction - base.lost_fraction,
+            failed: None,
+        },
+        Err(error) => Difference {
+            model,
+            force_min: 0.0,
+            force_max: 0.0,
+            rms_error: None,
+            lost_fraction: 0.0,
+            failed: Some(error.to_string()),
+        },
+    }
+}
