@@ -1,8 +1,9 @@
 //! `--model auto`: the least model that is enough, and the numbers that say so.
 
 use super::flexible::Train;
+use super::models::{contact_run, flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
-use super::simulate::{Prepared, Run, contact_run, flexible_run, rigid_run};
+use super::simulate::{Prepared, Run};
 use crate::error::Result;
 use realfft::RealFftPlanner;
 

@@ -1,16 +1,30 @@
 //! The cam in motion, with no more model than the scene needs.
+//!
+//! [`simulate`] takes the emitted profile, recovers the smooth lift its points give the follower
+//! ([`profile_curve`]) and runs it under one of three models:
+//!
+//! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, what the parts must bear ([`hertz`], [`motor`]);
+//! - [`flexible`]: what vibrates, in exact steady state ([`linear`], [`train`], [`shaft`]);
+//! - [`contact`]: lift-off, flight, impact and rest, one event after the other ([`flight`], [`impact`]).
+//!
+//! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis;
+//! [`experiment`] runs the thesis's cams again.
 
 pub mod choose;
 pub mod contact;
 pub mod design;
+mod events;
+pub mod experiment;
 pub mod flexible;
 pub mod flight;
 pub mod hertz;
 pub mod impact;
 pub mod linear;
 pub mod load_cell;
+mod models;
 pub mod motor;
 pub mod outcome;
+pub mod pictures;
 pub mod piecewise_force;
 pub mod profile_curve;
 pub mod rigid;
@@ -18,7 +32,8 @@ pub mod shaft;
 pub mod simulate;
 pub mod surface;
 pub mod thesis;
+pub mod train;
 pub mod two_cams;
 
 pub use outcome::{Model, Outcome};
-pub use simulate::{Machine, Run, simulate};
+pub use simulate::{Face, Machine, Run, simulate};

@@ -1,6 +1,7 @@
 //! What a run of the cam found, for machines (JSON, CSV) and people (a table).
 
 use super::contact::Impact;
+use super::hertz::Contact;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -137,6 +138,15 @@ pub struct Difference {
     pub failed: Option<String>,
 }
 
+/// The highest line pressure and where it acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pressure {
+    /// Cam angle, rad.
+    pub theta: f64,
+    /// The contact there.
+    pub contact: Contact,
+}
+
 /// What a run found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -160,6 +170,8 @@ pub struct Outcome {
     pub period_turns: usize,
     /// Landings of the whole run, settling included.
     pub impacts: Vec<Impact>,
+    /// Highest line pressure of the rows, where the surfaces are known; blows are not in it.
+    pub hertz: Option<Pressure>,
     /// What the next model would change, where `auto` chose.
     pub next: Option<Difference>,
     /// Largest distance between emitted points and the curve that was run, m.
@@ -197,6 +209,7 @@ impl Outcome {
             "details": {
                 "period_turns": self.period_turns,
                 "impacts": impacts,
+                "hertz": self.hertz.map(pressure_json),
                 "next": self.next.as_ref().map(difference_json),
                 "profile_mismatch_m": self.profile_mismatch,
                 "law_mismatch_m": self.law_mismatch,
@@ -268,6 +281,18 @@ impl Outcome {
                 ),
             ));
         }
+        if let Some(p) = &self.hertz {
+            lines.push((
+                "pressure",
+                format!(
+                    "{:.1} MPa at {:.1}°, half-width {:.4} mm, largest shear {:.4} mm deep",
+                    1e-6 * p.contact.pressure,
+                    p.theta.to_degrees(),
+                    1e3 * p.contact.half_widths[1],
+                    1e3 * p.contact.shear.map_or(0.0, |s| s.0)
+                ),
+            ));
+        }
         if let Some(next) = &self.next {
             lines.push(("next model", difference_words(next)));
         }
@@ -302,6 +327,16 @@ fn impact_json(hit: &Impact) -> Value {
         "impulse_n_s": hit.pulse.impulse,
         "peak_force_n": (hit.pulse.duration > 0.0).then_some(hit.pulse.peak_force),
         "duration_s": hit.pulse.duration,
+    })
+}
+
+fn pressure_json(p: Pressure) -> Value {
+    json!({
+        "at_rad": p.theta,
+        "pressure_pa": p.contact.pressure,
+        "half_width_m": p.contact.half_widths[1],
+        "shear_depth_m": p.contact.shear.map(|s| s.0),
+        "shear_pa": p.contact.shear.map(|s| s.1),
     })
 }
 

@@ -106,6 +106,28 @@ pub fn touch(follower: &Follower, drive: &Drive, friction: f64, at: Svaj, force:
     touch
 }
 
+/// Curvature of cam and follower together at the contact, 1/m: 1/ρ under a flat face, 1/ρ + 1/Rf under a
+/// roller (infinite for a knife edge), 0 for followers not known here.
+pub fn relative_curvature(follower: &Follower, at: Svaj) -> f64 {
+    if let Follower::FlatTranslating { base_radius } = *follower {
+        1.0 / (base_radius + at.s + at.a)
+    } else if let Follower::RollerTranslating {
+        prime_radius,
+        offset,
+        roller_radius,
+    } = *follower
+    {
+        let x = at.s + (prime_radius * prime_radius - offset * offset).sqrt();
+        let y = at.v - offset;
+        let square = x * x + y * y;
+        let pitch = (square + at.v * y - at.a * x) / (square * square.sqrt());
+        // 1/(1/κ − Rf) + 1/Rf = 1/(Rf·(1 − κRf)).
+        1.0 / (roller_radius * (1.0 - pitch * roller_radius))
+    } else {
+        0.0
+    }
+}
+
 /// Torque over the whole law, N·m, as a piecewise polynomial; friction included where the force presses
 /// all the way round (with a force that changes sign it is not a polynomial: `None`).
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {

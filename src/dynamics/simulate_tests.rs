@@ -331,3 +331,57 @@ fn a_slow_or_standing_shaft_gives_the_static_force_in_every_model() {
         }
     }
 }
+
+#[test]
+fn an_emitted_roller_cam_presses_as_its_law_says_and_lifts_off_with_it() {
+    // A knife edge gives heights alone: its slopes are splined too, one order less where the snap steps.
+    for (roller_radius, near) in [(0.01, 1e-6), (0.0, 1e-5)] {
+        let cam = Cam {
+            law: thesis::double_harmonic().law,
+            follower: crate::cam::Follower::RollerTranslating {
+                prime_radius: 0.04,
+                offset: 0.005,
+                roller_radius,
+            },
+        };
+        let run = scene(&cam, 20.0);
+        let out = simulate(&run, Model::Contact).unwrap();
+        for r in &out.rows {
+            let law = run.drive.force(cam.law.svaj(r.theta));
+            assert!(
+                (r.contact_force - law).abs() < near,
+                "{roller_radius} {} {law}",
+                r.contact_force
+            );
+            assert!(r.normal_force >= r.contact_force && r.sliding == 0.0);
+        }
+        assert!((out.liftoff_speed.unwrap() - 23.490690).abs() < 5e-7);
+        assert!(
+            simulate(&scene(&cam, 27.0), Model::Auto)
+                .unwrap()
+                .contact_lost
+        );
+    }
+}
+
+#[test]
+fn hertz_pressure_of_the_run_is_that_of_its_worst_angle() {
+    use crate::dynamics::hertz;
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.machine.face = Some(Face {
+        length: 0.01,
+        cam: hertz::STEEL,
+        follower: hertz::STEEL,
+    });
+    let found = simulate(&run, Model::Rigid).unwrap().hertz.unwrap();
+    let star = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let worst = (0..1440)
+        .map(|i| cam.law.svaj(TAU * f64::from(i) / 1440.0))
+        .map(|at| hertz::line(run.drive.force(at), 0.01, 1.0 / (0.03 + at.s + at.a), star).pressure)
+        .fold(0.0, f64::max);
+    assert!((found.contact.pressure / worst - 1.0).abs() < 1e-9);
+    assert!(
+        simulate(&run, Model::Auto).unwrap().json()["details"]["hertz"]["pressure_pa"].is_number()
+    );
+}
