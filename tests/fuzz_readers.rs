@@ -4,6 +4,7 @@
 //! same corpus. It runs for a second or two per reader; GAITCAM_FUZZ_SECONDS makes it run longer.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use gaitcam::gait::{Feet, ReadOptions, cycle, force_curve, json, read, stances, table};
@@ -104,6 +105,30 @@ fn folder(reader: &str) -> PathBuf {
         .join(reader)
 }
 
+/// The case at work and when it began.
+type Case = Arc<Mutex<(Vec<u8>, Instant)>>;
+
+/// Ends the test, with the case kept in a file, when one case takes longer than ten seconds.
+fn watch(reader: &str) -> Case {
+    let case: Case = Arc::new(Mutex::new((Vec::new(), Instant::now())));
+    let (watched, reader) = (Arc::downgrade(&case), reader.to_string());
+    std::thread::spawn(move || {
+        while let Some(case) = watched.upgrade() {
+            let at = case.lock().unwrap();
+            if at.1.elapsed() > Duration::from_secs(10) {
+                let file = std::env::temp_dir().join(format!("gaitcam_fuzz_{reader}_hang.bin"));
+                std::fs::write(&file, &at.0).unwrap();
+                eprintln!("{reader}: a case hangs ({})", file.display());
+                std::process::exit(101);
+            }
+            drop(at);
+            drop(case);
+            std::thread::sleep(Duration::from_millis(200));
+        }
+    });
+    case
+}
+
 fn run(reader: &str) {
     let mut files: Vec<PathBuf> = std::fs::read_dir(folder(reader))
         .unwrap()
@@ -137,11 +162,13 @@ fn run(reader: &str) {
         assert!(!bytes.is_empty(), "{}", file.display());
         exercise(bytes, &options[0]);
     }
+    let case = watch(reader);
     let mut rounds = 0u64;
     while Instant::now() < end {
         let bytes = damage(&mut dice, &corpus);
         let options = &options[dice.roll(options.len())];
         let started = Instant::now();
+        *case.lock().unwrap() = (bytes.clone(), started);
         let answer = std::panic::catch_unwind(|| exercise(&bytes, options));
         let slow = started.elapsed() > Duration::from_secs(2);
         if answer.is_err() || slow {

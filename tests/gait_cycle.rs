@@ -171,6 +171,24 @@ fn both_feet_on_one_belt_give_their_stride_and_standing_gives_none() {
 }
 
 #[test]
+fn feet_that_land_together_do_not_make_a_stride_of_no_length() {
+    // Found by fuzzing: steps of zero length made a stride that never ended.
+    let rows: String = (0..900)
+        .map(|i| f64::from(i) / RATE)
+        .map(|t| format!("{t:.3},{0:.3},{0:.3}\n", stance((t - 0.4) / 0.68)))
+        .collect();
+    let text = format!("time,left fz,right fz\n{rows}");
+    let c = force_curve(
+        Path::new("jump.csv"),
+        text.as_bytes(),
+        &ReadOptions::default(),
+        Feet::Both,
+    )
+    .unwrap();
+    assert!((c.period_s - 0.68 / 0.62).abs() < 0.03, "{}", c.period_s);
+}
+
+#[test]
 fn the_written_cycle_reads_back_bit_for_bit() {
     let c = of(12.0, 0.02, Feet::Both);
     let text = csv(&c.curve, &[&c.how]);

@@ -14,6 +14,9 @@ pub(super) fn at(force: &[f64], place: f64) -> f64 {
     a + x * (b - a)
 }
 
+/// Strides that one stance may reach over; in walking it is less than one.
+const MOST_TURNS: usize = 4;
+
 /// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
 pub(super) struct Mean {
     count: f64,
@@ -119,13 +122,15 @@ pub(super) fn place(
         // Phases of the stride at which this sample falls into the stance: a stance may reach past the wrap.
         let phase = (i as f64 / n - shift).rem_euclid(1.0);
         let mut t = phase * period;
-        while t <= stance.duration_s {
+        let mut turns = 0;
+        while t <= stance.duration_s && turns < MOST_TURNS {
             let place = t / stance.duration_s * (SAMPLES - 1) as f64;
             force[i] += at(&stance.force, place);
             if let Some(s) = &stance.spread {
                 variance[i] += at(s, place).powi(2);
             }
             t += period;
+            turns += 1;
         }
     }
 }

@@ -291,10 +291,12 @@ fn stride_time(
     let mut strides: Vec<f64> = Vec::new();
     if !has_rows(recording) {
         for w in stances.used.windows(2) {
-            let step = w[1].start_s - w[0].start_s;
+            let stance_s = w[0].end_s - w[0].start_s;
+            let step = (w[1].start_s - w[0].start_s) / stance_s;
             match same_foot(&w[0], &w[1]) {
-                Some(false) if step < 1.2 * (w[0].end_s - w[0].start_s) => strides.push(2.0 * step),
-                Some(true) if step < 2.5 * (w[0].end_s - w[0].start_s) => strides.push(step),
+                // Feet that land together (a jump, standing) are not in step.
+                Some(false) if (0.4..1.2).contains(&step) => strides.push(2.0 * step * stance_s),
+                Some(true) if (1.0..2.5).contains(&step) => strides.push(step * stance_s),
                 _ => (),
             }
         }
