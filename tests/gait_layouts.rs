@@ -355,6 +355,13 @@ fn bad_texts_are_refused_with_what_would_be_right() {
     };
     let e = message("time,fz\n0,1\n1,2\n", &o);
     assert!(e.contains("did you mean \"fz\""), "{e}");
+    // Found by fuzzing: the frame column named as force left nothing to read.
+    let o = ReadOptions {
+        force: vec!["1".to_string()],
+        ..none()
+    };
+    let e = message("Frame,Sub Frame,fz\n1,0,2\n1,1,2\n", &o);
+    assert!(e.contains("is the one of the time"), "{e}");
     let o = ReadOptions {
         rate_hz: Some(-1.0),
         ..none()

@@ -123,12 +123,21 @@ fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan
             (None, None) => (None, false),
         },
     };
+    force.retain(|f| Some(f.0) != time);
+    if force.is_empty() {
+        return Err(Error::line(
+            path,
+            table.start.line,
+            "the column named as force is the one of the time",
+        )
+        .help("name another with --force, or the time column with --time"));
+    }
     // Sub-frames repeat and frames stand still meanwhile: rows are counted instead.
     let sub = place(&Role::SubFrame).is_some();
     Ok(Some(Plan {
         time: time.filter(|_| !(counts && sub)),
         counts,
-        force: force.into_iter().filter(|f| Some(f.0) != time).collect(),
+        force,
     }))
 }
 
