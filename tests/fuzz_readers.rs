@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use gaitcam::gait::{Feet, ReadOptions, cycle, force_curve, json, read, stances, table};
+use gaitcam::gait::{Feet, ForceUnit, ReadOptions, cycle, force_curve, json, read, stances, table};
 
 /// Everything that a user's file goes through.
 fn exercise(bytes: &[u8], options: &ReadOptions) {
@@ -149,6 +149,16 @@ fn run(reader: &str) {
         ReadOptions::default(),
         ReadOptions {
             rate_hz: Some(100.0),
+            mass_kg: Some(70.0),
+            ..ReadOptions::default()
+        },
+        ReadOptions {
+            force: vec!["1".to_string(), "2".to_string(), "2".to_string()],
+            ..ReadOptions::default()
+        },
+        ReadOptions {
+            time: Some("2".to_string()),
+            unit: Some(ForceUnit::PercentBodyWeight),
             mass_kg: Some(70.0),
             ..ReadOptions::default()
         },

@@ -362,6 +362,16 @@ fn bad_texts_are_refused_with_what_would_be_right() {
     };
     let e = message("Frame,Sub Frame,fz\n1,0,2\n1,1,2\n", &o);
     assert!(e.contains("is the one of the time"), "{e}");
+    let bare: String = (0..20)
+        .map(|i| format!("{},{i}\n", 0.013 * f64::from(i * i)))
+        .collect();
+    let e = message(&bare, &o);
+    assert!(e.contains("is the one of the time"), "{e}");
+    let twice = ReadOptions {
+        force: vec!["2".to_string(), "2".to_string()],
+        ..none()
+    };
+    assert_eq!(open(bare.as_bytes(), &twice).channels.len(), 1);
     let o = ReadOptions {
         rate_hz: Some(-1.0),
         ..none()

@@ -51,7 +51,7 @@ pub(super) fn read(
         Some(name) => Some(number(name)?),
         None => time_column(&columns),
     };
-    let forces: Vec<usize> = if options.force.is_empty() {
+    let mut forces: Vec<usize> = if options.force.is_empty() {
         force_columns(&columns, time)
     } else {
         options
@@ -60,6 +60,13 @@ pub(super) fn read(
             .map(|f| number(f))
             .collect::<Result<_>>()?
     };
+    let named = !forces.is_empty();
+    forces.retain(|&i| Some(i) != time);
+    forces.sort_unstable();
+    forces.dedup();
+    if named && forces.is_empty() {
+        return Err(super::text::force_is_time(path, table));
+    }
     if forces.is_empty() {
         return Err(Error::line(
             path,

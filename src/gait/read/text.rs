@@ -125,12 +125,7 @@ fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan
     };
     force.retain(|f| Some(f.0) != time);
     if force.is_empty() {
-        return Err(Error::line(
-            path,
-            table.start.line,
-            "the column named as force is the one of the time",
-        )
-        .help("name another with --force, or the time column with --time"));
+        return Err(force_is_time(path, table));
     }
     // Sub-frames repeat and frames stand still meanwhile: rows are counted instead.
     let sub = place(&Role::SubFrame).is_some();
@@ -139,6 +134,16 @@ fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan
         counts,
         force,
     }))
+}
+
+/// The user named one column as both time and force.
+pub(super) fn force_is_time(path: &Path, table: &Table) -> Error {
+    Error::line(
+        path,
+        table.start.line,
+        "the column named as force is the one of the time",
+    )
+    .help("name another with --force, or the time column with --time")
 }
 
 /// Columns of unknown name whose unit says force.
