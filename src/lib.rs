@@ -23,4 +23,6 @@ pub mod synth;
 
 pub mod emit;
 
+pub mod sweep;
+
 pub mod cli;

@@ -16,7 +16,8 @@ pub struct Input {
     pub scene: Scene,
     /// Its table after changes, for sweeps.
     pub table: Table,
-    folder: PathBuf,
+    /// The folder that its paths are relative to.
+    pub folder: PathBuf,
 }
 
 /// Reads the scene file (or the built-in scene) and applies the changes.
@@ -45,58 +46,63 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
 impl Input {
     /// The force curve that the scene names, if it names one.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
-        let Some(gait) = &self.scene.gait else {
-            return Ok(None);
-        };
-        match &gait.source {
-            Source::Model {
-                name,
-                step_frequency_hz,
-                body_weight_n,
-            } => {
-                let curve = gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
-                curve
-                    .map(Some)
-                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))
-            }
-            Source::File {
-                path,
-                time,
-                force,
+        target(&self.scene, &self.folder)
+    }
+}
+
+/// The force curve that a scene names, if it names one; its paths are relative to `folder` first.
+pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
+    let Some(gait) = &scene.gait else {
+        return Ok(None);
+    };
+    match &gait.source {
+        Source::Model {
+            name,
+            step_frequency_hz,
+            body_weight_n,
+        } => {
+            let curve = gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
+            curve
+                .map(Some)
+                .map_err(|e| e.at(Place::Key("gait.model".to_string())))
+        }
+        Source::File {
+            path,
+            time,
+            force,
+            unit,
+            rate_hz,
+            mass_kg,
+        } => {
+            let path = find(folder, path);
+            let bytes = read_bytes(&path)?;
+            let unit = unit
+                .as_deref()
+                .map(|u| {
+                    u.parse()
+                        .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
+                })
+                .transpose()?;
+            let options = gait::ReadOptions {
+                time: time.clone(),
+                force: force.clone(),
                 unit,
-                rate_hz,
-                mass_kg,
-            } => {
-                let path = self.find(path);
-                let bytes = read_bytes(&path)?;
-                let unit = unit
-                    .as_deref()
-                    .map(|u| {
-                        u.parse()
-                            .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
-                    })
-                    .transpose()?;
-                let options = gait::ReadOptions {
-                    time: time.clone(),
-                    force: force.clone(),
-                    unit,
-                    rate_hz: *rate_hz,
-                    mass_kg: *mass_kg,
-                    metadata: metadata(&path),
-                };
-                gait::force_curve(&path, &bytes, &options, gait.feet).map(Some)
-            }
+                rate_hz: *rate_hz,
+                mass_kg: *mass_kg,
+                metadata: metadata(&path),
+            };
+            gait::force_curve(&path, &bytes, &options, gait.feet).map(Some)
         }
     }
+}
 
-    /// A path of the scene: beside the scene file if it is there, else from the working directory.
-    fn find(&self, path: &Path) -> PathBuf {
-        let beside = self.folder.join(path);
-        if beside.exists() {
-            beside
-        } else {
-            path.to_path_buf()
-        }
+/// A path of a scene: beside the scene file if it is there, else from the working directory.
+fn find(folder: &Path, path: &Path) -> PathBuf {
+    let beside = folder.join(path);
+    if beside.exists() {
+        beside
+    } else {
+        path.to_path_buf()
     }
 }
 

@@ -5,6 +5,7 @@ mod files;
 mod gait;
 mod input;
 mod laws;
+mod sweep;
 mod synth;
 
 use std::ffi::OsString;
@@ -28,6 +29,8 @@ enum Command {
     Synth(SynthArgs),
     /// Read a recording, say what it holds, give its mean cycle
     Gait(GaitArgs),
+    /// Design thousands of scenes: a grid, a list or a sample of values, into one table
+    Sweep(sweep::SweepArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws {
         /// Print JSON
@@ -136,6 +139,7 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
         }),
         Some(Command::Synth(args)) => synth::run(&args),
         Some(Command::Gait(args)) => gait::run(&args),
+        Some(Command::Sweep(args)) => sweep::run(&args),
         Some(Command::Laws { json }) => laws::run(json),
     }
 }

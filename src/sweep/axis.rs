@@ -1,0 +1,264 @@
+//! One varied key with its values: a range of numbers or a list.
+
+use std::sync::Arc;
+
+use super::key::Key;
+use crate::error::{Error, Place, Result};
+
+/// The values of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Words, counts or paths.
+    Words(Vec<Arc<str>>),
+    /// Numbers in SI, one by one.
+    Numbers(Vec<f64>),
+    /// `count` numbers in SI at equal steps from the first to the last.
+    Range {
+        /// First.
+        first: f64,
+        /// Last.
+        last: f64,
+        /// How many; `None` in a range that is only sampled.
+        count: Option<u64>,
+    },
+    /// The same for a key without a known unit: numbers that are written with `unit`.
+    TextRange {
+        /// First.
+        first: f64,
+        /// Last.
+        last: f64,
+        /// How many; `None` in a range that is only sampled.
+        count: Option<u64>,
+        /// The unit as written; empty for counts, which are rounded to whole numbers.
+        unit: String,
+    },
+}
+
+/// One value of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AxisValue {
+    /// In SI.
+    Number(f64),
+    /// As written.
+    Words(Arc<str>),
+}
+
+/// A key with its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The key.
+    pub key: Key,
+    /// Its values.
+    pub values: Values,
+}
+
+impl Axis {
+    /// Reads `KEY=START:STOP:COUNT` or `KEY=A,B,C`; `sampled` ranges have no count.
+    ///
+    /// Fails on a missing `=`, an empty list, a count of zero, and numbers without the key's unit.
+    pub fn parse(text: &str, sampled: bool) -> Result<Axis> {
+        let at = |e: Error| Error::argument("--vary", e.to_string());
+        let Some((name, values)) = text.split_once('=') else {
+            return Err(Error::argument("--vary", format!("\"{text}\" has no ="))
+                .help("write --vary 'limits.stroke=20 mm:60 mm:5' or --vary law.family=spline,harmonic"));
+        };
+        let (name, values) = (name.trim(), values.trim());
+        let parts: Vec<&str> = values.split(':').map(str::trim).collect();
+        let numeric = |t: &str| t.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+        if matches!(parts.len(), 2 | 3) && parts[..2].iter().all(|t| numeric(t)) {
+            return range(name, &parts, sampled).map_err(at);
+        }
+        Axis::list(name, values.split(',').map(str::trim)).map_err(at)
+    }
+
+    /// An axis of listed values. Fails on an empty list, an empty value and a number without its unit.
+    pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
+        let values: Vec<&str> = values.collect();
+        if values.is_empty() || values.contains(&"") {
+            return Err(Error::key(name, "an empty grid: there is no value to try")
+                .help("write values between commas, or START:STOP:COUNT"));
+        }
+        Ok(match Key::quantity(name, &values)? {
+            Some((key, numbers)) => Axis {
+                key,
+                values: Values::Numbers(numbers),
+            },
+            None => Axis {
+                key: Key::words(name),
+                values: Values::Words(values.into_iter().map(Arc::from).collect()),
+            },
+        })
+    }
+
+    /// Number of values; `None` where only sampling gives any.
+    pub fn count(&self) -> Option<u64> {
+        match &self.values {
+            Values::Words(list) => Some(list.len() as u64),
+            Values::Numbers(list) => Some(list.len() as u64),
+            Values::Range { count, .. } | Values::TextRange { count, .. } => *count,
+        }
+    }
+
+    /// Value number `i` of the grid, counted from 0.
+    pub fn value(&self, i: u64) -> AxisValue {
+        match &self.values {
+            Values::Words(list) => AxisValue::Words(list[i as usize].clone()),
+            Values::Numbers(list) => AxisValue::Number(list[i as usize]),
+            Values::Range { count, .. } | Values::TextRange { count, .. } => {
+                let steps = count.unwrap_or(1).saturating_sub(1).max(1);
+                self.between(i as f64, steps as f64)
+            }
+        }
+    }
+
+    /// The value at a share u ∈ [0, 1) of the axis: between the ends of a range, or one of a list.
+    pub fn sampled(&self, u: f64) -> AxisValue {
+        match &self.values {
+            Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
+            Values::Numbers(list) => AxisValue::Number(list[pick(u, list.len())]),
+            Values::Range { .. } | Values::TextRange { .. } => self.between(u, 1.0),
+        }
+    }
+
+    /// `part` of `whole` steps from the first value to the last, exact at both ends.
+    fn between(&self, part: f64, whole: f64) -> AxisValue {
+        let mix = |first: f64, last: f64| ((whole - part) * first + part * last) / whole;
+        match &self.values {
+            Values::Range { first, last, .. } => AxisValue::Number(mix(*first, *last)),
+            Values::TextRange {
+                first, last, unit, ..
+            } => {
+                let x = mix(*first, *last);
+                AxisValue::Words(if unit.is_empty() {
+                    Arc::from(format!("{}", x.round()))
+                } else {
+                    Arc::from(format!("{x} {unit}"))
+                })
+            }
+            _ => self.value(0),
+        }
+    }
+
+    /// The axis as a user would write it, for comparing plans.
+    pub fn text(&self) -> String {
+        let count = |c: &Option<u64>| c.map_or(String::new(), |c| format!(":{c}"));
+        match &self.values {
+            Values::Words(list) => list.join(","),
+            Values::Numbers(list) => {
+                let unit = self.key.unit();
+                let all: Vec<String> = list.iter().map(|x| format!("{x} {unit}")).collect();
+                all.join(",")
+            }
+            Values::Range {
+                first,
+                last,
+                count: c,
+            } => {
+                let unit = self.key.unit();
+                format!("{first} {unit}:{last} {unit}{}", count(c))
+            }
+            Values::TextRange {
+                first,
+                last,
+                count: c,
+                unit,
+            } => format!("{first} {unit}:{last} {unit}{}", count(c)),
+        }
+    }
+}
+
+fn pick(u: f64, length: usize) -> usize {
+    ((u * length as f64) as usize).min(length - 1)
+}
+
+fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
+    let count = match (parts.get(2), sampled) {
+        (Some(_), true) => {
+            return Err(Error::key(name, "a sampled range has no count")
+                .help("with --sample write START:STOP"));
+        }
+        (None, false) => {
+            return Err(Error::key(name, "a range needs its count")
+                .help("write START:STOP:COUNT, or take --sample N"));
+        }
+        (None, true) => None,
+        (Some(text), false) => {
+            let count: u64 = text.parse().map_err(|_| {
+                Error::key(name, format!("\"{text}\" is not a whole number of values"))
+                    .help("write START:STOP:COUNT")
+            })?;
+            if count == 0 {
+                return Err(Error::key(name, "an empty grid: 0 values").help("ask for at least 1"));
+            }
+            Some(count)
+        }
+    };
+    if let Some((key, ends)) = Key::quantity(name, &parts[..2])? {
+        return Ok(Axis {
+            key,
+            values: Values::Range {
+                first: ends[0],
+                last: ends[1],
+                count,
+            },
+        });
+    }
+    let (first, unit) =
+        number_and_unit(parts[0]).map_err(|e| e.at(Place::Key(name.to_string())))?;
+    let (last, other) =
+        number_and_unit(parts[1]).map_err(|e| e.at(Place::Key(name.to_string())))?;
+    if unit != other {
+        return Err(Error::key(
+            name,
+            format!("the ends of the range have different units (\"{unit}\" and \"{other}\")"),
+        )
+        .help("give both in the same unit"));
+    }
+    Ok(Axis {
+        key: Key::words(name),
+        values: Values::TextRange {
+            first,
+            last,
+            count,
+            unit: unit.to_string(),
+        },
+    })
+}
+
+fn number_and_unit(text: &str) -> Result<(f64, &str)> {
+    let split = (1..=text.len())
+        .rev()
+        .filter(|&i| text.is_char_boundary(i))
+        .find_map(|i| Some((text[..i].trim().parse::<f64>().ok()?, text[i..].trim())));
+    split
+        .filter(|(x, _)| x.is_finite())
+        .ok_or_else(|| Error::new(format!("\"{text}\" does not start with a number")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_run_from_end_to_end_in_si() {
+        let axis = Axis::parse("limits.stroke=20 mm:0.06 m:5", false).unwrap();
+        assert_eq!(axis.count(), Some(5));
+        assert_eq!(axis.value(0), AxisValue::Number(0.02));
+        assert_eq!(axis.value(4), AxisValue::Number(0.06));
+        assert_eq!(axis.key.column(), "limits.stroke_m");
+        let axis = Axis::parse("law.spans=8:32:4", false).unwrap();
+        assert_eq!(axis.value(1), AxisValue::Words("16".into()));
+    }
+
+    #[test]
+    fn bad_axes_say_what_is_wrong() {
+        let fault = |text: &str| Axis::parse(text, false).unwrap_err().to_string();
+        assert!(fault("limits.stroke").contains("has no ="));
+        assert!(fault("limits.stroke=20:60:5").contains("has no unit"));
+        assert!(fault("limits.stroke=20 mm:60 mm:0").contains("empty grid"));
+        assert!(fault("law.family=").contains("empty grid"));
+        assert!(fault("law.family=spline,").contains("empty grid"));
+        assert!(fault("limits.stroke=20 mm:60 mm").contains("needs its count"));
+        assert!(fault("limits.stroke=20 mm:60 mm:many").contains("whole number"));
+    }
+}

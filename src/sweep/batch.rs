@@ -1,0 +1,60 @@
+//! Parameters of many scenes as plain columns.
+
+use std::sync::Arc;
+
+use super::axis::AxisValue;
+
+/// Values of one key, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Column {
+    /// In SI.
+    Numbers(Vec<f64>),
+    /// Words, counts or paths as written.
+    Words(Vec<Arc<str>>),
+}
+
+impl Column {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        match self {
+            Column::Numbers(x) => x.len(),
+            Column::Words(x) => x.len(),
+        }
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    pub(super) fn push(&mut self, value: AxisValue) {
+        match (self, value) {
+            (Column::Numbers(list), AxisValue::Number(x)) => list.push(x),
+            (Column::Words(list), AxisValue::Words(w)) => list.push(w),
+            (Column::Words(list), AxisValue::Number(x)) => list.push(Arc::from(format!("{x}"))),
+            // A word where numbers stand: the scene's reader will refuse what is not a number.
+            (Column::Numbers(list), AxisValue::Words(_)) => list.push(f64::NAN),
+        }
+    }
+}
+
+/// Parameters of a run of rows: which base scene, and one column per varied key.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Batch {
+    /// Index of the base scene of each row.
+    pub scene: Vec<u32>,
+    /// One column per key of the kernel, in its order, each as long as `scene`.
+    pub columns: Vec<Column>,
+}
+
+impl Batch {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.scene.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.scene.is_empty()
+    }
+}

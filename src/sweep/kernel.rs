@@ -1,0 +1,462 @@
+//! From a batch of parameters to a batch of answers: pure, and the same for any number of threads.
+//!
+//! Words decide the structure of a scene, numbers only fill it in. Each combination of words is read once
+//! per batch; its rows then set their numbers directly. Rows of the spectral tier come from a shape that is
+//! taken apart once; all others go through the synthesis like a single scene.
+
+use std::collections::HashMap;
+use std::sync::{Arc, RwLock};
+
+use toml::Table;
+
+use super::batch::{Batch, Column};
+use super::key::Key;
+use super::results::{Results, Row};
+use super::spectral::Shape;
+use super::{NamedScene, closed};
+use crate::error::{Error, Place, Result};
+use crate::gait::{self, ForceCurve};
+use crate::scene::{self, Scene, Source};
+use crate::synth::synthesise;
+
+/// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
+pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
+
+/// Seconds on any clock; a caller without one gives 0 always.
+pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
+
+/// Shapes kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
+const KEPT_SHAPES: usize = 1024;
+
+/// Turns batches into results.
+pub struct Kernel<'a> {
+    scenes: &'a [NamedScene],
+    keys: Vec<Key>,
+    targets: Targets<'a>,
+    clock: Clock<'a>,
+    shapes: RwLock<HashMap<(Arc<str>, u64), Option<Arc<Shape>>>>,
+}
+
+/// A combination of words, read.
+#[derive(Default)]
+struct Base {
+    /// `None` when it has to be read row by row, because the numbers of its first row do not fit it.
+    scene: Option<Scene>,
+    /// What names its force: the recording with its options, or the model and feet.
+    source: Arc<str>,
+    /// Whether the closed form may answer.
+    closed: bool,
+    /// Step frequency and shape of the row before.
+    last: Option<(u64, Option<Arc<Shape>>)>,
+}
+
+impl<'a> Kernel<'a> {
+    /// A kernel for base scenes and varied keys. `targets` gives the force curves of recordings.
+    pub fn new(
+        scenes: &'a [NamedScene],
+        keys: Vec<Key>,
+        targets: Targets<'a>,
+        clock: Clock<'a>,
+    ) -> Self {
+        Kernel {
+            scenes,
+            keys,
+            targets,
+            clock,
+            shapes: RwLock::new(HashMap::new()),
+        }
+    }
+
+    /// The varied keys, in the order of a batch's columns.
+    pub fn keys(&self) -> &[Key] {
+        &self.keys
+    }
+
+    /// Answers every row; a scene at fault is a row with its error.
+    pub fn run(&self, batch: &Batch) -> Results {
+        let mut results = Results::with_capacity(batch.len());
+        let mut bases: Vec<Base> = Vec::new();
+        let mut known: HashMap<(u32, Vec<&str>), usize> = HashMap::new();
+        let words: Vec<&Vec<Arc<str>>> = batch
+            .columns
+            .iter()
+            .filter_map(|c| match c {
+                Column::Words(w) => Some(w),
+                Column::Numbers(_) => None,
+            })
+            .collect();
+        let mut previous: Option<(usize, usize)> = None;
+        for row in 0..batch.len() {
+            let start = (self.clock)();
+            let same = previous.filter(|&(other, _)| {
+                batch.scene[other] == batch.scene[row]
+                    && words.iter().all(|w| Arc::ptr_eq(&w[other], &w[row]))
+            });
+            let index = match same {
+                Some((_, index)) => index,
+                None => {
+                    let name = (batch.scene[row], words.iter().map(|w| &*w[row]).collect());
+                    *known.entry(name).or_insert_with(|| {
+                        let base = guarded(|| self.base(batch, row));
+                        bases.push(base.unwrap_or_default());
+                        bases.len() - 1
+                    })
+                }
+            };
+            previous = Some((row, index));
+            let answer = guarded(|| self.row(batch, row, &mut bases[index]));
+            let mut answer = answer.unwrap_or_else(Row::error);
+            answer.time_s = (self.clock)() - start;
+            results.push(answer);
+        }
+        results
+    }
+
+    fn base(&self, batch: &Batch, row: usize) -> Base {
+        let scene = self.read(batch, row).ok();
+        let source: Arc<str> = match scene.as_ref().and_then(|s| s.gait.as_ref()) {
+            None => Arc::from(""),
+            Some(gait) => match &gait.source {
+                Source::Model { name, .. } => Arc::from(format!("{name} {}", gait.feet.name())),
+                Source::File { .. } => Arc::from(format!("{} {gait:?}", batch.scene[row])),
+            },
+        };
+        Base {
+            closed: scene.as_ref().is_some_and(closed::suits),
+            scene,
+            source,
+            last: None,
+        }
+    }
+
+    /// The scene of a row as a user would have written it.
+    fn read(&self, batch: &Batch, row: usize) -> Result<Scene> {
+        scene::read(&self.table(batch, row)?)
+    }
+
+    /// The table of a row: the base scene with its values written in, in SI.
+    pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
+        let scene = batch.scene[row] as usize;
+        let named = self
+            .scenes
+            .get(scene)
+            .ok_or_else(|| Error::new(format!("there is no base scene {scene}")))?;
+        let mut table = named.table.clone();
+        // Words first: they may replace what numbers belong to.
+        for (key, column) in self.keys.iter().zip(&batch.columns) {
+            if let Column::Words(w) = column {
+                key.write_words(&mut table, &w[row])?;
+            }
+        }
+        for (key, column) in self.keys.iter().zip(&batch.columns) {
+            if let Column::Numbers(x) = column {
+                key.write_number(&mut table, x[row])?;
+            }
+        }
+        Ok(table)
+    }
+
+    fn row(&self, batch: &Batch, row: usize, base: &mut Base) -> Row {
+        if let Some(scene) = &mut base.scene {
+            if self.set_numbers(batch, row, scene) && consistent(scene) {
+                if base.closed {
+                    let answer = closed_row(self, batch.scene[row] as usize, base);
+                    if let Some(answer) = answer {
+                        return answer;
+                    }
+                }
+                let Some(scene) = &base.scene else {
+                    return Row::error(String::new());
+                };
+                return self.answer(batch.scene[row] as usize, scene);
+            }
+        }
+        match self.read(batch, row) {
+            Ok(scene) => self.answer(batch.scene[row] as usize, &scene),
+            Err(e) => Row::error(e.to_string()),
+        }
+    }
+
+    /// Sets the row's numbers; false when one of them is for the scene's reader to judge.
+    fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
+        for (key, column) in self.keys.iter().zip(&batch.columns) {
+            if let Column::Numbers(x) = column {
+                if !key.takes(x[row]) {
+                    return false;
+                }
+                key.set(scene, x[row]);
+            }
+        }
+        true
+    }
+
+    /// The synthesis of one scene.
+    fn answer(&self, index: usize, scene: &Scene) -> Row {
+        let design = self
+            .target(index, scene)
+            .and_then(|target| synthesise(scene, target.as_ref()));
+        match design {
+            Ok(design) => Row::of(&design),
+            Err(e) => Row::error(e.to_string()),
+        }
+    }
+
+    fn target(&self, index: usize, scene: &Scene) -> Result<Option<ForceCurve>> {
+        let Some(gait) = &scene.gait else {
+            return Ok(None);
+        };
+        match &gait.source {
+            Source::File { .. } => (self.targets)(index, scene).map(Some),
+            Source::Model {
+                name,
+                step_frequency_hz,
+                body_weight_n,
+            } => gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet)
+                .map(Some)
+                .map_err(|e| e.at(Place::Key("gait.model".to_string()))),
+        }
+    }
+
+    /// The shape of a scene's force, taken apart once.
+    fn shape(
+        &self,
+        index: usize,
+        scene: &Scene,
+        source: &Arc<str>,
+        frequency: u64,
+    ) -> Option<Arc<Shape>> {
+        let name = (source.clone(), frequency);
+        if let Some(shape) = self.shapes.read().ok()?.get(&name) {
+            return shape.clone();
+        }
+        let curve = match &scene.gait.as_ref()?.source {
+            Source::File { .. } => (self.targets)(index, scene).ok(),
+            Source::Model {
+                name,
+                step_frequency_hz,
+                ..
+            } => gait::model(name, *step_frequency_hz, 1.0, scene.gait.as_ref()?.feet).ok(),
+        };
+        let shape = curve.and_then(Shape::new).map(Arc::new);
+        let mut shapes = self.shapes.write().ok()?;
+        if shapes.len() >= KEPT_SHAPES {
+            shapes.clear();
+        }
+        shapes.insert(name, shape.clone());
+        shape
+    }
+}
+
+/// A panic is our own fault, but it must not take the other rows with it.
+fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
+        let words = cause.downcast_ref::<String>().map(String::as_str);
+        let words = words.or_else(|| cause.downcast_ref::<&str>().copied());
+        let words = words.and_then(|w| w.lines().next()).unwrap_or("");
+        format!("a fault of gaitcam itself ({words}); please report it with the scene")
+    })
+}
+
+/// The closed form of a row whose numbers are set.
+fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
+    let scene = base.scene.as_ref()?;
+    let (frequency, scale) = match &scene.gait.as_ref()?.source {
+        Source::File { .. } => (0, 1.0),
+        Source::Model {
+            step_frequency_hz,
+            body_weight_n,
+            ..
+        } => (step_frequency_hz.unwrap_or(0.0).to_bits(), *body_weight_n),
+    };
+    if base.last.as_ref().is_none_or(|l| l.0 != frequency) {
+        let shape = kernel.shape(index, scene, &base.source, frequency);
+        base.last = Some((frequency, shape));
+    }
+    let shape = base.last.as_ref()?.1.as_ref()?;
+    closed::row(scene, shape, scale)
+}
+
+/// Demands that several numbers can contradict together; the scene's reader has the words for them.
+fn consistent(scene: &Scene) -> bool {
+    let cam = &scene.cam;
+    let limits = &scene.limits;
+    let bore = matches!((cam.bore, cam.base_radius), (Some(d), Some(r)) if r <= 0.5 * d);
+    let offset = matches!((cam.prime_radius, cam.offset), (Some(r), Some(e)) if e.abs() >= r);
+    let force = matches!((limits.force_min, limits.force_max), (Some(a), Some(b)) if a >= b);
+    !(bore || offset || force)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::{Axis, Design, Method, NUMBERS, Outcome, Plan};
+
+    fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
+        Err(Error::new("no recordings here"))
+    }
+
+    /// Rows of a plan from the kernel, beside single syntheses of the same scenes.
+    fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
+        let mut table: Table = scene::DEFAULT.parse().unwrap();
+        for change in changes {
+            scene::set(&mut table, change).unwrap();
+        }
+        let plan = Plan {
+            scenes: vec![NamedScene {
+                name: "x".to_string(),
+                table,
+            }],
+            list: None,
+            axes: vary.iter().map(|v| Axis::parse(v, true).unwrap()).collect(),
+            design: Design::Sample {
+                method: Method::Latin,
+                count,
+                seed: 7,
+            },
+        };
+        let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);
+        let batch = plan.batch(0, count as usize);
+        let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
+        (0..count as usize)
+            .map(|row| {
+                let words = batch.columns.iter().filter_map(|c| match c {
+                    Column::Words(w) => Some(w[row].to_string()),
+                    Column::Numbers(_) => None,
+                });
+                let base = bases
+                    .entry(words.collect())
+                    .or_insert_with(|| kernel.base(&batch, row));
+                let fast = kernel.row(&batch, row, base);
+                let alone = match kernel.read(&batch, row) {
+                    Ok(scene) => kernel.answer(0, &scene),
+                    Err(e) => Row::error(e.to_string()),
+                };
+                (fast, alone)
+            })
+            .collect()
+    }
+
+    fn equal(pairs: &[(Row, Row)]) {
+        for (i, (fast, alone)) in pairs.iter().enumerate() {
+            assert_eq!(
+                (
+                    fast.outcome,
+                    fast.verdict,
+                    fast.tier,
+                    &fast.failed,
+                    &fast.error
+                ),
+                (
+                    alone.outcome,
+                    alone.verdict,
+                    alone.tier,
+                    &alone.failed,
+                    &alone.error
+                ),
+                "row {i}"
+            );
+            for (k, name) in NUMBERS.iter().enumerate() {
+                let (a, b) = (fast.numbers[k], alone.numbers[k]);
+                if a.is_nan() && b.is_nan() {
+                    continue;
+                }
+                // Forces count against the mean force: an error that is all rounding has no digits.
+                let scale = if k < 7 && k != 1 {
+                    alone.numbers[3].abs().max(b.abs())
+                } else {
+                    b.abs()
+                };
+                let scale = if k == 1 { 100.0 } else { scale };
+                assert!((a - b).abs() <= 1e-9 * scale, "row {i} {name}: {a} for {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn closed_rows_equal_single_syntheses_of_a_moving_axis() {
+        let pairs = compared(
+            &["law.family=harmonic"],
+            &[
+                "gait.step_frequency=1.6 Hz:2.4 Hz",
+                "gait.body_weight=400 N:1200 N",
+                "limits.curvature=0 mm:20 mm",
+                "gait.model=young,setra,sci-p354",
+                "gait.scale=none,to-mass",
+                "cam.bore=2 mm:40 mm",
+            ],
+            60,
+        );
+        equal(&pairs);
+        let spectral = pairs
+            .iter()
+            .filter(|p| p.0.outcome == Outcome::Built && p.0.failed.is_empty())
+            .count();
+        assert!(spectral > 30, "{spectral}");
+    }
+
+    #[test]
+    fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
+        equal(&compared(
+            &[
+                "law.family=harmonic",
+                "drive.speed=111 rpm",
+                "accuracy.rms=5 %",
+            ],
+            &[
+                "drive.mass=30 kg:90 kg",
+                "gait.scale=none,to-mass",
+                "limits.jerk=50 m/s^3:900 m/s^3",
+                "cam.base_radius=1 mm:90 mm",
+                "law.harmonics=1,2,3,9",
+                "limits.force_min=100 N:500 N",
+            ],
+            80,
+        ));
+        equal(&compared(
+            &[
+                "law.family=harmonic",
+                "drive.kind=hydraulic",
+                "drive.pressure_per_volume=30 psi/in^3",
+                "drive.piston_radius=2 cm",
+                "gait.step_frequency=2 Hz",
+            ],
+            &[
+                "drive.piston_radius=10 mm:40 mm",
+                "accuracy.rms=0.1 %:20 %",
+                "gait.body_weight=300 N:900 N",
+                "drive.speed=3 rad/s:20 rad/s",
+            ],
+            60,
+        ));
+        equal(&compared(
+            &[
+                "law.family=harmonic",
+                "drive.kind=fixed-axis",
+                "drive.mass=70 kg",
+            ],
+            &[
+                "drive.spring_rate=0 N/m,4000 N/m",
+                "drive.mass=1 kg:50 kg",
+                "drive.damping=0 N s/m,3 N s/m",
+                "drive.preload=100 N:900 N",
+            ],
+            30,
+        ));
+    }
+
+    #[test]
+    fn faults_are_rows() {
+        let pairs = compared(
+            &[],
+            &[
+                "cam.base_radius=4 mm:8 mm",
+                "limits.force_min=100 N:1200 N",
+                "limits.force_max=500 N:900 N",
+                "law.family=program",
+            ],
+            12,
+        );
+        equal(&pairs);
+        assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Error));
+    }
+}

@@ -1,0 +1,26 @@
+//! Sweeps: one question asked of thousands of scenes.
+//!
+//! A [`Plan`] says which scenes: a grid, a list or a sample over scene keys. The [`Kernel`] turns a
+//! [`Batch`] of parameters into [`Results`], row by row and without side effects, so that any number of
+//! threads, processes or machines may share the work. The [`journal`] keeps what is done in checked
+//! chunks, and [`table`] writes it down. Reading and writing files is the command's business.
+
+mod axis;
+mod batch;
+mod closed;
+pub mod journal;
+mod kernel;
+mod key;
+mod plan;
+mod results;
+mod sample;
+mod spectral;
+pub mod table;
+
+pub use axis::{Axis, AxisValue, Values};
+pub use batch::{Batch, Column};
+pub use kernel::{Clock, Kernel, Targets};
+pub use key::Key;
+pub use plan::{Design, List, NamedScene, Plan, differences};
+pub use results::{NUMBERS, Outcome, Results, Row, TIME, WORDS};
+pub use sample::Method;

@@ -1,0 +1,444 @@
+//! What a sweep tries: base scenes, a list, a grid or a sample. Every row follows from its number.
+
+use serde_json::{Map, Value, json};
+use toml::Table;
+
+use super::axis::{Axis, AxisValue, Values};
+use super::batch::{Batch, Column};
+use super::key::Key;
+use super::sample::{Method, SOBOL_AXES};
+use crate::error::{Error, Place, Result};
+use crate::scene;
+
+/// A base scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NamedScene {
+    /// Its name for people: the file it came from.
+    pub name: String,
+    /// Its table.
+    pub table: Table,
+}
+
+/// Rows that a user wrote down: values of several keys together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct List {
+    /// The keys with one value per row of the list.
+    pub columns: Vec<Axis>,
+}
+
+impl List {
+    /// Number of rows.
+    pub fn rows(&self) -> u64 {
+        self.columns.first().and_then(Axis::count).unwrap_or(0)
+    }
+}
+
+/// How the axes are walked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Design {
+    /// Every combination; the last axis runs fastest.
+    Grid,
+    /// Points spread over all axes together.
+    Sample {
+        /// How they are spread.
+        method: Method,
+        /// How many.
+        count: u64,
+        /// Where the random numbers start.
+        seed: u64,
+    },
+}
+
+/// The whole sweep: rows are base scenes × list × axes, the axes fastest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// Base scenes.
+    pub scenes: Vec<NamedScene>,
+    /// Rows that are written down, if any.
+    pub list: Option<List>,
+    /// Varied keys.
+    pub axes: Vec<Axis>,
+    /// How they are walked.
+    pub design: Design,
+}
+
+/// Keys that name or structure a scene and cannot be varied.
+const FIXED: [&str; 1] = ["name"];
+/// Combinations of words up to which a value is tried before the sweep starts.
+const TRIED_COMBINATIONS: u128 = 256;
+/// Values of one list that are tried before the sweep starts.
+const TRIED_VALUES: u64 = 64;
+
+impl Plan {
+    /// Number of rows; saturates far beyond what anyone can wait for.
+    pub fn rows(&self) -> u128 {
+        let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
+        let design = match self.design {
+            Design::Sample { count, .. } => u128::from(count),
+            Design::Grid => self
+                .axes
+                .iter()
+                .map(|a| u128::from(a.count().unwrap_or(1)))
+                .fold(1, u128::saturating_mul),
+        };
+        (self.scenes.len() as u128)
+            .saturating_mul(list)
+            .saturating_mul(design)
+    }
+
+    /// The varied keys in the order of their columns.
+    pub fn keys(&self) -> Vec<Key> {
+        self.all_axes().map(|a| a.key.clone()).collect()
+    }
+
+    fn all_axes(&self) -> impl Iterator<Item = &Axis> {
+        let listed = self.list.iter().flat_map(|l| l.columns.iter());
+        listed.chain(self.axes.iter())
+    }
+
+    /// Parameters of the rows `first .. first + count`.
+    pub fn batch(&self, first: u64, count: usize) -> Batch {
+        let mut batch = Batch {
+            scene: Vec::with_capacity(count),
+            columns: self
+                .all_axes()
+                .map(|a| match a.values {
+                    Values::Numbers(_) | Values::Range { .. } => {
+                        Column::Numbers(Vec::with_capacity(count))
+                    }
+                    Values::Words(_) | Values::TextRange { .. } => {
+                        Column::Words(Vec::with_capacity(count))
+                    }
+                })
+                .collect(),
+        };
+        let listed = self.list.as_ref().map_or(0, |l| l.columns.len());
+        let list_rows = self.list.as_ref().map_or(1, List::rows).max(1);
+        let counts: Vec<u64> = self
+            .axes
+            .iter()
+            .map(|a| a.count().unwrap_or(1).max(1))
+            .collect();
+        let inner = match self.design {
+            Design::Sample { count, .. } => count.max(1),
+            Design::Grid => counts.iter().product::<u64>().max(1),
+        };
+        for row in first..first + count as u64 {
+            let (outer, point) = (row / inner, row % inner);
+            batch.scene.push((outer / list_rows) as u32);
+            if let Some(list) = &self.list {
+                for (column, axis) in batch.columns.iter_mut().zip(&list.columns) {
+                    column.push(axis.value(outer % list_rows));
+                }
+            }
+            let columns = &mut batch.columns[listed..];
+            match self.design {
+                Design::Grid => {
+                    let mut rest = point;
+                    for (k, axis) in self.axes.iter().enumerate().rev() {
+                        columns[k].push(axis.value(rest % counts[k]));
+                        rest /= counts[k];
+                    }
+                }
+                Design::Sample {
+                    method,
+                    count,
+                    seed,
+                } => {
+                    for (k, axis) in self.axes.iter().enumerate() {
+                        columns[k].push(axis.sampled(method.coordinate(point, count, k, seed)));
+                    }
+                }
+            }
+        }
+        batch
+    }
+
+    /// Refuses a plan that cannot run: an empty one, keys given twice, keys that cannot vary, values that
+    /// no combination of the others accepts.
+    pub fn validate(&self) -> Result<()> {
+        let axes: Vec<&Axis> = self.all_axes().collect();
+        if self.rows() == 0 {
+            return Err(Error::argument(
+                "--vary",
+                "an empty grid: there is nothing to try",
+            ));
+        }
+        for (i, axis) in axes.iter().enumerate() {
+            let name = axis.key.name();
+            if FIXED.contains(&name) {
+                return Err(
+                    Error::argument("--vary", format!("\"{name}\" cannot vary")).help(
+                        "vary a value of [gait], [drive], [law], [cam], [limits] or [accuracy]",
+                    ),
+                );
+            }
+            if axes[..i].iter().any(|a| a.key.name() == name) {
+                return Err(Error::argument(
+                    "--vary",
+                    format!("\"{name}\" is given twice"),
+                ));
+            }
+        }
+        if let Design::Sample { method, .. } = self.design {
+            if self.axes.is_empty() {
+                return Err(Error::argument("--sample", "there is nothing to sample")
+                    .help("add --vary KEY=START:STOP"));
+            }
+            if method == Method::Sobol && self.axes.len() > SOBOL_AXES {
+                return Err(Error::argument(
+                    "--design",
+                    format!("Sobol serves up to {SOBOL_AXES} keys here"),
+                )
+                .help("take --design latin"));
+            }
+        }
+        for scene in &self.scenes {
+            for axis in &axes {
+                for value in trial_values(axis) {
+                    self.try_value(scene, axis, &value)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A value is refused when every combination of the other keys' first values and words refuses it by
+    /// name. What only some combinations refuse becomes a row with its error.
+    fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
+        let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
+        let choices: Vec<u64> = others
+            .iter()
+            .map(|a| match &a.values {
+                Values::Words(list) => list.len() as u64,
+                _ => 1,
+            })
+            .collect();
+        let total = choices
+            .iter()
+            .map(|c| u128::from(*c))
+            .fold(1, u128::saturating_mul);
+        let mut fault = None;
+        for combination in 0..total.min(TRIED_COMBINATIONS) as u64 {
+            let mut table = scene.table.clone();
+            let mut rest = combination;
+            for (other, choices) in others.iter().zip(&choices) {
+                write(&other.key, &mut table, &other.value(rest % choices))?;
+                rest /= choices;
+            }
+            write(&axis.key, &mut table, value)?;
+            match scene::read(&table) {
+                Err(e)
+                    if e.place == Place::Key(axis.key.name().to_string())
+                        || e.place == Place::Key(parent(axis.key.name())) =>
+                {
+                    fault = Some(e);
+                }
+                _ => return Ok(()),
+            }
+        }
+        match fault {
+            None => Ok(()),
+            Some(e) => Err(Error::argument("--vary", e.to_string())),
+        }
+    }
+
+    /// The plan in words, for the head of a journal: equal plans have equal descriptions.
+    pub fn description(&self) -> Value {
+        let mut vary = Map::new();
+        for axis in &self.axes {
+            vary.insert(axis.key.name().to_string(), json!(axis.text()));
+        }
+        let scenes: Vec<Value> = self
+            .scenes
+            .iter()
+            .map(|s| json!({"name": s.name, "text": s.table.to_string()}))
+            .collect();
+        let mut out = Map::new();
+        out.insert("scenes".into(), json!(scenes));
+        if let Some(list) = &self.list {
+            let text: Vec<String> = list
+                .columns
+                .iter()
+                .map(|a| format!("{}={}", a.key.name(), a.text()))
+                .collect();
+            let names: Vec<&str> = list.columns.iter().map(|a| a.key.name()).collect();
+            let sum = crc32fast::hash(text.join("\n").as_bytes());
+            out.insert(
+                "list".into(),
+                json!({"rows": list.rows(), "keys": names, "checksum": sum}),
+            );
+        }
+        out.insert("vary".into(), Value::Object(vary));
+        if let Design::Sample {
+            method,
+            count,
+            seed,
+        } = self.design
+        {
+            out.insert(
+                "sample".into(),
+                json!({"method": method.name(), "count": count, "seed": seed}),
+            );
+        }
+        out.insert("rows".into(), json!(self.rows() as u64));
+        Value::Object(out)
+    }
+}
+
+fn parent(key: &str) -> String {
+    key.rsplit_once('.').map_or(key, |p| p.0).to_string()
+}
+
+fn write(key: &Key, table: &mut Table, value: &AxisValue) -> Result<()> {
+    match value {
+        AxisValue::Number(x) => key.write_number(table, *x),
+        AxisValue::Words(w) => key.write_words(table, w),
+    }
+    .map_err(|e| Error::argument("--vary", e.what).help(e.help))
+}
+
+fn trial_values(axis: &Axis) -> Vec<AxisValue> {
+    match (&axis.values, axis.count()) {
+        (Values::Words(_) | Values::Numbers(_), Some(n)) => {
+            (0..n.min(TRIED_VALUES)).map(|i| axis.value(i)).collect()
+        }
+        // Every range of allowed numbers is convex: both ends speak for the rest.
+        _ => vec![axis.sampled(0.0), axis.sampled(1.0)],
+    }
+}
+
+/// What differs between two descriptions, one line each.
+pub fn differences(old: &Value, new: &Value) -> Vec<String> {
+    let mut out = Vec::new();
+    compare("", old, new, &mut out);
+    out
+}
+
+/// Longest value that a difference quotes whole.
+const QUOTED: usize = 80;
+
+fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<String>) {
+    let join = |key: &str| {
+        if path.is_empty() {
+            key.to_string()
+        } else {
+            format!("{path} {key}")
+        }
+    };
+    match (old, new) {
+        (Value::Object(a), Value::Object(b)) => {
+            for (key, x) in a {
+                compare(&join(key), x, b.get(key).unwrap_or(&Value::Null), out);
+            }
+            for (key, y) in b.iter().filter(|(k, _)| !a.contains_key(*k)) {
+                compare(&join(key), &Value::Null, y, out);
+            }
+        }
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            for (i, (x, y)) in a.iter().zip(b).enumerate() {
+                compare(&join(&format!("{}", i + 1)), x, y, out);
+            }
+        }
+        _ if old != new => {
+            let shown = |v: &Value| match v {
+                Value::Null => "nothing".to_string(),
+                v => {
+                    let text = v.as_str().map_or_else(|| v.to_string(), str::to_string);
+                    if text.chars().count() > QUOTED {
+                        "another text".to_string()
+                    } else {
+                        text
+                    }
+                }
+            };
+            match (old, new) {
+                (Value::String(a), Value::String(b)) if a.contains('\n') || b.contains('\n') => {
+                    out.extend(differing_lines(path, a, b));
+                }
+                _ => out.push(format!("{path}: {} before, {} now", shown(old), shown(new))),
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Lines that only one of two texts has.
+fn differing_lines(path: &str, old: &str, new: &str) -> Vec<String> {
+    let only = |a: &str, b: &str, when: &str| {
+        let there: Vec<&str> = b.lines().collect();
+        a.lines()
+            .filter(|l| !l.trim().is_empty() && !there.contains(l))
+            .map(|l| format!("{path}: \"{l}\" only {when}"))
+            .collect::<Vec<_>>()
+    };
+    [only(old, new, "before"), only(new, old, "now")].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plan(vary: &[&str]) -> Plan {
+        Plan {
+            scenes: vec![NamedScene {
+                name: "footbridge".to_string(),
+                table: scene::DEFAULT.parse().unwrap(),
+            }],
+            list: None,
+            axes: vary
+                .iter()
+                .map(|v| Axis::parse(v, false).unwrap())
+                .collect(),
+            design: Design::Grid,
+        }
+    }
+
+    #[test]
+    fn the_last_axis_runs_fastest_and_rows_follow_from_their_number() {
+        let p = plan(&["law.family=spline,harmonic", "limits.stroke=10 mm:50 mm:5"]);
+        assert_eq!(p.rows(), 10);
+        let whole = p.batch(0, 10);
+        let Column::Numbers(stroke) = &whole.columns[1] else {
+            panic!()
+        };
+        assert_eq!(stroke[..6], [0.01, 0.02, 0.03, 0.04, 0.05, 0.01]);
+        let part = p.batch(5, 2);
+        let Column::Words(family) = &part.columns[0] else {
+            panic!()
+        };
+        assert!(family.iter().all(|f| &**f == "harmonic"));
+    }
+
+    #[test]
+    fn keys_that_cannot_vary_are_named() {
+        let fault = |v: &[&str]| plan(v).validate().unwrap_err().to_string();
+        assert!(fault(&["name=a,b"]).contains("\"name\" cannot vary"));
+        assert!(fault(&["limits.strok=1 mm:2 mm:3"]).contains("did you mean \"stroke\"?"));
+        assert!(fault(&["limits=a,b"]).contains("limits"));
+        assert!(fault(&["limits.stroke=-1 mm:2 mm:3"]).contains("not positive"));
+        assert!(fault(&["law.family=spline,splin"]).contains("did you mean \"spline\"?"));
+        assert!(fault(&["law.degree=3,5", "law.degree=5,7"]).contains("twice"));
+        // A key that only one of the varied kinds has is allowed.
+        plan(&[
+            "drive.kind=moving-axis,fixed-axis",
+            "drive.spring_rate=0 N/m:100 N/m:3",
+        ])
+        .validate()
+        .unwrap();
+    }
+
+    #[test]
+    fn another_grid_is_described_by_what_differs() {
+        let (a, b) = (
+            plan(&["limits.stroke=1 mm:2 mm:3"]),
+            plan(&["limits.stroke=1 mm:3 mm:3"]),
+        );
+        let lines = differences(&a.description(), &b.description());
+        assert_eq!(
+            lines,
+            ["vary limits.stroke: 0.001 m:0.002 m:3 before, 0.001 m:0.003 m:3 now"]
+        );
+        assert!(differences(&a.description(), &a.description()).is_empty());
+    }
+}

@@ -1,0 +1,438 @@
+//! Answers of many scenes as plain columns, and their bytes in the journal.
+
+use crate::cam::Verdict;
+use crate::error::{Error, Result};
+use crate::synth::{Synthesis, Tier};
+
+/// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
+pub const NUMBERS: [&str; 19] = [
+    "force_rms_error_n",
+    "force_rms_error_percent",
+    "force_max_error_n",
+    "target_mean_n",
+    "force_mean_n",
+    "force_min_n",
+    "force_max_n",
+    "mass_kg",
+    "speed_rad_per_s",
+    "stroke_m",
+    "velocity_max_m_per_s",
+    "acceleration_max_m_per_s2",
+    "jerk_max_m_per_s3",
+    "base_radius_m",
+    "prime_radius_m",
+    "offset_m",
+    "rho_min_m",
+    "pressure_angle_max_rad",
+    "face_width_m",
+];
+
+/// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the
+/// verdict, the solver's tier, limits that bind (or conflict), limits that fail, and what went wrong.
+pub const WORDS: [&str; 6] = ["outcome", "verdict", "tier", "binding", "failed", "error"];
+
+/// The last column: how long the row took, s. The only one that differs from run to run.
+pub const TIME: &str = "time_s";
+
+/// What became of a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// A cam was designed; the verdict says how good it is.
+    Built,
+    /// The limits leave none.
+    Infeasible,
+    /// The scene itself is at fault.
+    Error,
+}
+
+impl Outcome {
+    const ALL: [Outcome; 3] = [Outcome::Built, Outcome::Infeasible, Outcome::Error];
+
+    /// The word of the table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Outcome::Built => "built",
+            Outcome::Infeasible => "infeasible",
+            Outcome::Error => "error",
+        }
+    }
+}
+
+const VERDICTS: [Verdict; 3] = [
+    Verdict::Acceptable,
+    Verdict::NotForHighSpeed,
+    Verdict::Unacceptable,
+];
+const TIERS: [Tier; 5] = [
+    Tier::Spectral,
+    Tier::Equality,
+    Tier::Qp,
+    Tier::Socp,
+    Tier::Scp,
+];
+/// Code of a verdict or tier that does not exist.
+const NONE: u8 = 255;
+
+/// One answer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// In the order of [`NUMBERS`].
+    pub numbers: [f64; NUMBERS.len()],
+    /// What became of it.
+    pub outcome: Outcome,
+    /// The class of the cam, where one was built.
+    pub verdict: Option<Verdict>,
+    /// The rung of the ladder that answered.
+    pub tier: Option<Tier>,
+    /// Limits that bind or conflict, joined by `+`.
+    pub binding: String,
+    /// Limits that the cam breaks, joined by `+`.
+    pub failed: String,
+    /// What is wrong with the scene.
+    pub error: String,
+    /// How long it took, s.
+    pub time_s: f64,
+}
+
+impl Row {
+    /// A scene at fault.
+    pub fn error(what: String) -> Row {
+        Row {
+            numbers: [f64::NAN; NUMBERS.len()],
+            outcome: Outcome::Error,
+            verdict: None,
+            tier: None,
+            binding: String::new(),
+            failed: String::new(),
+            error: what.replace(['\n', '\r'], " "),
+            time_s: 0.0,
+        }
+    }
+
+    /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
+    pub fn of(design: &Synthesis) -> Row {
+        let joined = |names: &mut dyn Iterator<Item = &str>| {
+            let mut list: Vec<&str> = Vec::new();
+            for name in names {
+                if !list.contains(&name) {
+                    list.push(name);
+                }
+            }
+            list.join("+")
+        };
+        let mut row = Row::error(String::new());
+        let n = &mut row.numbers;
+        n[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
+        n[7] = design.drive.mass;
+        n[8] = design.drive.speed;
+        if let Some(infeasible) = &design.infeasible {
+            row.outcome = Outcome::Infeasible;
+            row.binding = joined(&mut infeasible.conflict.iter().map(String::as_str));
+            row.verdict = Some(Verdict::Unacceptable);
+            return row;
+        }
+        let (force, cam, speed) = (&design.force, &design.cam, design.drive.speed);
+        let wanted = |x: f64| if design.target.is_some() { x } else { f64::NAN };
+        n[0] = wanted(force.rms_error_n);
+        n[1] = wanted(force.rms_error_percent_of_mean);
+        n[2] = wanted(force.max_error_n);
+        n[4] = force.mean_n;
+        n[5] = force.min_n;
+        n[6] = force.max_n;
+        n[9] = cam.law.stroke();
+        for order in 1..=3 {
+            let (low, high) = cam.law.extremes(order);
+            n[9 + order] = high.value.max(-low.value) * speed.powi(order as i32);
+        }
+        n[13] = cam.follower.base_radius();
+        n[14] = cam.follower.prime_radius();
+        n[15] = cam.follower.offset();
+        n[16] = cam.curvature().convex.value;
+        let (low, high) = cam.pressure_angle_extremes();
+        n[17] = high.value.max(-low.value);
+        n[18] = cam.face_width().unwrap_or(f64::NAN);
+        row.outcome = Outcome::Built;
+        row.verdict = Some(design.verdict);
+        row.tier = Some(design.solver.tier);
+        row.binding = joined(&mut design.binding.iter().map(|b| b.limit.as_str()));
+        let failed = design.checks.iter().filter(|c| !c.pass);
+        row.failed = joined(&mut failed.map(|c| c.name.as_str()));
+        row
+    }
+}
+
+/// Text of the few rows that have any, by row number.
+type Sparse = Vec<(u32, String)>;
+
+/// Answers of many rows.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Results {
+    numbers: Vec<Vec<f64>>,
+    outcome: Vec<u8>,
+    verdict: Vec<u8>,
+    tier: Vec<u8>,
+    texts: [Sparse; 3],
+    time_s: Vec<f64>,
+}
+
+fn position<T: PartialEq>(list: &[T], item: &T) -> u8 {
+    list.iter()
+        .position(|x| x == item)
+        .map_or(NONE, |i| i as u8)
+}
+
+impl Results {
+    /// No rows yet, with room for some.
+    pub fn with_capacity(rows: usize) -> Results {
+        Results {
+            numbers: vec![Vec::with_capacity(rows); NUMBERS.len()],
+            outcome: Vec::with_capacity(rows),
+            verdict: Vec::with_capacity(rows),
+            tier: Vec::with_capacity(rows),
+            texts: Default::default(),
+            time_s: Vec::with_capacity(rows),
+        }
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.outcome.len()
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.outcome.is_empty()
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, row: Row) {
+        let at = self.len() as u32;
+        for (column, x) in self.numbers.iter_mut().zip(row.numbers) {
+            column.push(x);
+        }
+        self.outcome.push(position(&Outcome::ALL, &row.outcome));
+        self.verdict
+            .push(row.verdict.map_or(NONE, |v| position(&VERDICTS, &v)));
+        self.tier
+            .push(row.tier.map_or(NONE, |t| position(&TIERS, &t)));
+        for (texts, text) in self
+            .texts
+            .iter_mut()
+            .zip([row.binding, row.failed, row.error])
+        {
+            if !text.is_empty() {
+                texts.push((at, text));
+            }
+        }
+        self.time_s.push(row.time_s);
+    }
+
+    /// Adds the rows of another.
+    pub fn append(&mut self, other: Results) {
+        if self.numbers.is_empty() {
+            *self = other;
+            return;
+        }
+        let shift = self.len() as u32;
+        for (own, more) in self.numbers.iter_mut().zip(&other.numbers) {
+            own.extend_from_slice(more);
+        }
+        self.outcome.extend(other.outcome);
+        self.verdict.extend(other.verdict);
+        self.tier.extend(other.tier);
+        for (own, more) in self.texts.iter_mut().zip(other.texts) {
+            own.extend(more.into_iter().map(|(row, text)| (row + shift, text)));
+        }
+        self.time_s.extend(other.time_s);
+    }
+
+    /// A column of [`NUMBERS`].
+    pub fn numbers(&self, column: usize) -> &[f64] {
+        &self.numbers[column]
+    }
+
+    /// How long each row took, s.
+    pub fn times(&self) -> &[f64] {
+        &self.time_s
+    }
+
+    /// What became of a row.
+    pub fn outcome(&self, row: usize) -> Outcome {
+        *Outcome::ALL
+            .get(self.outcome[row] as usize)
+            .unwrap_or(&Outcome::Error)
+    }
+
+    /// A column of [`WORDS`] for all rows; empty where there is nothing to say.
+    pub fn words(&self, column: usize) -> Vec<&str> {
+        let coded = |codes: &[u8], name: &dyn Fn(usize) -> &'static str| -> Vec<&str> {
+            codes
+                .iter()
+                .map(|&c| if c == NONE { "" } else { name(c as usize) })
+                .collect()
+        };
+        match column {
+            0 => coded(&self.outcome, &|c| {
+                Outcome::ALL.get(c).map_or("", |o| o.name())
+            }),
+            1 => coded(&self.verdict, &|c| VERDICTS.get(c).map_or("", |v| v.name())),
+            2 => coded(&self.tier, &|c| TIERS.get(c).map_or("", |t| t.name())),
+            _ => {
+                let mut out = vec![""; self.len()];
+                for (row, text) in &self.texts[column - 3] {
+                    if let Some(cell) = out.get_mut(*row as usize) {
+                        *cell = text;
+                    }
+                }
+                out
+            }
+        }
+    }
+
+    /// The rows `from .. to` alone.
+    #[must_use]
+    pub fn part(&self, from: usize, to: usize) -> Results {
+        let cut = |texts: &Sparse| -> Sparse {
+            let inside = texts
+                .iter()
+                .filter(|(r, _)| (from..to).contains(&(*r as usize)));
+            inside.map(|(r, t)| (r - from as u32, t.clone())).collect()
+        };
+        Results {
+            numbers: self.numbers.iter().map(|c| c[from..to].to_vec()).collect(),
+            outcome: self.outcome[from..to].to_vec(),
+            verdict: self.verdict[from..to].to_vec(),
+            tier: self.tier[from..to].to_vec(),
+            texts: [
+                cut(&self.texts[0]),
+                cut(&self.texts[1]),
+                cut(&self.texts[2]),
+            ],
+            time_s: self.time_s[from..to].to_vec(),
+        }
+    }
+
+    /// The rows as bytes, little-endian, column by column.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let rows = self.len();
+        let mut out = Vec::with_capacity(4 + rows * (8 * (NUMBERS.len() + 1) + 3) + 64);
+        out.extend((rows as u32).to_le_bytes());
+        for column in self.numbers.iter().chain([&self.time_s]) {
+            for x in column {
+                out.extend(x.to_le_bytes());
+            }
+        }
+        for codes in [&self.outcome, &self.verdict, &self.tier] {
+            out.extend_from_slice(codes);
+        }
+        for texts in &self.texts {
+            out.extend((texts.len() as u32).to_le_bytes());
+            for (row, text) in texts {
+                out.extend(row.to_le_bytes());
+                out.extend((text.len() as u32).to_le_bytes());
+                out.extend_from_slice(text.as_bytes());
+            }
+        }
+        out
+    }
+
+    /// Reads what [`Results::to_bytes`] wrote. Fails on bytes that are too few, too many or no text.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Results> {
+        let mut rest = Rest { bytes };
+        let rows = rest.number()? as usize;
+        let mut out = Results::with_capacity(0);
+        for column in &mut out.numbers {
+            *column = rest.floats(rows)?;
+        }
+        out.time_s = rest.floats(rows)?;
+        out.outcome = rest.take(rows)?.to_vec();
+        out.verdict = rest.take(rows)?.to_vec();
+        out.tier = rest.take(rows)?.to_vec();
+        for texts in &mut out.texts {
+            for _ in 0..rest.number()? {
+                let row = rest.number()?;
+                let length = rest.number()? as usize;
+                let text = std::str::from_utf8(rest.take(length)?)
+                    .map_err(|_| Error::new("a chunk holds bytes that are no text"))?;
+                texts.push((row, text.to_string()));
+            }
+        }
+        if rest.bytes.is_empty() {
+            Ok(out)
+        } else {
+            Err(Error::new("a chunk is longer than its rows"))
+        }
+    }
+}
+
+struct Rest<'a> {
+    bytes: &'a [u8],
+}
+
+impl<'a> Rest<'a> {
+    fn take(&mut self, length: usize) -> Result<&'a [u8]> {
+        if self.bytes.len() < length {
+            return Err(Error::new("a chunk is shorter than its rows"));
+        }
+        let (head, tail) = self.bytes.split_at(length);
+        self.bytes = tail;
+        Ok(head)
+    }
+
+    fn number(&mut self) -> Result<u32> {
+        let b = self.take(4)?;
+        Ok(u32::from_le_bytes([b[0], b[1], b[2], b[3]]))
+    }
+
+    fn floats(&mut self, count: usize) -> Result<Vec<f64>> {
+        let bytes = self.take(8 * count)?;
+        Ok(bytes
+            .chunks_exact(8)
+            .map(|b| f64::from_le_bytes([b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7]]))
+            .collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn some() -> Results {
+        let mut r = Results::with_capacity(3);
+        r.push(Row::error("wrong\nhere".to_string()));
+        let mut row = Row::error(String::new());
+        row.numbers = [0.1; NUMBERS.len()];
+        (row.outcome, row.verdict, row.tier) =
+            (Outcome::Built, Some(Verdict::Acceptable), Some(Tier::Qp));
+        row.binding = "stroke+jerk".to_string();
+        r.push(row);
+        r
+    }
+
+    #[test]
+    fn rows_survive_their_bytes() {
+        let r = some();
+        let back = Results::from_bytes(&r.to_bytes()).unwrap();
+        assert_eq!(back.to_bytes(), r.to_bytes());
+        assert_eq!(back.words(5), ["wrong here", ""]);
+        assert_eq!(back.words(3), ["", "stroke+jerk"]);
+        assert_eq!(back.words(2), ["", "qp"]);
+        assert!(back.numbers(0)[0].is_nan() && back.numbers(0)[1] == 0.1);
+    }
+
+    #[test]
+    fn cut_bytes_are_refused_wherever_they_are_cut() {
+        let bytes = some().to_bytes();
+        for length in 0..bytes.len() {
+            assert!(Results::from_bytes(&bytes[..length]).is_err(), "{length}");
+        }
+    }
+
+    #[test]
+    fn parts_join_to_the_whole() {
+        let r = some();
+        let mut joined = r.part(0, 1);
+        joined.append(r.part(1, 2));
+        assert_eq!(joined.to_bytes(), r.to_bytes());
+    }
+}

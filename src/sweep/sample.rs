@@ -1,0 +1,182 @@
+//! Points that fill a cube evenly: Latin hypercube and Sobol, each point computed from its index alone.
+
+/// How a sample is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Each of the N equal slices of every axis holds exactly one point, at a random place in it.
+    Latin,
+    /// Sobol's sequence: dyadic boxes are filled evenly, and more points extend the same sequence.
+    Sobol,
+}
+
+/// Most axes that Sobol's sequence serves here.
+pub const SOBOL_AXES: usize = 21;
+
+impl Method {
+    /// The name users write.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Latin => "latin",
+            Method::Sobol => "sobol",
+        }
+    }
+
+    /// Coordinate `axis` ∈ [0, 1) of point `index` of `count`; the same for the same arguments, always.
+    pub fn coordinate(self, index: u64, count: u64, axis: usize, seed: u64) -> f64 {
+        match self {
+            Method::Latin => latin(index, count, axis, seed),
+            Method::Sobol => sobol(index, axis),
+        }
+    }
+}
+
+/// SplitMix64: a well-mixed 64-bit number from any 64-bit number (Steele, Lea, Flood 2014).
+pub fn mixed(x: u64) -> u64 {
+    let mut z = x.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// A number in [0, 1) from the top 53 bits.
+pub fn unit(bits: u64) -> f64 {
+    (bits >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
+    let key = mixed(seed ^ mixed(axis as u64 + 1));
+    let slice = permuted(index, count, key);
+    let within = unit(mixed(key ^ mixed(slice)));
+    ((slice as f64 + within) / count as f64).min(1.0 - f64::EPSILON / 2.0)
+}
+
+/// A permutation of 0 … count − 1 that needs no memory: a four-round Feistel network on the next even
+/// power of two, walked until it falls inside.
+fn permuted(index: u64, count: u64, key: u64) -> u64 {
+    let bits = 64 - count.saturating_sub(1).leading_zeros();
+    let half = bits.div_ceil(2).max(1);
+    let mask = (1_u64 << half) - 1;
+    let mut x = index;
+    loop {
+        let (mut left, mut right) = (x >> half, x & mask);
+        for round in 0..4 {
+            let f = mixed(key ^ mixed(right + (round << 40)));
+            (left, right) = (right, left ^ (f & mask));
+        }
+        x = left << half | right;
+        if x < count {
+            return x;
+        }
+    }
+}
+
+/// Degree, coefficients of the primitive polynomial and first direction numbers of axes 2, 3, …
+/// (Joe and Kuo 2008, table new-joe-kuo-6).
+const JOE_KUO: [(u32, u32, &[u64]); SOBOL_AXES - 1] = [
+    (1, 0, &[1]),
+    (2, 1, &[1, 3]),
+    (3, 1, &[1, 3, 1]),
+    (3, 2, &[1, 1, 1]),
+    (4, 1, &[1, 1, 3, 3]),
+    (4, 4, &[1, 3, 5, 13]),
+    (5, 2, &[1, 1, 5, 5, 17]),
+    (5, 4, &[1, 1, 5, 5, 5]),
+    (5, 7, &[1, 1, 7, 11, 19]),
+    (5, 11, &[1, 1, 5, 1, 1]),
+    (5, 13, &[1, 1, 1, 3, 11]),
+    (5, 14, &[1, 3, 5, 5, 31]),
+    (6, 1, &[1, 3, 3, 9, 7, 49]),
+    (6, 13, &[1, 1, 1, 15, 21, 21]),
+    (6, 16, &[1, 3, 1, 13, 27, 49]),
+    (6, 19, &[1, 1, 1, 15, 7, 5]),
+    (6, 22, &[1, 3, 1, 15, 13, 25]),
+    (6, 25, &[1, 1, 5, 5, 19, 61]),
+    (7, 1, &[1, 3, 7, 11, 23, 15, 103]),
+    (7, 4, &[1, 3, 7, 13, 13, 15, 69]),
+];
+
+/// Bits of a Sobol coordinate: enough for 2⁴⁰ points.
+const SOBOL_BITS: u32 = 40;
+
+fn sobol(index: u64, axis: usize) -> f64 {
+    let gray = index ^ (index >> 1);
+    let mut x = 0_u64;
+    if axis == 0 {
+        for k in (0..SOBOL_BITS).filter(|k| gray >> k & 1 == 1) {
+            x ^= 1 << (SOBOL_BITS - 1 - k);
+        }
+    } else {
+        let (degree, polynomial, first) = JOE_KUO[(axis - 1).min(SOBOL_AXES - 2)];
+        let degree = degree as usize;
+        let mut m = [0_u64; SOBOL_BITS as usize];
+        let used = (64 - gray.leading_zeros()).min(SOBOL_BITS) as usize;
+        for k in 0..used {
+            m[k] = if k < degree {
+                first[k]
+            } else {
+                let mut v = m[k - degree] ^ (m[k - degree] << degree);
+                for i in 1..degree {
+                    if polynomial >> (degree - 1 - i) & 1 == 1 {
+                        v ^= m[k - i] << i;
+                    }
+                }
+                v
+            };
+            if gray >> k & 1 == 1 {
+                x ^= m[k] << (SOBOL_BITS as usize - 1 - k);
+            }
+        }
+    }
+    x as f64 / (1_u64 << SOBOL_BITS) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn latin_puts_one_point_into_every_slice_of_every_axis() {
+        for count in [1_u64, 2, 7, 100, 1000] {
+            for axis in 0..5 {
+                let mut seen = vec![false; count as usize];
+                for i in 0..count {
+                    let x = Method::Latin.coordinate(i, count, axis, 42);
+                    seen[(x * count as f64) as usize] = true;
+                }
+                assert!(seen.iter().all(|s| *s), "{count} {axis}");
+            }
+        }
+    }
+
+    #[test]
+    fn sobol_fills_the_dyadic_slices_of_every_axis_evenly() {
+        for axis in 0..SOBOL_AXES {
+            for bits in 0..10 {
+                let count = 1_usize << bits;
+                let mut seen = vec![0; count];
+                for i in 0..count {
+                    seen[(Method::Sobol.coordinate(i as u64, 0, axis, 0) * count as f64)
+                        as usize] += 1;
+                }
+                assert!(seen.iter().all(|s| *s == 1), "axis {axis}, {count} points");
+            }
+        }
+    }
+
+    #[test]
+    fn sobol_begins_as_published() {
+        // Joe and Kuo's own example output for three axes: points 1 to 5 in Gray-code order.
+        let expected = [
+            [0.5, 0.5, 0.5],
+            [0.75, 0.25, 0.25],
+            [0.25, 0.75, 0.75],
+            [0.375, 0.375, 0.625],
+            [0.875, 0.875, 0.125],
+        ];
+        for (i, point) in expected.iter().enumerate() {
+            for (axis, x) in point.iter().enumerate() {
+                assert_eq!(Method::Sobol.coordinate(i as u64 + 1, 0, axis, 0), *x);
+            }
+        }
+    }
+}

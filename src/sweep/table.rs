@@ -1,0 +1,114 @@
+//! Rows as CSV: numbers in their shortest exact form, empty where there is none.
+
+use std::fmt::Write;
+
+use super::batch::{Batch, Column};
+use super::key::Key;
+use super::results::{NUMBERS, Results, TIME, WORDS};
+
+/// Names of all columns: row, base scene (where there are several), varied keys, results, time.
+pub fn header(keys: &[Key], several_scenes: bool) -> Vec<String> {
+    let mut out = vec!["row".to_string()];
+    if several_scenes {
+        out.push("scene".to_string());
+    }
+    out.extend(keys.iter().map(Key::column));
+    out.extend(NUMBERS.iter().chain(&WORDS).map(|s| (*s).to_string()));
+    out.push(TIME.to_string());
+    out
+}
+
+/// The head line.
+pub fn csv_header(keys: &[Key], several_scenes: bool) -> String {
+    let mut out = String::new();
+    for (i, name) in header(keys, several_scenes).iter().enumerate() {
+        if i > 0 {
+            out.push(',');
+        }
+        quoted(&mut out, name);
+    }
+    out.push('\n');
+    out
+}
+
+/// The rows `first …` as lines. `scenes` are the names of the base scenes where there are several.
+pub fn csv_rows(first: u64, batch: &Batch, results: &Results, scenes: Option<&[String]>) -> String {
+    let rows = results.len();
+    let mut out = String::with_capacity(rows * 24 * (NUMBERS.len() + batch.columns.len() + 4));
+    let words: Vec<Vec<&str>> = (0..WORDS.len()).map(|c| results.words(c)).collect();
+    for row in 0..rows {
+        // Writing to a String cannot fail.
+        let _ = write!(out, "{}", first + row as u64);
+        if let Some(names) = scenes {
+            out.push(',');
+            quoted(
+                &mut out,
+                names
+                    .get(batch.scene[row] as usize)
+                    .map_or("", String::as_str),
+            );
+        }
+        for column in &batch.columns {
+            out.push(',');
+            match column {
+                Column::Numbers(x) => number(&mut out, x[row]),
+                Column::Words(x) => quoted(&mut out, &x[row]),
+            }
+        }
+        for column in 0..NUMBERS.len() {
+            out.push(',');
+            number(&mut out, results.numbers(column)[row]);
+        }
+        for column in &words {
+            out.push(',');
+            quoted(&mut out, column[row]);
+        }
+        out.push(',');
+        let _ = writeln!(out, "{:.3e}", results.times()[row]);
+    }
+    out
+}
+
+fn number(out: &mut String, x: f64) {
+    let size = x.abs();
+    let _ = if x.is_nan() {
+        Ok(())
+    } else if size != 0.0 && !(1e-5..1e16).contains(&size) && x.is_finite() {
+        write!(out, "{x:e}")
+    } else {
+        write!(out, "{x}")
+    };
+}
+
+fn quoted(out: &mut String, text: &str) {
+    if text.contains([',', '"', '\n', '\r']) {
+        out.push('"');
+        out.push_str(&text.replace('"', "\"\""));
+        out.push('"');
+    } else {
+        out.push_str(text);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::Row;
+
+    #[test]
+    fn lines_have_as_many_fields_as_the_header() {
+        let keys = [Key::words("law.family")];
+        let mut results = Results::with_capacity(1);
+        results.push(Row::error("a, \"b\"".to_string()));
+        let batch = Batch {
+            scene: vec![0],
+            columns: vec![Column::Words(vec!["spline".into()])],
+        };
+        let text =
+            csv_header(&keys, true) + &csv_rows(9, &batch, &results, Some(&["x.toml".to_string()]));
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let record = reader.records().next().unwrap().unwrap();
+        assert_eq!(&record[0], "9");
+        assert_eq!(&record[record.len() - 2], "a, \"b\"");
+    }
+}

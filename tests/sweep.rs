@@ -1,0 +1,397 @@
+//! Sweeps from the outside: nothing is lost, whatever ends the process; bad input is refused in words.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
+
+fn gaitcam() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaitcam"));
+    command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("sweep");
+    command
+}
+
+fn sweep(out: &Path, arguments: &[&str]) -> Output {
+    gaitcam()
+        .args(arguments)
+        .arg("--out")
+        .arg(out)
+        .output()
+        .unwrap()
+}
+
+fn start(out: &Path, arguments: &[&str]) -> Child {
+    let mut command = gaitcam();
+    command.args(arguments).arg("--out").arg(out);
+    command
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+/// The table without its last column, the time.
+fn rows(table: &Path) -> Vec<String> {
+    let text = fs::read_to_string(table).unwrap();
+    text.lines()
+        .map(|l| l.rsplit_once(',').unwrap().0.to_string())
+        .collect()
+}
+
+fn words(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn refused(arguments: &[&str], say: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = sweep(&folder.path().join("t.csv"), arguments);
+    assert_eq!(
+        output.status.code(),
+        Some(2),
+        "{arguments:?}: {}",
+        words(&output)
+    );
+    assert!(
+        words(&output).contains(say),
+        "{arguments:?}: {}",
+        words(&output)
+    );
+    assert!(
+        fs::read_dir(folder.path()).unwrap().next().is_none(),
+        "{arguments:?} left a file"
+    );
+}
+
+/// Numbers that look random and are the same in every run of the test but for the process's own number.
+struct Dice(u64);
+
+impl Dice {
+    fn up_to(&mut self, most: u64) -> u64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % most
+    }
+}
+
+const SLOW: [&str; 6] = [
+    "--vary",
+    "gait.step_frequency=1.5 Hz:2.3 Hz:10",
+    "--vary",
+    "limits.stroke=35 mm:60 mm:12",
+    "--vary",
+    "law.family=spline,harmonic,program",
+];
+const FAST: [&str; 8] = [
+    "--set",
+    "law.family=harmonic",
+    "--vary",
+    "gait.body_weight=400 N:1000 N:40",
+    "--vary",
+    "gait.step_frequency=1.6 Hz:2.2 Hz:20",
+    "--vary",
+    "limits.curvature=1 mm:9 mm:50",
+];
+
+/// Kills a sweep at random moments and resumes it until it ends by itself; returns how often it was killed.
+fn killed_again_and_again(out: &Path, arguments: &[&str], kills: usize, longest_ms: u64) -> usize {
+    let mut dice = Dice(u64::from(std::process::id()));
+    let resume = [arguments, &["--resume"]].concat();
+    let mut done = 0;
+    for _ in 0..kills {
+        let mut child = start(out, &resume);
+        std::thread::sleep(Duration::from_millis(5 + dice.up_to(longest_ms)));
+        let ended = child.try_wait().unwrap().is_some();
+        child.kill().unwrap();
+        child.wait().unwrap();
+        if ended {
+            // The table stands: begin again, so that every kill meets a running sweep.
+            for ending in ["", ".partial", ".sweep.json"] {
+                let _ = fs::remove_file(PathBuf::from(format!("{}{ending}", out.display())));
+            }
+        } else {
+            done += 1;
+        }
+    }
+    let last = sweep(out, &resume);
+    assert_eq!(last.status.code(), Some(0), "{}", words(&last));
+    done
+}
+
+#[test]
+fn a_sweep_killed_twenty_times_ends_with_the_same_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut kills = 0;
+    for (name, arguments, longest_ms) in [("slow", &SLOW[..], 500), ("fast", &FAST[..], 400)] {
+        let calm = folder.path().join(format!("{name}-calm.csv"));
+        assert_eq!(sweep(&calm, arguments).status.code(), Some(0));
+        let killed = folder.path().join(format!("{name}-killed.csv"));
+        kills += killed_again_and_again(&killed, arguments, 12, longest_ms);
+        assert_eq!(rows(&calm), rows(&killed));
+        assert!(
+            !folder
+                .path()
+                .join(format!("{name}-killed.csv.partial"))
+                .exists()
+        );
+    }
+    println!("{kills} kills met a running sweep");
+    assert!(kills >= 15, "{kills}");
+}
+
+#[test]
+fn rows_are_the_same_for_any_number_of_threads() {
+    let folder = tempfile::tempdir().unwrap();
+    let (one, three) = (folder.path().join("1.csv"), folder.path().join("3.csv"));
+    let short = [
+        "--sample",
+        "40",
+        "--vary",
+        "limits.stroke=35 mm:60 mm",
+        "--vary",
+        "law.family=spline,harmonic",
+    ];
+    sweep(&one, &[&short[..], &["--jobs", "1"]].concat());
+    sweep(&three, &[&short[..], &["--jobs", "3"]].concat());
+    assert_eq!(rows(&one).len(), 41);
+    assert_eq!(rows(&one), rows(&three));
+}
+
+/// A journal that a killed sweep left behind.
+fn interrupted(out: &Path, arguments: &[&str]) -> PathBuf {
+    let journal = PathBuf::from(format!("{}.partial", out.display()));
+    let mut child = start(out, arguments);
+    for _ in 0..2000 {
+        std::thread::sleep(Duration::from_millis(5));
+        if fs::metadata(&journal).is_ok_and(|m| m.len() > 10_000) {
+            break;
+        }
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(journal.exists());
+    journal
+}
+
+#[test]
+fn a_truncated_last_chunk_is_repaired() {
+    let folder = tempfile::tempdir().unwrap();
+    let (calm, out) = (folder.path().join("calm.csv"), folder.path().join("t.csv"));
+    sweep(&calm, &SLOW);
+    let journal = interrupted(&out, &SLOW);
+    let bytes = fs::read(&journal).unwrap();
+    fs::write(&journal, &bytes[..bytes.len() - 100]).unwrap();
+    let output = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+    assert!(
+        words(&output).contains("cut short by a crash"),
+        "{}",
+        words(&output)
+    );
+    assert_eq!(rows(&calm), rows(&out));
+    // A finished sweep resumed is finished.
+    let again = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
+    assert_eq!(again.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&again.stdout).contains("already complete"));
+}
+
+#[test]
+fn a_stopped_sweep_is_neither_overwritten_nor_mixed_with_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("t.csv");
+    let journal = interrupted(&out, &SLOW);
+    let before = fs::read(&journal).unwrap();
+    let output = sweep(&out, &SLOW);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(words(&output).contains("--resume"), "{}", words(&output));
+    let mut other = [&SLOW[..], &["--resume"]].concat();
+    other[3] = "limits.stroke=35 mm:61 mm:12";
+    let output = sweep(&out, &other);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        words(&output).contains("limits.stroke: 0.035 m:0.06 m:12 before, 0.035 m:0.061 m:12 now"),
+        "{}",
+        words(&output)
+    );
+    let output = sweep(
+        &out,
+        &[&SLOW[..], &["--resume", "--set", "cam.bore=14 mm"]].concat(),
+    );
+    assert!(
+        words(&output).contains("bore = \"14 mm\"\" only now"),
+        "{}",
+        words(&output)
+    );
+    assert!(
+        fs::read(&journal).unwrap() == before,
+        "the journal was touched"
+    );
+}
+
+#[test]
+fn two_processes_on_one_table_refuse_each_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("t.csv");
+    let mut first = start(&out, &SLOW);
+    let journal = PathBuf::from(format!("{}.partial", out.display()));
+    while !fs::metadata(&journal).is_ok_and(|m| m.len() > 0) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let second = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
+    assert_eq!(second.status.code(), Some(2), "{}", words(&second));
+    assert!(
+        words(&second).contains("another gaitcam"),
+        "{}",
+        words(&second)
+    );
+    assert!(first.wait().unwrap().success());
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_stops_cleanly_and_resume_goes_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let (calm, out) = (folder.path().join("calm.csv"), folder.path().join("t.csv"));
+    sweep(&calm, &SLOW);
+    let mut child = start(&out, &SLOW);
+    let journal = PathBuf::from(format!("{}.partial", out.display()));
+    while !fs::metadata(&journal).is_ok_and(|m| m.len() > 5_000) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let id = child.id().to_string();
+    assert!(
+        Command::new("kill")
+            .args(["-INT", &id])
+            .status()
+            .unwrap()
+            .success()
+    );
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let output = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
+    assert!(!words(&output).contains("cut short"), "{}", words(&output));
+    assert_eq!(rows(&calm), rows(&out));
+}
+
+#[test]
+fn bad_sweeps_are_refused_before_anything_is_written() {
+    refused(&[], "nothing varies");
+    refused(
+        &["--vary", "limits.strok=1 mm:2 mm:3"],
+        "did you mean \"stroke\"?",
+    );
+    refused(&["--vary", "name=a,b"], "cannot vary");
+    refused(&["--vary", "limits.stroke=1 mm:2 mm:0"], "empty grid");
+    refused(&["--vary", "law.family="], "empty grid");
+    refused(&["--vary", "limits.stroke=1:2:3"], "has no unit");
+    refused(
+        &[
+            "--vary",
+            "limits.stroke=1 mm:2 mm:1000000",
+            "--vary",
+            "limits.jerk=1 m/s^3:2 m/s^3:1000000",
+        ],
+        "1000000000000 combinations",
+    );
+    refused(&["--list", "no-such-file.csv"], "cannot be read");
+    refused(&["--sample", "5"], "empty grid");
+    refused(&["--recordings", "no-such-folder"], "cannot be read");
+    let folder = tempfile::tempdir().unwrap();
+    let output = sweep(&folder.path().join("t.txt"), &["--vary", "law.degree=3,5"]);
+    assert!(words(&output).contains("neither .csv nor .parquet"));
+    if !cfg!(feature = "parquet") {
+        let output = sweep(
+            &folder.path().join("t.parquet"),
+            &["--vary", "law.degree=3,5"],
+        );
+        assert!(words(&output).contains("feature \"parquet\"") && words(&output).contains(".csv"));
+    }
+    fs::write(folder.path().join("t.csv.partial"), "my own notes").unwrap();
+    let output = sweep(
+        &folder.path().join("t.csv"),
+        &["--vary", "law.degree=3,5", "--resume"],
+    );
+    assert!(
+        words(&output).contains("not the journal of a sweep"),
+        "{}",
+        words(&output)
+    );
+}
+
+#[test]
+fn unusable_recordings_and_impossible_scenes_are_rows_with_their_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = folder.path().join("recordings");
+    fs::create_dir(&recordings).unwrap();
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/gait_curves/setra_2Hz_700N.csv");
+    fs::copy(good, recordings.join("b.csv")).unwrap();
+    fs::write(recordings.join("a.txt"), "no numbers here\n").unwrap();
+    fs::write(recordings.join("c.csv"), "").unwrap();
+    let out = folder.path().join("t.csv");
+    let output = sweep(
+        &out,
+        &[
+            "--recordings",
+            recordings.to_str().unwrap(),
+            "--vary",
+            "law.family=spline,program",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+    let mut reader = csv::Reader::from_path(&out).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let column = |name: &str| header.iter().position(|h| h == name).unwrap();
+    let table: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let outcomes: Vec<&str> = table.iter().map(|r| &r[column("outcome")]).collect();
+    assert_eq!(
+        outcomes,
+        ["error", "error", "built", "error", "error", "error"]
+    );
+    assert!(
+        table[0][column("error")].contains("a.txt"),
+        "{:?}",
+        table[0]
+    );
+    assert!(
+        table[3][column("error")].contains("segments"),
+        "{:?}",
+        table[3]
+    );
+}
+
+#[test]
+fn lists_and_several_scenes_give_their_rows_in_order() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("list.csv");
+    fs::write(
+        &list,
+        "limits.stroke,law.family\n50 mm,spline\n55 mm,harmonic\n",
+    )
+    .unwrap();
+    let out = folder.path().join("t.csv");
+    let output = sweep(
+        &out,
+        &[
+            "scenes/footbridge.toml",
+            "scenes/footbridge_thesis_scale.toml",
+            "--list",
+            list.to_str().unwrap(),
+            "--vary",
+            "law.degree=4,5",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+    let rows = rows(&out);
+    assert!(rows[0].starts_with("row,scene,limits.stroke_m,law.family,law.degree,"));
+    let starts: Vec<String> = rows[1..]
+        .iter()
+        .map(|r| r.split(',').take(5).collect::<Vec<_>>().join(","))
+        .collect();
+    assert_eq!(starts[0], "0,scenes/footbridge.toml,0.05,spline,4");
+    assert_eq!(starts[3], "3,scenes/footbridge.toml,0.055,harmonic,5");
+    assert_eq!(
+        starts[4],
+        "4,scenes/footbridge_thesis_scale.toml,0.05,spline,4"
+    );
+    assert_eq!(starts.len(), 8);
+}
