@@ -5,6 +5,7 @@ mod files;
 mod gait;
 mod input;
 mod laws;
+mod simulate;
 mod sweep;
 mod synth;
 
@@ -29,6 +30,8 @@ enum Command {
     Synth(SynthArgs),
     /// Read a recording, say what it holds, give its mean cycle
     Gait(GaitArgs),
+    /// Run the emitted cam: force, torque, lift-off, vibration, with the least model that is enough
+    Simulate(simulate::SimulateArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
     /// List the catalogue of rise laws with their peak factors
@@ -138,6 +141,7 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
             ..SynthArgs::default()
         }),
         Some(Command::Synth(args)) => synth::run(&args),
+        Some(Command::Simulate(args)) => simulate::run(&args),
         Some(Command::Gait(args)) => gait::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),
         Some(Command::Laws { json }) => laws::run(json),

@@ -1,0 +1,117 @@
+//! `gaitcam simulate`: runs the emitted cam, not the law it came from.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::files::Folder;
+use super::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
+use crate::dynamics::impact::Restitution;
+use crate::dynamics::train::Train;
+use crate::dynamics::{Machine, Model, Run, simulate};
+use crate::error::{Error, Place, Result};
+use crate::synth::synthesise;
+use crate::units::{Dimension, parse};
+
+/// Rows of the emitted profile that is run.
+const POINTS: usize = 1440;
+
+#[derive(Args, Debug)]
+pub struct SimulateArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    /// auto (the least that is enough), rigid, flexible, contact
+    #[arg(long, default_value = "auto")]
+    model: String,
+    /// Folder for dynamics.csv and simulation.json (default out/NAME)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// First natural frequency of the follower train: "60 Hz"
+    #[arg(long, value_name = "HZ")]
+    natural_frequency: Option<String>,
+    /// Damping ratio of the follower train
+    #[arg(long, default_value = "0.05")]
+    damping_ratio: String,
+    /// Coefficient of friction between cam and follower
+    #[arg(long, default_value = "0")]
+    friction: String,
+    /// Coefficient of restitution of a landing, 0 … 1
+    #[arg(long, default_value = "0")]
+    restitution: String,
+    /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
+    #[arg(long, value_name = "ANGLE")]
+    second_cam: Option<String>,
+}
+
+/// Designs the scene's cam, emits its profile and runs that.
+pub fn run(args: &SimulateArgs) -> Result<u8> {
+    let model = Model::parse(&args.model).ok_or_else(|| {
+        Error::argument("--model", format!("\"{}\" is not a model", args.model))
+            .help("write auto, rigid, flexible or contact")
+    })?;
+    let input = input::scene(&args.scene)?;
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("out").join(&input.scene.name));
+    let folder = Folder::open(&out)?;
+    let target = input.target()?;
+    let design = synthesise(&input.scene, target.as_ref())?;
+    if let Some(infeasible) = &design.infeasible {
+        eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
+        return Ok(NO_SUCH_CAM);
+    }
+    let machine = machine(args, &design.drive)?;
+    let run = Run {
+        profile: design.cam.profile(POINTS),
+        target: design.target.as_ref().map(|t| {
+            (0..POINTS)
+                .map(|i| t.at(std::f64::consts::TAU * i as f64 / POINTS as f64))
+                .collect()
+        }),
+        cam: design.cam,
+        drive: design.drive,
+        machine,
+    };
+    let outcome = simulate(&run, model)?;
+    folder.write("dynamics.csv", outcome.csv().as_bytes())?;
+    let json = serde_json::to_string_pretty(&outcome.json()).unwrap_or_default();
+    folder.write("simulation.json", json.as_bytes())?;
+    if args.json {
+        say(&json);
+    } else {
+        say(&outcome.table());
+        say(&format!("Files in {}", folder.path().display()));
+    }
+    Ok(BUILT)
+}
+
+fn machine(args: &SimulateArgs, drive: &crate::drive::Drive) -> Result<Machine> {
+    let number = |flag: &str, text: &str, dimension| {
+        parse(text, dimension).map_err(|e| e.at(Place::Argument(flag.to_string())))
+    };
+    let mut machine = Machine::default();
+    if let Some(hz) = &args.natural_frequency {
+        let hz = number("--natural-frequency", hz, Dimension::Frequency)?;
+        let ratio = number("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?;
+        let train = Train::from_frequency(drive, hz, ratio)
+            .map_err(|e| e.at(Place::Argument("--natural-frequency".to_string())))?;
+        machine.train = Some(train);
+    }
+    machine.friction = number("--friction", &args.friction, Dimension::Ratio)?;
+    let e = number("--restitution", &args.restitution, Dimension::Ratio)?;
+    if !(0.0..=1.0).contains(&e) {
+        return Err(
+            Error::argument("--restitution", format!("{e} is outside 0 … 1"))
+                .help("0 lands without a bounce, 1 loses nothing"),
+        );
+    }
+    machine.restitution = Restitution::Prescribed(e);
+    if let Some(angle) = &args.second_cam {
+        machine.second_cam = Some(number("--second-cam", angle, Dimension::Angle)?);
+    }
+    Ok(machine)
+}
