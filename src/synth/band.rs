@@ -161,8 +161,9 @@ impl ArrowFactor {
         let m = n - a.border;
         for i in 0..m {
             let mut sum = x[i];
-            for k in i.saturating_sub(a.band)..i {
-                sum -= a.core[i * w + (i - k)] * x[k];
+            let first = i.saturating_sub(a.band);
+            for (k, xk) in x.iter().enumerate().take(i).skip(first) {
+                sum -= a.core[i * w + (i - k)] * xk;
             }
             x[i] = sum / a.core[i * w];
         }
@@ -182,8 +183,9 @@ impl ArrowFactor {
         for i in (0..m).rev() {
             let value = x[i] / a.core[i * w];
             x[i] = value;
-            for k in i.saturating_sub(a.band)..i {
-                x[k] -= a.core[i * w + (i - k)] * value;
+            let first = i.saturating_sub(a.band);
+            for (k, xk) in x.iter_mut().enumerate().take(i).skip(first) {
+                *xk -= a.core[i * w + (i - k)] * value;
             }
         }
     }

@@ -110,9 +110,9 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         row.multiplier = z * weight / unit;
     }
     let mut extra = [0.0; EXTRAS];
-    for k in 0..EXTRAS {
+    for (k, value) in extra.iter_mut().enumerate() {
         if let Some(column) = columns.of[k] {
-            extra[k] = answer.x[column] * columns.unit[k];
+            *value = answer.x[column] * columns.unit[k];
         }
     }
     Ok(Point {

@@ -382,8 +382,8 @@ fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Soluti
     let mix = |a: f64, b: f64| a + part * (b - a);
     let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
     let mut extra = [0.0; EXTRAS];
-    for k in 0..EXTRAS {
-        extra[k] = mix(from.extra[k], to.extra[k]);
+    for (k, value) in extra.iter_mut().enumerate() {
+        *value = mix(from.extra[k], to.extra[k]);
     }
     if program.present()[RADIUS] {
         extra[RADIUS] = extra[RISE].hypot(extra[OFFSET]);

@@ -48,33 +48,13 @@ fn regular_factor(program: &Program) -> Option<ArrowFactor> {
         }
     }
     let n = h.dimension();
-    if !level_known && constant_is_free(program) {
+    if !level_known && program.constant_is_free() {
         match program.basis {
             super::basis::Basis::Spline { .. } => h.add(n - 1, n - 1, rho),
             super::basis::Basis::Harmonic { .. } => h.add(0, 0, rho),
         }
     }
     h.factor()
-}
-
-/// Whether H does not see the constant function.
-fn constant_is_free(program: &Program) -> bool {
-    let one = match program.basis {
-        super::basis::Basis::Spline { .. } => vec![1.0; program.basis.columns()],
-        super::basis::Basis::Harmonic { count } => {
-            let mut x = vec![0.0; 2 * count + 1];
-            x[0] = 1.0;
-            x
-        }
-    };
-    let energy: f64 = program
-        .hessian
-        .times(&one)
-        .iter()
-        .zip(&one)
-        .map(|(h, x)| h * x)
-        .sum();
-    energy <= 1e-10 * penalty(program)
 }
 
 /// g − ρ Σ value·row: the linear part that belongs to the augmented H.

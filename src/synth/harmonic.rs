@@ -37,12 +37,7 @@ impl Spectral {
 /// Fails when the target has too few samples for the harmonics asked, and when the drive is in resonance
 /// with a harmonic that the force contains.
 pub fn invert(demand: &Demand, count: Option<usize>, wanted: f64) -> Result<Spectral> {
-    let Some(target) = &demand.target else {
-        return Err(
-            Error::key("law.family", "harmonics follow a force, and none is given")
-                .help("add [gait]"),
-        );
-    };
+    let target = demand.target.as_ref().ok_or_else(no_force)?;
     let n = target.force_n.len();
     let most = (n - 1) / 2;
     if count.is_some_and(|c| c > most) {
@@ -122,4 +117,13 @@ fn spectrum(samples: &[f64]) -> Result<Vec<(f64, f64)>> {
             }
         })
         .collect())
+}
+
+/// The refusal of families that follow a force where there is none.
+pub fn no_force() -> Error {
+    Error::key(
+        "law.family",
+        "this family follows a force, and none is given",
+    )
+    .help("add [gait], or use spline, polynomial or program")
 }

@@ -21,6 +21,7 @@ mod conflict;
 mod curvature;
 mod demand;
 mod design;
+mod double_harmonic;
 mod equality;
 mod harmonic;
 mod limits;
@@ -98,7 +99,8 @@ fn on_base_circle(scene: &Scene, demand: &Demand, law: Law) -> Law {
 
 fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
     match scene.law.family {
-        Family::Spline | Family::Auto => from_spline(scene, demand),
+        Family::Spline => from_spline(scene, demand),
+        Family::Auto => simplest(scene, demand),
         Family::Polynomial => {
             let p = polynomial::through_points(scene, demand)?;
             Ok(Found {
@@ -118,11 +120,7 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
         }
         Family::Harmonic => from_harmonics(scene, demand),
         Family::Program => from_program(scene),
-        Family::DoubleHarmonic => Err(Error::key(
-            "law.family",
-            "\"double-harmonic\" cannot be synthesised yet",
-        )
-        .help("use spline, polynomial, harmonic or program")),
+        Family::DoubleHarmonic => from_double_harmonic(scene, demand),
     }
 }
 
@@ -159,17 +157,21 @@ fn roller_curvature(scene: &Scene, fitted: &mut spline::Fitted) -> Option<usize>
 }
 
 /// Active rows as a user reads them: rows of one limit within half a piece are one contact.
-fn gathered(fitted: &spline::Fitted) -> Vec<Binding> {
+fn gathered(
+    program: &problem::Program,
+    solution: &problem::Solution,
+    pieces: usize,
+) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
-    let mut rows: Vec<&problem::Row> = fitted.solution.active.iter().collect();
+    let mut rows: Vec<&problem::Row> = solution.active.iter().collect();
     rows.sort_by(|a, b| {
         (a.limit, a.peak.at)
             .partial_cmp(&(b.limit, b.peak.at))
             .unwrap_or(std::cmp::Ordering::Equal)
     });
-    let near = std::f64::consts::PI / fitted.spans as f64;
+    let near = std::f64::consts::PI / pieces as f64;
     for row in rows {
-        let limit = row.limit.map(|i| &fitted.program.limits[i]);
+        let limit = row.limit.map(|i| &program.limits[i]);
         let name = limit.map_or("curvature", |l| l.name);
         let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope());
         match out.last_mut() {
@@ -235,8 +237,8 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
     let mean = demand.target.as_ref().map_or(0.0, |t| t.mean_n().abs());
     let wanted = scene.rms.unwrap_or(0.005) * mean;
     let spectral = harmonic::invert(demand, scene.law.harmonics, wanted)?;
-    Ok(Found {
-        law: spectral.law(),
+    let law = spectral.law();
+    let mut found = Found {
         family: Family::Harmonic,
         degree: 0,
         binding: Vec::new(),
@@ -250,8 +252,104 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
             true,
         ),
         coefficients: spectral.x,
+        law,
+        infeasible: None,
+    };
+    // When every limit holds the spectral inverse is already the optimum (FACTS §1).
+    let program = spline::harmonic_program(scene, demand, spectral.count, &found.law);
+    if program.limits.is_empty() || !breaks_a_limit(&program, &found) {
+        return Ok(found);
+    }
+    match program.solve() {
+        Ok(solution) => {
+            found.law = program.basis.law(&solution.x);
+            found.binding = gathered(&program, &solution, 2 * spectral.count);
+            let status = format!(
+                "{} harmonics, {} rounds of exchange; limits hold to {:.1e}",
+                spectral.count, solution.rounds, solution.violation
+            );
+            let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
+            found.solver = report(Tier::Qp, &status, solution.iterations, certified);
+            found.coefficients = solution.x;
+        }
+        Err(failure) => found.infeasible = Some(conflict::explain(&program, &failure)),
+    }
+    Ok(found)
+}
+
+/// Whether the spectral law breaks a limit, its lowest point standing on the base circle.
+fn breaks_a_limit(program: &problem::Program, found: &Found) -> bool {
+    let mut x = found.coefficients.clone();
+    if program.constant_is_free() {
+        x[0] -= found.law.extremes(0).0.value;
+    }
+    !program.broken(&x, &[0.0; problem::EXTRAS]).is_empty()
+}
+
+fn from_double_harmonic(scene: &Scene, demand: &Demand) -> Result<Found> {
+    let hump = double_harmonic::fit(demand, scene.limits.stroke)?;
+    let [phase, rise, fall] = hump.angles.map(f64::to_degrees);
+    let status = format!(
+        "rise of {rise:.2}° from {phase:.2}°, fall of {fall:.2}°, found by {} steps of search; misses the force by {:.4} N RMS",
+        hump.evaluations, hump.rms
+    );
+    Ok(Found {
+        law: hump.law,
+        family: Family::DoubleHarmonic,
+        degree: 0,
+        coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
+        binding: Vec::new(),
+        solver: report(Tier::Equality, &status, hump.evaluations, true),
         infeasible: None,
     })
+}
+
+/// The simplest family whose cam passes every check: a double harmonic, a few harmonics, a spline. The
+/// families that were passed over say what they missed by.
+fn simplest(scene: &Scene, demand: &Demand) -> Result<Found> {
+    let free_of_demands = scene.law.points.is_empty() && scene.law.dwells.is_empty();
+    let mut passed_over = Vec::new();
+    if demand.target.is_some()
+        && free_of_demands
+        && spline::objective(scene) == Minimise::ForceError
+    {
+        for family in [Family::DoubleHarmonic, Family::Harmonic] {
+            let found = match family {
+                Family::DoubleHarmonic => from_double_harmonic(scene, demand),
+                _ => from_harmonics(scene, demand),
+            };
+            let Ok(mut found) = found else { continue };
+            match missed_by(scene, demand, &found)? {
+                None => {
+                    found.solver.status.push_str(&passed_over.join(""));
+                    return Ok(found);
+                }
+                Some(miss) => passed_over.push(format!("; {} misses {miss}", family.name())),
+            }
+        }
+    }
+    let mut found = from_spline(scene, demand)?;
+    found.solver.status.push_str(&passed_over.join(""));
+    Ok(found)
+}
+
+/// What the cam of a law breaks first, in words; `None` when it passes.
+fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<String>> {
+    if let Some(infeasible) = &found.infeasible {
+        return Ok(Some(infeasible.conflict.join(", ")));
+    }
+    let cam = design::cam(scene, on_base_circle(scene, demand, found.law.clone()))?;
+    let force = verify::force(demand, &cam);
+    let checks = verify::checks(scene, demand, &cam, &force);
+    let broken = checks.iter().find(|c| !c.pass);
+    Ok(broken.map(|c| {
+        format!(
+            "{} ({} against {})",
+            c.name,
+            in_units(&c.name, c.worst),
+            in_units(&c.name, c.limit)
+        )
+    }))
 }
 
 fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
@@ -276,7 +374,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
         None
     };
     let solution = &fitted.solution;
-    let binding = gathered(&fitted);
+    let binding = gathered(&fitted.program, &fitted.solution, fitted.spans);
     let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
     let holds = format!("limits hold to {:.1e}", solution.violation);
     let solver = match sequence {

@@ -113,6 +113,34 @@ fn noise(target: &crate::gait::ForceCurve) -> f64 {
     })
 }
 
+/// The force fit in a given number of harmonics with the scene's limits. `unlimited` is the law without
+/// them: where nothing fixes the lift, its lowest angle is taken for the base circle's.
+pub fn harmonic_program(scene: &Scene, demand: &Demand, count: usize, unlimited: &Law) -> Program {
+    let basis = Basis::Harmonic { count };
+    let force = force_distance(scene, demand, &basis);
+    let mut program = Program::new(
+        basis,
+        force.hessian,
+        force.gradient,
+        Vec::new(),
+        demand.length,
+    );
+    let level = level_is_known(scene, demand);
+    let on_the_cam = limits::size_is_given(scene);
+    program.limits = limits::linear(scene, demand, level || on_the_cam);
+    if !level && on_the_cam {
+        let entries = program
+            .basis
+            .row(unlimited.extremes(0).0.at, &[1.0, 0.0, 0.0, 0.0]);
+        program.equalities.push(Equality {
+            name: "base circle".to_string(),
+            entries,
+            value: 0.0,
+        });
+    }
+    program
+}
+
 /// What the scene minimises.
 pub fn objective(scene: &Scene) -> Minimise {
     let default = if scene.gait.is_some() {

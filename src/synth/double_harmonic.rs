@@ -1,0 +1,218 @@
+//! The double-harmonic family: one rise, one fall and a rest (thesis 000), placed for the force.
+//!
+//! For given angles of rise and fall and a given start the law is h·shape(θ), and the best lift h is the
+//! solution of one linear equation. Only the three angles are searched, by Nelder–Mead from several fixed
+//! starts, so that the same scene always gives the same law.
+
+use std::f64::consts::{PI, TAU};
+
+use argmin::core::{CostFunction, Executor, State};
+use argmin::solver::neldermead::NelderMead;
+
+use super::demand::Demand;
+use super::harmonic::no_force;
+use crate::error::{Error, Result};
+use crate::law::{Extent, Law, Rise, Segment, assemble};
+use crate::poly::gauss_legendre;
+
+/// A placed hump.
+#[derive(Debug, Clone)]
+pub struct Hump {
+    /// The law, its lowest point at zero.
+    pub law: Law,
+    /// Start of the rise, angle of the rise, angle of the fall, rad.
+    pub angles: [f64; 3],
+    /// Lift, m.
+    pub lift: f64,
+    /// RMS distance of the force to the target, N.
+    pub rms: f64,
+    /// Evaluations of the search.
+    pub evaluations: usize,
+}
+
+/// Rise and fall last at least this long, rad: shorter ones are blows.
+const SHORTEST: f64 = 0.2;
+/// Iterations of each search.
+const ITERATIONS: u64 = 150;
+/// Nodes at which the force is compared.
+const NODES: usize = 256;
+
+/// The best hump for the scene's force, its lift no larger than `stroke`.
+///
+/// Fails without a force, or where the search finds no lift that changes it.
+pub fn fit(demand: &Demand, stroke: Option<f64>) -> Result<Hump> {
+    let target = demand.target.as_ref().ok_or_else(no_force)?;
+    let rest = demand.drive.rest_force;
+    let nodes: Vec<(f64, f64, f64)> = gauss_legendre(NODES)
+        .into_iter()
+        .map(|(u, w)| (TAU * u, w, target.at(TAU * u) - rest))
+        .collect();
+    let search = Search {
+        demand,
+        nodes: &nodes,
+        stroke,
+    };
+    let mut best: Option<(f64, [f64; 3])> = None;
+    let mut evaluations = 0;
+    // Starts: four phases, a short and a long hump.
+    for start in 0..4 {
+        for angle in [0.75 * PI, 0.95 * PI] {
+            let phase = start as f64 * 0.5 * PI;
+            let simplex = vec![
+                vec![phase, angle, angle],
+                vec![phase + 0.4, angle, angle],
+                vec![phase, angle - 0.4, angle],
+                vec![phase, angle, angle - 0.4],
+            ];
+            let solver = NelderMead::new(simplex)
+                .with_sd_tolerance(1e-12)
+                .map_err(|e| Error::new(e.to_string()))?;
+            let done = Executor::new(search, solver)
+                .configure(|state| state.max_iters(ITERATIONS))
+                .run()
+                .map_err(|e| Error::new(e.to_string()))?;
+            evaluations += done.state().get_iter() as usize;
+            let cost = done.state().get_best_cost();
+            if let Some(p) = done.state().get_best_param()
+                && best.is_none_or(|b| cost < b.0)
+            {
+                best = Some((cost, [p[0], p[1], p[2]]));
+            }
+        }
+    }
+    let (cost, raw) =
+        best.ok_or_else(|| Error::new("the search for a double harmonic found nothing"))?;
+    let angles = admissible(raw);
+    let shape = shape(angles)?;
+    let lift = search.lift(&shape);
+    if lift == 0.0 {
+        return Err(Error::key(
+            "law.family",
+            "no double harmonic comes nearer to this force than rest",
+        )
+        .help("use family = \"spline\""));
+    }
+    let law = shape.scaled(lift);
+    let lowest = law.extremes(0).0.value;
+    let law = if demand.drive.spring_rate == 0.0 {
+        law.raised(-lowest)
+    } else {
+        law
+    };
+    Ok(Hump {
+        law,
+        angles,
+        lift,
+        rms: cost.sqrt(),
+        evaluations,
+    })
+}
+
+#[derive(Clone, Copy)]
+struct Search<'a> {
+    demand: &'a Demand,
+    nodes: &'a [(f64, f64, f64)],
+    stroke: Option<f64>,
+}
+
+impl Search<'_> {
+    /// The lift that brings h·(force of the unit shape) nearest to the target.
+    fn lift(&self, shape: &Law) -> f64 {
+        let (mut product, mut square) = (0.0, 0.0);
+        for (f, w, wanted) in self.forces(shape) {
+            product += w * f * wanted;
+            square += w * f * f;
+        }
+        let lift = if square > 0.0 { product / square } else { 0.0 };
+        self.stroke.map_or(lift, |most| lift.clamp(-most, most))
+    }
+
+    fn forces<'s>(&'s self, shape: &'s Law) -> impl Iterator<Item = (f64, f64, f64)> + 's {
+        let w = self.demand.drive.weights();
+        self.nodes.iter().map(move |&(theta, weight, wanted)| {
+            let at = shape.svaj(theta);
+            (w[0] * at.s + w[1] * at.v + w[2] * at.a, weight, wanted)
+        })
+    }
+}
+
+impl CostFunction for Search<'_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+
+    /// Mean square distance of the force at the best lift.
+    fn cost(&self, p: &Self::Param) -> std::result::Result<f64, argmin::core::Error> {
+        let shape = shape(admissible([p[0], p[1], p[2]]))?;
+        let lift = self.lift(&shape);
+        Ok(self
+            .forces(&shape)
+            .map(|(f, w, wanted)| w * (lift * f - wanted).powi(2))
+            .sum())
+    }
+}
+
+/// Angles brought into range: rise and fall no shorter than allowed and together no longer than a turn.
+fn admissible([phase, rise, fall]: [f64; 3]) -> [f64; 3] {
+    let (mut rise, mut fall) = (rise.max(SHORTEST), fall.max(SHORTEST));
+    let both = rise + fall;
+    if both > TAU {
+        let scale = TAU / both;
+        rise = (rise * scale).max(SHORTEST);
+        fall = TAU - rise;
+    }
+    [phase.rem_euclid(TAU), rise, fall]
+}
+
+/// Unit rise, fall and rest, the rise starting at the phase.
+fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
+    let segment = |motion: Rise, lift: f64, angle: f64| Segment {
+        motion,
+        lift,
+        angle,
+    };
+    let mut segments = vec![
+        segment(Rise::DoubleHarmonic, 1.0, rise),
+        segment(Rise::DoubleHarmonic, -1.0, fall),
+    ];
+    let rest = TAU - rise - fall;
+    if rest > 1e-9 {
+        segments.push(segment(Rise::Dwell, 0.0, rest));
+    }
+    Ok(assemble(&segments, Extent::Turn)?.ahead(-phase))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gait::ForceCurve;
+    use crate::scene;
+
+    #[test]
+    fn a_force_made_by_a_double_harmonic_is_found_again() {
+        // Rise 120° from 50°, fall 150°, lift 12 mm, moving axis of 1 kg: the search must come back to it.
+        let truth = shape([
+            50.0_f64.to_radians(),
+            120.0_f64.to_radians(),
+            150.0_f64.to_radians(),
+        ])
+        .unwrap()
+        .scaled(0.012);
+        let speed = 11.624;
+        let drive = crate::drive::Drive::moving_axis(1.0, 9.81, speed);
+        let samples = (0..512)
+            .map(|i| drive.force(truth.svaj(TAU * f64::from(i) / 512.0)))
+            .collect();
+        let curve = ForceCurve::from_samples("double harmonic", TAU / speed, samples).unwrap();
+        let table: toml::Table = scene::DEFAULT.parse().unwrap();
+        let scene = scene::read(&table).unwrap();
+        let demand = Demand::settle(&scene, Some(&curve)).unwrap();
+        let hump = fit(&demand, None).unwrap();
+        assert!((hump.lift - 0.012).abs() < 2e-4, "{hump:?}");
+        assert!(
+            (hump.angles[0].to_degrees() - 50.0).abs() < 1.5,
+            "{:?}",
+            hump.angles
+        );
+        assert!(hump.rms < 0.05, "{}", hump.rms);
+    }
+}
