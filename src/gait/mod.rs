@@ -20,7 +20,7 @@ pub use catalogue::{ModelInfo, Status, catalogue};
 pub use curve::ForceCurve;
 pub use cycle::{Cycle, cycle};
 pub use describe::{csv, json, spread_rms_n, table};
-pub use models::{Feet, SAMPLES, model};
+pub use models::{Feet, SAMPLES, fourier, model};
 pub use overlay::{Overlay, overlay};
 pub use read::{force_curve, metadata_name, read};
 pub use recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row, Strike};

@@ -100,6 +100,26 @@ pub fn model(
     ForceCurve::from_samples(&title, steps / f, force)
 }
 
+/// Period, s, and the (cosine, sine) amplitudes of harmonics 1, 2, … of a continuous model for one newton of
+/// body weight, whose mean is 1; `None` for single-foot models, which are no finite sums.
+///
+/// Fails where [`model`] does.
+#[allow(clippy::type_complexity)] // one pair, named above
+pub fn fourier(
+    name: &str,
+    step_frequency_hz: Option<f64>,
+    feet: Feet,
+) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
+    let info = find(name)?;
+    let f = frequency(info, step_frequency_hz)?;
+    if info.single_foot || feet != Feet::Both {
+        return Ok(None);
+    }
+    let waves = harmonics(info.name, f);
+    let pair = |(a, p): (f64, f64)| (a * p.sin(), a * p.cos());
+    Ok(Some((1.0 / f, waves.into_iter().map(pair).collect())))
+}
+
 fn find(name: &str) -> Result<&'static ModelInfo> {
     let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
     CATALOGUE.iter().find(|m| m.name == plain).ok_or_else(|| {
