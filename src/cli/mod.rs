@@ -2,6 +2,7 @@
 //! the clock.
 
 mod files;
+mod front;
 mod gait;
 mod input;
 mod laws;
@@ -34,6 +35,8 @@ enum Command {
     Simulate(simulate::SimulateArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
+    /// The best designs of a sweep: Pareto set, pictures, the winner as a normal result
+    Front(front::FrontArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws {
         /// Print JSON
@@ -65,6 +68,16 @@ struct SynthArgs {
     /// Rows of law.csv and profile.csv
     #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     points: u32,
+}
+
+impl SynthArgs {
+    /// What the command line gives when nothing is said.
+    fn standard() -> Self {
+        SynthArgs {
+            points: 1440,
+            ..SynthArgs::default()
+        }
+    }
 }
 
 #[derive(Args, Debug)]
@@ -136,14 +149,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 fn dispatch(cli: Cli) -> Result<u8, Error> {
     match cli.command {
-        None => synth::run(&SynthArgs {
-            points: 1440,
-            ..SynthArgs::default()
-        }),
+        None => synth::run(&SynthArgs::standard()),
         Some(Command::Synth(args)) => synth::run(&args),
         Some(Command::Simulate(args)) => simulate::run(&args),
         Some(Command::Gait(args)) => gait::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),
+        Some(Command::Front(args)) => front::run(&args),
         Some(Command::Laws { json }) => laws::run(json),
     }
 }

@@ -20,6 +20,8 @@ mod samples;
 mod sheet;
 pub mod solid;
 pub mod svg;
+pub mod sweep_plots;
+pub mod sweep_report;
 mod threemf;
 pub mod xlsx;
 

@@ -30,7 +30,7 @@ pub struct Panel<'a, 'c> {
 }
 
 /// Round numbers within [low, high], about `count` of them.
-fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
+pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
     let raw = (high - low) / count;
     if !(raw > 0.0 && raw.is_finite()) {
         return Vec::new();
@@ -64,7 +64,7 @@ fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
 }
 
 /// Decimals that tell the ticks apart.
-fn tick_text(value: f64, step: f64) -> String {
+pub fn tick_text(value: f64, step: f64) -> String {
     let decimals = (0..9)
         .find(|&d| {
             let scaled = step * 10f64.powi(d);

@@ -28,14 +28,14 @@ pub fn suits(scene: &Scene) -> bool {
         && !law.monotone
 }
 
-/// The law as a factor times a unit curve plus a constant.
-struct Motion<'a> {
-    unit: &'a Unit,
+/// The law as a factor times a curve plus a constant.
+struct Motion {
+    unit: Unit,
     factor: f64,
     level: f64,
 }
 
-impl Motion<'_> {
+impl Motion {
     fn range(&self, order: usize) -> (f64, f64) {
         let (low, high) = self.unit.ranges[order];
         (self.factor * low, self.factor * high)
@@ -57,7 +57,7 @@ pub fn row(scene: &Scene, shape: &Shape, scale: f64) -> Option<Row> {
         Some(_) => return None,
         None => shape.count(scene.rms.unwrap_or(USUAL_RMS) * shape.mean.abs())?,
     };
-    let fit = shape.fit(count);
+    let fit = shape.fit(count)?;
     let motion = motion(&drive, fit, scale, mean)?;
     let mean_force = drive.rest_force + drive.spring_rate * motion.level;
     fill(scene, &drive, fit, &motion, scale, mean, mean_force)
@@ -67,7 +67,7 @@ pub fn row(scene: &Scene, shape: &Shape, scale: f64) -> Option<Row> {
 fn settled(scene: &Scene, shape: &Shape, scale: f64, to_mass: bool) -> Option<(Drive, f64)> {
     let spec = &scene.drive;
     let mean = scale * shape.mean;
-    let speed = spec.speed.unwrap_or(TAU / shape.curve.period_s);
+    let speed = spec.speed.unwrap_or(TAU / shape.period_s);
     Some(match spec.kind {
         DriveKind::MovingAxis => {
             if mean <= 0.0 {
@@ -99,29 +99,38 @@ fn settled(scene: &Scene, shape: &Shape, scale: f64, to_mass: bool) -> Option<(D
     })
 }
 
-/// Pure inertia or pure spring; anything between has no fixed curve.
-fn motion<'a>(drive: &Drive, fit: &'a Fit, scale: f64, mean: f64) -> Option<Motion<'a>> {
+/// A gain below this part of the largest term that makes it up leaves the answer to the synthesis.
+const RESONANCE: f64 = 1e-8;
+
+/// Pure inertia and pure spring share a curve between rows; any other drive has its own.
+fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
     let [k, c, m, _] = drive.weights();
-    if c != 0.0 {
-        return None;
-    }
-    if k == 0.0 && m > 0.0 {
-        let factor = scale / m;
-        return Some(Motion {
-            unit: &fit.inertia,
-            factor,
-            // Nothing fixes the lift: the lowest point stands on the base circle.
-            level: -factor * fit.inertia.ranges[0].0,
+    let (unit, factor) = if c == 0.0 && k == 0.0 && m > 0.0 {
+        (*fit.inertia(), scale / m)
+    } else if c == 0.0 && m == 0.0 && k > 0.0 {
+        (*fit.spring(), scale / k)
+    } else {
+        let clear = (1..=fit.count()).all(|n| {
+            let (re, im) = drive.gain(n);
+            let largest = k.abs().max(m * (n * n) as f64).max(im.abs());
+            re.hypot(im) > RESONANCE * largest
         });
-    }
-    if m == 0.0 && k > 0.0 {
-        return Some(Motion {
-            unit: &fit.spring,
-            factor: scale / k,
-            level: (mean - drive.rest_force) / k,
-        });
-    }
-    None
+        if !clear {
+            return None;
+        }
+        (fit.law(scale, |n| drive.gain(n)), 1.0)
+    };
+    let level = if k == 0.0 {
+        // Nothing fixes the lift: the lowest point stands on the base circle.
+        -factor * unit.ranges[0].0
+    } else {
+        (mean - drive.rest_force) / k
+    };
+    Some(Motion {
+        unit,
+        factor,
+        level,
+    })
 }
 
 fn fill(

@@ -34,8 +34,11 @@ pub struct Kernel<'a> {
     keys: Vec<Key>,
     targets: Targets<'a>,
     clock: Clock<'a>,
-    shapes: RwLock<HashMap<(Arc<str>, u64), Option<Arc<Shape>>>>,
+    shapes: RwLock<HashMap<ShapeName, Option<Arc<Shape>>>>,
 }
+
+/// What names a force, and the bits of its step frequency.
+type ShapeName = (Arc<str>, u64);
 
 /// A combination of words, read.
 #[derive(Default)]
@@ -157,22 +160,25 @@ impl<'a> Kernel<'a> {
     }
 
     fn row(&self, batch: &Batch, row: usize, base: &mut Base) -> Row {
-        if let Some(scene) = &mut base.scene {
-            if self.set_numbers(batch, row, scene) && consistent(scene) {
-                if base.closed {
-                    let answer = closed_row(self, batch.scene[row] as usize, base);
-                    if let Some(answer) = answer {
-                        return answer;
-                    }
-                }
-                let Some(scene) = &base.scene else {
-                    return Row::error(String::new());
-                };
-                return self.answer(batch.scene[row] as usize, scene);
+        let index = batch.scene[row] as usize;
+        if let Some(scene) = &mut base.scene
+            && self.set_numbers(batch, row, scene)
+            && consistent(scene)
+        {
+            let answer = if base.closed {
+                closed_row(self, index, base)
+            } else {
+                None
+            };
+            if let Some(answer) = answer {
+                return answer;
+            }
+            if let Some(scene) = &base.scene {
+                return self.answer(index, scene);
             }
         }
         match self.read(batch, row) {
-            Ok(scene) => self.answer(batch.scene[row] as usize, &scene),
+            Ok(scene) => self.answer(index, &scene),
             Err(e) => Row::error(e.to_string()),
         }
     }
@@ -229,21 +235,41 @@ impl<'a> Kernel<'a> {
         if let Some(shape) = self.shapes.read().ok()?.get(&name) {
             return shape.clone();
         }
-        let curve = match &scene.gait.as_ref()?.source {
-            Source::File { .. } => (self.targets)(index, scene).ok(),
-            Source::Model {
-                name,
-                step_frequency_hz,
-                ..
-            } => gait::model(name, *step_frequency_hz, 1.0, scene.gait.as_ref()?.feet).ok(),
+        let (shape, cheap) = match self.take_apart(index, scene) {
+            Some((shape, cheap)) => (Some(Arc::new(shape)), cheap),
+            None => (None, false),
         };
-        let shape = curve.and_then(Shape::new).map(Arc::new);
         let mut shapes = self.shapes.write().ok()?;
         if shapes.len() >= KEPT_SHAPES {
+            if cheap {
+                return shape;
+            }
             shapes.clear();
         }
         shapes.insert(name, shape.clone());
         shape
+    }
+
+    /// A shape, and whether it costs less than keeping it.
+    fn take_apart(&self, index: usize, scene: &Scene) -> Option<(Shape, bool)> {
+        let gait = scene.gait.as_ref()?;
+        let Source::Model {
+            name,
+            step_frequency_hz,
+            ..
+        } = &gait.source
+        else {
+            let curve = (self.targets)(index, scene).ok()?;
+            return Some((Shape::of_curve(curve)?, false));
+        };
+        let fourier = gait::fourier(name, *step_frequency_hz, gait.feet).ok()?;
+        let harmonics = fourier
+            .and_then(|(period_s, terms)| Shape::of_harmonics(period_s, terms, gait::SAMPLES));
+        if let Some(shape) = harmonics {
+            return Some((shape, true));
+        }
+        let curve = gait::model(name, *step_frequency_hz, 1.0, gait.feet).ok()?;
+        Some((Shape::of_curve(curve)?, false))
     }
 }
 

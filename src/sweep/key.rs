@@ -296,21 +296,17 @@ const QUANTITIES: &[Quantity] = &[
 ];
 
 fn step_frequency(scene: &mut Scene, hz: f64) {
-    if let Some(gait) = &mut scene.gait {
-        if let Source::Model {
-            step_frequency_hz, ..
-        } = &mut gait.source
-        {
-            *step_frequency_hz = Some(hz);
-        }
+    if let Some(Source::Model {
+        step_frequency_hz, ..
+    }) = scene.gait.as_mut().map(|g| &mut g.source)
+    {
+        *step_frequency_hz = Some(hz);
     }
 }
 
 fn body_weight(scene: &mut Scene, newtons: f64) {
-    if let Some(gait) = &mut scene.gait {
-        if let Source::Model { body_weight_n, .. } = &mut gait.source {
-            *body_weight_n = newtons;
-        }
+    if let Some(Source::Model { body_weight_n, .. }) = scene.gait.as_mut().map(|g| &mut g.source) {
+        *body_weight_n = newtons;
     }
 }
 

@@ -8,19 +8,27 @@
 mod axis;
 mod batch;
 mod closed;
+mod front;
+mod interpolant;
 pub mod journal;
 mod kernel;
 mod key;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 mod plan;
 mod results;
 mod sample;
 mod spectral;
 pub mod table;
+mod tolerance;
+mod trig;
 
 pub use axis::{Axis, AxisValue, Values};
 pub use batch::{Batch, Column};
+pub use front::{Front, Point, objective};
 pub use kernel::{Clock, Kernel, Targets};
 pub use key::Key;
 pub use plan::{Design, List, NamedScene, Plan, differences};
 pub use results::{NUMBERS, Outcome, Results, Row, TIME, WORDS};
 pub use sample::Method;
+pub use tolerance::{Made, Part, Scatter, Spread, Tolerance};

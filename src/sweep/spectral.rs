@@ -3,11 +3,11 @@
 //! A harmonic law gives the force of its harmonics exactly, so its error depends on the shape alone. Where
 //! the drive is pure inertia or pure spring, the law itself is one fixed curve times a factor: all extremes
 //! of lift, velocity, acceleration, jerk, force and flat-face curvature are those of the fixed curve, scaled.
-//! They are taken once, by the same exact roots as in a single synthesis.
 
-use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
+use super::interpolant::Bumps;
+use super::trig;
 use crate::gait::ForceCurve;
 use crate::law::Law;
 use crate::poly::PiecewisePoly;
@@ -19,14 +19,24 @@ const UNDECIDED: f64 = 1e-10;
 
 /// One turn of force with what can be said of it before a scene is known.
 pub struct Shape {
-    /// The force at its own scale.
-    pub curve: ForceCurve,
     /// Mean of its samples, N.
     pub mean: f64,
-    /// (cosine, sine) of harmonics 1, 2, …
+    /// Duration of a cycle, s.
+    pub period_s: f64,
+    /// (cosine, sine) of harmonics 1, 2, …; further ones are zero.
     spectrum: Vec<(f64, f64)>,
-    /// Power that is left above each count of harmonics, subtracted one by one.
-    fits: Vec<OnceLock<Fit>>,
+    /// Harmonics that the samples hold.
+    most: usize,
+    /// What its samples' interpolation adds to the harmonics.
+    target: Target,
+    fits: Vec<OnceLock<Box<Fit>>>,
+}
+
+enum Target {
+    /// Any samples.
+    Curve(ForceCurve),
+    /// Samples of the harmonics themselves: bumps where the interpolation is held back.
+    Bumps(Bumps),
 }
 
 /// Smallest and largest value.
@@ -43,23 +53,22 @@ pub struct Unit {
 
 /// What a count of harmonics gives.
 pub struct Fit {
+    harmonics: Vec<(f64, f64)>,
     /// Range of the force's harmonics without the mean, N.
     pub force: Range,
     /// Range of the difference to the target, both without their mean, N.
     pub error: Range,
-    /// Its mean, N, and mean square, N².
+    /// Its mean, N.
     pub error_mean: f64,
     /// Mean square of the difference, N².
     pub error_square: f64,
-    /// The law for m ω² = 1 and no spring.
-    pub inertia: Unit,
-    /// The law for k = 1 without mass and damping.
-    pub spring: Unit,
+    inertia: OnceLock<Unit>,
+    spring: OnceLock<Unit>,
 }
 
 impl Shape {
     /// Takes the curve apart; `None` for a curve whose spectrum cannot be had.
-    pub fn new(curve: ForceCurve) -> Option<Shape> {
+    pub fn of_curve(curve: ForceCurve) -> Option<Shape> {
         let n = curve.force_n.len();
         let fft = realfft::RealFftPlanner::<f64>::new().plan_fft_forward(n);
         let mut output = fft.make_output_vec();
@@ -72,20 +81,34 @@ impl Shape {
             .collect();
         Some(Shape {
             mean: curve.mean_n(),
-            fits: (0..=most).map(|_| OnceLock::new()).collect(),
+            period_s: curve.period_s,
+            fits: fits(spectrum.len()),
+            most,
             spectrum,
-            curve,
+            target: Target::Curve(curve),
+        })
+    }
+
+    /// A mean of 1 with the given harmonics, sampled `samples` times; `None` for more harmonics than are
+    /// worth it.
+    pub fn of_harmonics(period_s: f64, spectrum: Vec<(f64, f64)>, samples: usize) -> Option<Shape> {
+        Some(Shape {
+            mean: 1.0,
+            period_s,
+            fits: fits(spectrum.len()),
+            most: (samples - 1) / 2,
+            target: Target::Bumps(Bumps::of(&spectrum, samples)?),
+            spectrum,
         })
     }
 
     /// Fewest harmonics whose remainder is at most `wanted` newtons RMS (at the shape's own scale);
     /// `None` where rounding would decide.
     pub fn count(&self, wanted: f64) -> Option<usize> {
-        let most = self.spectrum.len();
         let power = |h: usize| 0.5 * (self.spectrum[h].0.powi(2) + self.spectrum[h].1.powi(2));
-        let all: f64 = (0..most).map(power).sum();
+        let all: f64 = (0..self.spectrum.len()).map(power).sum();
         let (mut left, mut count) = (all, 0);
-        while count < most.min(MOST_AUTO) {
+        while count < self.spectrum.len().min(MOST_AUTO) {
             if (left - wanted * wanted).abs() <= UNDECIDED * all {
                 return None;
             }
@@ -95,61 +118,126 @@ impl Shape {
             left -= power(count);
             count += 1;
         }
-        Some(count.max(1))
+        // What is left after the last known harmonic is rounding.
+        (count < self.spectrum.len() || wanted * wanted > UNDECIDED * all || count == MOST_AUTO)
+            .then_some(count.max(1))
     }
 
     /// Most harmonics that the samples hold.
     pub fn most(&self) -> usize {
-        self.spectrum.len()
+        self.most
     }
 
-    /// What `count` harmonics give; `count` is from 1 to [`Shape::most`].
-    pub fn fit(&self, count: usize) -> &Fit {
-        self.fits[count].get_or_init(|| self.make_fit(count))
-    }
-
-    fn make_fit(&self, count: usize) -> Fit {
-        let harmonics = &self.spectrum[..count];
-        let force = Law::harmonic(0.0, harmonics);
-        let wave = force.combination([1.0, 0.0, 0.0, 0.0], 0.0);
-        let (low, high) = wave.extremes();
-        let target = self.curve.curve();
-        let error = difference(&wave, &target, self.mean);
-        let (least, most) = error.extremes();
-        let divided = |by: fn(f64) -> f64| -> Vec<(f64, f64)> {
-            let terms = harmonics.iter().zip(1..);
-            terms
-                .map(|(&(a, b), n)| (a / by(f64::from(n)), b / by(f64::from(n))))
-                .collect()
-        };
-        Fit {
-            force: (low.value, high.value),
-            error: (least.value, most.value),
-            error_mean: error.integral() / TAU,
-            error_square: error.integral_of_square() / TAU,
-            inertia: Unit::of(&Law::harmonic(0.0, &divided(|n| -n * n))),
-            spring: Unit::of(&Law::harmonic(0.0, &divided(|_| 1.0))),
+    /// What `count` harmonics give; `count` is from 1 to [`Shape::most`]. `None` where the difference to the
+    /// target has no simple form.
+    pub fn fit(&self, count: usize) -> Option<&Fit> {
+        let count = count.min(self.spectrum.len());
+        let slot = self.fits.get(count)?;
+        if let Some(fit) = slot.get() {
+            return Some(fit);
         }
+        let fit = Box::new(self.make_fit(count)?);
+        Some(slot.get_or_init(|| fit))
+    }
+
+    fn make_fit(&self, count: usize) -> Option<Fit> {
+        let (harmonics, rest) = self.spectrum.split_at(count);
+        let (error, error_mean, error_square) = match &self.target {
+            Target::Curve(curve) => error_to(curve, harmonics, self.mean),
+            Target::Bumps(bumps) => {
+                let error = bumps.error(count, rest)?;
+                (error.range, error.mean, error.square)
+            }
+        };
+        let (low, high) = trig::extremes(harmonics);
+        Some(Fit {
+            harmonics: harmonics.to_vec(),
+            force: (low.value, high.value),
+            error,
+            error_mean,
+            error_square,
+            inertia: OnceLock::new(),
+            spring: OnceLock::new(),
+        })
     }
 }
 
-/// wave − (target − mean), on the pieces of both.
-fn difference(wave: &PiecewisePoly, target: &PiecewisePoly, mean: f64) -> PiecewisePoly {
+fn fits(count: usize) -> Vec<OnceLock<Box<Fit>>> {
+    (0..=count).map(|_| OnceLock::new()).collect()
+}
+
+/// Range, mean and mean square of Σ harmonics − (target − mean), exact on the pieces of both.
+fn error_to(curve: &ForceCurve, harmonics: &[(f64, f64)], mean: f64) -> (Range, f64, f64) {
+    let wave = Law::harmonic(0.0, harmonics).combination([1.0, 0.0, 0.0, 0.0], 0.0);
+    let target = curve.curve();
     let own = wave.cut_at(target.breaks());
     let target = target.cut_at(own.breaks());
-    PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], mean)
+    let error = PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], mean);
+    let (low, high) = error.extremes();
+    let turn = std::f64::consts::TAU;
+    (
+        (low.value, high.value),
+        error.integral() / turn,
+        error.integral_of_square() / turn,
+    )
+}
+
+impl Fit {
+    /// Number of harmonics.
+    pub fn count(&self) -> usize {
+        self.harmonics.len()
+    }
+
+    /// The law for m ω² = 1 and no spring: ŝₙ = −F̂ₙ/n².
+    pub fn inertia(&self) -> &Unit {
+        self.inertia
+            .get_or_init(|| Unit::of(&self.harmonics, |n| -1.0 / (n * n)))
+    }
+
+    /// The law for k = 1 without mass and damping: ŝₙ = F̂ₙ.
+    pub fn spring(&self) -> &Unit {
+        self.spring
+            .get_or_init(|| Unit::of(&self.harmonics, |_| 1.0))
+    }
+
+    /// The law of any drive: ŝₙ = F̂ₙ/(re + i·im) with the drive's gain at harmonic n.
+    pub fn law(&self, scale: f64, gain: impl Fn(usize) -> (f64, f64)) -> Unit {
+        let divided = (1..).zip(&self.harmonics).map(|(n, &(a, b))| {
+            let (re, im) = gain(n);
+            let square = (re * re + im * im) / scale;
+            ((a * re - b * im) / square, (b * re + a * im) / square)
+        });
+        Unit::of(&divided.collect::<Vec<_>>(), |_| 1.0)
+    }
 }
 
 impl Unit {
-    fn of(law: &Law) -> Unit {
-        let ranges = [0, 1, 2, 3].map(|order| {
-            let (low, high) = law.extremes(order);
+    /// The curve Σ factor(n)·(aₙ cos nθ + bₙ sin nθ).
+    fn of(harmonics: &[(f64, f64)], factor: impl Fn(f64) -> f64) -> Unit {
+        let mut terms = Vec::with_capacity(harmonics.len());
+        let mut range = |turned: bool, power: &dyn Fn(f64) -> f64| {
+            terms.clear();
+            terms.extend((1..).zip(harmonics).map(|(n, &(a, b))| {
+                let n = f64::from(n);
+                let f = factor(n) * power(n);
+                // A derivative of odd order turns cosines into sines.
+                if turned {
+                    (f * b, -f * a)
+                } else {
+                    (f * a, f * b)
+                }
+            }));
+            let (low, high) = trig::extremes(&terms);
             (low.value, high.value)
-        });
-        let (bend, _) = law.combination([1.0, 0.0, 1.0, 0.0], 0.0).extremes();
+        };
         Unit {
-            ranges,
-            bend: bend.value,
+            ranges: [
+                range(false, &|_| 1.0),
+                range(true, &|n| n),
+                range(false, &|n| -n * n),
+                range(true, &|n| -n * n * n),
+            ],
+            bend: range(false, &|n| 1.0 - n * n).0,
         }
     }
 }

@@ -76,8 +76,11 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
 }
 
 /// What a journal must agree with: the plan, and the program, since another version may design otherwise.
-pub fn description(plan: &Plan) -> Value {
-    let mut description = plan.description();
+pub fn description(sweep: &Sweep) -> Value {
+    let mut description = sweep.plan.description();
+    for (i, folder) in sweep.folders.iter().enumerate() {
+        description["scenes"][i]["folder"] = json!(folder.display().to_string());
+    }
     description["version"] = json!(env!("CARGO_PKG_VERSION"));
     description
 }

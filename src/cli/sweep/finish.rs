@@ -64,12 +64,12 @@ pub struct Counts {
 impl Counts {
     fn add(&mut self, first: u64, results: &Results) {
         let verdicts = results.words(1);
-        for row in 0..results.len() {
+        for (row, verdict) in verdicts.into_iter().enumerate() {
             self.rows += 1;
             match results.outcome(row) {
                 Outcome::Built => {
                     self.built += 1;
-                    self.acceptable += u64::from(verdicts[row] == "acceptable");
+                    self.acceptable += u64::from(verdict == "acceptable");
                 }
                 Outcome::Infeasible => self.infeasible += 1,
                 Outcome::Error => {
@@ -100,19 +100,19 @@ pub fn table(
     };
     let bar = progress("table", plan.rows() as u64, 0);
     let mut counts = Counts::default();
-    let written = File::create(&beside).map_err(fault).and_then(|file| {
-        let mut sink = Sink::new(plan, pool, file, format, fault)?;
+    let written = File::create(&beside).map_err(&fault).and_then(|file| {
+        let mut sink = Sink::new(plan, pool, file, format, &fault)?;
         journal.replay(|first, rows, results| {
             let results = results.unwrap_or_else(|| kernel.run(&plan.batch(first, rows)));
             counts.add(first, &results);
-            sink.rows(first, results)?;
+            sink.rows(first, &results)?;
             bar.inc(rows as u64);
             Ok(())
         })?;
         sink.close()
     });
     bar.finish_and_clear();
-    let placed = written.and_then(|()| place(&beside, out).map_err(fault));
+    let placed = written.and_then(|()| place(&beside, out).map_err(&fault));
     if placed.is_err() {
         let _ = std::fs::remove_file(&beside);
     }
@@ -129,66 +129,104 @@ fn place(beside: &PathBuf, out: &Path) -> std::io::Result<()> {
     }
 }
 
+/// A file that is being written, by kind.
+enum Sheet {
+    Csv(BufWriter<File>),
+    #[cfg(feature = "parquet")]
+    Parquet(crate::sweep::parquet::Writer<File>, arrow_schema::SchemaRef),
+}
+
 /// Where rows go.
-struct Sink<'a, F: Fn(std::io::Error) -> Error> {
+struct Sink<'a> {
     plan: &'a Plan,
     pool: &'a rayon::ThreadPool,
     names: Option<Vec<String>>,
-    file: BufWriter<File>,
-    fault: F,
+    sheet: Sheet,
+    fault: &'a dyn Fn(std::io::Error) -> Error,
 }
 
-impl<'a, F: Fn(std::io::Error) -> Error> Sink<'a, F> {
+impl<'a> Sink<'a> {
     fn new(
         plan: &'a Plan,
         pool: &'a rayon::ThreadPool,
         file: File,
-        _format: Format,
-        fault: F,
+        format: Format,
+        fault: &'a dyn Fn(std::io::Error) -> Error,
     ) -> Result<Self> {
         let names: Vec<String> = plan.scenes.iter().map(|s| s.name.clone()).collect();
         let names = (names.len() > 1).then_some(names);
-        let mut file = BufWriter::with_capacity(1 << 20, file);
-        let header = table::csv_header(&plan.keys(), names.is_some());
-        file.write_all(header.as_bytes()).map_err(&fault)?;
+        let sheet = match format {
+            Format::Csv => {
+                let mut file = BufWriter::with_capacity(1 << 20, file);
+                let header = table::csv_header(&plan.keys(), names.is_some());
+                file.write_all(header.as_bytes()).map_err(fault)?;
+                Sheet::Csv(file)
+            }
+            #[cfg(feature = "parquet")]
+            Format::Parquet => {
+                let schema = crate::sweep::parquet::schema(&plan.keys(), names.is_some());
+                Sheet::Parquet(crate::sweep::parquet::Writer::new(file, &schema)?, schema)
+            }
+            #[cfg(not(feature = "parquet"))]
+            Format::Parquet => return Err(Error::argument("--out", "built without Parquet")),
+        };
         Ok(Sink {
             plan,
             pool,
             names,
-            file,
+            sheet,
             fault,
         })
     }
 
-    fn rows(&mut self, first: u64, results: Results) -> Result<()> {
-        let blocks = results.len().div_ceil(TEXT_ROWS);
-        let texts: Vec<String> = self.pool.install(|| {
-            (0..blocks)
-                .into_par_iter()
-                .map(|b| {
-                    let (from, to) = (b * TEXT_ROWS, ((b + 1) * TEXT_ROWS).min(results.len()));
-                    let start = first + from as u64;
-                    let batch = self.plan.batch(start, to - from);
-                    table::csv_rows(
-                        start,
-                        &batch,
-                        &results.part(from, to),
-                        self.names.as_deref(),
-                    )
-                })
-                .collect()
-        });
-        for text in texts {
-            self.file.write_all(text.as_bytes()).map_err(&self.fault)?;
+    fn rows(&mut self, first: u64, results: &Results) -> Result<()> {
+        match &mut self.sheet {
+            Sheet::Csv(file) => {
+                let texts = texts(self.plan, self.pool, self.names.as_deref(), first, results);
+                for text in texts {
+                    file.write_all(text.as_bytes()).map_err(self.fault)?;
+                }
+                Ok(())
+            }
+            #[cfg(feature = "parquet")]
+            Sheet::Parquet(writer, schema) => {
+                let batch = self.plan.batch(first, results.len());
+                let names = self.names.as_deref();
+                writer.write(&crate::sweep::parquet::record_batch(
+                    schema, first, &batch, results, names,
+                )?)
+            }
         }
-        Ok(())
     }
 
-    fn close(mut self) -> Result<()> {
-        let synced = self
-            .file
-            .flush()
-            .and_then(|()| self.file.get_ref().sync_all());
-        synced.map_err(&self.fault)
+    fn close(self) -> Result<()> {
+        let synced = match self.sheet {
+            Sheet::Csv(mut file) => file.flush().and_then(|()| file.get_ref().sync_all()),
+            #[cfg(feature = "parquet")]
+            Sheet::Parquet(writer, _) => writer.close()?.sync_all(),
+        };
+        synced.map_err(self.fault)
     }
+}
+
+/// Rows as lines, made by all threads, in order.
+fn texts(
+    plan: &Plan,
+    pool: &rayon::ThreadPool,
+    names: Option<&[String]>,
+    first: u64,
+    results: &Results,
+) -> Vec<String> {
+    let blocks = results.len().div_ceil(TEXT_ROWS);
+    pool.install(|| {
+        (0..blocks)
+            .into_par_iter()
+            .map(|b| {
+                let (from, to) = (b * TEXT_ROWS, ((b + 1) * TEXT_ROWS).min(results.len()));
+                let start = first + from as u64;
+                let batch = plan.batch(start, to - from);
+                table::csv_rows(start, &batch, &results.part(from, to), names)
+            })
+            .collect()
+    })
 }

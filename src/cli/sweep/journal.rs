@@ -47,11 +47,12 @@ impl Journal {
     /// nobody said to go on. A chunk cut short by a crash is taken off.
     pub fn open(table: &Path, sweep: &Value, resume: bool) -> Result<Opened> {
         let path = beside(table, ".partial");
-        if resume && !path.exists() {
-            if let Some(done) = finished(table) {
-                agree(table, &done, sweep)?;
-                return Ok(Opened::Finished);
-            }
+        if resume
+            && !path.exists()
+            && let Some(done) = finished(table)
+        {
+            agree(table, &done, sweep)?;
+            return Ok(Opened::Finished);
         }
         let fault = |e: std::io::Error| Error::file(&path, format!("cannot be opened ({e})"));
         let file = OpenOptions::new()
@@ -167,11 +168,11 @@ impl Journal {
             self.end = next;
             self.rows += u64::from(head.rows);
         }
-        if let Some((at, head)) = last {
-            if self.payload_at(at, &head).is_none() {
-                self.end = at;
-                self.rows = head.first;
-            }
+        if let Some((at, head)) = last
+            && self.payload_at(at, &head).is_none()
+        {
+            self.end = at;
+            self.rows = head.first;
         }
         if self.end < size {
             self.repaired = Some(format!(

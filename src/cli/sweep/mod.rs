@@ -3,6 +3,7 @@
 mod arguments;
 mod finish;
 mod journal;
+mod tolerance;
 mod work;
 
 use std::path::PathBuf;
@@ -15,6 +16,7 @@ use crate::error::{Error, Result};
 use crate::sweep::{Kernel, Method};
 use finish::Counts;
 use journal::Journal;
+pub use journal::beside;
 
 /// Stopped by Ctrl-C, as shells count it.
 const INTERRUPTED: u8 = 130;
@@ -61,6 +63,12 @@ pub struct SweepArgs {
     /// Go ahead even with more than a hundred million rows
     #[arg(long)]
     pub yes: bool,
+    /// Scatter one design as it is made: 'profile=0.02 mm', base_radius, mass, speed (may be repeated)
+    #[arg(long, value_name = "PART=±VALUE")]
+    pub tolerance: Vec<String>,
+    /// Force error that a made cam may have, for the yield: '2 %' of the mean
+    #[arg(long, requires = "tolerance")]
+    pub band: Option<String>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -78,6 +86,9 @@ impl SweepArgs {
 
 /// Runs the sweep; exit code 0 when the table is complete and holds a cam, 3 when it holds none.
 pub fn run(args: &SweepArgs) -> Result<u8> {
+    if !args.tolerance.is_empty() {
+        return tolerance::run(args);
+    }
     let start = Instant::now();
     // A row that fails by our own fault says so in the table; its trace would only hide the others.
     std::panic::set_hook(Box::new(|_| {}));
@@ -94,7 +105,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         });
     }
     plan.validate()?;
-    let description = arguments::description(plan);
+    let description = arguments::description(&sweep);
     let mut journal = match Journal::open(&args.out, &description, args.resume)? {
         journal::Opened::Finished => {
             say(&format!("{} is already complete.", args.out.display()));

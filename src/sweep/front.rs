@@ -1,0 +1,184 @@
+//! The Pareto set: designs that no other design beats in every objective.
+
+use super::results::NUMBERS;
+use crate::error::{Error, Result, nearest};
+
+/// A design on the front.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Number of its row.
+    pub row: u64,
+    /// Its objectives, each the smaller the better.
+    pub values: Vec<f64>,
+    /// The cells of its row as text.
+    pub cells: Vec<String>,
+}
+
+/// The front of the designs offered so far.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Front {
+    points: Vec<Point>,
+}
+
+/// Whether `a` is nowhere worse than `b`.
+fn covers(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(x, y)| x <= y)
+}
+
+impl Front {
+    /// Takes a design in unless one on the front is as good in everything; what it covers leaves. Of equal
+    /// designs the first stays. A design with an objective that is not finite is no candidate. `cells` is
+    /// asked for only when the design is taken.
+    pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
+        if values.iter().any(|v| !v.is_finite()) {
+            return;
+        }
+        if let Some(i) = self.points.iter().position(|p| covers(&p.values, values)) {
+            // The next design is likely covered by the same one.
+            self.points.swap(0, i);
+            return;
+        }
+        self.points.retain(|p| !covers(values, &p.values));
+        self.points.push(Point {
+            row,
+            values: values.to_vec(),
+            cells: cells(),
+        });
+    }
+
+    /// The front, by the first objective.
+    pub fn sorted(&self) -> Vec<&Point> {
+        let mut out: Vec<&Point> = self.points.iter().collect();
+        out.sort_by(|a, b| {
+            let pairs = a.values.iter().zip(&b.values);
+            let first = pairs.map(|(x, y)| x.total_cmp(y)).find(|o| o.is_ne());
+            first.unwrap_or(a.row.cmp(&b.row))
+        });
+        out
+    }
+
+    /// The best compromise: nearest to the best of every objective, each counted from 0 at its best to 1 at
+    /// its worst on the front. With one objective, its minimum.
+    pub fn best(&self) -> Option<&Point> {
+        let range = |k: usize| {
+            self.points
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+                    (l.min(p.values[k]), h.max(p.values[k]))
+                })
+        };
+        let count = self.points.first()?.values.len();
+        let ranges: Vec<(f64, f64)> = (0..count).map(range).collect();
+        let distance = |p: &Point| -> f64 {
+            let terms = p.values.iter().zip(&ranges);
+            terms
+                .map(|(v, (low, high))| {
+                    if high > low {
+                        ((v - low) / (high - low)).powi(2)
+                    } else {
+                        0.0
+                    }
+                })
+                .sum()
+        };
+        self.points
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.row.cmp(&b.row)))
+    }
+}
+
+/// The column that an objective names: its whole name, or the beginning of one (`jerk` for
+/// `jerk_max_m_per_s3`); `force_error` is the RMS error in percent.
+pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
+    let name = match name.trim() {
+        "force_error" => "force_rms_error_percent",
+        other => other,
+    };
+    if let Some(i) = columns.iter().position(|c| c == name) {
+        return Ok(i);
+    }
+    let begins = |c: &&String| {
+        c.strip_prefix(name)
+            .is_some_and(|rest| rest.starts_with('_'))
+    };
+    if let Some(i) = columns.iter().position(|c| begins(&c)) {
+        return Ok(i);
+    }
+    let error = Error::argument("--minimise", format!("\"{name}\" is no column of numbers"));
+    let short = [
+        "force_error",
+        "prime_radius",
+        "base_radius",
+        "jerk",
+        "acceleration",
+        "stroke",
+    ];
+    Err(match nearest(name, short.into_iter().chain(NUMBERS)) {
+        Some(n) => error.help(format!("did you mean \"{n}\"?")),
+        None => error.help(format!("for example {}", short.join(", "))),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn front(points: &[[f64; 2]]) -> Vec<u64> {
+        let mut front = Front::default();
+        for (i, p) in points.iter().enumerate() {
+            front.offer(i as u64, p, Vec::new);
+        }
+        front.sorted().iter().map(|p| p.row).collect()
+    }
+
+    #[test]
+    fn only_designs_that_nothing_beats_stay() {
+        assert_eq!(
+            front(&[[2.0, 2.0], [1.0, 3.0], [3.0, 1.0], [3.0, 3.0]]),
+            [1, 0, 2]
+        );
+        assert_eq!(front(&[[2.0, 2.0], [1.0, 1.0]]), [1]);
+        assert_eq!(front(&[[1.0, 1.0], [1.0, 1.0], [f64::NAN, 0.0]]), [0]);
+    }
+
+    #[test]
+    fn the_front_is_that_of_comparing_every_pair() {
+        let points: Vec<[f64; 2]> = (0..300_u64)
+            .map(|i| [0, 1].map(|k| crate::sweep::Method::Latin.coordinate(i, 300, k, 3)))
+            .collect();
+        let beaten = |p: &[f64; 2]| {
+            points
+                .iter()
+                .any(|q| q != p && q[0] <= p[0] && q[1] <= p[1])
+        };
+        let mut expected: Vec<u64> = (0..300).filter(|&i| !beaten(&points[i as usize])).collect();
+        let mut found = front(&points);
+        expected.sort_unstable();
+        found.sort_unstable();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn the_best_compromise_is_the_knee() {
+        let mut front = Front::default();
+        for (i, p) in [[0.0, 10.0], [1.0, 1.0], [10.0, 0.0]].iter().enumerate() {
+            front.offer(i as u64, p, Vec::new);
+        }
+        assert_eq!(front.best().map(|p| p.row), Some(1));
+    }
+
+    #[test]
+    fn objectives_are_found_by_their_beginning() {
+        let columns: Vec<String> = NUMBERS.iter().map(|s| (*s).to_string()).collect();
+        assert_eq!(
+            columns[objective("force_error", &columns).unwrap()],
+            "force_rms_error_percent"
+        );
+        assert_eq!(
+            columns[objective("jerk", &columns).unwrap()],
+            "jerk_max_m_per_s3"
+        );
+        let fault = objective("jrk", &columns).unwrap_err().to_string();
+        assert!(fault.contains("did you mean \"jerk\""), "{fault}");
+    }
+}

@@ -1,0 +1,308 @@
+//! Manufacturing scatter around one design: what its force error becomes when the cam is made.
+//!
+//! The built force differs from the target by
+//!
+//! ```text
+//! F′ − F* = (F − F*) + (F₀′ − F₀ + kΔ) + c(ω′ − ω)·v + (m′ω′² − mω²)·a + k ε + cω′ ε_θ + m′ω′² ε_θθ
+//! ```
+//!
+//! with Δ the error of the base radius and ε(θ) that of the profile, both measured along the follower's
+//! motion (on a flat face that is the face's own distance; on a roller, to first order, the normal error
+//! divided by the cosine of the pressure angle). All of it is linear in a few fixed functions, so the RMS of
+//! one sample is a small quadratic form of their mean products.
+
+use std::f64::consts::TAU;
+
+use super::sample::{Method, mixed, unit};
+use crate::drive::DriveKind;
+use crate::error::{Error, Result};
+use crate::synth::Synthesis;
+use crate::units::{Dimension, parse};
+
+/// What is made with an error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The profile: waves of 2 to 12 lobes whose amplitudes fall with the square of the number of lobes and
+    /// together stay within the tolerance.
+    Profile,
+    /// The base radius.
+    BaseRadius,
+    /// The moved mass.
+    Mass,
+    /// The speed.
+    Speed,
+}
+
+/// A tolerance ± on a part; samples are spread evenly over it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// The part.
+    pub part: Part,
+    /// Half width, SI; as part of the value where `relative`.
+    pub half_width: f64,
+    /// Whether it counts against the value.
+    pub relative: bool,
+}
+
+/// Lobes of the profile error.
+const LOBES: std::ops::RangeInclusive<usize> = 2..=12;
+/// Points for the mean products: the functions are smooth, so the trapezoidal rule converges fast.
+const POINTS: usize = 4096;
+/// The fixed functions before the lobes: F − F*, 1, v, a.
+const FIXED: usize = 4;
+
+impl Tolerance {
+    /// Reads `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
+    pub fn parse(text: &str) -> Result<Tolerance> {
+        let fault = |what: String| Error::argument("--tolerance", what);
+        let (name, value) = text.split_once('=').ok_or_else(|| {
+            fault(format!("\"{text}\" has no =")).help("write --tolerance 'profile=0.02 mm'")
+        })?;
+        let (part, dimension) = match name.trim() {
+            "profile" => (Part::Profile, Dimension::Length),
+            "base_radius" | "cam.base_radius" => (Part::BaseRadius, Dimension::Length),
+            "mass" | "drive.mass" => (Part::Mass, Dimension::Mass),
+            "speed" | "drive.speed" => (Part::Speed, Dimension::AngularSpeed),
+            other => {
+                return Err(fault(format!("\"{other}\" has no tolerance here"))
+                    .help("known are profile, base_radius, mass, speed"));
+            }
+        };
+        let relative = value.trim().ends_with('%') && matches!(part, Part::Mass | Part::Speed);
+        let dimension = if relative {
+            Dimension::Ratio
+        } else {
+            dimension
+        };
+        let half_width = parse(value, dimension).map_err(|e| fault(format!("{name}: {e}")))?;
+        if half_width < 0.0 {
+            return Err(fault(format!("{name}: {half_width} is negative")));
+        }
+        Ok(Tolerance {
+            part,
+            half_width,
+            relative,
+        })
+    }
+}
+
+/// One sample: the errors as made, and what they cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Made {
+    /// Largest amplitude sum of the profile error, m.
+    pub profile_m: f64,
+    /// Error of the base radius, m.
+    pub base_radius_m: f64,
+    /// Error of the mass, kg.
+    pub mass_kg: f64,
+    /// Error of the speed, rad/s.
+    pub speed_rad_per_s: f64,
+    /// RMS distance of the force to its target, N.
+    pub force_rms_error_n: f64,
+    /// The same as percent of the mean target.
+    pub force_rms_error_percent: f64,
+}
+
+/// A design ready to be scattered.
+pub struct Scatter<'a> {
+    design: &'a Synthesis,
+    mean: f64,
+    /// Mean products of the fixed functions and the lobes.
+    products: Vec<Vec<f64>>,
+}
+
+impl<'a> Scatter<'a> {
+    /// Takes the design apart. Fails where no force is wanted, so that there is no error to speak of.
+    pub fn new(design: &'a Synthesis) -> Result<Self> {
+        let Some(target) = &design.target else {
+            return Err(Error::argument(
+                "--tolerance",
+                "the scene wants no force, so there is no force error",
+            )
+            .help("add [gait] to the scene"));
+        };
+        let count = FIXED + 2 * LOBES.count();
+        let mut products = vec![vec![0.0; count]; count];
+        let mut row = vec![0.0; count];
+        for i in 0..POINTS {
+            let theta = TAU * i as f64 / POINTS as f64;
+            let at = design.cam.law.svaj(theta);
+            row[..FIXED].copy_from_slice(&[
+                design.drive.force(at) - target.at(theta),
+                1.0,
+                at.v,
+                at.a,
+            ]);
+            for (k, n) in LOBES.enumerate() {
+                let (sin, cos) = (n as f64 * theta).sin_cos();
+                (row[FIXED + 2 * k], row[FIXED + 2 * k + 1]) = (cos, sin);
+            }
+            for (line, x) in products.iter_mut().zip(&row) {
+                for (p, y) in line.iter_mut().zip(&row) {
+                    *p += x * y / POINTS as f64;
+                }
+            }
+        }
+        Ok(Scatter {
+            design,
+            mean: target.mean_n(),
+            products,
+        })
+    }
+
+    /// Sample `index` of `count`; the same for the same arguments, always.
+    pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
+        let drive = &self.design.drive;
+        let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
+        for (axis, t) in tolerances.iter().enumerate() {
+            let u = Method::Latin.coordinate(index, count, axis, seed);
+            let error =
+                |value: f64| (2.0 * u - 1.0) * t.half_width * if t.relative { value } else { 1.0 };
+            match t.part {
+                Part::Profile => profile = u * t.half_width,
+                Part::BaseRadius => radius = error(0.0),
+                Part::Mass => mass = error(drive.mass),
+                Part::Speed => speed = error(drive.speed),
+            }
+        }
+        let (w, m) = (drive.speed + speed, drive.mass + mass);
+        let heavier = match drive.kind {
+            DriveKind::MovingAxis => drive.rest_force * mass / drive.mass,
+            _ => 0.0,
+        };
+        let mut c = vec![0.0; self.products.len()];
+        c[0] = 1.0;
+        c[1] = heavier + drive.spring_rate * radius;
+        c[2] = drive.damping * speed;
+        c[3] = m * w * w - drive.mass * drive.speed * drive.speed;
+        let all: f64 = LOBES.map(|n| 1.0 / (n * n) as f64).sum();
+        for (k, n) in LOBES.enumerate() {
+            let x = n as f64;
+            let size = profile / (all * x * x);
+            let phase = TAU * unit(mixed(seed ^ mixed(index ^ mixed(n as u64))));
+            let (b, a) = (size * phase.sin(), size * phase.cos());
+            let (even, odd) = (drive.spring_rate - m * w * w * x * x, drive.damping * w * x);
+            c[FIXED + 2 * k] = even * a + odd * b;
+            c[FIXED + 2 * k + 1] = even * b - odd * a;
+        }
+        let square: f64 = self
+            .products
+            .iter()
+            .zip(&c)
+            .map(|(line, x)| x * line.iter().zip(&c).map(|(p, y)| p * y).sum::<f64>())
+            .sum();
+        let rms = square.max(0.0).sqrt();
+        Made {
+            profile_m: profile,
+            base_radius_m: radius,
+            mass_kg: mass,
+            speed_rad_per_s: speed,
+            force_rms_error_n: rms,
+            force_rms_error_percent: 100.0 * rms / self.mean.abs(),
+        }
+    }
+}
+
+/// Spread of a list of numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation.
+    pub deviation: f64,
+    /// 5 %, 50 % and 95 % quantiles.
+    pub quantiles: [f64; 3],
+    /// Largest.
+    pub largest: f64,
+    /// Part that stays within the band, where one was asked for.
+    pub within: Option<f64>,
+}
+
+impl Spread {
+    /// Of `values`, of which those up to `band` count as within. `None` of nothing.
+    pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let n = sorted.len() as f64;
+        let mean = sorted.iter().sum::<f64>() / n;
+        let square = sorted.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+        let quantile = |q: f64| sorted[((q * (n - 1.0)).round() as usize).min(sorted.len() - 1)];
+        let largest = *sorted.last()?;
+        Some(Spread {
+            mean,
+            deviation: (square / (n - 1.0).max(1.0)).sqrt(),
+            quantiles: [0.05, 0.5, 0.95].map(quantile),
+            largest,
+            within: band.map(|b| sorted.partition_point(|v| *v <= b) as f64 / n),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gait::Feet;
+    use crate::scene;
+    use crate::synth::synthesise;
+
+    fn design() -> Synthesis {
+        let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+        let target = crate::gait::model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+        synthesise(&scene, Some(&target)).unwrap()
+    }
+
+    #[test]
+    fn without_tolerances_the_error_is_the_design_s_own() {
+        let design = design();
+        let made = Scatter::new(&design).unwrap().sample(&[], 0, 1, 1);
+        assert!((made.force_rms_error_n / design.force.rms_error_n - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn mass_and_speed_errors_cost_what_their_forces_say() {
+        let design = design();
+        let scatter = Scatter::new(&design).unwrap();
+        // ΔM adds ΔM·g everywhere and ΔM ω² a; a heavier block misses the mean by ΔM·g.
+        let t = [
+            Tolerance::parse("mass=10 %").unwrap(),
+            Tolerance::parse("speed=5 %").unwrap(),
+        ];
+        let target = design.target.as_ref().unwrap();
+        for i in 0..8 {
+            let made = scatter.sample(&t, i, 8, 3);
+            let (m, w) = (
+                design.drive.mass + made.mass_kg,
+                design.drive.speed + made.speed_rad_per_s,
+            );
+            let n = 20_000;
+            let square: f64 = (0..n)
+                .map(|k| {
+                    let x = TAU * f64::from(k) / f64::from(n);
+                    (m * (9.81 + w * w * design.cam.law.svaj(x).a) - target.at(x)).powi(2)
+                })
+                .sum::<f64>()
+                / f64::from(n);
+            assert!((made.force_rms_error_n / square.sqrt() - 1.0).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_profile_error_grows_the_error_and_stays_within_its_tolerance() {
+        let design = design();
+        let scatter = Scatter::new(&design).unwrap();
+        let t = [Tolerance::parse("profile=0.05 mm").unwrap()];
+        let made: Vec<Made> = (0..200).map(|i| scatter.sample(&t, i, 200, 1)).collect();
+        assert!(made.iter().all(|m| m.profile_m <= 5e-5));
+        let errors: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
+        let spread = Spread::of(&errors, Some(100.0)).unwrap();
+        assert!(
+            spread.within == Some(1.0) && spread.largest > design.force.rms_error_percent_of_mean
+        );
+        assert!(
+            Tolerance::parse("colour=3 mm")
+                .unwrap_err()
+                .to_string()
+                .contains("known are")
+        );
+    }
+}

@@ -1,0 +1,192 @@
+//! Extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
+
+use std::f64::consts::TAU;
+use std::sync::OnceLock;
+
+/// An extreme value and its angle, rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// The value.
+    pub value: f64,
+    /// Where.
+    pub at: f64,
+}
+
+/// Grid points per period of the fastest harmonic, at least.
+const POINTS_PER_WAVE: usize = 16;
+/// Fewest and most grid points; a sum beyond the finest is searched on it all the same.
+const GRIDS: [usize; 8] = [64, 128, 256, 512, 1024, 2048, 4096, 8192];
+/// Steps within a cell: Newton's method needs three or four, halving all of them.
+const STEPS: usize = 40;
+/// A crest is that flat within this angle, rad, that its value is found by one more parabola.
+const FLAT: f64 = 1e-5;
+
+/// Value and two derivatives at `x`.
+pub fn at(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
+    let (sin, cos) = x.sin_cos();
+    let (mut c, mut s) = (1.0, 0.0);
+    let mut out = [0.0; 3];
+    for (n, &(a, b)) in (1..).zip(terms) {
+        (c, s) = (c * cos - s * sin, s * cos + c * sin);
+        let n = f64::from(n);
+        let (even, odd) = (a * c + b * s, b * c - a * s);
+        out[0] += even;
+        out[1] += n * odd;
+        out[2] -= n * n * even;
+    }
+    out
+}
+
+fn circle(grid: usize) -> &'static [(f64, f64)] {
+    static CIRCLES: [OnceLock<Vec<(f64, f64)>>; GRIDS.len()] =
+        [const { OnceLock::new() }; GRIDS.len()];
+    CIRCLES[grid].get_or_init(|| {
+        let n = GRIDS[grid];
+        (0..n)
+            .map(|i| (TAU * i as f64 / n as f64).sin_cos())
+            .map(|(s, c)| (c, s))
+            .collect()
+    })
+}
+
+/// Smallest and largest value, to rounding: every grid cell that could hold them is searched by Newton's
+/// method. Between grid points the sum exceeds the higher end of its cell by at most h²/8·max|f″|, and
+/// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
+pub fn extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
+    let wanted = (POINTS_PER_WAVE * terms.len()).max(1);
+    let grid = GRIDS
+        .iter()
+        .position(|g| *g >= wanted)
+        .unwrap_or(GRIDS.len() - 1);
+    let circle = circle(grid);
+    let mask = circle.len() - 1;
+    let mut values = vec![0.0; circle.len()];
+    let mut bend = 0.0;
+    for (n, &(a, b)) in (1_usize..).zip(terms) {
+        let mut k = 0;
+        for v in values.iter_mut() {
+            let (c, s) = circle[k];
+            *v += a * c + b * s;
+            k = (k + n) & mask;
+        }
+        bend += (n * n) as f64 * a.hypot(b);
+    }
+    let step = TAU / values.len() as f64;
+    let reach = 0.125 * step * step * bend;
+    (
+        search(terms, &values, step, reach, -1.0),
+        search(terms, &values, step, reach, 1.0),
+    )
+}
+
+/// The largest value of sign·f.
+fn search(terms: &[(f64, f64)], values: &[f64], step: f64, reach: f64, sign: f64) -> Extreme {
+    let highest = values
+        .iter()
+        .fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
+    let mut best = Extreme {
+        value: f64::NEG_INFINITY,
+        at: 0.0,
+    };
+    let mut left = sign * values[values.len() - 1];
+    for (i, v) in values.iter().enumerate() {
+        let right = sign * v;
+        let (end, higher) = if left > right {
+            (i as f64 - 1.0, left)
+        } else {
+            (i as f64, right)
+        };
+        if higher + reach >= highest {
+            if higher > best.value {
+                best = Extreme {
+                    value: higher,
+                    at: end * step,
+                };
+            }
+            let ends = [(i as f64 - 1.0) * step, i as f64 * step];
+            if let Some(top) = crest(terms, ends, end * step, sign)
+                && top.value > best.value
+            {
+                best = top;
+            }
+        }
+        left = right;
+    }
+    Extreme {
+        value: sign * best.value,
+        at: best.at.rem_euclid(TAU),
+    }
+}
+
+/// The crest of sign·f in a cell at whose ends it rises and falls: Newton's method on f′ from `start`,
+/// halving the cell where that leaves it.
+fn crest(
+    terms: &[(f64, f64)],
+    [mut low, mut high]: [f64; 2],
+    start: f64,
+    sign: f64,
+) -> Option<Extreme> {
+    if sign * at(terms, low)[1] < 0.0 || sign * at(terms, high)[1] > 0.0 {
+        return None;
+    }
+    let mut x = start;
+    for _ in 0..STEPS {
+        let [value, slope, bend] = at(terms, x);
+        let newton = -slope / bend;
+        if sign * bend < 0.0 && newton.abs() < FLAT {
+            // What is left of the way changes the value by less than rounding.
+            return Some(Extreme {
+                value: sign * (value + 0.5 * newton * slope),
+                at: x + newton,
+            });
+        }
+        if sign * slope > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let next = x + newton;
+        x = if sign * bend < 0.0 && next > low && next < high {
+            next
+        } else {
+            0.5 * (low + high)
+        };
+    }
+    Some(Extreme {
+        value: sign * at(terms, x)[0],
+        at: x,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::law::Law;
+    use crate::sweep::Method;
+
+    #[test]
+    fn extremes_equal_those_of_the_law() {
+        for case in 0..60_u64 {
+            let count = 1 + (case % 12) as usize;
+            let terms: Vec<(f64, f64)> = (0..count)
+                .map(|n| {
+                    let u = |axis| 2.0 * Method::Latin.coordinate(case, 60, axis, 5) - 1.0;
+                    let decay = ((n + 1) as f64).powi((case % 3) as i32);
+                    (u(2 * n) / decay, u(2 * n + 1) / decay)
+                })
+                .collect();
+            let (low, high) = extremes(&terms);
+            let (a, b) = Law::harmonic(0.0, &terms).extremes(0);
+            let size = b.value - a.value;
+            assert!(
+                (low.value - a.value).abs() < 1e-13 * size,
+                "{case}: {low:?} {a:?}"
+            );
+            assert!(
+                (high.value - b.value).abs() < 1e-13 * size,
+                "{case}: {high:?} {b:?}"
+            );
+        }
+        assert_eq!(extremes(&[]).1.value, 0.0);
+    }
+}
