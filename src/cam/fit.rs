@@ -12,6 +12,20 @@ impl Cam {
     /// Undercut and steep pressure angles are no faults of the input but of the cam:
     /// [`judge`](super::judge) sees to them.
     pub fn check(&self) -> Result<()> {
+        self.check_beside()?;
+        match self.follower {
+            Follower::RollerOscillating { pivot_distance, .. }
+            | Follower::MushroomOscillating { pivot_distance, .. }
+            | Follower::FlatOscillating { pivot_distance, .. } => {
+                self.check_pivot(pivot_distance.abs())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// As [`Cam::check`], but the pivot may lie within the cam's outline: the arm runs in another plane
+    /// (CAM-DAS allows that).
+    pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
         let (low, high) = Follower::lift_range(&self.law);
         match self.follower {
@@ -31,8 +45,7 @@ impl Cam {
                 ..
             } => {
                 self.check_reach(pivot_distance.abs(), arm)?;
-                self.check_swing(low, high, 0.0, PI)?;
-                self.check_pivot(pivot_distance.abs())
+                self.check_swing(low, high, 0.0, PI)
             }
             Follower::FlatOscillating {
                 pivot_distance,
@@ -53,8 +66,7 @@ impl Cam {
                     )));
                 }
                 self.check_swing(low, high, -FRAC_PI_2, FRAC_PI_2)?;
-                self.check_arm_speed(pivot_distance.signum())?;
-                self.check_pivot(c)
+                self.check_arm_speed(pivot_distance.signum())
             }
             Follower::TranslatingCam { .. } | Follower::Barrel { .. } => Ok(()),
         }

@@ -29,9 +29,16 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
             path.parent().unwrap_or(Path::new(".")).to_path_buf(),
         ),
     };
-    let mut table: Table = text
-        .parse()
-        .map_err(|e: toml::de::Error| not_toml(args.scene.as_deref(), &text, &e))?;
+    let json = args
+        .scene
+        .as_deref()
+        .filter(|p| p.extension().is_some_and(|e| e == "json"));
+    let mut table: Table = match json {
+        Some(path) => of_summary(path, &text)?,
+        None => text
+            .parse()
+            .map_err(|e: toml::de::Error| not_toml(args.scene.as_deref(), &text, &e))?,
+    };
     for change in &args.set {
         scene::set(&mut table, change)?;
     }
@@ -43,7 +50,34 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     })
 }
 
+/// The scene that a summary.json was made from.
+fn of_summary(path: &Path, text: &str) -> Result<Table> {
+    let value: serde_json::Value = serde_json::from_str(text)
+        .map_err(|e| Error::line(path, e.line(), format!("is not JSON ({e})")))?;
+    let missing = || {
+        Error::file(path, "holds no scene").help("give a summary.json of gaitcam, or a scene file")
+    };
+    let scene = value.get("scene").ok_or_else(missing)?;
+    serde_json::from_value(scene.clone()).map_err(|_| missing())
+}
+
 impl Input {
+    /// The scene as it was settled, changes included, so that it means the same from any folder: paths
+    /// are absolute.
+    pub fn resolved(&self) -> Table {
+        let mut table = self.table.clone();
+        let file = self.scene.gait.as_ref().and_then(|g| match &g.source {
+            Source::File { path, .. } => fs::canonicalize(self.find(path)).ok(),
+            Source::Model { .. } => None,
+        });
+        let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);
+        if let (Some(file), Some(gait)) = (file, gait) {
+            let file = file.to_string_lossy().into_owned();
+            gait.insert("file".to_string(), toml::Value::String(file));
+        }
+        table
+    }
+
     /// The force curve that the scene names, if it names one.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         target(&self.scene, &self.folder)

@@ -4,6 +4,7 @@
 mod files;
 mod front;
 mod gait;
+mod hand_over;
 mod input;
 mod laws;
 mod simulate;
@@ -68,6 +69,12 @@ struct SynthArgs {
     /// Rows of law.csv and profile.csv
     #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     points: u32,
+    /// Also write what a workshop takes: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
+    #[arg(long)]
+    solid: bool,
+    /// Also write the path of a cutter of this radius: --tool '6 mm'
+    #[arg(long, value_name = "RADIUS")]
+    tool: Option<String>,
 }
 
 impl SynthArgs {

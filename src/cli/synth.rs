@@ -4,14 +4,20 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::files::Folder;
-use super::{BUILT, NO_SUCH_CAM, SynthArgs, input, say};
+use super::{BUILT, NO_SUCH_CAM, SynthArgs, hand_over, input, say};
 use crate::emit::{self, Timing};
-use crate::error::Result;
+use crate::error::{Place, Result};
 use crate::synth::{Synthesis, synthesise};
+use crate::units::{Dimension, parse};
 
 /// Designs the cam and writes its files; exit code 3 when there is no such cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
     let start = Instant::now();
+    let tool = args
+        .tool
+        .as_deref()
+        .map(|t| parse(t, Dimension::Length).map_err(|e| e.at(Place::Argument("--tool".into()))))
+        .transpose()?;
     let input = input::scene(&args.scene)?;
     let folder = args
         .out
@@ -27,13 +33,36 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
     };
-    let summary =
-        serde_json::to_string_pretty(&emit::json::summary(&design, time)).unwrap_or_default();
+    let mut remarks = Vec::new();
+    if design.infeasible.is_none() {
+        if args.solid {
+            remarks = hand_over::workshop(&folder, &design, time)?;
+        }
+        if let Some(radius) = tool {
+            remarks.extend(hand_over::cutter(
+                &folder,
+                &design,
+                radius,
+                args.points as usize,
+            )?);
+        }
+    }
+    let scene = input.resolved();
+    folder.write(
+        "scene.toml",
+        toml::to_string(&scene).unwrap_or_default().as_bytes(),
+    )?;
+    let mut summary = emit::json::summary(&design, time);
+    summary["scene"] = serde_json::to_value(&scene).unwrap_or_default();
+    let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
     folder.write("summary.json", summary.as_bytes())?;
     if args.json {
         say(&summary);
     } else {
         say(&words(&design, time));
+        for remark in remarks {
+            say(&format!("  note      {remark}"));
+        }
         say(&format!(
             "Files in {}; open {} first.",
             folder.path().display(),
@@ -62,6 +91,10 @@ fn write_files(
     }
     folder.write("law.csv", emit::csv::law(design, points).as_bytes())?;
     folder.write("profile.csv", emit::csv::profile(design, points).as_bytes())?;
+    if let Some(pair) = &design.conjugate {
+        let second = emit::csv::points(&pair.second_profile(points));
+        folder.write("second_profile.csv", second.as_bytes())?;
+    }
     folder.write("profile.dxf", &emit::dxf::profile(design, points))?;
     folder.write("profile.svg", emit::svg::profile(design, points).as_bytes())?;
     for (name, picture) in [
@@ -73,6 +106,24 @@ fn write_files(
         folder.write(&format!("{name}.png"), &picture.png())?;
     }
     folder.write("report.html", emit::report::html(design, time()).as_bytes())
+}
+
+/// A checked value in the units of its follower: lifts of an arm are angles.
+fn in_units(design: &Synthesis, name: &str, value: f64) -> String {
+    let unit = match name {
+        "velocity" => "rad/s",
+        "acceleration" => "rad/s²",
+        "jerk" => "rad/s³",
+        "stroke" | "base_circle" if design.cam.follower.is_oscillating() => {
+            return format!("{:.4}°", value.to_degrees());
+        }
+        _ => return crate::synth::in_units(name, value),
+    };
+    if design.cam.follower.is_oscillating() {
+        format!("{value:.6} {unit}")
+    } else {
+        crate::synth::in_units(name, value)
+    }
 }
 
 /// The result for people: what was found, how well, and what limits it.
@@ -117,7 +168,7 @@ fn words(design: &Synthesis, time: Timing) -> String {
     ));
     for check in &design.checks {
         let mark = if check.pass { "ok  " } else { "FAIL" };
-        let value = |x: f64| crate::synth::in_units(&check.name, x);
+        let value = |x: f64| in_units(design, &check.name, x);
         out.push(format!(
             "  {mark}      {:<20} {} (limit {}) at {:.2}°",
             check.name,

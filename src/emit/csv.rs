@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::geometry::{angles, oscillates, target_at};
+use crate::cam::ProfilePoint;
 use crate::synth::Synthesis;
 
 /// Columns of `law.csv` for a translating follower.
@@ -40,15 +41,20 @@ pub fn law(synthesis: &Synthesis, points: usize) -> String {
     out
 }
 
-/// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `points` equal steps.
+/// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
 ///
 /// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the
 /// profile has `rho_m` = `inf`.
-pub fn profile(synthesis: &Synthesis, points: usize) -> String {
-    let mut out = String::with_capacity((points + 1) * 7 * WIDTH);
+pub fn profile(synthesis: &Synthesis, rows: usize) -> String {
+    points(&synthesis.cam.profile(rows))
+}
+
+/// Any profile in the columns of `profile.csv`, as the second one of a conjugate pair.
+pub fn points(rows: &[ProfilePoint]) -> String {
+    let mut out = String::with_capacity((rows.len() + 1) * 7 * WIDTH);
     out.push_str(PROFILE);
     out.push('\n');
-    for p in synthesis.cam.profile(points) {
+    for p in rows {
         let row = [
             p.theta,
             p.x,

@@ -48,14 +48,15 @@ pub struct Options {
     pub bore: Option<f64>,
 }
 
-/// The plain hand-over: R12, polylines of `points` vertices at equal steps of the cam angle, no bore.
+/// The plain hand-over: R12, polylines of `points` vertices at equal steps of the cam angle, with the
+/// bore that the scene gives.
 pub fn profile(synthesis: &Synthesis, points: usize) -> Vec<u8> {
     drawing(
         synthesis,
         Options {
             points,
             version: Version::R12,
-            bore: None,
+            bore: synthesis.bore,
         },
     )
 }

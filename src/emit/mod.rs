@@ -10,6 +10,7 @@ pub mod csv;
 pub mod cutter;
 pub mod dxf;
 mod geometry;
+pub mod groove;
 pub mod json;
 mod panel;
 pub mod picture;

@@ -57,6 +57,13 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> String {
             "<path id=\"pitch-curve\" d=\"{pitch}\" stroke=\"#E69F00\" stroke-dasharray=\"2 1\"/>"
         );
     }
+    if let Some(bore) = synthesis.bore {
+        let _ = writeln!(
+            out,
+            "<circle id=\"bore\" r=\"{:.6}\" stroke=\"#000000\"/>",
+            0.5 * MM * bore
+        );
+    }
     let _ = writeln!(
         out,
         "<path id=\"profile\" d=\"{outline}\" stroke=\"#000000\" stroke-width=\"0.25\"/>\n\

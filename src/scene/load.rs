@@ -18,8 +18,6 @@ use crate::units::{Dimension, G};
 const MOST_SPANS: usize = 20_000;
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
-/// Plate thickness of solids when nothing is said, m.
-const THICKNESS: f64 = 0.01;
 
 /// Reads a scene from its table. Errors name the dotted key.
 pub fn read(table: &Table) -> Result<Scene> {
@@ -32,11 +30,11 @@ pub fn read(table: &Table) -> Result<Scene> {
         );
     }
     let gait = root.table("gait")?.map(gait).transpose()?;
-    let drive = drive(root.table("drive")?)?;
-    let oscillating = matches!(root_follower(table), Some(f) if f.contains("oscillating"));
-    let law = law(root.table("law")?, oscillating, gait.is_some())?;
-    let cam = cam(root.table("cam")?)?;
-    let limits = limits(root.table("limits")?, oscillating)?;
+    // The follower decides what lift and angle are measured in.
+    let cam = super::cam::read(root.table("cam")?)?;
+    let drive = drive(root.table("drive")?, &cam)?;
+    let law = law(root.table("law")?, &cam, gait.is_some())?;
+    let limits = limits(root.table("limits")?, cam.is_oscillating())?;
     let rms = accuracy(root.table("accuracy")?)?;
     root.finish()?;
     let scene = Scene {
@@ -81,10 +79,6 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     }
     at.insert((*last).to_string(), value);
     Ok(())
-}
-
-fn root_follower(table: &Table) -> Option<&str> {
-    table.get("cam")?.get("follower")?.as_str()
 }
 
 fn gait(mut r: Reader) -> Result<Gait> {
@@ -133,9 +127,15 @@ fn gait(mut r: Reader) -> Result<Gait> {
     })
 }
 
-fn drive(reader: Option<Reader>) -> Result<DriveSpec> {
+fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
+    // Only a cam that turns under a sliding follower can carry its own shaft.
+    let usual = if cam.is_oscillating() || cam.is_straight() || cam.follower == "barrel" {
+        DriveKind::FixedAxis
+    } else {
+        DriveKind::MovingAxis
+    };
     let mut spec = DriveSpec {
-        kind: DriveKind::MovingAxis,
+        kind: usual,
         mass: None,
         speed: None,
         gravity: G,
@@ -152,9 +152,14 @@ fn drive(reader: Option<Reader>) -> Result<DriveSpec> {
         DriveKind::Hydraulic,
     ]
     .map(|k| (k.name(), k));
-    spec.kind = r.choice("kind", &kinds)?.unwrap_or(DriveKind::MovingAxis);
+    spec.kind = r.choice("kind", &kinds)?.unwrap_or(usual);
     spec.mass = r.positive("mass", Dimension::Mass)?;
-    spec.speed = r.positive("speed", Dimension::AngularSpeed)?;
+    let per_time = if cam.is_straight() {
+        Dimension::Speed
+    } else {
+        Dimension::AngularSpeed
+    };
+    spec.speed = r.positive("speed", per_time)?;
     spec.gravity = r.positive("gravity", Dimension::Acceleration)?.unwrap_or(G);
     match spec.kind {
         DriveKind::MovingAxis => {}
@@ -184,7 +189,7 @@ fn drive(reader: Option<Reader>) -> Result<DriveSpec> {
     Ok(spec)
 }
 
-fn law(reader: Option<Reader>, oscillating: bool, has_gait: bool) -> Result<LawSpec> {
+fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec> {
     let mut spec = LawSpec {
         family: Family::Spline,
         degree: None,
@@ -221,7 +226,7 @@ fn law(reader: Option<Reader>, oscillating: bool, has_gait: bool) -> Result<LawS
         );
     }
     spec.monotone = r.flag("monotone")?.unwrap_or(false);
-    let length = |order| lift_dimension(oscillating, order);
+    let length = |order| lift_dimension(cam.is_oscillating(), order);
     for mut p in r.tables("point")? {
         let key = p.name("angle");
         let angle = p.quantity("angle", Dimension::Angle)?;
@@ -259,9 +264,17 @@ fn law(reader: Option<Reader>, oscillating: bool, has_gait: bool) -> Result<LawS
         spec.segments.push(SegmentSpec {
             motion: s.text("motion")?.unwrap_or("dwell").to_string(),
             lift: s.quantity("lift", length(0))?.unwrap_or(0.0),
-            angle: s.positive("angle", Dimension::Angle)?.ok_or_else(|| {
-                Error::key(&key, "a segment needs its angle").help("write angle = \"90 deg\"")
-            })?,
+            angle: if cam.is_straight() {
+                let length = s.name("length");
+                s.positive("length", Dimension::Length)?.ok_or_else(|| {
+                    Error::key(&length, "a segment of a translating cam needs its length")
+                        .help("write length = \"40 mm\"")
+                })?
+            } else {
+                s.positive("angle", Dimension::Angle)?.ok_or_else(|| {
+                    Error::key(&key, "a segment needs its angle").help("write angle = \"90 deg\"")
+                })?
+            },
         });
         s.finish()?;
     }
@@ -278,58 +291,24 @@ fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
     }
 }
 
-fn cam(reader: Option<Reader>) -> Result<CamSpec> {
-    let mut spec = CamSpec {
-        follower: "flat-translating".to_string(),
-        base_radius: None,
-        prime_radius: None,
-        offset: None,
-        roller_radius: 0.0,
-        pivot_distance: None,
-        arm: None,
-        face_offset: 0.0,
-        bore: None,
-        thickness: THICKNESS,
-    };
-    let Some(mut r) = reader else { return Ok(spec) };
-    let kinds = [
-        "flat-translating",
-        "roller-translating",
-        "knife-translating",
-    ]
-    .map(|k| (k, k));
-    spec.follower = r
-        .choice("follower", &kinds)?
-        .unwrap_or("flat-translating")
-        .to_string();
-    spec.base_radius = r.positive("base_radius", Dimension::Length)?;
-    spec.prime_radius = r.positive("prime_radius", Dimension::Length)?;
-    spec.offset = r.quantity("offset", Dimension::Length)?;
-    spec.bore = r.positive("bore", Dimension::Length)?;
-    spec.thickness = r
-        .positive("thickness", Dimension::Length)?
-        .unwrap_or(THICKNESS);
-    if spec.follower.starts_with("roller") {
-        spec.roller_radius = r
-            .positive("roller_radius", Dimension::Length)?
-            .ok_or_else(|| {
-                Error::key("cam.roller_radius", "a roller follower needs it")
-                    .help("write for example \"10 mm\"")
-            })?;
-    }
-    r.finish()?;
-    Ok(spec)
-}
-
 fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
     let mut limits = Limits::default();
     let Some(mut r) = reader else {
         return Ok(limits);
     };
     limits.stroke = r.positive("stroke", lift_dimension(oscillating, 0))?;
-    limits.velocity = r.positive("velocity", Dimension::Speed)?;
-    limits.acceleration = r.positive("acceleration", Dimension::Acceleration)?;
-    limits.jerk = r.positive("jerk", Dimension::Jerk)?;
+    let timed = if oscillating {
+        [
+            Dimension::AngularSpeed,
+            Dimension::AngularAcceleration,
+            Dimension::AngularJerk,
+        ]
+    } else {
+        [Dimension::Speed, Dimension::Acceleration, Dimension::Jerk]
+    };
+    limits.velocity = r.positive("velocity", timed[0])?;
+    limits.acceleration = r.positive("acceleration", timed[1])?;
+    limits.jerk = r.positive("jerk", timed[2])?;
     let both = r.positive("pressure_angle", Dimension::Angle)?;
     limits.pressure_angle_rise = r
         .positive("pressure_angle_rise", Dimension::Angle)?
@@ -374,6 +353,7 @@ fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {
 
 /// Demands that only the whole scene can contradict.
 fn consistent(scene: &Scene) -> Result<()> {
+    super::cam::consistent(scene)?;
     let law = &scene.law;
     match law.family {
         Family::Program if law.segments.is_empty() => {
@@ -412,24 +392,6 @@ fn consistent(scene: &Scene) -> Result<()> {
             "\"auto\" needs a force cycle to take the mass from",
         )
         .help("write for example \"70 kg\""));
-    }
-    if let (Some(bore), Some(base)) = (scene.cam.bore, scene.cam.base_radius) {
-        if base <= 0.5 * bore {
-            return Err(Error::key(
-                "cam.base_radius",
-                format!("{base} m lies inside the bore of {bore} m"),
-            )
-            .help(format!("make it larger than {} m", 0.5 * bore)));
-        }
-    }
-    if let (Some(prime), Some(offset)) = (scene.cam.prime_radius, scene.cam.offset) {
-        if offset.abs() >= prime {
-            return Err(Error::key(
-                "cam.offset",
-                format!("{offset} m reaches the prime circle of {prime} m"),
-            )
-            .help("the offset must be smaller than the prime radius"));
-        }
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! A scene: the whole problem as a user writes it down, validated key by key.
 
+mod cam;
 mod load;
 mod table;
 
@@ -7,6 +8,7 @@ pub use load::{read, set};
 
 use std::path::PathBuf;
 
+use crate::cam::Closure;
 use crate::drive::DriveKind;
 use crate::gait::Feet;
 
@@ -232,18 +234,54 @@ pub struct CamSpec {
     pub prime_radius: Option<f64>,
     /// Offset of the follower; `None` = the one that gives the smallest cam.
     pub offset: Option<f64>,
-    /// Radius of the roller.
+    /// Radius of the roller, or of a mushroom's arc.
     pub roller_radius: f64,
     /// Oscillating: distance from cam centre to pivot.
     pub pivot_distance: Option<f64>,
     /// Oscillating: length of the arm.
     pub arm: Option<f64>,
+    /// Oscillating: the arm runs in another plane, so that its pivot may lie within the cam's outline.
+    pub pivot_beside: bool,
     /// Oscillating flat face: distance of the face from the pivot.
     pub face_offset: f64,
     /// Diameter of the bore; the base circle stays outside it.
     pub bore: Option<f64>,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
+    /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
+    /// half turn only.
+    pub breadth: Option<f64>,
+    /// Translating cam: length of the travel; `None` = what the segments cover.
+    pub travel: Option<f64>,
+    /// Barrel: turns until the law repeats.
+    pub turns: usize,
+    /// Barrel: depth of the groove; `None` = the roller's diameter.
+    pub depth: Option<f64>,
+    /// Barrel: offset of each of two rollers from their stud; `None` = one roller.
+    pub eccentricity: Option<f64>,
+    /// The second cam of a conjugate pair.
+    pub conjugate: Option<ConjugateSpec>,
+}
+
+/// The second cam of a conjugate pair.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConjugateSpec {
+    /// What closes the pair.
+    pub closure: Closure,
+    /// Radius of the second roller; `None` = as the first.
+    pub roller_radius: Option<f64>,
+}
+
+impl CamSpec {
+    /// Whether the follower swings about a pivot, so that the law is in rad.
+    pub fn is_oscillating(&self) -> bool {
+        self.follower.ends_with("-oscillating")
+    }
+
+    /// Whether the cam slides instead of turning, so that the law runs over metres of travel.
+    pub fn is_straight(&self) -> bool {
+        self.follower == "translating-cam"
+    }
 }
 
 /// What must not be exceeded; `None` = no limit. SI.

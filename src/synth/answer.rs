@@ -1,6 +1,6 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
-use crate::cam::{Cam, Check, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Verdict};
 use crate::drive::Drive;
 use crate::gait::ForceCurve;
 
@@ -22,6 +22,14 @@ pub struct Synthesis {
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
+    /// The pair with its second cam, where the scene asks for one.
+    pub conjugate: Option<Conjugate>,
+    /// The groove of a barrel cam with both walls.
+    pub groove: Option<BarrelGroove>,
+    /// Diameter of the bore, m.
+    pub bore: Option<f64>,
+    /// Thickness of the plate, m.
+    pub thickness: f64,
     /// Distance of the force from the target.
     pub force: ForceReport,
     /// `None` when built; otherwise why no such cam exists.

@@ -96,7 +96,8 @@ pub fn in_units(limit: &str, value: f64) -> String {
         "acceleration" => format!("{value:.6} m/s²"),
         "jerk" => format!("{value:.6} m/s³"),
         "force_min" | "force_max" | "rms_error" => format!("{value:.6} N"),
-        "pressure_angle_rise" | "pressure_angle_fall" => format!("{:.4}°", value.to_degrees()),
+        name if name.contains("pressure_angle") => format!("{:.4}°", value.to_degrees()),
+        _ if value.is_infinite() => "∞".to_string(),
         _ => format!("{:.6} mm", 1e3 * value),
     }
 }

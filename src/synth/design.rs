@@ -1,7 +1,10 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
-use crate::cam::{Cam, Follower, smallest_base_radius, smallest_prime_circle};
-use crate::error::{Error, Result};
+use crate::cam::{
+    BarrelGroove, Cam, Conjugate, Follower, Rollers, SizeLimits, smallest_base_radius,
+    smallest_for, smallest_prime_circle,
+};
+use crate::error::{Error, Place, Result};
 use crate::law::Law;
 use crate::scene::Scene;
 
@@ -13,23 +16,80 @@ const WALL: f64 = 1e-3;
 const BISECTION: f64 = 1e-12;
 /// A prime circle this many times the first guess without success is no cam.
 const LARGEST_GROWTH: f64 = 1e6;
+/// A size found by halving is enlarged by this share, so that its own limits hold in spite of rounding.
+const ROUNDING: f64 = 1e-9;
+/// s(θ) + s(θ + π) may vary by this share of the stroke and still be constant.
+const BREADTH: f64 = 1e-9;
+/// Angles at which the breadth is compared.
+const BREADTH_POINTS: usize = 720;
 
 /// The cam for a law whose zero is the base circle.
 ///
-/// Fails on a follower that needs a length the scene does not give.
+/// Fails on a follower that needs a length the scene does not give, and on lengths that fix no cam: an arm
+/// too short, a pivot inside the cam, a breadth that the law does not keep.
 pub fn cam(scene: &Scene, law: Law) -> Result<Cam> {
-    let spec = &scene.cam;
-    let follower = match spec.follower.as_str() {
-        "flat-translating" => flat(scene, &law),
-        "roller-translating" | "knife-translating" => roller(scene, &law)?,
-        other => {
-            return Err(Error::key(
-                "cam.follower",
-                format!("\"{other}\" is not known here"),
-            ));
+    if let Some(breadth) = scene.cam.breadth {
+        return constant_breadth(scene, law, breadth);
+    }
+    match scene.cam.follower.as_str() {
+        "flat-translating" => {
+            let follower = flat(scene, &law);
+            Ok(Cam { law, follower })
         }
+        "roller-translating" | "knife-translating" => {
+            let follower = roller(scene, &law)?;
+            Ok(Cam { law, follower })
+        }
+        _ => sized(scene, law),
+    }
+}
+
+/// The second cam of a conjugate pair, where the scene has one.
+pub fn conjugate(scene: &Scene, cam: &Cam) -> Result<Option<Conjugate>> {
+    scene
+        .cam
+        .conjugate
+        .map(|pair| Conjugate::new(cam, pair.closure, pair.roller_radius))
+        .transpose()
+        .map_err(|e| e.at(Place::Key("cam.conjugate".to_string())))
+}
+
+/// The groove of a barrel cam, with both walls; `None` for other cams.
+pub fn groove(scene: &Scene, cam: &Cam) -> Result<Option<BarrelGroove>> {
+    let Follower::Barrel {
+        radius,
+        roller_radius,
+    } = cam.follower
+    else {
+        return Ok(None);
     };
-    Ok(Cam { law, follower })
+    let rollers = match scene.cam.eccentricity {
+        None => Rollers::One {
+            radius: roller_radius,
+        },
+        Some(eccentricity) => Rollers::TwoEccentric {
+            radius: roller_radius,
+            eccentricity,
+        },
+    };
+    BarrelGroove::new(cam.law.clone(), radius - depth(scene), radius, rollers)
+        .map(Some)
+        .map_err(|e| e.at(Place::Key("cam.depth".to_string())))
+}
+
+/// Smallest base radius on which the law keeps the scene's curvature without undercut, all else as in
+/// `cam`; `None` when no size does.
+pub fn smallest_without_undercut(scene: &Scene, cam: &Cam) -> Option<f64> {
+    let limits = SizeLimits {
+        rho_min: scene.limits.curvature.unwrap_or(0.0),
+        ..SizeLimits::no_undercut()
+    };
+    smallest_for(cam, &limits).ok()
+}
+
+/// Depth of a barrel's groove: a roller's diameter when nothing is said.
+fn depth(scene: &Scene) -> f64 {
+    scene.cam.depth.unwrap_or(2.0 * scene.cam.roller_radius)
 }
 
 /// Smallest base radius that the bore leaves.
@@ -45,6 +105,54 @@ fn flat(scene: &Scene, law: &Law) -> Follower {
         .or(scene.cam.prime_radius)
         .unwrap_or_else(|| smallest_base_radius(law, rho).max(outside_bore(scene)));
     Follower::FlatTranslating { base_radius }
+}
+
+/// Half of what the lift leaves of the breadth is the base (prime) circle, if the law keeps a breadth.
+fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
+    let key = |e: Error| e.at(Place::Key("cam.breadth".to_string()));
+    let half = std::f64::consts::PI;
+    let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + half).s;
+    let lift = sum(0.0);
+    let worst = (0..BREADTH_POINTS)
+        .map(|i| half * i as f64 / BREADTH_POINTS as f64)
+        .map(|theta| (theta, (sum(theta) - lift).abs()))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((at, miss)) = worst.filter(|w| w.1 > BREADTH * law.stroke()) {
+        return Err(key(Error::new(format!(
+            "the law does not keep a breadth: the lifts half a turn apart add to {:.4} mm at 0° but miss that by {:.4} mm at {:.2}°",
+            1e3 * lift,
+            1e3 * miss,
+            at.to_degrees()
+        ))
+        .help("give the segments of the first 180° only; the other half then follows")));
+    }
+    let spec = &scene.cam;
+    let place = 0.5 * (breadth - lift);
+    let offset = spec.offset.unwrap_or(0.0);
+    if place <= 0.0 {
+        return Err(key(Error::new(format!(
+            "a breadth of {:.4} mm cannot hold a lift of {:.4} mm",
+            1e3 * breadth,
+            1e3 * lift
+        ))
+        .help(
+            "the breadth is twice the base radius (roller: prime radius) plus the lift",
+        )));
+    }
+    let follower = match spec.follower.as_str() {
+        "flat-translating" => Follower::FlatTranslating { base_radius: place },
+        "mushroom-translating" => Follower::MushroomTranslating {
+            prime_radius: place.hypot(offset),
+            offset,
+            arc_radius: spec.roller_radius,
+        },
+        _ => Follower::RollerTranslating {
+            prime_radius: place.hypot(offset),
+            offset,
+            roller_radius: spec.roller_radius,
+        },
+    };
+    Cam::new(law, follower).map_err(key)
 }
 
 fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
@@ -64,15 +172,7 @@ fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
         roller_radius: spec.roller_radius,
     };
     if let Some(prime) = given {
-        let offset = spec.offset.unwrap_or(0.0);
-        if offset.abs() >= prime {
-            return Err(Error::key(
-                "cam.offset",
-                format!("{offset} m reaches the prime circle of {prime} m"),
-            )
-            .help("the offset must be smaller than the prime radius"));
-        }
-        return Ok(make(prime, offset));
+        return Ok(make(prime, spec.offset.unwrap_or(0.0)));
     }
     let circle = smallest_prime_circle(law, rise, fall, spec.offset);
     let (lift, offset) = (
@@ -120,4 +220,107 @@ fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
         }
     }
     Ok(make(high.hypot(offset), offset))
+}
+
+/// A follower of any other kind, on the base circle given or the smallest that holds the limits.
+fn sized(scene: &Scene, law: Law) -> Result<Cam> {
+    let spec = &scene.cam;
+    let given = spec
+        .base_radius
+        .or(spec.prime_radius.map(|p| p - spec.roller_radius));
+    let place = Place::Key("cam".to_string());
+    // Any size will do to start from: `smallest_for` looks at all else only.
+    let follower = other(scene, given.unwrap_or(1.0))?;
+    if given.is_some() || matches!(follower, Follower::TranslatingCam { .. }) {
+        let cam = Cam { law, follower };
+        let fits = if spec.pivot_beside {
+            cam.check_beside()
+        } else {
+            cam.check()
+        };
+        return fits.map(|()| cam).map_err(|e| e.at(place));
+    }
+    let limits = SizeLimits {
+        rho_min: scene.limits.curvature.unwrap_or(0.0),
+        pressure_rise: scene
+            .limits
+            .pressure_angle_rise
+            .unwrap_or(USUAL_PRESSURE_ANGLE),
+        pressure_fall: scene
+            .limits
+            .pressure_angle_fall
+            .unwrap_or(USUAL_PRESSURE_ANGLE),
+    };
+    let cam = Cam { law, follower };
+    let smallest =
+        smallest_for(&cam, &limits).map_err(|e| e.at(Place::Key("cam.base_radius".to_string())))?;
+    let barrel = matches!(follower, Follower::Barrel { .. });
+    // A barrel's groove is steepest at its floor, which has to hold the limits, and a roller must be
+    // thinner than the floor.
+    let base = if barrel {
+        smallest
+            .max(outside_bore(scene))
+            .max(spec.roller_radius * (1.0 + 1e-6))
+            + depth(scene)
+    } else {
+        smallest.max(outside_bore(scene)).max(1e-6)
+    };
+    let base = base * (1.0 + ROUNDING);
+    Cam::new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
+}
+
+/// The scene's follower on a base circle of the given radius.
+fn other(scene: &Scene, base_radius: f64) -> Result<Follower> {
+    let spec = &scene.cam;
+    let prime_radius = base_radius + spec.roller_radius;
+    let missing = |key: &str| Error::key(&format!("cam.{key}"), "this follower needs it");
+    let pivot = || spec.pivot_distance.ok_or_else(|| missing("pivot_distance"));
+    let arm = || spec.arm.ok_or_else(|| missing("arm"));
+    Ok(match spec.follower.as_str() {
+        "mushroom-translating" => Follower::MushroomTranslating {
+            prime_radius,
+            offset: spec.offset.unwrap_or(0.0),
+            arc_radius: spec.roller_radius,
+        },
+        "roller-oscillating" | "knife-oscillating" => Follower::RollerOscillating {
+            pivot_distance: pivot()?,
+            arm: arm()?,
+            prime_radius,
+            roller_radius: spec.roller_radius,
+        },
+        "mushroom-oscillating" => Follower::MushroomOscillating {
+            pivot_distance: pivot()?,
+            arm: arm()?,
+            prime_radius,
+            arc_radius: spec.roller_radius,
+        },
+        "flat-oscillating" => Follower::FlatOscillating {
+            pivot_distance: pivot()?,
+            face_offset: spec.face_offset,
+            base_radius,
+        },
+        "translating-cam" => Follower::TranslatingCam {
+            base_height: base_height(scene),
+            roller_radius: spec.roller_radius,
+        },
+        "barrel" => Follower::Barrel {
+            radius: base_radius,
+            roller_radius: spec.roller_radius,
+        },
+        other => {
+            return Err(Error::key(
+                "cam.follower",
+                format!("\"{other}\" is not known here"),
+            ));
+        }
+    })
+}
+
+/// Height of a translating cam under its lowest contact: as given, otherwise twice the roller's radius,
+/// which changes nothing but the looks.
+fn base_height(scene: &Scene) -> f64 {
+    let spec = &scene.cam;
+    spec.base_radius
+        .or(spec.prime_radius.map(|p| p - spec.roller_radius))
+        .unwrap_or(2.0 * spec.roller_radius)
 }

@@ -37,7 +37,7 @@ pub use conflict::in_units;
 
 use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
-use crate::law::{Extent, Law, Rise, Segment, program};
+use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use crate::scene::{Family, Minimise, Scene};
 use demand::Demand;
 
@@ -63,8 +63,12 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     let law = on_base_circle(scene, &demand, found.law);
     let cam = design::cam(scene, law)?;
     let force = verify::force(&demand, &cam);
-    let checks = verify::checks(scene, &demand, &cam, &force);
-    let (mut verdict, mut reason) = verify::verdict(&cam, &checks);
+    let conjugate = design::conjugate(scene, &cam)?;
+    let groove = design::groove(scene, &cam)?;
+    let mut checks = verify::checks(scene, &demand, &cam, &force);
+    checks.extend(verify::second_cam(scene, conjugate.as_ref()));
+    checks.extend(verify::groove(scene, groove.as_ref()));
+    let (mut verdict, mut reason) = verify::verdict(scene, &cam, &checks);
     if let Some(infeasible) = &found.infeasible {
         verdict = crate::cam::Verdict::Unacceptable;
         reason = infeasible.words.clone();
@@ -77,6 +81,10 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         coefficients: found.coefficients,
         degree: found.degree,
         cam,
+        conjugate,
+        groove,
+        bore: scene.cam.bore,
+        thickness: scene.cam.thickness,
         force,
         infeasible: found.infeasible,
         verdict,
@@ -206,8 +214,8 @@ fn from_program(scene: &Scene) -> Result<Found> {
             })
         })
         .collect::<Result<Vec<Segment>>>()?;
-    let law = program(&segments, Extent::Turn)
-        .map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
+    let law =
+        assembled(scene, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
     Ok(Found {
         degree: law.poly().degree(),
         coefficients: segments.iter().map(|s| s.lift).collect(),
@@ -222,6 +230,20 @@ fn from_program(scene: &Scene) -> Result<Found> {
         ),
         infeasible: None,
     })
+}
+
+/// The programme over what its cam covers: a turn, several, a length, or the half that a breadth mirrors.
+fn assembled(scene: &Scene, segments: &[Segment]) -> Result<Law> {
+    let cam = &scene.cam;
+    let total: f64 = segments.iter().map(|s| s.angle).sum();
+    let half = std::f64::consts::PI;
+    if cam.is_straight() {
+        return program(segments, Extent::Length(cam.travel.unwrap_or(total)));
+    }
+    if cam.breadth.is_some() && total < 1.5 * half {
+        return constant_breadth(segments);
+    }
+    program(segments, Extent::Turns(cam.turns))
 }
 
 fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> SolverReport {

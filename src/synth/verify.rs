@@ -3,7 +3,7 @@
 use super::answer::ForceReport;
 use super::demand::Demand;
 use super::problem::TOLERANCE;
-use crate::cam::{Cam, Check, Verdict};
+use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::scene::Scene;
 
@@ -12,6 +12,11 @@ use crate::scene::Scene;
 const GEOMETRY: f64 = 1e-8;
 /// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
 const JUMP: f64 = 1e-7;
+
+/// Points of the profile among which interference is looked for.
+const INTERFERENCE_POINTS: usize = 360;
+/// Depth of interference below this share of the prime radius is rounding.
+const TOUCH: f64 = 1e-6;
 
 /// Distance of the cam's force from the target, exact on the pieces of both.
 pub fn force(demand: &Demand, cam: &Cam) -> ForceReport {
@@ -109,44 +114,11 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, force: &ForceReport) ->
 fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
     let limits = &scene.limits;
     let mut out = Vec::new();
-    let (low, high) = cam.pressure_angle_extremes();
-    if let Some(limit) = limits.pressure_angle_rise {
-        out.push(Check::at_most("pressure_angle_rise", high, limit, GEOMETRY));
+    if !matches!(cam.follower, Follower::Barrel { .. }) {
+        let (low, high) = cam.pressure_angle_extremes();
+        out.extend(pressure(scene, low, high, ""));
     }
-    if let Some(limit) = limits.pressure_angle_fall {
-        let worst = Extreme {
-            at: low.at,
-            value: -low.value,
-        };
-        out.push(Check::at_most(
-            "pressure_angle_fall",
-            worst,
-            limit,
-            GEOMETRY,
-        ));
-    }
-    let curvature = cam.curvature();
-    // Asked for or not, a negative convex radius is a cam that cuts itself.
-    let mut convex = Check::at_least(
-        "curvature",
-        curvature.convex,
-        limits.curvature.unwrap_or(0.0),
-        GEOMETRY,
-    );
-    convex.pass &= !curvature.undercut
-        || curvature.convex.value.abs() <= GEOMETRY * cam.follower.prime_radius();
-    out.push(convex);
-    if let Some(concave) = curvature.concave {
-        let roller = cam.follower.roller_radius();
-        if roller > 0.0 {
-            // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
-            let worst = Extreme {
-                at: concave.at,
-                value: -concave.value,
-            };
-            out.push(Check::at_least("concave", worst, roller, GEOMETRY));
-        }
-    }
+    out.extend(curvature(scene, cam, ""));
     if let (Some(limit), Some(width)) = (limits.face_width, cam.face_width()) {
         let at = cam.law.extremes(1).1.at;
         out.push(Check::at_most(
@@ -163,6 +135,9 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
         };
         out.push(Check::at_least("bore", worst, 0.5 * bore, GEOMETRY));
     }
+    if let Some(check) = interference("interference", cam) {
+        out.push(check);
+    }
     let lowest = cam.law.extremes(0).0;
     if lowest.value < -1e-7 * cam.law.stroke() {
         out.push(Check::at_least("base_circle", lowest, 0.0, 0.0));
@@ -170,8 +145,106 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
     out
 }
 
+/// Both sides of the pressure angle against the scene's limits.
+fn pressure(scene: &Scene, low: Extreme, high: Extreme, prefix: &str) -> Vec<Check> {
+    let limits = &scene.limits;
+    let falling = Extreme {
+        at: low.at,
+        value: -low.value,
+    };
+    [
+        ("rise", high, limits.pressure_angle_rise),
+        ("fall", falling, limits.pressure_angle_fall),
+    ]
+    .into_iter()
+    .filter_map(|(side, worst, limit)| {
+        let name = format!("{prefix}pressure_angle_{side}");
+        Some(Check::at_most(&name, worst, limit?, GEOMETRY))
+    })
+    .collect()
+}
+
+/// Convex and concave radii of a profile. Asked for or not, a negative convex radius is a cam that cuts
+/// itself.
+fn curvature(scene: &Scene, cam: &Cam, prefix: &str) -> Vec<Check> {
+    let curvature = cam.curvature();
+    let wanted = scene.limits.curvature.unwrap_or(0.0);
+    let name = format!("{prefix}curvature");
+    let mut convex = Check::at_least(&name, curvature.convex, wanted, GEOMETRY);
+    convex.pass &= !curvature.undercut
+        || curvature.convex.value.abs() <= GEOMETRY * cam.follower.prime_radius();
+    let mut out = vec![convex];
+    let roller = cam.follower.roller_radius();
+    if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {
+        // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
+        let worst = Extreme {
+            at: concave.at,
+            value: -concave.value,
+        };
+        let name = format!("{prefix}concave");
+        out.push(Check::at_least(&name, worst, roller, GEOMETRY));
+    }
+    out
+}
+
+/// Roller or face against other parts of the profile; `None` where nothing can interfere: a flat
+/// translating face on a convex cam touches it once.
+fn interference(name: &str, cam: &Cam) -> Option<Check> {
+    match cam.follower {
+        Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,
+        _ if cam.curvature().undercut => return None,
+        _ => {}
+    }
+    let tolerance = TOUCH * cam.follower.prime_radius();
+    let deepest = cam
+        .interference(INTERFERENCE_POINTS, 0.0, tolerance)
+        .into_iter()
+        .filter(|i| i.body != Body::Arm)
+        .max_by(|a, b| a.depth.total_cmp(&b.depth));
+    let worst = deepest.map_or(
+        Extreme {
+            at: cam.law.extent().0,
+            value: 0.0,
+        },
+        |i| Extreme {
+            at: i.at,
+            value: i.depth,
+        },
+    );
+    let mut check = Check::at_most(name, worst, tolerance, 0.0);
+    check.pass = deepest.is_none();
+    Some(check)
+}
+
+/// What the second cam of a conjugate pair must keep.
+pub fn second_cam(scene: &Scene, pair: Option<&Conjugate>) -> Vec<Check> {
+    let Some(pair) = pair else { return Vec::new() };
+    let cam = &pair.second;
+    let (low, high) = cam.pressure_angle_extremes();
+    let mut out = pressure(scene, low, high, "second_");
+    out.extend(curvature(scene, cam, "second_"));
+    out.extend(interference("second_interference", cam));
+    out
+}
+
+/// Pressure angle and bulging walls at the floor of a barrel's groove, where both are worst.
+pub fn groove(scene: &Scene, groove: Option<&BarrelGroove>) -> Vec<Check> {
+    let Some(groove) = groove else {
+        return Vec::new();
+    };
+    let floor = groove.depth().0;
+    let (low, high) = groove.pressure_angle_extremes(floor);
+    let mut out = pressure(scene, low, high, "");
+    for (name, wall) in [("upper_wall", Wall::Upper), ("lower_wall", Wall::Lower)] {
+        let bulge = groove.smallest_bulge(floor, wall);
+        let wanted = scene.limits.curvature.unwrap_or(0.0);
+        out.push(Check::at_least(name, bulge, wanted, GEOMETRY));
+    }
+    out
+}
+
 /// The class of the cam and one sentence on it, for a student.
-pub fn verdict(cam: &Cam, checks: &[Check]) -> (Verdict, String) {
+pub fn verdict(scene: &Scene, cam: &Cam, checks: &[Check]) -> (Verdict, String) {
     let range = |order: usize| {
         let (low, high) = cam.law.extremes(order);
         // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
@@ -194,7 +267,7 @@ pub fn verdict(cam: &Cam, checks: &[Check]) -> (Verdict, String) {
         }
     }
     if let Some(failed) = checks.iter().find(|c| !c.pass) {
-        return (Verdict::Unacceptable, failed_words(failed));
+        return (Verdict::Unacceptable, failed_words(scene, cam, failed));
     }
     let jumps = cam
         .law
@@ -217,16 +290,46 @@ pub fn verdict(cam: &Cam, checks: &[Check]) -> (Verdict, String) {
     )
 }
 
-fn failed_words(check: &Check) -> String {
+/// The size that would mend a radius that is too small, in words.
+fn larger(scene: &Scene, cam: &Cam) -> String {
+    if matches!(cam.follower, Follower::TranslatingCam { .. }) {
+        return "Lengthen the travel, or use a smaller roller.".to_string();
+    }
+    match super::design::smallest_without_undercut(scene, cam) {
+        Some(base) if base > cam.follower.base_radius() => format!(
+            "A base radius of {:.3} mm is the smallest that works here.",
+            1e3 * base
+        ),
+        _ => "Enlarge the base circle, or use a smaller roller.".to_string(),
+    }
+}
+
+fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
     let at = check.at.to_degrees();
     let (worst, limit) = (check.worst, check.limit);
     match check.name.as_str() {
         "curvature" if worst < 0.0 => format!(
-            "The profile is undercut at {at:.1}°: its convex radius would be {:.3} mm. Enlarge the base circle, or use a smaller roller.",
-            1e3 * worst
+            "The profile is undercut at {at:.1}°: its convex radius would be {:.3} mm. {}",
+            1e3 * worst,
+            larger(scene, cam)
         ),
         "curvature" => format!(
-            "The profile is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. Enlarge the base circle.",
+            "The profile is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. {}",
+            1e3 * worst,
+            1e3 * limit,
+            larger(scene, cam)
+        ),
+        "second_curvature" => format!(
+            "The second cam of the pair is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. Move its follower farther out.",
+            1e3 * worst,
+            1e3 * limit
+        ),
+        "interference" | "second_interference" => format!(
+            "At {at:.1}° the follower reaches {:.3} mm into another part of the cam than the one it touches. Use a smaller roller, or enlarge the base circle.",
+            1e3 * worst
+        ),
+        "upper_wall" | "lower_wall" => format!(
+            "A wall of the groove bulges with {:.3} mm at {at:.1}°, sharper than the {:.3} mm allowed. Use a smaller roller, or a larger barrel.",
             1e3 * worst,
             1e3 * limit
         ),

@@ -69,6 +69,10 @@ pub fn footbridge() -> Synthesis {
         family: "harmonic".into(),
         coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
         degree: 0,
+        conjugate: None,
+        groove: None,
+        bore: None,
+        thickness: 0.01,
         force: ForceReport {
             rms_error_n: amplitude / 2f64.sqrt(),
             max_error_n: amplitude,
@@ -161,6 +165,10 @@ pub fn heel_tester() -> Synthesis {
         family: "polynomial".into(),
         coefficients: c.map(|x| x * INCH).to_vec(),
         degree: 8,
+        conjugate: None,
+        groove: None,
+        bore: None,
+        thickness: 0.01,
         force: ForceReport {
             rms_error_n: 36.0,
             max_error_n: 84.0,

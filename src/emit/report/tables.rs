@@ -19,13 +19,27 @@ pub fn spoken(name: &str) -> String {
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
 pub fn shown(limit: &str, value: f64) -> String {
     let (factor, unit) = match limit {
-        "stroke" | "curvature" | "concave" | "face_width" | "bore" | "base_circle"
-        | "base_radius" | "prime_radius" | "roller_radius" | "offset" => (1000.0, " mm"),
+        "stroke"
+        | "curvature"
+        | "concave"
+        | "face_width"
+        | "bore"
+        | "base_circle"
+        | "base_radius"
+        | "prime_radius"
+        | "roller_radius"
+        | "offset"
+        | "interference"
+        | "second_curvature"
+        | "second_concave"
+        | "second_interference"
+        | "upper_wall"
+        | "lower_wall" => (1000.0, " mm"),
         "velocity" => (1.0, " m/s"),
         "acceleration" => (1.0, " m/s²"),
         "jerk" => (1.0, " m/s³"),
         "force_min" | "force_max" | "rms_error" => (1.0, " N"),
-        name if name.starts_with("pressure_angle") => (1f64.to_degrees(), "°"),
+        name if name.contains("pressure_angle") => (1f64.to_degrees(), "°"),
         _ => (1.0, ""),
     };
     format!("{}{unit}", number(factor * value, 4))

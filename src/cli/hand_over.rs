@@ -1,0 +1,91 @@
+//! What a workshop takes: solids, arcs, a workbook, a cutter's path.
+
+use super::files::Folder;
+use crate::cam::Wall;
+use crate::emit::{self, Timing, cutter::Gouge};
+use crate::error::Result;
+use crate::synth::Synthesis;
+
+/// Vertices of a solid's profile and of the polylines beside the arcs.
+const VERTICES: usize = 720;
+/// Largest distance of the fitted arcs from the profile, m.
+const ARCS: f64 = 1e-6;
+/// Triangles of a groove's wall: along the groove for every turn, and through its depth.
+const ALONG: usize = 720;
+const THROUGH: usize = 8;
+
+/// Writes profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
+/// Returns what could not be written, and why.
+pub fn workshop(folder: &Folder, design: &Synthesis, time: Timing) -> Result<Vec<String>> {
+    let mut remarks = Vec::new();
+    folder.write("profile.xlsx", &emit::xlsx::workbook(design, time)?)?;
+    if let Some(groove) = &design.groove {
+        for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
+            let mesh = emit::groove::wall(groove, wall, ALONG, THROUGH);
+            let bytes = emit::solid::binary_stl(&mesh)?;
+            folder.write(&format!("groove_{name}.stl"), &bytes)?;
+        }
+        return Ok(remarks);
+    }
+    let plate = emit::solid::Plate {
+        thickness: design.thickness,
+        bore: design.bore,
+        points: VERTICES,
+    };
+    match emit::solid::stl(design, plate) {
+        Ok(bytes) => {
+            folder.write("profile.stl", &bytes)?;
+            folder.write("profile.3mf", &emit::solid::threemf(design, plate)?)?;
+        }
+        Err(fault) => remarks.push(format!("no solid: {fault}")),
+    }
+    let options = emit::dxf::Options {
+        points: VERTICES,
+        version: emit::dxf::Version::R2000,
+        bore: design.bore,
+    };
+    match emit::dxf::arcs(design, ARCS, options) {
+        Some(drawing) => {
+            folder.write("profile_arcs.dxf", &drawing.bytes)?;
+            remarks.push(format!(
+                "profile_arcs.dxf: {} arcs, {:.2e} mm from the profile at most",
+                drawing.arcs,
+                1e3 * drawing.deviation
+            ));
+        }
+        None => remarks.push("no arcs: the profile is not smooth enough for them".to_string()),
+    }
+    Ok(remarks)
+}
+
+/// Writes cutter.csv and says where the cutter would gouge.
+pub fn cutter(
+    folder: &Folder,
+    design: &Synthesis,
+    radius: f64,
+    points: usize,
+) -> Result<Vec<String>> {
+    let path = emit::cutter::path(design, radius, points)?;
+    folder.write("cutter.csv", emit::cutter::csv(&path).as_bytes())?;
+    Ok(path.gouges.iter().map(gouge).collect())
+}
+
+fn gouge(gouge: &Gouge) -> String {
+    match gouge {
+        Gouge::Hollow { at, radius } => format!(
+            "the cutter is too wide for the hollow at {:.2}°: at most {:.4} mm fits",
+            at.to_degrees(),
+            1e3 * radius
+        ),
+        Gouge::Elsewhere { at, damaged, depth } => format!(
+            "cutting at {:.2}°, the cutter bites {:.4} mm into the profile at {:.2}°",
+            at.to_degrees(),
+            1e3 * depth,
+            damaged.to_degrees()
+        ),
+        Gouge::Undercut { at } => format!(
+            "the profile is undercut at {:.2}°: no cutter makes it",
+            at.to_degrees()
+        ),
+    }
+}
