@@ -1,4 +1,50 @@
 //! gaitcam: from a vertical walking force to the cam that reproduces it.
+//!
+//! # The problem
+//!
+//! A machine has to press on the ground as a walker does. A cam of angle θ = ωt lifts a follower by s(θ);
+//! with v = ds/dθ, a = d²s/dθ² the force is linear in the law (thesis 000, eq. 22; paper 001, eq. 3):
+//!
+//! ```text
+//! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a
+//! ```
+//!
+//! Wanted is the law s that brings F nearest to a measured F*, and the cam that gives the law:
+//!
+//! ```text
+//! minimise    (1/2π) ∮ (F − F*)² dθ          or the energy, or the peak, of a derivative, or the cam's size
+//! subject to  s, v, a, j at given angles      equalities: points, dwells
+//!             Σ wₖ s⁽ᵏ⁾(θ) ≤ bound, all θ      stroke, speed, acceleration, jerk, contact, flat-face curvature
+//!             v − e ≤ tan φ·(s + D), all θ     pressure angle, with Rp ≥ ‖(D, e)‖ a second-order cone
+//!             ρ(s, v, a, D, e) ≥ ρ_min, all θ  roller curvature: a sequence of the above
+//! ```
+//!
+//! Everything but the last line is convex. Limits hold between samples too: laws are piecewise polynomials in
+//! Bernstein form (or sinusoids), so every extreme is a root, not a sample.
+//!
+//! # From end to end
+//!
+//! ```
+//! use gaitcam::{gait, scene, synth};
+//!
+//! let table: toml::Table = scene::DEFAULT.parse()?;
+//! let scene = scene::read(&table)?;
+//! let target = gait::model("young", Some(1.85), 700.0, gait::Feet::Both)?;
+//! let design = synth::synthesise(&scene, Some(&target))?;
+//!
+//! assert!(design.force.rms_error_percent_of_mean <= 0.5);
+//! assert!((design.cam.law.stroke() - 0.0492).abs() < 0.0002);
+//! assert!(design.checks.iter().all(|check| check.pass));
+//! let contact = design.cam.point(1.0); // where cam and follower touch at θ = 1 rad
+//! assert!(contact.rho > 0.005);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The house
+//!
+//! A force is wanted ([`gait`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
+//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over ([`emit`]). Modules import
+//! downwards only.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
@@ -9,9 +55,9 @@ pub mod poly;
 
 pub mod gait;
 
-pub mod drive;
-
 pub mod law;
+
+pub mod drive;
 
 pub mod cam;
 

@@ -67,7 +67,7 @@ impl Input {
     pub fn resolved(&self) -> Table {
         let mut table = self.table.clone();
         let file = self.scene.gait.as_ref().and_then(|g| match &g.source {
-            Source::File { path, .. } => fs::canonicalize(self.find(path)).ok(),
+            Source::File { path, .. } => fs::canonicalize(find(&self.folder, path)).ok(),
             Source::Model { .. } => None,
         });
         let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);

@@ -75,6 +75,11 @@ impl ForceCurve {
         PiecewisePoly::new(breaks, 3, coef)
     }
 
+    /// Bernstein coefficients of the cubic between each sample and the next, N.
+    pub fn cubics(&self) -> Vec<[f64; 4]> {
+        (0..self.force_n.len()).map(|i| self.cubic(i)).collect()
+    }
+
     /// The curve with every force multiplied by `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {

@@ -332,14 +332,14 @@ fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
     limits.force_max = r.quantity("force_max", Dimension::Force)?;
     limits.face_width = r.positive("face_width", Dimension::Length)?;
     r.finish()?;
-    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max) {
-        if low >= high {
-            return Err(Error::key(
-                "limits.force_min",
-                format!("{low} N is not below force_max = {high} N"),
-            )
-            .help("lower force_min or raise force_max"));
-        }
+    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max)
+        && low >= high
+    {
+        return Err(Error::key(
+            "limits.force_min",
+            format!("{low} N is not below force_max = {high} N"),
+        )
+        .help("lower force_min or raise force_max"));
     }
     Ok(limits)
 }

@@ -14,6 +14,8 @@ pub struct Demand {
     pub target: Option<ForceCurve>,
     /// The machine.
     pub drive: Drive,
+    /// The target's cubics between its samples, N: what the fits read thousands of times.
+    pub cubics: Vec<[f64; 4]>,
     /// Typical lift, m: the unit in which solvers work.
     pub length: f64,
     /// What a user should know before looking at the result.
@@ -50,6 +52,7 @@ impl Demand {
         let mut demand = Demand {
             target,
             drive: Drive::moving_axis(0.0, 0.0, speed),
+            cubics: Vec::new(),
             length: 0.0,
             remarks: Vec::new(),
         };
@@ -81,11 +84,29 @@ impl Demand {
             )
             .help("give at least one of spring_rate, damping, mass"));
         }
+        demand.cubics = demand
+            .target
+            .as_ref()
+            .map_or(Vec::new(), ForceCurve::cubics);
         demand.length = demand.typical_lift(scene);
         if demand.drive.kind == DriveKind::MovingAxis {
             demand.diagnose_closure(scene);
         }
         Ok(demand)
+    }
+
+    /// Wanted force at an angle of the first turn, N; 0 where none is wanted.
+    pub fn wanted(&self, theta: f64) -> f64 {
+        let n = self.cubics.len();
+        if n == 0 {
+            return 0.0;
+        }
+        let x = theta / TAU * n as f64;
+        let i = (x as usize).min(n - 1);
+        let u = x - i as f64;
+        let [a, b, c, d] = self.cubics[i];
+        let v = 1.0 - u;
+        v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
     }
 
     fn note_speed(&mut self, given: Option<f64>) {

@@ -41,11 +41,11 @@ const NODES: usize = 256;
 ///
 /// Fails without a force, or where the search finds no lift that changes it.
 pub fn fit(demand: &Demand, stroke: Option<f64>) -> Result<Hump> {
-    let target = demand.target.as_ref().ok_or_else(no_force)?;
+    demand.target.as_ref().ok_or_else(no_force)?;
     let rest = demand.drive.rest_force;
     let nodes: Vec<(f64, f64, f64)> = gauss_legendre(NODES)
         .into_iter()
-        .map(|(u, w)| (TAU * u, w, target.at(TAU * u) - rest))
+        .map(|(u, w)| (TAU * u, w, demand.wanted(TAU * u) - rest))
         .collect();
     let search = Search {
         demand,

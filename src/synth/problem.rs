@@ -282,6 +282,7 @@ impl Program {
                 });
             }
             self.add_rows(&mut rows, broken);
+            self.add_neighbours(&mut rows, &x);
         }
         self.exchange(rows)
     }
@@ -380,6 +381,39 @@ impl Program {
                                 u,
                                 at,
                                 value: 0.0,
+                            },
+                        ));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Ends and middles of pieces where the law without limits breaks one: many of them touch in the end,
+    /// and rows are cheaper than rounds.
+    fn add_neighbours(&self, rows: &mut Vec<Row>, x: &[f64]) {
+        let law = self.basis.law(x);
+        let extra = [0.0; EXTRAS];
+        for (index, limit) in self.limits.iter().enumerate() {
+            let bound = limit.room(&extra);
+            let curve = self.curve(&law, limit);
+            let worst = curve.peaks_above(bound, limit.domain.0, limit.domain.1);
+            if worst.is_empty() || limit.shape.is_some() {
+                continue;
+            }
+            let breaks = curve.breaks();
+            for piece in 0..curve.pieces() {
+                for u in [0.0, 0.5, 1.0] {
+                    let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
+                    let value = crate::poly::bernstein::eval(curve.piece(piece), u);
+                    if value > bound && at >= limit.domain.0 && at <= limit.domain.1 {
+                        rows.push(self.row(
+                            index,
+                            Peak {
+                                piece,
+                                u,
+                                at,
+                                value,
                             },
                         ));
                     }

@@ -274,7 +274,7 @@ fn force_distance(_scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
             basis,
             &w,
             nodes,
-            |x| target.at(x) - demand.drive.rest_force,
+            |x| demand.wanted(x) - demand.drive.rest_force,
             |_| 1.0,
         );
     }
