@@ -154,14 +154,14 @@ fn conjugate(mut r: Reader, spec: &CamSpec) -> Result<ConjugateSpec> {
 /// Demands on the cam that only the whole scene can contradict.
 pub(super) fn consistent(scene: &Scene) -> Result<()> {
     let cam = &scene.cam;
-    if let (Some(_), Some(_)) = (cam.base_radius, cam.prime_radius) {
-        if scene.cam.roller_radius > 0.0 {
-            return Err(Error::key(
-                "cam.prime_radius",
-                "base_radius is given as well, and one follows from the other",
-            )
-            .help("leave one of them out"));
-        }
+    if let (Some(_), Some(_)) = (cam.base_radius, cam.prime_radius)
+        && scene.cam.roller_radius > 0.0
+    {
+        return Err(Error::key(
+            "cam.prime_radius",
+            "base_radius is given as well, and one follows from the other",
+        )
+        .help("leave one of them out"));
     }
     if cam.breadth.is_some() && (cam.base_radius.is_some() || cam.prime_radius.is_some()) {
         return Err(Error::key(
@@ -193,24 +193,24 @@ pub(super) fn consistent(scene: &Scene) -> Result<()> {
         )
         .help("the prime radius must exceed the roller's"));
     }
-    if let (Some(bore), Some(base)) = (cam.bore, base) {
-        if base <= 0.5 * bore {
-            return Err(Error::key(
-                "cam.base_radius",
-                format!("{base} m lies inside the bore of {bore} m"),
-            )
-            .help(format!("make it larger than {} m", 0.5 * bore)));
-        }
+    if let (Some(bore), Some(base)) = (cam.bore, base)
+        && base <= 0.5 * bore
+    {
+        return Err(Error::key(
+            "cam.base_radius",
+            format!("{base} m lies inside the bore of {bore} m"),
+        )
+        .help(format!("make it larger than {} m", 0.5 * bore)));
     }
     let prime = base.map(|b| b + cam.roller_radius);
-    if let (Some(prime), Some(offset)) = (prime, cam.offset) {
-        if offset.abs() >= prime {
-            return Err(Error::key(
-                "cam.offset",
-                format!("{offset} m reaches the prime circle of {prime} m"),
-            )
-            .help("the offset must be smaller than the prime radius"));
-        }
+    if let (Some(prime), Some(offset)) = (prime, cam.offset)
+        && offset.abs() >= prime
+    {
+        return Err(Error::key(
+            "cam.offset",
+            format!("{offset} m reaches the prime circle of {prime} m"),
+        )
+        .help("the offset must be smaller than the prime radius"));
     }
     force_needs_a_sliding_follower(scene)
 }

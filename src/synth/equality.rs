@@ -111,11 +111,10 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
         }
         order.swap(p, best);
         let o = order[p];
-        for q in p + 1..k {
-            let r = order[q];
+        let rest = &order[p + 1..];
+        for &r in rest {
             let f = s[r][o] / pivot;
-            for m in p + 1..k {
-                let c = order[m];
+            for &c in rest {
                 s[r][c] -= f * s[o][c];
             }
         }

@@ -652,7 +652,7 @@ mod tests {
             program.limits = two_sided(3, jerk);
             minimise_peak(&mut program, 2);
             let solution = program.solve().unwrap();
-            let closed = jerk / 4.0 * (1.0 - (1.0 - 32.0 / jerk as f64).max(0.0).sqrt());
+            let closed = jerk / 4.0 * (1.0 - (1.0 - 32.0 / jerk).max(0.0).sqrt());
             assert!((closed - expected).abs() < 1e-12);
             let peak = solution.extra[PEAK];
             assert!((peak / expected - 1.0).abs() < 1e-6, "J = {jerk}: {peak}");
