@@ -71,6 +71,13 @@ pub fn extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
         }
         bend += (n * n) as f64 * a.hypot(b);
     }
+    if bend == 0.0 {
+        let flat = Extreme {
+            value: 0.0,
+            at: 0.0,
+        };
+        return (flat, flat);
+    }
     let step = TAU / values.len() as f64;
     let reach = 0.125 * step * step * bend;
     (

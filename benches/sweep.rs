@@ -1,0 +1,98 @@
+//! Designs a second of the sweep kernel, on one thread and on all.
+//!
+//! `cargo bench --bench sweep`. Numbers are rows a second of the kernel alone: no journal, no table.
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use gaitcam::error::{Error, Result};
+use gaitcam::gait::ForceCurve;
+use gaitcam::scene::{self, Scene};
+use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
+use rayon::prelude::*;
+
+fn main() {
+    divan::main();
+}
+
+fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
+    Err(Error::new("no recordings"))
+}
+
+fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {
+    let mut table = scene::DEFAULT.parse().expect("the default scene");
+    for change in changes {
+        scene::set(&mut table, change).expect("a change");
+    }
+    Plan {
+        scenes: vec![NamedScene {
+            name: "footbridge".to_string(),
+            table,
+        }],
+        list: None,
+        axes: vary
+            .iter()
+            .map(|v| Axis::parse(v, sample.is_some()).expect("an axis"))
+            .collect(),
+        design: sample.map_or(Design::Grid, |count| Design::Sample {
+            method: Method::Latin,
+            count,
+            seed: 1,
+        }),
+    }
+}
+
+fn rate(bencher: Bencher, plan: &Plan, threads: usize) {
+    let rows = plan.rows() as usize;
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);
+    let blocks: Vec<Batch> = (0..16)
+        .map(|b| {
+            let (from, to) = (b * rows / 16, (b + 1) * rows / 16);
+            plan.batch(from as u64, to - from)
+        })
+        .collect();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .expect("threads");
+    bencher.counter(ItemsCount::new(rows)).bench_local(|| {
+        pool.install(|| {
+            blocks
+                .par_iter()
+                .map(|b| kernel.run(b).len())
+                .sum::<usize>()
+        })
+    });
+}
+
+/// Walking speed × body weight × curvature on a grid: 100 speeds share their shapes.
+#[divan::bench(args = [1, 2], sample_count = 10)]
+fn spectral_grid(bencher: Bencher, threads: usize) {
+    let vary = [
+        "gait.step_frequency=1.5 Hz:2.4 Hz:100",
+        "gait.body_weight=400 N:1000 N:40",
+        "limits.curvature=1 mm:20 mm:20",
+    ];
+    rate(bencher, &plan(&["law.family=harmonic"], &vary, None), threads);
+}
+
+/// Every row has a walking speed of its own.
+#[divan::bench(args = [1, 2], sample_count = 10)]
+fn spectral_sample(bencher: Bencher, threads: usize) {
+    let vary = ["gait.step_frequency=1.5 Hz:2.4 Hz", "gait.body_weight=400 N:1000 N"];
+    rate(bencher, &plan(&["law.family=harmonic"], &vary, Some(20_000)), threads);
+}
+
+/// A spring-loaded follower: no two rows share a law.
+#[divan::bench(args = [1, 2], sample_count = 10)]
+fn spectral_spring(bencher: Bencher, threads: usize) {
+    let changes = ["law.family=harmonic", "drive.kind=fixed-axis", "drive.mass=2 kg", "limits.stroke=1 m"];
+    let vary = ["drive.spring_rate=9000 N/m:20000 N/m", "drive.preload=100 N:150 N"];
+    rate(bencher, &plan(&changes, &vary, Some(20_000)), threads);
+}
+
+/// Splines of 32 spans whose stroke limit binds: the certified quadratic program.
+#[divan::bench(args = [1, 2], sample_count = 3)]
+fn qp_32_spans(bencher: Bencher, threads: usize) {
+    let vary = ["limits.stroke=40 mm:48 mm"];
+    rate(bencher, &plan(&["law.spans=32", "accuracy.rms=20 %"], &vary, Some(64)), threads);
+}
