@@ -72,21 +72,40 @@ fn spectral_grid(bencher: Bencher, threads: usize) {
         "gait.body_weight=400 N:1000 N:40",
         "limits.curvature=1 mm:20 mm:20",
     ];
-    rate(bencher, &plan(&["law.family=harmonic"], &vary, None), threads);
+    rate(
+        bencher,
+        &plan(&["law.family=harmonic"], &vary, None),
+        threads,
+    );
 }
 
 /// Every row has a walking speed of its own.
 #[divan::bench(args = [1, 2], sample_count = 10)]
 fn spectral_sample(bencher: Bencher, threads: usize) {
-    let vary = ["gait.step_frequency=1.5 Hz:2.4 Hz", "gait.body_weight=400 N:1000 N"];
-    rate(bencher, &plan(&["law.family=harmonic"], &vary, Some(20_000)), threads);
+    let vary = [
+        "gait.step_frequency=1.5 Hz:2.4 Hz",
+        "gait.body_weight=400 N:1000 N",
+    ];
+    rate(
+        bencher,
+        &plan(&["law.family=harmonic"], &vary, Some(20_000)),
+        threads,
+    );
 }
 
 /// A spring-loaded follower: no two rows share a law.
 #[divan::bench(args = [1, 2], sample_count = 10)]
 fn spectral_spring(bencher: Bencher, threads: usize) {
-    let changes = ["law.family=harmonic", "drive.kind=fixed-axis", "drive.mass=2 kg", "limits.stroke=1 m"];
-    let vary = ["drive.spring_rate=9000 N/m:20000 N/m", "drive.preload=100 N:150 N"];
+    let changes = [
+        "law.family=harmonic",
+        "drive.kind=fixed-axis",
+        "drive.mass=2 kg",
+        "limits.stroke=1 m",
+    ];
+    let vary = [
+        "drive.spring_rate=9000 N/m:20000 N/m",
+        "drive.preload=100 N:150 N",
+    ];
     rate(bencher, &plan(&changes, &vary, Some(20_000)), threads);
 }
 
@@ -94,5 +113,9 @@ fn spectral_spring(bencher: Bencher, threads: usize) {
 #[divan::bench(args = [1, 2], sample_count = 3)]
 fn qp_32_spans(bencher: Bencher, threads: usize) {
     let vary = ["limits.stroke=40 mm:48 mm"];
-    rate(bencher, &plan(&["law.spans=32", "accuracy.rms=20 %"], &vary, Some(64)), threads);
+    rate(
+        bencher,
+        &plan(&["law.spans=32", "accuracy.rms=20 %"], &vary, Some(64)),
+        threads,
+    );
 }
