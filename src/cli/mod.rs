@@ -1,12 +1,14 @@
 //! The command: arguments, files, progress, exit codes. The only module that reads, writes or looks at
 //! the clock.
 
+mod compare;
 mod files;
 mod front;
 mod gait;
 mod hand_over;
 mod input;
 mod laws;
+mod reproduce;
 mod simulate;
 mod sweep;
 mod synth;
@@ -38,6 +40,14 @@ enum Command {
     Sweep(sweep::SweepArgs),
     /// The best designs of a sweep: Pareto set, pictures, the winner as a normal result
     Front(front::FrontArgs),
+    /// Compute the source papers' numbers again: stated, recomputed, agrees or not
+    Reproduce {
+        /// Folder for the report
+        #[arg(long, value_name = "DIR", default_value = "reports")]
+        out: PathBuf,
+    },
+    /// Put several results side by side: table and overlaid diagrams
+    Compare(CompareArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws {
         /// Print JSON
@@ -85,6 +95,19 @@ impl SynthArgs {
             ..SynthArgs::default()
         }
     }
+}
+
+#[derive(Args, Debug)]
+struct CompareArgs {
+    /// Folders that gaitcam synth wrote
+    #[arg(required = true, num_args = 2..)]
+    folders: Vec<PathBuf>,
+    /// Folder for the table and the diagrams
+    #[arg(long, value_name = "DIR", default_value = "out/compare")]
+    out: PathBuf,
+    /// Print the summaries as JSON
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(Args, Debug)]
@@ -162,6 +185,8 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
         Some(Command::Gait(args)) => gait::run(&args),
         Some(Command::Sweep(args)) => sweep::run(&args),
         Some(Command::Front(args)) => front::run(&args),
+        Some(Command::Reproduce { out }) => reproduce::run(&out),
+        Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Laws { json }) => laws::run(json),
     }
 }

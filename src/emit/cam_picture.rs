@@ -7,9 +7,9 @@ use super::geometry::{Pose, face_reach, pose, turned};
 use super::picture::Picture;
 use super::picture::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, QUIET, RED};
 use super::plots::{Layout, title};
-use super::samples::{degrees, number};
+use super::samples::{degrees, lift_unit, number};
 use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
-use crate::cam::ProfilePoint;
+use crate::cam::{Follower, ProfilePoint};
 use crate::synth::Synthesis;
 
 const MM: f64 = 1000.0;
@@ -70,13 +70,43 @@ impl<'a> Scene<'a> {
         }
     }
 
+    /// Whether the follower's face is an arc, of which only a part exists.
+    fn is_mushroom(&self) -> bool {
+        matches!(
+            self.synthesis.cam.follower,
+            Follower::MushroomTranslating { .. } | Follower::MushroomOscillating { .. }
+        )
+    }
+
     fn has_roller(&self) -> bool {
-        self.prime != self.base
+        if self.is_mushroom() {
+            return false;
+        }
+        self.prime != self.base || matches!(self.synthesis.cam.follower, Follower::Barrel { .. })
+    }
+
+    /// Whether the profile is drawn along a line: a straight cam, or a barrel unrolled.
+    fn is_straight(&self) -> bool {
+        matches!(
+            self.synthesis.cam.follower,
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
+        )
+    }
+
+    /// Where the arm is pivoted, mm.
+    fn pivot(&self) -> Option<[f64; 2]> {
+        self.synthesis
+            .cam
+            .follower
+            .pivot()
+            .map(|p| p.map(|x| MM * x))
     }
 
     /// Left, right, bottom, top of everything drawn.
     fn bounds(&self) -> [f64; 4] {
-        let round = if self.has_roller() {
+        let round = if self.is_straight() {
+            0.0
+        } else if self.has_roller() {
             self.prime
         } else {
             self.base
@@ -87,11 +117,36 @@ impl<'a> Scene<'a> {
         };
         for p in &self.rows {
             let now = |x: f64, y: f64| turned([MM * x, MM * y], self.start);
-            for [x, y] in [now(p.x, p.y), now(p.pitch_x, p.pitch_y)] {
+            let [x, y] = now(p.x, p.y);
+            hold(x, y);
+            if self.has_roller() {
+                let [x, y] = now(p.pitch_x, p.pitch_y);
                 hold(x, y);
             }
         }
+        if let Some([x, y]) = self.pivot() {
+            let r = 0.06 * self.reach;
+            hold(x - r, y - r);
+            hold(x + r, y + r);
+        }
         match self.pose {
+            Pose::Face { at, angle } if self.pivot().is_some() => {
+                let (_, high) = self.face();
+                hold(
+                    MM * at[0] + high * angle.cos(),
+                    MM * at[1] + high * angle.sin(),
+                );
+            }
+            Pose::Roller { centre, radius } if self.is_mushroom() => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - self.reach, y - MM * radius);
+                hold(x + self.reach, y - MM * radius + self.stem());
+            }
+            Pose::Roller { centre, radius } if self.pivot().is_some() => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - MM * radius, y - MM * radius);
+                hold(x + MM * radius, y + MM * radius);
+            }
             Pose::Face { at, .. } => {
                 let (low, high) = self.face();
                 hold(low, MM * at[1]);
@@ -142,13 +197,30 @@ impl<'a> Scene<'a> {
             (x, y)
         };
         let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
-        if self.synthesis.cam.law.is_closed() {
+        if self.is_straight() {
+            // The plate down to its foot.
+            let mut body = outline.clone();
+            if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
+                let foot = self.foot();
+                body.extend([(last.0, foot), (first.0, foot)]);
+            }
+            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
+        } else if self.synthesis.cam.law.is_closed() {
             let body = BLUE.mix(0.13).filled();
             plane.draw(&Polygon::new(outline.clone(), body))?;
         }
-        dashed(plane, circle(self.base), GREEN, BASE)?;
+        if !self.is_straight() {
+            dashed(plane, circle(self.base), GREEN, BASE)?;
+        }
+        if let Some(bore) = self.synthesis.bore.filter(|_| !self.is_straight()) {
+            let rim = circle(0.5 * MM * bore);
+            plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
+            plane.draw(&PathElement::new(rim, stroke(BLUE, 1.6)))?;
+        }
         if self.has_roller() {
-            dashed(plane, circle(self.prime), PURPLE, PRIME)?;
+            if !self.is_straight() {
+                dashed(plane, circle(self.prime), PURPLE, PRIME)?;
+            }
             let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
             dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
         }
@@ -167,9 +239,22 @@ impl<'a> Scene<'a> {
         Ok(())
     }
 
+    /// Height of a straight cam's foot in its drawing.
+    fn foot(&self) -> f64 {
+        let low = self
+            .rows
+            .iter()
+            .map(|p| MM * p.y)
+            .fold(f64::INFINITY, f64::min);
+        match self.synthesis.cam.follower {
+            Follower::TranslatingCam { .. } => low.min(0.0),
+            _ => low - 0.04 * self.reach,
+        }
+    }
+
     /// Closes the curve of a closed law.
     fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-        if self.synthesis.cam.law.is_closed() && !curve.is_empty() {
+        if !self.is_straight() && self.synthesis.cam.law.is_closed() && !curve.is_empty() {
             curve.push(curve[0]);
         }
         curve
@@ -177,6 +262,9 @@ impl<'a> Scene<'a> {
 
     /// Centre mark and the sense of rotation.
     fn centre(&self, plane: &Plane) -> Drawn {
+        if self.is_straight() {
+            return Ok(());
+        }
         let arm = 0.07 * self.reach;
         for path in [[(-arm, 0.0), (arm, 0.0)], [(0.0, -arm), (0.0, arm)]] {
             plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
@@ -216,7 +304,12 @@ impl<'a> Scene<'a> {
     }
 
     fn follower(&self, plane: &Plane) -> Drawn {
-        let half = 0.045 * self.reach;
+        let mut half = 0.045 * self.reach;
+        if let Pose::Roller { radius, .. } = self.pose
+            && radius > 0.0
+        {
+            half = half.min(0.6 * MM * radius);
+        }
         let rod = |x: f64, from: f64, to: f64| {
             let corners = vec![
                 (x - half, from),
@@ -235,12 +328,25 @@ impl<'a> Scene<'a> {
             }
             Ok(())
         };
+        if let (true, Pose::Roller { centre, radius }) = (self.is_mushroom(), self.pose) {
+            return self.cap(plane, centre.map(|c| MM * c), MM * radius);
+        }
+        if let (Some(pivot), Pose::Roller { centre, .. }) = (self.pivot(), self.pose) {
+            self.arm(plane, pivot, centre.map(|c| MM * c))?;
+        }
+        let sliding = self.pivot().is_none();
         match self.pose {
             Pose::Face { at, angle } => {
                 let y = MM * at[1];
-                let (low, high) = self.face();
+                let (mut low, high) = self.face();
                 let thick = 0.035 * self.reach;
-                rod(MM * at[0], y + thick, y + self.stem())?;
+                if let Some(pivot) = self.pivot() {
+                    // The face starts at the foot of its pivot.
+                    low = low.min(0.0);
+                    self.arm(plane, pivot, [MM * at[0], y])?;
+                } else {
+                    rod(MM * at[0], y + thick, y + self.stem())?;
+                }
                 let (sin, cos) = angle.sin_cos();
                 let corner =
                     |u: f64, w: f64| (MM * at[0] + u * cos - w * sin, y + u * sin + w * cos);
@@ -258,6 +364,9 @@ impl<'a> Scene<'a> {
             Pose::Roller { centre, radius } => {
                 let [x, y] = centre.map(|c| MM * c);
                 let radius = MM * radius;
+                if radius == 0.0 && !sliding {
+                    return dot(plane, (x, y), INK);
+                }
                 if radius == 0.0 {
                     let shoulder = y + 2.5 * half;
                     let edge = vec![(x - half, shoulder), (x, y), (x + half, shoulder)];
@@ -266,7 +375,9 @@ impl<'a> Scene<'a> {
                     plane.draw(&Polygon::new(edge.clone(), AXIS.mix(0.35).filled()))?;
                     return plane.draw(&PathElement::new(edge, stroke(INK, 1.8)));
                 }
-                rod(x, y, y + radius + self.stem())?;
+                if sliding {
+                    rod(x, y, y + radius + self.stem())?;
+                }
                 let rim: Vec<(f64, f64)> = circle(radius)
                     .into_iter()
                     .map(|(u, v)| (x + u, y + v))
@@ -277,6 +388,75 @@ impl<'a> Scene<'a> {
                 dot(plane, (x, y), INK)
             }
         }
+    }
+
+    /// The part of a mushroom's arc that the contact needs, and a little more, with its chord.
+    fn cap(&self, plane: &Plane, centre: [f64; 2], radius: f64) -> Drawn {
+        let cam = &self.synthesis.cam;
+        let [nx, ny] = cam.motion(self.start);
+        let reach = cam.contact_travel().map_or(0.0, |(low, high)| {
+            MM * high.value.abs().max(low.value.abs())
+        });
+        let half = ((reach + 0.15 * self.reach) / radius)
+            .clamp(0.05, 1.2)
+            .asin();
+        let half = if half.is_finite() { half } else { 1.2 };
+        let at = |angle: f64, rho: f64| {
+            // Turned from the direction towards the cam, which is against the motion.
+            let (sin, cos) = angle.sin_cos();
+            (
+                centre[0] - rho * (cos * nx - sin * ny),
+                centre[1] - rho * (sin * nx + cos * ny),
+            )
+        };
+        if let Some(pivot) = self.pivot() {
+            let (x, y) = at(0.0, radius);
+            self.arm(plane, pivot, [x, y])?;
+        }
+        let mut rim: Vec<(f64, f64)> = (0..=60)
+            .map(|i| at(half * (f64::from(i) / 30.0 - 1.0), radius))
+            .collect();
+        rim.push(rim[0]);
+        plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
+        plane.draw(&Polygon::new(rim.clone(), AXIS.mix(0.35).filled()))?;
+        plane.draw(&PathElement::new(rim, stroke(INK, 2.2)))?;
+        if self.pivot().is_some() {
+            return Ok(());
+        }
+        let chord = radius * half.cos();
+        let (x, from) = at(0.0, chord);
+        let (side, to) = (0.045 * self.reach, from + self.stem());
+        for x in [x - side, x + side] {
+            plane.draw(&PathElement::new([(x, from), (x, to)], stroke(INK, 1.8)))?;
+        }
+        Ok(())
+    }
+
+    /// A bar from the pivot, with the pivot's bearing.
+    fn arm(&self, plane: &Plane, pivot: [f64; 2], end: [f64; 2]) -> Drawn {
+        let (dx, dy) = (end[0] - pivot[0], end[1] - pivot[1]);
+        let length = dx.hypot(dy);
+        let half = 0.025 * self.reach;
+        if length > half {
+            let (nx, ny) = (-dy / length * half, dx / length * half);
+            let corner = |p: [f64; 2], side: f64| (p[0] + side * nx, p[1] + side * ny);
+            let bar = vec![
+                corner(pivot, 1.0),
+                corner(end, 1.0),
+                corner(end, -1.0),
+                corner(pivot, -1.0),
+                corner(pivot, 1.0),
+            ];
+            plane.draw(&Polygon::new(bar.clone(), AXIS.mix(0.35).filled()))?;
+            plane.draw(&PathElement::new(bar, stroke(INK, 1.8)))?;
+        }
+        let bearing: Vec<(f64, f64)> = circle(0.045 * self.reach)
+            .into_iter()
+            .map(|(u, v)| (pivot[0] + u, pivot[1] + v))
+            .collect();
+        plane.draw(&Polygon::new(bearing.clone(), PAPER.filled()))?;
+        plane.draw(&PathElement::new(bearing, stroke(INK, 1.8)))?;
+        dot(plane, (pivot[0], pivot[1]), INK)
     }
 
     /// Names the lines and gives the main dimensions, in a column.
@@ -296,18 +476,16 @@ impl<'a> Scene<'a> {
                 stroke(colour, width),
             ))
         };
-        let mut lines = vec![
-            (BLUE, 2.6, None, "cam profile".to_string()),
-            (
-                GREEN,
-                1.6,
-                Some(BASE),
-                format!("base circle R {} mm", number(self.base, 4)),
-            ),
-        ];
-        if self.has_roller() {
-            let prime = format!("prime circle R {} mm", number(self.prime, 4));
-            lines.push((PURPLE, 1.6, Some(PRIME), prime));
+        let mut lines = vec![(BLUE, 2.6, None, "cam profile".to_string())];
+        if !self.is_straight() {
+            let base = format!("base circle R {} mm", number(self.base, 4));
+            lines.push((GREEN, 1.6, Some(BASE), base));
+        }
+        if self.has_roller() || self.is_straight() {
+            if !self.is_straight() {
+                let prime = format!("prime circle R {} mm", number(self.prime, 4));
+                lines.push((PURPLE, 1.6, Some(PRIME), prime));
+            }
             lines.push((ORANGE, 1.6, Some(PITCH), "pitch curve".into()));
         }
         for (colour, width, dash, name) in lines {
@@ -334,12 +512,24 @@ impl<'a> Scene<'a> {
         let (low, high) = cam.pressure_angle_extremes();
         let mut facts = vec![
             ("follower", cam.follower.name().to_string()),
-            ("stroke", format!("{} mm", number(MM * cam.law.stroke(), 4))),
+            ("stroke", {
+                let (factor, unit) = lift_unit(self.synthesis);
+                let space = if unit == "°" { "" } else { " " };
+                format!("{}{space}{unit}", number(factor * cam.law.stroke(), 4))
+            }),
             (
                 "smallest radius",
                 format!("{} mm", number(MM * sharpest.value, 4)),
             ),
-            ("  at", degrees(sharpest.at)),
+            (
+                "  at",
+                match cam.follower {
+                    Follower::TranslatingCam { .. } => {
+                        format!("{} mm", number(MM * sharpest.at, 4))
+                    }
+                    _ => degrees(sharpest.at),
+                },
+            ),
         ];
         if let Some(width) = cam.face_width() {
             facts.push(("face width", format!("{} mm", number(MM * width, 4))));
@@ -357,7 +547,14 @@ impl<'a> Scene<'a> {
         }
         facts.push((
             "speed",
-            format!("{} rad/s", number(self.synthesis.drive.speed, 4)),
+            format!(
+                "{} {}",
+                number(self.synthesis.drive.speed, 4),
+                match cam.follower {
+                    Follower::TranslatingCam { .. } => "m/s",
+                    _ => "rad/s",
+                }
+            ),
         ));
         for (name, value) in facts {
             write(canvas, name, [x, y], Lettering::new(e, QUIET))?;

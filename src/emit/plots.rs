@@ -336,7 +336,7 @@ fn ends_of(synthesis: &Synthesis) -> [f64; 2] {
 }
 
 /// Splits a frame into strips of given shares, one above the other.
-fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
+pub(super) fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
     let total: f64 = shares.iter().sum();
     let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
     let mut top = frame.top;
@@ -375,7 +375,7 @@ pub(super) fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> 
 }
 
 /// Swatches with their names, from the left.
-fn key(
+pub(super) fn key(
     canvas: &Canvas,
     [mut x, y]: [f64; 2],
     size: f64,

@@ -1,0 +1,48 @@
+//! `gaitcam reproduce`: the papers' numbers, computed again.
+
+use std::path::Path;
+
+use super::files::Folder;
+use super::{BUILT, say};
+use crate::emit::reproduce::{Class, reproduce};
+use crate::error::Result;
+
+/// Writes reproduction.md, reproduction.csv and the pictures.
+pub fn run(out: &Path) -> Result<u8> {
+    let folder = Folder::open(out)?;
+    let result = reproduce()?;
+    folder.write("reproduction.md", result.markdown().as_bytes())?;
+    folder.write("reproduction.csv", result.csv().as_bytes())?;
+    for (name, picture) in &result.pictures {
+        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{name}.png"), &picture.png())?;
+    }
+    let count = |class: Class| result.rows.iter().filter(|r| r.class == class).count();
+    let classes = [
+        Class::Agrees,
+        Class::Rounding,
+        Class::Sampling,
+        Class::Misprint,
+        Class::NotReproducible,
+        Class::Measured,
+        Class::NotStated,
+    ];
+    say(&format!("{} numbers of the papers:", result.rows.len()));
+    for class in classes {
+        say(&format!("  {:>4}  {}", count(class), class.name()));
+    }
+    for m in &result.methods {
+        say(&format!(
+            "  {:<36} {:.3} N RMS ({:.3} turned), stroke {:.2} mm",
+            m.name,
+            m.rms,
+            m.rms_turned,
+            1e3 * m.stroke
+        ));
+    }
+    say(&format!(
+        "Report in {}",
+        folder.path().join("reproduction.md").display()
+    ));
+    Ok(BUILT)
+}

@@ -1,0 +1,185 @@
+//! Every scene in scenes/ is synthesised: through the library, and one through the command with all
+//! its files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use gaitcam::cam::Verdict;
+use gaitcam::gait;
+use gaitcam::scene::{self, Scene, Source};
+use gaitcam::synth::{Synthesis, synthesise};
+
+fn here() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn all() -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(here().join("scenes"))
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    paths.sort();
+    paths
+}
+
+fn designed(path: &Path) -> (Scene, Synthesis) {
+    let table: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
+    let scene = scene::read(&table).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let target = scene.gait.as_ref().map(|g| match &g.source {
+        Source::Model {
+            name,
+            step_frequency_hz,
+            body_weight_n,
+        } => gait::model(name, *step_frequency_hz, *body_weight_n, g.feet).unwrap(),
+        Source::File { path: file, .. } => {
+            let file = path.parent().unwrap().join(file);
+            let bytes = fs::read(&file).unwrap();
+            gait::force_curve(&file, &bytes, &gait::ReadOptions::default(), g.feet).unwrap()
+        }
+    });
+    let design = synthesise(&scene, target.as_ref());
+    (
+        scene,
+        design.unwrap_or_else(|e| panic!("{}: {e}", path.display())),
+    )
+}
+
+#[test]
+fn every_scene_is_built_and_every_check_passes() {
+    let paths = all();
+    assert!(paths.len() >= 20, "scenes are missing");
+    for path in paths {
+        let (scene, design) = designed(&path);
+        let name = path.file_stem().unwrap().to_string_lossy().to_string();
+        assert_eq!(scene.name, name, "a scene is named as its file");
+        assert!(
+            design.infeasible.is_none(),
+            "{name}: {:?}",
+            design.infeasible
+        );
+        for check in &design.checks {
+            assert!(check.pass, "{name}: {check:?}");
+        }
+        assert_ne!(
+            design.verdict,
+            Verdict::Unacceptable,
+            "{name}: {}",
+            design.reason
+        );
+        assert_eq!(design.cam.follower.name(), scene.cam.follower, "{name}");
+    }
+}
+
+#[test]
+fn printed_numbers_of_camdas_come_out_of_its_scenes() {
+    let design = |name: &str| designed(&here().join(format!("scenes/{name}.toml"))).1;
+    // FACTS §5, Ejemplo1RT: cam ρ 70.9934…95.8333 mm, φ ±18.2100°.
+    let one = design("camdas_01_roller");
+    assert!((one.cam.curvature().convex.value - 0.0709934).abs() < 1e-7);
+    let (low, high) = one.cam.pressure_angle_extremes();
+    assert!((high.value.to_degrees() - 18.21).abs() < 1e-4);
+    assert!((low.value.to_degrees() + 18.21).abs() < 1e-4);
+    // Ejemplo2RO: the arm starts at 36.42°.
+    let two = design("camdas_02_oscillating_roller");
+    let start = two.cam.follower.start_angle().unwrap();
+    assert!((start.to_degrees() - 36.42).abs() < 1e-3, "{start}");
+    // Ejemplo7CRT: 380 mm between the rollers, Ejemplo8DA: conjugate base 80 mm.
+    let seven = design("camdas_07_conjugate_roller").conjugate.unwrap();
+    let eight = design("camdas_08_conjugate_flat").conjugate.unwrap();
+    assert!((eight.second.follower.base_radius() - 0.08).abs() < 1e-15);
+    for i in 0..3600 {
+        let theta = f64::from(i) * std::f64::consts::TAU / 3600.0;
+        assert!((seven.sum(theta) - 0.38).abs() < 1e-12);
+        assert!((eight.sum(theta) - 0.225).abs() < 1e-12);
+    }
+    // Ejemplo5, 6: s(θ) + s(θ + π) is constant, breadth = 2Rb + s_max.
+    let six = design("camdas_06_constant_breadth");
+    let face = |x: f64| six.cam.follower.base_radius() + six.cam.law.svaj(x).s;
+    for i in 0..720 {
+        let x = f64::from(i).to_radians() / 2.0;
+        assert!((face(x) + face(x + std::f64::consts::PI) - 0.15).abs() < 1e-12);
+    }
+    // Thesis 002: 28.745° at the floor of the groove (FACTS §4).
+    let barrel = design("thesis_barrel").groove.unwrap();
+    let steepest = barrel.pressure_angle_extremes(barrel.depth().0).1.value;
+    assert!((steepest.to_degrees() - 28.745).abs() < 1e-3);
+}
+
+#[test]
+fn the_command_hands_everything_over_and_reads_its_summary_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str], out: &Path| {
+        let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+            .current_dir(here())
+            .arg("synth")
+            .args(arguments)
+            .arg("--out")
+            .arg(out)
+            .arg("--json")
+            .output()
+            .unwrap();
+        let fault = String::from_utf8_lossy(&output.stderr).to_string();
+        assert_eq!(output.status.code(), Some(0), "{fault}");
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let first = folder.path().join("first");
+    let scene = "scenes/camdas_09_eight_motions.toml";
+    let arguments = [
+        scene,
+        "--set",
+        "cam.bore=12 mm",
+        "--solid",
+        "--tool",
+        "6 mm",
+    ];
+    let one = run(&arguments, &first);
+    for file in [
+        "law.csv",
+        "profile.csv",
+        "profile.dxf",
+        "profile.svg",
+        "profile.stl",
+        "profile.3mf",
+        "profile.xlsx",
+        "profile_arcs.dxf",
+        "cutter.csv",
+        "cam.svg",
+        "cam.png",
+        "report.html",
+        "scene.toml",
+        "summary.json",
+    ] {
+        let size = fs::metadata(first.join(file)).unwrap().len();
+        assert!(size > 100, "{file} is empty");
+    }
+    // Both the summary and the scene beside it mean the same cam again, the change included.
+    for back in ["summary.json", "scene.toml"] {
+        let second = folder.path().join(back.replace('.', "_"));
+        let two = run(&[first.join(back).to_str().unwrap()], &second);
+        for key in ["name", "law", "cam", "checks", "scene", "verdict"] {
+            assert_eq!(one[key], two[key], "{key} from {back}");
+        }
+        let profile = |d: &Path| fs::read(d.join("profile.csv")).unwrap();
+        assert_eq!(profile(&first), profile(&second));
+    }
+    // The slate of both.
+    let out = folder.path().join("slate");
+    let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .args(["compare", "--out"])
+        .args([&out, &first, &folder.path().join("scene_toml")])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("smallest convex radius") && text.contains("11.257"),
+        "{text}"
+    );
+    for name in ["compare_svaj", "compare_force", "compare_profiles"] {
+        assert!(
+            out.join(format!("{name}.svg")).exists() && out.join(format!("{name}.png")).exists()
+        );
+    }
+}
