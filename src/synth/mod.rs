@@ -24,6 +24,7 @@ mod design;
 mod double_harmonic;
 mod equality;
 mod harmonic;
+pub mod lab;
 mod limits;
 mod objective;
 mod polish;
