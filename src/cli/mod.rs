@@ -2,6 +2,7 @@
 //! the clock.
 
 mod compare;
+mod chart;
 mod files;
 mod front;
 mod gait;
@@ -48,6 +49,8 @@ enum Command {
     },
     /// Put several results side by side: table and overlaid diagrams
     Compare(CompareArgs),
+    /// Measure speed against accuracy on this machine and draw the charts
+    Chart(ChartArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws {
         /// Print JSON
@@ -108,6 +111,13 @@ struct CompareArgs {
     /// Print the summaries as JSON
     #[arg(long)]
     json: bool,
+struct ChartArgs {
+    /// Fewer repetitions and sizes: under a minute
+    #[arg(long)]
+    quick: bool,
+    /// Folder for tables and pictures
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    out: PathBuf,
 }
 
 #[derive(Args, Debug)]
@@ -187,6 +197,7 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
         Some(Command::Front(args)) => front::run(&args),
         Some(Command::Reproduce { out }) => reproduce::run(&out),
         Some(Command::Compare(args)) => compare::run(&args),
+        Some(Command::Chart(args)) => chart::run(&args),
         Some(Command::Laws { json }) => laws::run(json),
     }
 }

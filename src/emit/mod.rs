@@ -6,6 +6,7 @@
 
 pub mod biarc;
 mod cam_picture;
+pub mod chart;
 pub mod csv;
 pub mod cutter;
 pub mod dxf;

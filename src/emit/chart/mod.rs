@@ -1,0 +1,159 @@
+//! Speed against accuracy: measured rows, and how they become tables and pictures.
+//!
+//! Nothing is measured here; rows come in with their times.
+
+mod picture;
+mod tables;
+
+pub use picture::picture;
+pub use tables::{csv, markdown};
+
+/// One method at one size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Name of the method.
+    pub method: String,
+    /// Its size: "32 spans".
+    pub size: String,
+    /// Distance from the truth, in the chart's unit; 0 is drawn at the foot of the chart.
+    pub error: f64,
+    /// Median time of one run, s.
+    pub seconds: f64,
+    /// First and third quartile of the time, s.
+    pub quartiles: (f64, f64),
+    /// Number of timed runs.
+    pub runs: usize,
+    /// Points written, where the chart counts points instead of time.
+    pub points: Option<usize>,
+    /// What gaitcam does when nothing else is asked.
+    pub default: bool,
+    /// More about the row, for the tables.
+    pub note: String,
+}
+
+/// What is drawn to the right.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Across {
+    /// Time of one run.
+    Time,
+    /// Points written.
+    Points,
+}
+
+/// Methods for one task.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// File name without ending: `speed_accuracy_a`.
+    pub file: String,
+    /// Title.
+    pub title: String,
+    /// The task with its sizes, one sentence.
+    pub task: String,
+    /// What the error is, with its unit.
+    pub error: String,
+    /// What is drawn to the right.
+    pub across: Across,
+    /// Errors drawn as level lines, with names.
+    pub levels: Vec<(f64, String)>,
+    /// What a user should choose, one sentence.
+    pub advice: String,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+impl Row {
+    /// Where the row stands from left to right.
+    pub fn across(&self, across: Across) -> f64 {
+        match across {
+            Across::Time => self.seconds,
+            Across::Points => self.points.unwrap_or(0) as f64,
+        }
+    }
+}
+
+impl Chart {
+    /// Indices of the rows that no other row beats in both time and error, cheapest first. Times within
+    /// the quartiles of each other count as equal.
+    pub fn front(&self) -> Vec<usize> {
+        let cost = |r: &Row| r.across(self.across);
+        let beats = |a: &Row, b: &Row| {
+            let surely_cheaper = match self.across {
+                Across::Time => a.quartiles.1 < b.quartiles.0,
+                Across::Points => cost(a) < cost(b),
+            };
+            let no_dearer = cost(a) <= cost(b);
+            (surely_cheaper && a.error <= b.error) || (no_dearer && a.error < b.error)
+        };
+        let finite = |r: &Row| r.error.is_finite();
+        let mut out: Vec<usize> = (0..self.rows.len())
+            .filter(|&i| finite(&self.rows[i]))
+            .filter(|&i| {
+                let own = &self.rows[i];
+                !(self.rows.iter()).any(|r| finite(r) && beats(r, own))
+            })
+            .collect();
+        out.sort_by(|&i, &j| cost(&self.rows[i]).total_cmp(&cost(&self.rows[j])));
+        out
+    }
+
+    /// Whether a row marked as the default lies on the front.
+    pub fn default_on_front(&self) -> bool {
+        self.front().iter().any(|&i| self.rows[i].default)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(method: &str, seconds: f64, error: f64) -> Row {
+        Row {
+            method: method.to_string(),
+            size: "1".to_string(),
+            error,
+            seconds,
+            quartiles: (seconds, seconds),
+            runs: 5,
+            points: None,
+            default: method == "b",
+            note: String::new(),
+        }
+    }
+
+    fn chart() -> Chart {
+        Chart {
+            file: "x".to_string(),
+            title: "x".to_string(),
+            task: String::new(),
+            error: "N".to_string(),
+            across: Across::Time,
+            levels: Vec::new(),
+            advice: "take b".to_string(),
+            rows: vec![
+                row("a", 1e-6, 1e-2),
+                row("b", 1e-5, 1e-4),
+                row("c", 1e-4, 1e-3),
+                row("d", 1e-3, 0.0),
+                row("e", 1e-7, f64::NAN),
+            ],
+        }
+    }
+
+    #[test]
+    fn the_front_leaves_out_what_is_slower_and_worse() {
+        assert_eq!(chart().front(), [0, 1, 3]);
+        assert!(chart().default_on_front());
+    }
+
+    #[test]
+    fn every_row_is_in_the_csv_and_every_method_in_the_picture() {
+        let text = csv(&[chart()]);
+        assert_eq!(text.lines().count(), 6);
+        let svg = picture(&chart()).svg();
+        for method in ["a", "b", "c", "d"] {
+            assert!(svg.contains(&format!(">{method}<")), "{method}");
+        }
+        assert!(!svg.contains("NaN"));
+        assert!(markdown(&[chart()], "test", "").contains("take b"));
+    }
+}
