@@ -1,0 +1,127 @@
+//! The tasks of benches/peers/run.py by gaitcam: one line of JSON each.
+
+use std::f64::consts::TAU;
+use std::hint::black_box;
+use std::time::Instant;
+
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::drive::Drive;
+use gaitcam::gait::ForceCurve;
+use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::synth::lab::{Bound, Task};
+
+const WEIGHT: f64 = 700.0;
+const GRAVITY: f64 = 9.81;
+const F: f64 = 1.85;
+const SPANS: usize = 32;
+
+/// benches/peers/common.py has the same force.
+fn force(theta: f64) -> f64 {
+    let factors = [
+        0.37 * (F - 0.95),
+        0.054 + 0.0044 * F,
+        0.026 + 0.0050 * F,
+        0.010 + 0.0051 * F,
+    ];
+    let waves = (1..)
+        .zip(factors)
+        .map(|(i, a)| a * (f64::from(i) * theta).sin());
+    WEIGHT * (1.0 + waves.sum::<f64>())
+}
+
+fn median(mut run: impl FnMut()) -> f64 {
+    run();
+    let mut times: Vec<f64> = (0..101)
+        .map(|_| {
+            let start = Instant::now();
+            run();
+            start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[50]
+}
+
+fn tell(task: &str, seconds: f64, error: &str) {
+    println!("{{\"task\": \"{task}\", \"seconds\": {seconds:e}, \"error\": \"{error}\"}}");
+}
+
+fn error(drive: &Drive, law: &Law) -> f64 {
+    let n = 20_010;
+    let square: f64 = (0..n)
+        .map(|i| TAU * f64::from(i) / f64::from(n))
+        .map(|x| (drive.force(law.svaj(x)) - force(x)).powi(2))
+        .sum();
+    100.0 * (square / f64::from(n)).sqrt() / WEIGHT
+}
+
+fn main() {
+    let samples = (0..1024)
+        .map(|i| force(TAU * f64::from(i) / 1024.0))
+        .collect();
+    let target = ForceCurve::from_samples("peers", 1.0 / F, samples).expect("a curve");
+    let drive = Drive::moving_axis(WEIGHT / GRAVITY, GRAVITY, TAU * F);
+    let free = Task {
+        target: &target,
+        drive,
+        degree: 5,
+        spans: SPANS,
+        bounds: &[],
+    };
+    let law = free.free().expect("a law").law;
+    let seconds = median(|| drop(black_box(black_box(&free).free())));
+    tell(
+        "no limits, quintic 32 spans",
+        seconds,
+        &format!("{:.4} % RMS", error(&drive, &law)),
+    );
+
+    let jerk = |law: &Law| {
+        let (low, high) = law.extremes(3);
+        high.value.max(-low.value)
+    };
+    let most = 0.6 * jerk(&law);
+    let bounds = [Bound { order: 3, most }];
+    let held = Task {
+        bounds: &bounds,
+        ..free
+    };
+    let law = held.exchange().expect("feasible").law;
+    let seconds = median(|| drop(black_box(black_box(&held).exchange())));
+    tell(
+        "jerk limit, quintic 32 spans",
+        seconds,
+        &format!(
+            "{:.4} % RMS, limit {:+.1e}",
+            error(&drive, &law),
+            jerk(&law) / most - 1.0
+        ),
+    );
+
+    let quarter = |motion: &str, lift: f64| Segment {
+        motion: Rise::from_name(motion).expect("in the catalogue"),
+        lift,
+        angle: 0.25 * TAU,
+    };
+    let segments = [
+        quarter("cycloidal", 0.02),
+        quarter("dwell", 0.0),
+        quarter("cycloidal", -0.02),
+        quarter("dwell", 0.0),
+    ];
+    let follower = Follower::RollerTranslating {
+        prime_radius: 0.05,
+        offset: 0.0,
+        roller_radius: 0.01,
+    };
+    let build = || {
+        let law = program(black_box(&segments), Extent::Turn).expect("a full turn");
+        Cam { law, follower }.profile(3600)
+    };
+    let seconds = median(|| drop(black_box(build())));
+    tell(
+        "double-dwell roller cam, 3600 points",
+        seconds,
+        "the roller's envelope, exact to rounding",
+    );
+}

@@ -1,0 +1,37 @@
+"""The tasks, as the Rust benchmark `peers` has them."""
+
+import json
+import statistics
+import time
+
+import numpy as np
+
+PERIOD = 1.0 / 1.85
+OMEGA = 2.0 * np.pi / PERIOD
+WEIGHT, GRAVITY = 700.0, 9.81
+MASS = WEIGHT / GRAVITY
+SAMPLES, SPANS, DEGREE = 1024, 32, 5
+# Young's load factors at 1.85 Hz and phases, as the model "young" of gaitcam.
+F = 1.85
+FACTORS = [0.37 * (F - 0.95), 0.054 + 0.0044 * F, 0.026 + 0.0050 * F, 0.010 + 0.0051 * F]
+THETA = 2.0 * np.pi * np.arange(SAMPLES) / SAMPLES
+
+
+def force(theta):
+    """Wanted force, N. Harmonics in step: only their sizes matter to the clock and the error."""
+    return WEIGHT * (1.0 + sum(a * np.sin((i + 1) * theta) for i, a in enumerate(FACTORS)))
+
+
+def median_time(run, repeats=31):
+    """Median seconds of `run` after a warm-up, and its answer."""
+    answer = run()
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        answer = run()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times), answer
+
+
+def tell(task, version, seconds, error):
+    print(json.dumps({"task": task, "version": version, "seconds": seconds, "error": error}))
