@@ -113,11 +113,12 @@ impl Task<'_> {
     fn distance(&self, basis: &Basis) -> Quadratic {
         let mut force = Quadratic::zero(basis);
         let nodes = (self.degree + 2).max(self.target.force_n.len().div_ceil(self.spans));
+        let demand = demand(self.target, self.drive, self.target.cubics());
         force.add_distance(
             basis,
             &self.drive.weights(),
             nodes,
-            |x| self.target.at(x) - self.drive.rest_force,
+            |x| demand.wanted(x) - self.drive.rest_force,
             |_| 1.0,
         );
         force
@@ -205,13 +206,18 @@ impl Task<'_> {
 
 /// Harmonics inverted one by one; N of force left over is not looked at.
 pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> {
-    let demand = Demand {
+    let demand = demand(target, drive, Vec::new());
+    Ok(harmonic::invert(&demand, Some(count), 0.0)?.law())
+}
+
+fn demand(target: &ForceCurve, drive: Drive, cubics: Vec<[f64; 4]>) -> Demand {
+    Demand {
         target: Some(target.clone()),
         drive,
+        cubics,
         length: 1.0,
         remarks: Vec::new(),
-    };
-    Ok(harmonic::invert(&demand, Some(count), 0.0)?.law())
+    }
 }
 
 fn refused(failure: &Failure) -> Error {
