@@ -1,8 +1,8 @@
 //! The command: arguments, files, progress, exit codes. The only module that reads, writes or looks at
 //! the clock.
 
-mod compare;
 mod chart;
+mod compare;
 mod files;
 mod front;
 mod gait;
@@ -111,6 +111,9 @@ struct CompareArgs {
     /// Print the summaries as JSON
     #[arg(long)]
     json: bool,
+}
+
+#[derive(Args, Debug)]
 struct ChartArgs {
     /// Fewer repetitions and sizes: under a minute
     #[arg(long)]
