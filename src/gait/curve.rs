@@ -70,7 +70,11 @@ impl ForceCurve {
     /// The whole cycle as a piecewise cubic over θ ∈ [0, 2π], N.
     pub fn curve(&self) -> PiecewisePoly {
         let n = self.force_n.len();
-        let breaks = (0..=n).map(|i| TAU * i as f64 / n as f64).collect();
+        // TAU·n/n need not be TAU: the last break is set, not computed.
+        let breaks = (0..n)
+            .map(|i| TAU * i as f64 / n as f64)
+            .chain([TAU])
+            .collect();
         let coef = (0..n).flat_map(|i| self.cubic(i)).collect();
         PiecewisePoly::new(breaks, 3, coef)
     }

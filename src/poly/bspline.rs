@@ -80,7 +80,11 @@ impl SplineSpace {
 
     /// Periodic splines on `n` equal spans of [0, period], as smooth as the degree allows.
     pub fn periodic_uniform(degree: usize, n: usize, period: f64) -> Self {
-        let breaks: Vec<f64> = (0..=n).map(|i| period * i as f64 / n as f64).collect();
+        // period·n/n need not be the period: the last break is set, not computed.
+        let breaks: Vec<f64> = (0..n)
+            .map(|i| period * i as f64 / n as f64)
+            .chain([period])
+            .collect();
         SplineSpace::periodic(degree, &breaks, &vec![1; n])
     }
 
