@@ -1,0 +1,204 @@
+//! Whatever a scene asks for: words, a cam that keeps every limit on a dense scan, or a conflict whose
+//! smallest relaxation does build.
+
+use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::scene;
+use gaitcam::synth::{Synthesis, synthesise};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use std::f64::consts::TAU;
+
+/// Slack of the scan: the program's own tolerance, and rounding of the samples.
+const SLACK: f64 = 1e-6;
+
+#[derive(Debug, Clone)]
+struct Wish {
+    frequency: f64,
+    spans: u32,
+    degree: u32,
+    stroke: Option<f64>,
+    acceleration: Option<f64>,
+    jerk: Option<f64>,
+    force_min: Option<f64>,
+}
+
+fn wish() -> impl Strategy<Value = Wish> {
+    let maybe = |low: f64, high: f64| prop::option::of(low..high);
+    (
+        1.4..2.4_f64,
+        6..24_u32,
+        3..7_u32,
+        maybe(10.0, 80.0),
+        maybe(1.0, 12.0),
+        maybe(20.0, 400.0),
+        maybe(0.0, 600.0),
+    )
+        .prop_map(
+            |(frequency, spans, degree, stroke, acceleration, jerk, force_min)| Wish {
+                frequency,
+                spans,
+                degree,
+                stroke,
+                acceleration,
+                jerk,
+                force_min,
+            },
+        )
+}
+
+fn changes(wish: &Wish) -> Vec<String> {
+    let mut out = vec![
+        format!("gait.step_frequency={} Hz", wish.frequency),
+        format!("law.spans={}", wish.spans),
+        format!("law.degree={}", wish.degree),
+        "law.family=spline".to_string(),
+    ];
+    let mut push = |key: &str, value: Option<f64>, unit: &str| {
+        out.extend(value.map(|v| format!("limits.{key}={v} {unit}")));
+    };
+    push("stroke", wish.stroke, "mm");
+    push("acceleration", wish.acceleration, "m/s^2");
+    push("jerk", wish.jerk, "m/s^3");
+    push("force_min", wish.force_min, "N");
+    out
+}
+
+fn design(changes: &[String], target: &ForceCurve) -> Result<Synthesis, String> {
+    let mut table: toml::Table = scene::DEFAULT.parse().map_err(|_| "default")?;
+    for change in changes {
+        scene::set(&mut table, change).map_err(|e| e.to_string())?;
+    }
+    let scene = scene::read(&table).map_err(|e| e.to_string())?;
+    synthesise(&scene, Some(target)).map_err(|e| e.to_string())
+}
+
+fn holds(wish: &Wish) -> Result<(), TestCaseError> {
+    let target = model("young", Some(wish.frequency), 700.0, Feet::Both)
+        .map_err(|e| TestCaseError::fail(e.to_string()))?;
+    let asked = changes(wish);
+    let answer = match design(&asked, &target) {
+        Ok(answer) => answer,
+        Err(words) => {
+            prop_assert!(words.len() > 10, "{words}");
+            return Ok(());
+        }
+    };
+    let speed = answer.drive.speed;
+    let (mut low, mut high, mut a, mut j, mut force) =
+        (f64::MAX, f64::MIN, 0.0_f64, 0.0_f64, f64::MAX);
+    for i in 0..2003 {
+        let at = answer.cam.law.svaj(TAU * f64::from(i) / 2003.0);
+        prop_assert!(
+            [at.s, at.v, at.a, at.j].iter().all(|x| x.is_finite()),
+            "{at:?}"
+        );
+        (low, high) = (low.min(at.s), high.max(at.s));
+        a = a.max(at.a.abs() * speed.powi(2));
+        j = j.max(at.j.abs() * speed.powi(3));
+        force = force.min(answer.drive.force(at));
+    }
+    let built = answer.infeasible.is_none() && answer.checks.iter().all(|c| c.pass);
+    match &answer.infeasible {
+        // A failed check is said and ends in exit code 3; it is no promise.
+        None if !built => {}
+        None => {
+            let under =
+                |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l * (1.0 + SLACK));
+            prop_assert!(
+                under(high - low, wish.stroke.map(|x| 1e-3 * x)),
+                "stroke {}",
+                high - low
+            );
+            prop_assert!(under(a, wish.acceleration), "acceleration {a}");
+            prop_assert!(under(j, wish.jerk), "jerk {j}");
+            prop_assert!(
+                wish.force_min.is_none_or(|f| force >= f - SLACK * 700.0),
+                "force {force}"
+            );
+        }
+        Some(conflict) => {
+            for relaxation in &conflict.relaxations {
+                let Some(to) = relaxation.to else { continue };
+                let mut relaxed = asked.clone();
+                let unit = match relaxation.limit.as_str() {
+                    "stroke" => "m",
+                    "acceleration" => "m/s^2",
+                    "jerk" => "m/s^3",
+                    "force_min" => "N",
+                    _ => continue,
+                };
+                // A millionth beyond the edge itself, which is decided by rounding.
+                let room = if unit == "N" {
+                    -1e-6 * 700.0
+                } else {
+                    1e-6 * to
+                };
+                relaxed.push(format!("limits.{}={} {unit}", relaxation.limit, to + room));
+                let again = design(&relaxed, &target).map_err(TestCaseError::fail)?;
+                prop_assert!(
+                    again.infeasible.is_none(),
+                    "{relaxation:?} does not help: {:?}",
+                    again.infeasible
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+fn run(cases: u32) {
+    let mut runner = TestRunner::new(Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    });
+    runner.run(&wish(), |w| holds(&w)).unwrap();
+}
+
+#[test]
+fn a_thousand_random_scenes_are_built_as_promised_or_refused_with_a_way_out() {
+    run(1000);
+}
+
+#[test]
+#[ignore = "an hour"]
+fn a_hundred_thousand_random_scenes_are_built_as_promised_or_refused_with_a_way_out() {
+    run(100_000);
+}
+
+/// Scene files with bytes changed, doubled or lost: a scene or words, no panic.
+#[test]
+fn mutated_scene_files_are_read_or_refused() {
+    let mut runner = TestRunner::new(Config {
+        cases: 2000,
+        failure_persistence: None,
+        ..Config::default()
+    });
+    let edits = prop::collection::vec((any::<prop::sample::Index>(), any::<u8>(), 0..4_u8), 1..6);
+    let result = runner.run(&edits, |edits| {
+        let mut bytes = scene::DEFAULT.as_bytes().to_vec();
+        for (index, byte, kind) in edits {
+            let at = index.index(bytes.len());
+            match kind {
+                0 => bytes[at] = byte,
+                1 => drop(bytes.remove(at)),
+                2 => bytes.insert(at, byte),
+                _ => {
+                    let piece = bytes[at..(at + 12).min(bytes.len())].to_vec();
+                    bytes.splice(at..at, piece);
+                }
+            }
+        }
+        if let Some(table) = String::from_utf8(bytes)
+            .ok()
+            .and_then(|t| t.parse::<toml::Table>().ok())
+        {
+            match scene::read(&table) {
+                Ok(scene) => prop_assert!(scene.rms.is_none_or(f64::is_finite)),
+                Err(e) => prop_assert!(e.to_string().len() > 10),
+            }
+        }
+        Ok(())
+    });
+    result.unwrap();
+}
