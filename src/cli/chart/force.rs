@@ -55,7 +55,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force without corners take harmonics where no limit binds, and a quintic spline of 8 to 16 spans where limits will: both are below 0.5 % in well under a millisecond.".to_string(),
+        advice: "For a force without corners take harmonics, which are both the fastest and the nearest; take a spline where limits or dwells must hold.".to_string(),
         rows,
     })
 }
@@ -136,7 +136,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force with a swing phase take splines, and no more spans than the accuracy asks; one polynomial through critical points overshoots, and more points on it do not help.".to_string(),
+        advice: "For a force with a heel strike take a cubic or quartic spline of 64 to 256 spans, or a quintic where jerk must be continuous (it costs up to twice the time at equal error); one polynomial through critical points overshoots.".to_string(),
         rows,
     })
 }

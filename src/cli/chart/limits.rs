@@ -84,7 +84,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         error: "larger of: true excess over the limit, force error beyond the best possible (both relative)".to_string(),
         across: Across::Time,
         levels: Vec::new(),
-        advice: "Take the exchange: samples leave the limit broken however many there are, Bernstein rows are safe but give force away, cones are exact but slower.".to_string(),
+        advice: "Take exact cones or Bernstein rows where time counts, and the exchange where the limit is of any other form or must be certified on the continuum; samples alone promise nothing between them.".to_string(),
         rows,
     })
 }
