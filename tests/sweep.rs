@@ -395,3 +395,142 @@ fn lists_and_several_scenes_give_their_rows_in_order() {
     );
     assert_eq!(starts.len(), 8);
 }
+
+fn gaitcam_front(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .arg("front")
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn the_best_of_a_sweep_opens_as_the_design_that_its_row_describes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (table, out) = (folder.path().join("t.csv"), folder.path().join("front"));
+    let vary = [
+        "--set",
+        "accuracy.rms=20 %",
+        "--vary",
+        "limits.stroke=42 mm:50 mm:5",
+        "--vary",
+        "law.spans=12,16",
+        "--vary",
+        "limits.curvature=5 mm:40 mm:3",
+    ];
+    assert_eq!(sweep(&table, &vary).status.code(), Some(0));
+    let (file, dir) = (table.to_str().unwrap(), out.to_str().unwrap());
+    let front = gaitcam_front(&[
+        file,
+        "--minimise",
+        "force_error,prime_radius,jerk",
+        "--out",
+        dir,
+        "--json",
+    ]);
+    assert_eq!(front.status.code(), Some(0), "{}", words(&front));
+    let json: serde_json::Value = serde_json::from_slice(&front.stdout).unwrap();
+    for name in [
+        "front.csv",
+        "front.svg",
+        "front.png",
+        "parallel.png",
+        "report.html",
+    ] {
+        assert!(out.join(name).metadata().unwrap().len() > 100, "{name}");
+    }
+    let best = gaitcam_front(&[
+        file,
+        "--minimise",
+        "force_error,prime_radius,jerk",
+        "--out",
+        dir,
+        "--best",
+        "--json",
+    ]);
+    assert_eq!(best.status.code(), Some(0), "{}", words(&best));
+    let summary: serde_json::Value = serde_json::from_slice(&best.stdout).unwrap();
+    let of_table = json["best"]["force_rms_error_percent"].as_f64().unwrap();
+    let of_design = summary["force"]["rms_error_percent_of_mean"]
+        .as_f64()
+        .unwrap();
+    assert!(
+        (of_table / of_design - 1.0).abs() < 1e-9,
+        "{of_table} {of_design}"
+    );
+    let radius = json["best"]["prime_radius_m"].as_f64().unwrap();
+    assert!((radius / summary["cam"]["prime_radius_m"].as_f64().unwrap() - 1.0).abs() < 1e-9);
+    assert!(out.join("best/profile.csv").exists() && out.join("best.toml").exists());
+}
+
+#[test]
+fn front_refuses_what_is_no_sweep_and_unknown_objectives() {
+    let folder = tempfile::tempdir().unwrap();
+    let no_sweep = gaitcam_front(&["data/gait_curves/young_1.85Hz_700N.csv"]);
+    assert_eq!(no_sweep.status.code(), Some(2));
+    assert!(
+        words(&no_sweep).contains("young_1.85Hz_700N.csv"),
+        "{}",
+        words(&no_sweep)
+    );
+    let table = folder.path().join("t.csv");
+    sweep(
+        &table,
+        &[
+            "--vary",
+            "law.harmonics=2,3",
+            "--set",
+            "law.family=harmonic",
+        ],
+    );
+    let unknown = gaitcam_front(&[table.to_str().unwrap(), "--minimise", "prime_radus"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(
+        words(&unknown).contains("did you mean \"prime_radius\"?"),
+        "{}",
+        words(&unknown)
+    );
+    // Nothing passes: that is no fault of the input.
+    sweep(&table, &["--vary", "limits.stroke=1 mm,2 mm"]);
+    assert_eq!(
+        gaitcam_front(&[table.to_str().unwrap()]).status.code(),
+        Some(3)
+    );
+}
+
+#[test]
+fn scatter_of_no_width_is_the_design_and_wider_tolerances_cost_yield() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("t.csv");
+    let run = |tolerance: &str| -> serde_json::Value {
+        let output = sweep(
+            &out,
+            &[
+                "--tolerance",
+                tolerance,
+                "--tolerance",
+                "speed=0.5 %",
+                "--sample",
+                "2000",
+                "--band",
+                "1 %",
+                "--json",
+            ],
+        );
+        assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let (narrow, wide) = (run("mass=0 %"), run("mass=3 %"));
+    assert_eq!(narrow["yield"], 1.0);
+    // 3 % of the mass miss the mean force by up to 3 %: two thirds of the cams leave a band of 1 %.
+    let share = wide["yield"].as_f64().unwrap();
+    assert!(share > 0.2 && share < 0.4, "{share}");
+    assert_eq!(rows(&out).len(), 2001);
+    refused(&["--tolerance", "colour=1 mm"], "known are profile");
+    refused(&["--tolerance", "profile=1"], "no unit");
+    refused(
+        &["--tolerance", "mass=1 %", "--vary", "law.degree=3,5"],
+        "one design",
+    );
+}

@@ -47,7 +47,7 @@ fn shade(u: f64) -> RGBAColor {
 
 fn frame(right_room: f64) -> Frame {
     Frame {
-        left: 6.5 * LETTERS,
+        left: 7.6 * LETTERS,
         right: f64::from(SIZE.0) - right_room,
         top: 4.2 * LETTERS,
         bottom: f64::from(SIZE.1) - 4.6 * LETTERS,
@@ -162,12 +162,10 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity) -> Pictur
         let inner = axes(canvas, title, f, (x, rx), (y, ry))?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
-            let corners = vec![
-                (ex[i], ey[j]),
-                (ex[i + 1], ey[j]),
-                (ex[i + 1], ey[j + 1]),
-                (ex[i], ey[j + 1]),
-            ];
+            // A little wider than the cell, so that no ground shines through between two.
+            let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
+            let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
+            let corners = vec![(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
             inner.draw(&Polygon::new(corners, shade(share(c)).filled()))?;
         }
         border(canvas, f)?;
