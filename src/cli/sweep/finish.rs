@@ -133,7 +133,10 @@ fn place(beside: &PathBuf, out: &Path) -> std::io::Result<()> {
 enum Sheet {
     Csv(BufWriter<File>),
     #[cfg(feature = "parquet")]
-    Parquet(crate::sweep::parquet::Writer<File>, arrow_schema::SchemaRef),
+    Parquet(
+        Box<crate::sweep::parquet::Writer<File>>,
+        arrow_schema::SchemaRef,
+    ),
 }
 
 /// Where rows go.
@@ -165,7 +168,10 @@ impl<'a> Sink<'a> {
             #[cfg(feature = "parquet")]
             Format::Parquet => {
                 let schema = crate::sweep::parquet::schema(&plan.keys(), names.is_some());
-                Sheet::Parquet(crate::sweep::parquet::Writer::new(file, &schema)?, schema)
+                Sheet::Parquet(
+                    Box::new(crate::sweep::parquet::Writer::new(file, &schema)?),
+                    schema,
+                )
             }
             #[cfg(not(feature = "parquet"))]
             Format::Parquet => return Err(Error::argument("--out", "built without Parquet")),
