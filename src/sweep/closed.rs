@@ -144,7 +144,7 @@ fn fill(
 ) -> Option<Row> {
     let (bottom, top) = motion.range(0);
     let (lowest, stroke) = (bottom + motion.level, top - bottom);
-    if lowest < -1e-8 * stroke {
+    if lowest < 0.0 {
         return None;
     }
     let shift = mean_force - mean;
@@ -177,7 +177,8 @@ fn fill(
     let limits = &scene.limits;
     let sized = scene.cam.base_radius.is_none() && scene.cam.prime_radius.is_none();
     let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
-    let kept = within(stroke, limits.stroke)
+    // The solver counts a stroke limit from the base circle, the check from the lowest point.
+    let kept = within(lowest + stroke, limits.stroke)
         && within(peaks[0], limits.velocity)
         && within(peaks[1], limits.acceleration)
         && within(peaks[2], limits.jerk)

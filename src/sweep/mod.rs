@@ -16,6 +16,7 @@ mod key;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod plan;
+mod quantities;
 mod results;
 mod sample;
 mod spectral;

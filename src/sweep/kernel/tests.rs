@@ -1,0 +1,171 @@
+use super::*;
+use crate::sweep::{Axis, Design, Method, NUMBERS, Outcome, Plan};
+
+fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
+    Err(Error::new("no recordings here"))
+}
+
+/// Rows of a plan from the kernel, beside single syntheses of the same scenes.
+fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
+    let mut table: Table = scene::DEFAULT.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "x".to_string(),
+            table,
+        }],
+        list: None,
+        axes: vary.iter().map(|v| Axis::parse(v, true).unwrap()).collect(),
+        design: Design::Sample {
+            method: Method::Latin,
+            count,
+            seed: 7,
+        },
+    };
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);
+    let batch = plan.batch(0, count as usize);
+    let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
+    (0..count as usize)
+        .map(|row| {
+            let words = batch.columns.iter().filter_map(|c| match c {
+                Column::Words(w) => Some(w[row].to_string()),
+                Column::Numbers(_) => None,
+            });
+            let base = bases
+                .entry(words.collect())
+                .or_insert_with(|| kernel.base(&batch, row));
+            let fast = kernel.row(&batch, row, base);
+            let alone = match kernel.read(&batch, row) {
+                Ok(scene) => kernel.answer(0, &scene),
+                Err(e) => Row::error(e.to_string()),
+            };
+            (fast, alone)
+        })
+        .collect()
+}
+
+fn equal(pairs: &[(Row, Row)]) {
+    for (i, (fast, alone)) in pairs.iter().enumerate() {
+        assert_eq!(
+            (
+                fast.outcome,
+                fast.verdict,
+                fast.tier,
+                &fast.failed,
+                &fast.error
+            ),
+            (
+                alone.outcome,
+                alone.verdict,
+                alone.tier,
+                &alone.failed,
+                &alone.error
+            ),
+            "row {i}"
+        );
+        for (k, name) in NUMBERS.iter().enumerate() {
+            let (a, b) = (fast.numbers[k], alone.numbers[k]);
+            if a.is_nan() && b.is_nan() {
+                continue;
+            }
+            // Forces count against the mean force: an error that is all rounding has no digits.
+            let scale = if k < 7 && k != 1 {
+                alone.numbers[3].abs().max(b.abs())
+            } else {
+                b.abs()
+            };
+            let scale = if k == 1 { 100.0 } else { scale };
+            assert!((a - b).abs() <= 1e-9 * scale, "row {i} {name}: {a} for {b}");
+        }
+    }
+}
+
+#[test]
+fn closed_rows_equal_single_syntheses_of_a_moving_axis() {
+    let pairs = compared(
+        &["law.family=harmonic"],
+        &[
+            "gait.step_frequency=1.6 Hz:2.4 Hz",
+            "gait.body_weight=400 N:1200 N",
+            "limits.curvature=0 mm:20 mm",
+            "gait.model=young,setra,sci-p354",
+            "gait.scale=none,to-mass",
+            "cam.bore=2 mm:40 mm",
+        ],
+        60,
+    );
+    equal(&pairs);
+    let spectral = pairs
+        .iter()
+        .filter(|p| p.0.outcome == Outcome::Built && p.0.failed.is_empty())
+        .count();
+    assert!(spectral > 30, "{spectral}");
+}
+
+#[test]
+fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
+    equal(&compared(
+        &[
+            "law.family=harmonic",
+            "drive.speed=111 rpm",
+            "accuracy.rms=5 %",
+        ],
+        &[
+            "drive.mass=30 kg:90 kg",
+            "gait.scale=none,to-mass",
+            "limits.jerk=50 m/s^3:900 m/s^3",
+            "cam.base_radius=1 mm:90 mm",
+            "law.harmonics=1,2,3,9",
+            "limits.force_min=100 N:500 N",
+        ],
+        80,
+    ));
+    equal(&compared(
+        &[
+            "law.family=harmonic",
+            "drive.kind=hydraulic",
+            "drive.pressure_per_volume=30 psi/in^3",
+            "drive.piston_radius=2 cm",
+            "gait.step_frequency=2 Hz",
+        ],
+        &[
+            "drive.piston_radius=10 mm:40 mm",
+            "accuracy.rms=0.1 %:20 %",
+            "gait.body_weight=300 N:900 N",
+            "drive.speed=3 rad/s:20 rad/s",
+        ],
+        60,
+    ));
+    equal(&compared(
+        &[
+            "law.family=harmonic",
+            "drive.kind=fixed-axis",
+            "drive.mass=70 kg",
+        ],
+        &[
+            "drive.spring_rate=0 N/m,4000 N/m",
+            "drive.mass=1 kg:50 kg",
+            "drive.damping=0 N s/m,3 N s/m",
+            "drive.preload=100 N:900 N",
+        ],
+        30,
+    ));
+}
+
+#[test]
+fn faults_are_rows() {
+    let pairs = compared(
+        &[],
+        &[
+            "cam.base_radius=4 mm:8 mm",
+            "limits.force_min=100 N:1200 N",
+            "limits.force_max=500 N:900 N",
+            "law.family=program",
+        ],
+        12,
+    );
+    equal(&pairs);
+    assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Error));
+}
