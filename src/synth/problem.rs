@@ -267,7 +267,7 @@ impl Program {
         } else if self.present().iter().any(|p| *p) {
             self.seed_rows(&mut rows);
         } else {
-            let x = super::equality::solve(self)?;
+            let x = self.on_base_circle(super::equality::solve(self)?);
             let extra = [0.0; EXTRAS];
             let broken = self.broken(&x, &extra);
             if broken.is_empty() && rows.iter().all(|r| apply(&r.entries, &x) <= r.bound) {
@@ -536,6 +536,27 @@ impl Program {
             .map(|(h, x)| h * x)
             .sum();
         energy <= 1e-10 * self.hessian.largest_diagonal()
+    }
+
+    /// Where neither the objective nor a demand fixes the level, the law with its lowest point at zero: a
+    /// stroke counts from there.
+    fn on_base_circle(&self, mut x: Vec<f64>) -> Vec<f64> {
+        let fixes_level = |e: &Equality| {
+            let (sum, size) = e
+                .entries
+                .iter()
+                .fold((0.0, 0.0), |(s, z), e| (s + e.1, z + e.1.abs()));
+            f64::abs(sum) > 1e-6 * size
+        };
+        if !self.constant_is_free() || self.equalities.iter().any(fixes_level) {
+            return x;
+        }
+        let lowest = self.basis.law(&x).extremes(0).0.value;
+        match self.basis {
+            Basis::Spline { .. } => x.iter_mut().for_each(|c| *c -= lowest),
+            Basis::Harmonic { .. } => x[0] -= lowest,
+        }
+        x
     }
 
     /// Size by which solvers divide the objective: its value for coefficients of typical size.
