@@ -81,7 +81,7 @@ proptest! {
             Ok(law) => {
                 let scale = law.extremes(1).1.value.abs().max(law.stroke());
                 for joint in law.joints() {
-                    prop_assert!(joint.jump.s.abs() < 1e-9 * scale && joint.jump.v.abs() < 1e-8 * scale);
+                    prop_assert!(joint.jump.s.abs() <= 1e-9 * scale && joint.jump.v.abs() <= 1e-8 * scale);
                 }
             }
         }

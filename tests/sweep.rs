@@ -123,9 +123,12 @@ fn killed_again_and_again(out: &Path, arguments: &[&str], kills: usize, longest_
 fn a_sweep_killed_twenty_times_ends_with_the_same_table() {
     let folder = tempfile::tempdir().unwrap();
     let mut kills = 0;
-    for (name, arguments, longest_ms) in [("slow", &SLOW[..], 500), ("fast", &FAST[..], 400)] {
+    for (name, arguments) in [("slow", &SLOW[..]), ("fast", &FAST[..])] {
         let calm = folder.path().join(format!("{name}-calm.csv"));
+        let start = std::time::Instant::now();
         assert_eq!(sweep(&calm, arguments).status.code(), Some(0));
+        // Kills fall within the first three quarters of what an undisturbed run takes here and now.
+        let longest_ms = (start.elapsed().as_millis() as u64 * 3 / 4).max(10);
         let killed = folder.path().join(format!("{name}-killed.csv"));
         kills += killed_again_and_again(&killed, arguments, 12, longest_ms);
         assert_eq!(rows(&calm), rows(&killed));
