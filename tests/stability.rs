@@ -464,7 +464,7 @@ fn pressure_angles_near_a_right_angle_keep_their_digits() {
 #[test]
 fn breaks_that_all_but_merge_do_no_harm() {
     let wide = |tiny: f64| {
-        let breaks = vec![0.0, 1.0, 1.0 + tiny, 2.0];
+        let breaks = [0.0, 1.0, 1.0 + tiny, 2.0];
         // sin-like cubic through all pieces: one polynomial cut in three.
         let whole = PiecewisePoly::new(vec![0.0, 2.0], 3, vec![0.0, 1.0, 2.0, -1.0]);
         (whole.cut_at(&breaks[1..3]), whole)

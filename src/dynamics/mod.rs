@@ -1,6 +1,6 @@
 //! The cam in motion, with no more model than the scene needs.
 //!
-//! [`simulate`] takes the emitted profile, recovers the smooth lift its points give the follower
+//! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
 //! ([`profile_curve`]) and runs it under one of three models:
 //!
 //! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, what the parts must bear ([`hertz`], [`motor`]);

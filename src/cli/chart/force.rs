@@ -39,7 +39,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
             fit
         });
         let error = match &law {
-            Some(force) => rms_error(|x| force(x), &target),
+            Some(force) => rms_error(force, &target),
             None => f64::NAN,
         };
         rows.push(timing.row(
