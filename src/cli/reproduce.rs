@@ -4,15 +4,17 @@ use std::path::Path;
 
 use super::files::Folder;
 use super::{BUILT, say};
+use crate::dynamics::experiment;
 use crate::emit::reproduce::{Class, reproduce};
 use crate::error::Result;
 
-/// Writes reproduction.md, reproduction.csv and the pictures.
+/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
 pub fn run(out: &Path) -> Result<u8> {
     let folder = Folder::open(out)?;
     let result = reproduce()?;
     folder.write("reproduction.md", result.markdown().as_bytes())?;
     folder.write("reproduction.csv", result.csv().as_bytes())?;
+    folder.write("dynamics.md", experiment::report()?.as_bytes())?;
     for (name, picture) in &result.pictures {
         folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         folder.write(&format!("{name}.png"), &picture.png())?;

@@ -689,6 +689,44 @@ mod tests {
         }
     }
 
+    /// Dwell, rise to 1 at ½, return: the first n − 1 derivatives zero at both ends.
+    fn rise_and_return(n: usize, degree: usize, breaks: &[f64]) -> Program {
+        let mut program = rest_to_rest(n, degree, breaks);
+        for e in &mut program.equalities {
+            e.value = 0.0;
+        }
+        let entries = program.basis.row(0.5, &[1.0]);
+        program.equalities.push(Equality {
+            name: "top".to_string(),
+            entries,
+            value: 1.0,
+        });
+        program
+    }
+
+    #[test]
+    fn dwell_rise_return_optima_are_found() {
+        // FACTS §8: min ∫a² = 192, min ∫j² = 20480, min peak |a| = 16, min peak |j| = 48(2 + √2).
+        for (n, degree, expected) in [(2, 3, 192.0), (3, 5, 20_480.0)] {
+            let program = with_energy(rise_and_return(n, degree, &uniform(4)), n);
+            let value = program.objective(&program.solve().unwrap().x);
+            assert!((value / expected - 1.0).abs() < 1e-9, "{n}: {value}");
+        }
+        let mut program = rise_and_return(2, 2, &uniform(8));
+        minimise_peak(&mut program, 2);
+        let peak = program.solve().unwrap().extra[PEAK];
+        assert!((peak / 16.0 - 1.0).abs() < 1e-6, "{peak}");
+        // The switches of the jerk are irrational; fine uniform breaks come near enough.
+        let mut program = rise_and_return(3, 3, &uniform(400));
+        minimise_peak(&mut program, 3);
+        let peak = program.solve().unwrap().extra[PEAK];
+        let exact = 48.0 * (2.0 + 2.0_f64.sqrt());
+        assert!(
+            (peak / exact - 1.0).abs() < 1e-4 && peak > exact * (1.0 - 1e-6),
+            "{peak} {exact}"
+        );
+    }
+
     #[test]
     fn a_jerk_limit_below_32_is_infeasible() {
         let mut program = with_energy(rest_to_rest(3, 5, &uniform(24)), 3);
