@@ -214,12 +214,7 @@ fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec>
     spec.spans = r.count("spans", 1, MOST_SPANS)?;
     spec.harmonics = r.count("harmonics", 1, 400)?;
     spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
-    if !has_gait
-        && matches!(
-            spec.minimise,
-            Some(Minimise::ForceError | Minimise::PeakForceError)
-        )
-    {
+    if !has_gait && matches!(spec.minimise, Some(Minimise::ForceError)) {
         return Err(
             Error::key("law.minimise", "there is no force to come near to")
                 .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),

@@ -136,8 +136,6 @@ impl Family {
 pub enum Minimise {
     /// Mean square distance of the force to the target.
     ForceError,
-    /// Largest distance of the force to the target.
-    PeakForceError,
     /// Mean square of the derivative of this order (2 acceleration, 3 jerk, 4 snap).
     Energy(usize),
     /// Largest absolute value of the derivative of this order.
@@ -148,9 +146,8 @@ pub enum Minimise {
 
 impl Minimise {
     /// Every objective with the name users write.
-    pub const NAMES: [(&'static str, Minimise); 9] = [
+    pub const NAMES: [(&'static str, Minimise); 8] = [
         ("force-error", Minimise::ForceError),
-        ("peak-force-error", Minimise::PeakForceError),
         ("acceleration", Minimise::Energy(2)),
         ("jerk", Minimise::Energy(3)),
         ("snap", Minimise::Energy(4)),

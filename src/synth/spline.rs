@@ -228,7 +228,7 @@ fn program(
     equalities.extend(dwell_demands(&scene.law.dwells, &basis));
     let force = force_distance(scene, demand, &basis);
     let mut quadratic = match objective(scene) {
-        Minimise::ForceError | Minimise::PeakForceError => force.clone(),
+        Minimise::ForceError => force.clone(),
         Minimise::Energy(_) | Minimise::Peak(_) | Minimise::Size => Quadratic::zero(&basis),
     };
     match objective(scene) {
@@ -239,7 +239,7 @@ fn program(
             let unit = SIZE_JERK * demand.length;
             quadratic.add_energy(&basis, 3, demand.length / (unit * unit));
         }
-        Minimise::ForceError | Minimise::PeakForceError => {
+        Minimise::ForceError => {
             let scale = quadratic.hessian.largest_diagonal();
             let mut jerk = Quadratic::zero(&basis);
             jerk.add_energy(&basis, 3, 1.0);
