@@ -126,6 +126,16 @@ pub fn split(b: &[f64], u: f64) -> (Vec<f64>, Vec<f64>) {
     (left, right)
 }
 
+/// Coefficients of the same polynomial on [lo, hi], 0 ≤ lo < hi ≤ 1, as a polynomial on [0, 1].
+pub fn between(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
+    let left = if hi < 1.0 { split(b, hi).0 } else { b.to_vec() };
+    if lo > 0.0 {
+        split(&left, lo / hi).1
+    } else {
+        left
+    }
+}
+
 /// Smallest and largest coefficient: bounds of the polynomial on [0, 1].
 pub fn hull(b: &[f64]) -> (f64, f64) {
     b.iter()
@@ -142,9 +152,57 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
     if scale > 0.0 && scale.is_finite() {
         // Coefficients below this are rounding of the larger ones: subdivision would chase them.
         let zero = scale * 4.0 * f64::EPSILON;
-        isolate(b, 0.0, 1.0, zero, 0, &mut out);
+        match *b {
+            [p, q] if p * q < 0.0 => out.push(p / (p - q)),
+            [_] | [_, _] => {}
+            [p, q, r] if p * r < 0.0 && p.abs() > zero && r.abs() > zero => {
+                out.push(crossing_of_quadratic(p, q, r));
+            }
+            _ => isolate(b, 0.0, 1.0, zero, 0, &mut out),
+        }
     }
     out
+}
+
+/// The one root in (0, 1) of p(1−u)² + 2qu(1−u) + ru² whose ends differ in sign.
+fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
+    // In t = u/(1−u): r t² + 2q t + p = 0, whose roots differ in sign; both forms avoid cancellation.
+    let root = (q * q - p * r).sqrt();
+    let far = if q >= 0.0 { -(q + root) } else { root - q };
+    let (first, second) = (far / r, p / far);
+    let t = if first > 0.0 { first } else { second };
+    t / (1.0 + t)
+}
+
+/// Visits every local maximum on [0, 1] above `level` as (u, value), the ends included where the
+/// polynomial rises towards them.
+pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
+    let n = b.len() - 1;
+    let mut push = |u: f64, value: f64| {
+        if value > level {
+            visit(u, value);
+        }
+    };
+    if n == 0 || b[1] <= b[0] {
+        push(0.0, b[0]);
+    }
+    if n > 0 {
+        let mut slope = [0.0; 16];
+        let slope: &mut [f64] = if n <= slope.len() {
+            &mut slope[..n]
+        } else {
+            &mut vec![0.0; n]
+        };
+        for (d, w) in slope.iter_mut().zip(b.windows(2)) {
+            *d = w[1] - w[0];
+        }
+        for u in roots(slope) {
+            push(u, eval(b, u));
+        }
+        if b[n - 1] <= b[n] {
+            push(1.0, b[n]);
+        }
+    }
 }
 
 fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64>) {

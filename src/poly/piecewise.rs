@@ -35,20 +35,6 @@ pub struct Peak {
     pub value: f64,
 }
 
-/// Coefficients of the part [lo, hi] of a polynomial on [0, 1].
-fn clip(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
-    let left = if hi < 1.0 {
-        bernstein::split(b, hi).0
-    } else {
-        b.to_vec()
-    };
-    if lo > 0.0 {
-        bernstein::split(&left, lo / hi).1
-    } else {
-        left
-    }
-}
-
 impl PiecewisePoly {
     /// From increasing breaks (n + 1 of them) and n·(degree + 1) Bernstein coefficients, piece by piece.
     ///
@@ -242,31 +228,17 @@ impl PiecewisePoly {
             let clipped = if whole {
                 self.piece(i).to_vec()
             } else {
-                clip(self.piece(i), lo, hi)
+                bernstein::between(self.piece(i), lo, hi)
             };
-            let mut push = |u: f64, value: f64| {
-                if value > level {
-                    let u = lo + u * (hi - lo);
-                    out.push(Peak {
-                        piece: i,
-                        u,
-                        at: a + u * width,
-                        value,
-                    });
-                }
-            };
-            let n = self.degree;
-            if n == 0 || clipped[1] <= clipped[0] {
-                push(0.0, clipped[0]);
-            }
-            if n > 0 {
-                for u in bernstein::roots(&bernstein::derivative(&clipped)) {
-                    push(u, bernstein::eval(&clipped, u));
-                }
-                if clipped[n - 1] <= clipped[n] {
-                    push(1.0, clipped[n]);
-                }
-            }
+            bernstein::peaks_above(&clipped, level, |u, value| {
+                let u = lo + u * (hi - lo);
+                out.push(Peak {
+                    piece: i,
+                    u,
+                    at: a + u * width,
+                    value,
+                });
+            });
         }
         out
     }

@@ -89,12 +89,23 @@ impl ArrowMatrix {
 
     /// Product with a vector.
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
+        let (m, w) = (self.n - self.border, self.band + 1);
         let mut y = vec![0.0; self.n];
-        for (i, j, value) in self.lower_entries() {
-            y[i] += value * x[j];
-            if i != j {
+        for i in 0..m {
+            y[i] += self.core[i * w] * x[i];
+            for k in 1..=self.band.min(i) {
+                let value = self.core[i * w + k];
+                y[i] += value * x[i - k];
+                y[i - k] += value * x[i];
+            }
+        }
+        for i in m..self.n {
+            let row = &self.rows[(i - m) * self.n..][..=i];
+            for (j, value) in row[..i].iter().enumerate() {
+                y[i] += value * x[j];
                 y[j] += value * x[i];
             }
+            y[i] += row[i] * x[i];
         }
         y
     }
@@ -156,36 +167,54 @@ impl ArrowMatrix {
 impl ArrowFactor {
     /// Solves in place.
     pub fn solve(&self, x: &mut [f64]) {
+        self.forward(x);
+        self.backward(x);
+    }
+
+    /// Replaces b by L⁻¹b.
+    pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let (n, w) = (a.n, a.band + 1);
         let m = n - a.border;
-        for i in 0..m {
-            let mut sum = x[i];
-            let first = i.saturating_sub(a.band);
-            for (k, xk) in x.iter().enumerate().take(i).skip(first) {
-                sum -= a.core[i * w + (i - k)] * xk;
-            }
-            x[i] = sum / a.core[i * w];
+        // Rows of limits touch a few neighbours: what stands before the first stays zero.
+        let start = x.iter().position(|v| *v != 0.0).unwrap_or(n);
+        for i in start..m {
+            let first = i.saturating_sub(a.band).max(start);
+            // Entry (i, k) stands at i·w + i − k: reversed beside x[first..i].
+            let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
+            let known = x[first..i].iter().rev();
+            let sum: f64 = row.iter().zip(known).map(|(l, x)| l * x).sum();
+            x[i] = (x[i] - sum) / a.core[i * w];
         }
+        let start = start.min(m);
         for r in 0..a.border {
-            let row = &a.rows[r * n..];
-            let sum: f64 = (0..m + r).map(|k| row[k] * x[k]).sum();
+            let row = &a.rows[r * n..(r + 1) * n];
+            let done = row[start..m + r].iter().zip(&x[start..m + r]);
+            let sum: f64 = done.map(|(l, x)| l * x).sum();
             x[m + r] = (x[m + r] - sum) / row[m + r];
         }
+    }
+
+    /// Replaces y by L⁻ᵀy.
+    pub fn backward(&self, x: &mut [f64]) {
+        let a = &self.0;
+        let (n, w) = (a.n, a.band + 1);
+        let m = n - a.border;
         for r in (0..a.border).rev() {
-            let row = &a.rows[r * n..];
+            let row = &a.rows[r * n..(r + 1) * n];
             let value = x[m + r] / row[m + r];
             x[m + r] = value;
-            for k in 0..m + r {
-                x[k] -= row[k] * value;
+            for (x, l) in x[..m + r].iter_mut().zip(row) {
+                *x -= l * value;
             }
         }
         for i in (0..m).rev() {
             let value = x[i] / a.core[i * w];
             x[i] = value;
             let first = i.saturating_sub(a.band);
-            for (k, xk) in x.iter_mut().enumerate().take(i).skip(first) {
-                *xk -= a.core[i * w + (i - k)] * value;
+            let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
+            for (x, l) in x[first..i].iter_mut().rev().zip(row) {
+                *x -= l * value;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The optimum without limits: one factorisation, and a small dense system for the demands.
 
-use super::band::ArrowFactor;
+use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::apply;
 use super::problem::{Failure, Program};
 
@@ -10,21 +10,49 @@ const DEPENDENT: f64 = 1e-11;
 /// A dependent demand may miss its value by this much of its own scale before it is a contradiction.
 const CONSISTENT: f64 = 1e-8;
 
+/// The optimum without limits and the factorisation that gave it.
+pub struct Unlimited {
+    /// H made regular.
+    pub hessian: ArrowMatrix,
+    /// Its factor.
+    pub factor: ArrowFactor,
+    /// −g of the objective that belongs to that H.
+    pub pull: Vec<f64>,
+    /// The optimum under the demands alone.
+    pub x: Vec<f64>,
+    /// The coefficient that is pinned because nothing settles the level, and the weight of the pin.
+    pub pin: Option<(usize, f64)>,
+}
+
 /// Minimises ½xᵀHx + gᵀx subject to the equalities.
 ///
 /// H may be singular as long as the demands settle what it leaves open: multiples of the demands' own
 /// outer products make it regular without moving the constrained optimum. A constant that nothing
-/// settles (the moving axis knows no absolute lift) is pinned at the last coefficient.
-pub fn solve(program: &Program) -> Result<Vec<f64>, Failure> {
-    let factor =
-        regular_factor(program).ok_or_else(|| Failure::Solver("singular objective".to_string()))?;
-    let mut x: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
+/// settles (the moving axis knows no absolute lift) is pinned at one coefficient, lightly where limits
+/// will want to move it.
+pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
+    let (hessian, pin) = regular(program);
+    let factor = hessian
+        .clone()
+        .factor()
+        .ok_or_else(|| Failure::Solver("singular objective".to_string()))?;
+    let pull: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
+    let mut x = pull.clone();
     factor.solve(&mut x);
-    if program.equalities.is_empty() {
-        return Ok(x);
+    if !program.equalities.is_empty() {
+        x = correct(program, &factor, x)?;
     }
-    correct(program, &factor, x)
+    Ok(Unlimited {
+        hessian,
+        factor,
+        pull,
+        x,
+        pin,
+    })
 }
+
+/// Weight of a pin that limits may move, in units of H.
+const LIGHT_PIN: f64 = 1e-6;
 
 /// Weight of the demands' outer products, in units of H.
 fn penalty(program: &Program) -> f64 {
@@ -32,14 +60,11 @@ fn penalty(program: &Program) -> f64 {
     if h > 0.0 { h } else { 1.0 }
 }
 
-fn regular_factor(program: &Program) -> Option<ArrowFactor> {
+fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
     let mut h = program.hessian.clone();
     let rho = penalty(program);
-    let mut level_known = false;
     for e in &program.equalities {
         let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
-        let sum: f64 = e.entries.iter().map(|e| e.1).sum();
-        level_known |= sum.abs() > 1e-6 * norm.sqrt();
         let weight = if norm > 0.0 { rho / norm } else { 0.0 };
         for (p, &(i, a)) in e.entries.iter().enumerate() {
             for &(j, b) in &e.entries[..=p] {
@@ -47,14 +72,18 @@ fn regular_factor(program: &Program) -> Option<ArrowFactor> {
             }
         }
     }
-    let n = h.dimension();
-    if !level_known && program.constant_is_free() {
-        match program.basis {
-            super::basis::Basis::Spline { .. } => h.add(n - 1, n - 1, rho),
-            super::basis::Basis::Harmonic { .. } => h.add(0, 0, rho),
-        }
+    let mut pin = None;
+    if program.level_is_open() {
+        let at = match program.basis {
+            super::basis::Basis::Spline { .. } => h.dimension() - 1,
+            super::basis::Basis::Harmonic { .. } => 0,
+        };
+        let moved = program.limits.iter().any(|l| l.weights[0] != 0.0) || !program.fixed.is_empty();
+        let weight = if moved { LIGHT_PIN * rho } else { rho };
+        h.add(at, at, weight);
+        pin = Some((at, weight));
     }
-    h.factor()
+    (h, pin)
 }
 
 /// g − ρ Σ value·row: the linear part that belongs to the augmented H.

@@ -119,7 +119,7 @@ impl Task<'_> {
             &self.drive.weights(),
             nodes,
             |x| demand.wanted(x) - self.drive.rest_force,
-            |_| 1.0,
+            None,
         );
         force
     }
@@ -148,7 +148,7 @@ impl Task<'_> {
     /// The best law without the limits: one factorisation.
     pub fn free(&self) -> Result<Answer> {
         let program = self.program();
-        let x = equality::solve(&program).map_err(|f| refused(&f))?;
+        let x = equality::solve(&program).map_err(|f| refused(&f))?.x;
         Ok(Answer {
             law: program.basis.law(&x),
             iterations: 0,

@@ -13,23 +13,29 @@
 //! be used and every limit holds; one factorisation when no limit is broken; a quadratic program on the
 //! rows that are, found by exact extrema and exchanged until none is broken on the whole circle.
 
+mod active_set;
 mod answer;
 mod band;
 mod basis;
 mod cones;
 mod conflict;
+mod contacts;
 mod curvature;
 mod demand;
 mod design;
 mod double_harmonic;
 mod equality;
+mod exchange;
 mod harmonic;
 pub mod lab;
 mod limits;
 mod objective;
+mod oracle;
 mod polish;
 mod polynomial;
 mod problem;
+#[cfg(test)]
+mod problem_tests;
 mod spline;
 mod verify;
 

@@ -2,7 +2,7 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
-use crate::poly::gauss_legendre;
+use crate::poly::{SplineSpace, gauss_legendre};
 
 /// ½xᵀHx + gᵀx + constant.
 #[derive(Debug, Clone)]
@@ -35,20 +35,70 @@ impl Quadratic {
         weights: &[f64],
         nodes: usize,
         wanted: impl Fn(f64) -> f64,
-        weight: impl Fn(f64) -> f64,
+        weight: Option<&dyn Fn(f64) -> f64>,
     ) {
         let breaks = basis.breaks();
         let total = breaks[breaks.len() - 1] - breaks[0];
         let rule = gauss_legendre(nodes);
-        let mut table = RowTable::default();
-        for i in 0..breaks.len() - 1 {
+        // (share of the mean, wanted value) at a node of a piece.
+        let asked = |i: usize, u: f64, w: f64| {
             let width = breaks[i + 1] - breaks[i];
-            let rows = table.rows(basis, i, width, &rule, weights);
-            for ((u, w), row) in rule.iter().zip(rows) {
-                let theta = breaks[i] + u * width;
-                let factor = w * width / total * weight(theta);
-                let b = wanted(theta);
-                self.add_row(row, factor, b);
+            let theta = breaks[i] + u * width;
+            (
+                w * width / total * weight.map_or(1.0, |f| f(theta)),
+                wanted(theta),
+            )
+        };
+        let Basis::Spline { space, .. } = basis else {
+            for i in 0..breaks.len() - 1 {
+                for &(u, w) in &rule {
+                    let (factor, b) = asked(i, u, w);
+                    self.add_row(&basis.row_on(i, u, weights), factor, b);
+                }
+            }
+            return;
+        };
+        let n = space.degree() + 1;
+        let mut table = RowTable::default();
+        let mut gram = vec![0.0; n * n];
+        let mut pull = vec![0.0; n];
+        for i in 0..breaks.len() - 1 {
+            let (rows, as_before) = table.rows(space, i, &rule, weights);
+            // Equal spans under one weight differ only in what is wanted.
+            let known = as_before && weight.is_none();
+            if !known {
+                gram.fill(0.0);
+            }
+            pull.fill(0.0);
+            for (row, &(u, w)) in rows.chunks_exact(n).zip(&rule) {
+                let (factor, b) = asked(i, u, w);
+                self.constant += 0.5 * factor * b * b;
+                for (p, a) in pull.iter_mut().zip(row) {
+                    *p -= factor * b * a;
+                }
+                if !known {
+                    for (k, &a) in row.iter().enumerate() {
+                        for (g, c) in gram[k * n..=k * n + k].iter_mut().zip(row) {
+                            *g += factor * a * c;
+                        }
+                    }
+                }
+            }
+            self.add_span(space, i, &gram, &pull);
+        }
+    }
+
+    /// Adds ½xᵀGx + pᵀx of the local functions of one span; G by its lower triangle.
+    fn add_span(&mut self, space: &SplineSpace, span: usize, gram: &[f64], pull: &[f64]) {
+        let n = space.degree() + 1;
+        for k in 0..n {
+            let i = space.index(span, k);
+            self.gradient[i] += pull[k];
+            for l in 0..=k {
+                let j = space.index(span, l);
+                // On few spans two functions of a span are one coefficient: both halves meet on the diagonal.
+                let twice = if i == j && k != l { 2.0 } else { 1.0 };
+                self.hessian.add(i, j, twice * gram[k * n + l]);
             }
         }
     }
@@ -71,7 +121,7 @@ impl Quadratic {
             Basis::Spline { space, .. } => space.degree(),
             Basis::Harmonic { .. } => 8,
         };
-        self.add_distance(basis, &weights, degree + 1, |_| 0.0, |_| 1.0);
+        self.add_distance(basis, &weights, degree + 1, |_| 0.0, None);
     }
 
     /// The value at `x`.
@@ -83,10 +133,10 @@ impl Quadratic {
     }
 }
 
-/// Rows at the quadrature nodes of one piece; on equal spans they only shift.
+/// Rows at the quadrature nodes of one span, one after another; spans that look alike share them.
 #[derive(Default)]
 struct RowTable {
-    rows: Vec<Entries>,
+    rows: Vec<f64>,
     width: f64,
     matrix: Option<usize>,
 }
@@ -94,31 +144,22 @@ struct RowTable {
 impl RowTable {
     fn rows(
         &mut self,
-        basis: &Basis,
-        piece: usize,
-        width: f64,
+        space: &SplineSpace,
+        span: usize,
         rule: &[(f64, f64)],
         weights: &[f64],
-    ) -> &[Entries] {
-        if let Basis::Spline { space, .. } = basis {
-            let matrix = space.spans()[piece].matrix();
-            let narrow = space.dimension() <= space.degree();
-            if !narrow && self.matrix == Some(matrix) && (width - self.width).abs() <= 1e-14 * width
-            {
-                for row in &mut self.rows {
-                    for (k, entry) in row.iter_mut().enumerate() {
-                        entry.0 = space.index(piece, k);
-                    }
-                }
-                return &self.rows;
+    ) -> (&[f64], bool) {
+        let this = &space.spans()[span];
+        let same = self.matrix == Some(this.matrix())
+            && (this.width - self.width).abs() <= 1e-14 * this.width;
+        if !same {
+            self.matrix = Some(this.matrix());
+            self.width = this.width;
+            self.rows.clear();
+            for &(u, _) in rule {
+                self.rows.extend(space.row(span, u, weights));
             }
-            self.matrix = Some(matrix);
-            self.width = width;
         }
-        self.rows = rule
-            .iter()
-            .map(|&(u, _)| basis.row_on(piece, u, weights))
-            .collect();
-        &self.rows
+        (&self.rows, same)
     }
 }

@@ -7,8 +7,7 @@
 //! an interior-point method leaves out.
 
 use super::band::ArrowMatrix;
-use super::basis::{Basis, Entries, apply};
-use super::cones;
+use super::basis::{Basis, Entries};
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
@@ -72,7 +71,7 @@ impl Limit {
     }
 
     /// The bound less what the variables beside the law take of it.
-    fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
+    pub fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }
 }
@@ -211,17 +210,6 @@ pub enum Failure {
 
 /// Tolerance of a finished law.
 pub const TOLERANCE: f64 = 1e-9;
-/// A point that breaks limits by more than this part of their scale is not polished.
-const WORTH_POLISHING: f64 = 1e-5;
-/// Rounds of exchange before giving up; a handful is usual.
-const MAX_ROUNDS: usize = 60;
-/// Room inside a limit never exceeds this part of its scale.
-const LARGEST_MARGIN: f64 = 1e-6;
-/// What the solver leaves unresolved on a second-order cone program.
-const CONE_MARGIN: f64 = 1e-7;
-/// A new row this near (in units of its piece) to an old one of the same limit replaces it.
-const COINCIDENT: f64 = 1e-4;
-
 impl Program {
     /// A program without limits.
     pub fn new(
@@ -259,88 +247,6 @@ impl Program {
         out
     }
 
-    /// The optimum without limits, then with as many rows as they need.
-    pub fn solve(&self) -> Result<Solution, Failure> {
-        let mut rows: Vec<Row> = self.fixed.clone();
-        if !self.seeds.is_empty() {
-            rows.extend(self.seeds.iter().cloned());
-        } else if self.present().iter().any(|p| *p) {
-            self.seed_rows(&mut rows);
-        } else {
-            let x = self.on_base_circle(super::equality::solve(self)?);
-            let extra = [0.0; EXTRAS];
-            let broken = self.broken(&x, &extra);
-            if broken.is_empty() && rows.iter().all(|r| apply(&r.entries, &x) <= r.bound) {
-                let violation = self.violation(&x, &extra);
-                let active = Vec::new();
-                return Ok(Solution {
-                    x,
-                    extra,
-                    active,
-                    used_rows: false,
-                    iterations: 0,
-                    rounds: 0,
-                    violation,
-                });
-            }
-            self.add_rows(&mut rows, broken);
-            self.add_neighbours(&mut rows, &x);
-        }
-        self.exchange(rows)
-    }
-
-    fn exchange(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
-        let mut iterations = 0;
-        let mut best: Option<Solution> = None;
-        // Room left inside every limit for what the solver does not resolve; grows only when needed.
-        // Cones are not polished, so there it is kept from the start.
-        let mut margin = if self.cone { CONE_MARGIN } else { 0.0 };
-        for round in 1..=MAX_ROUNDS {
-            let point = match (cones::solve(self, &mut rows, margin), &best) {
-                (Ok(point), _) => point,
-                // The room kept free is ours, not the user's: without it there is a solution.
-                (Err(_), Some(_)) if margin > 0.0 => break,
-                (Err(failure), _) => return Err(failure),
-            };
-            iterations += point.iterations;
-            // Far from the end the next rows matter, not the last digits.
-            let rough = self.violation(&point.x, &point.extra) > WORTH_POLISHING;
-            let (x, extra) = if rough {
-                (point.x, point.extra)
-            } else {
-                super::polish::polish(self, &mut rows, &point)
-            };
-            let broken = self.broken(&x, &extra);
-            let violation = self.violation(&x, &extra);
-            let active = rows
-                .iter()
-                .filter(|r| r.multiplier > 0.0)
-                .cloned()
-                .collect();
-            let solution = Solution {
-                active,
-                x,
-                extra,
-                used_rows: true,
-                iterations,
-                rounds: round,
-                violation,
-            };
-            if broken.is_empty() {
-                return Ok(solution);
-            }
-            let stalled = best.as_ref().is_some_and(|b| violation > 0.5 * b.violation);
-            if best.as_ref().is_none_or(|b| violation < b.violation) {
-                best = Some(solution);
-            }
-            if stalled && violation < 1e-6 {
-                margin = (2.0 * violation).max(2.0 * margin).min(LARGEST_MARGIN);
-            }
-            self.add_rows(&mut rows, broken);
-        }
-        best.ok_or_else(|| Failure::Solver("no progress".to_string()))
-    }
-
     /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is
     /// solved to rounding, which a cone program is not.
     pub fn with_sizes_held(&self, solution: &Solution, room: f64) -> Program {
@@ -373,151 +279,6 @@ impl Program {
         held
     }
 
-    /// Both ends and the middle of every piece, for limits whose bound is itself a variable.
-    fn seed_rows(&self, rows: &mut Vec<Row>) {
-        let breaks = self.basis.breaks();
-        let variable = |l: &Limit| l.extra.iter().any(|e| *e != 0.0);
-        for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| variable(l)) {
-            for piece in 0..breaks.len() - 1 {
-                for u in [0.0, 0.5, 1.0] {
-                    let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
-                    if at >= limit.domain.0 && at <= limit.domain.1 {
-                        rows.push(self.row(
-                            index,
-                            Peak {
-                                piece,
-                                u,
-                                at,
-                                value: 0.0,
-                            },
-                        ));
-                    }
-                }
-            }
-        }
-    }
-
-    /// Ends and middles of pieces where the law without limits breaks one: many of them touch in the end,
-    /// and rows are cheaper than rounds.
-    fn add_neighbours(&self, rows: &mut Vec<Row>, x: &[f64]) {
-        let law = self.basis.law(x);
-        let extra = [0.0; EXTRAS];
-        for (index, limit) in self.limits.iter().enumerate() {
-            let bound = limit.room(&extra);
-            let curve = self.curve(&law, limit);
-            let worst = curve.peaks_above(bound, limit.domain.0, limit.domain.1);
-            if worst.is_empty() || limit.shape.is_some() {
-                continue;
-            }
-            let breaks = curve.breaks();
-            for piece in 0..curve.pieces() {
-                for u in [0.0, 0.5, 1.0] {
-                    let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
-                    let value = crate::poly::bernstein::eval(curve.piece(piece), u);
-                    if value > bound && at >= limit.domain.0 && at <= limit.domain.1 {
-                        rows.push(self.row(
-                            index,
-                            Peak {
-                                piece,
-                                u,
-                                at,
-                                value,
-                            },
-                        ));
-                    }
-                }
-            }
-        }
-    }
-
-    fn row(&self, index: usize, peak: Peak) -> Row {
-        let limit = &self.limits[index];
-        // With a shape the pieces are cut finer than the basis: only the angle counts then.
-        let by_piece = matches!(self.basis, Basis::Spline { .. }) && limit.shape.is_none();
-        let entries = if by_piece {
-            self.basis.row_on(peak.piece, peak.u, &limit.weights)
-        } else {
-            self.basis.row(peak.at, &limit.weights)
-        };
-        let shape = limit.shape.map_or(0.0, |i| self.shapes[i].eval(peak.at));
-        Row {
-            limit: Some(index),
-            peak,
-            entries,
-            extra: limit.extra,
-            bound: limit.bound + shape,
-            // A law at rest lies on the base circle and on the edge of steadiness: no room can be kept there.
-            scale: if limit.meaning == Meaning::Structure {
-                0.0
-            } else {
-                limit.scale
-            },
-            multiplier: 0.0,
-        }
-    }
-
-    /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a
-    /// secant); only one that all but coincides is replaced.
-    fn add_rows(&self, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
-        for (limit, peak) in broken {
-            let same = |r: &Row| {
-                r.limit == Some(limit)
-                    && r.peak.piece == peak.piece
-                    && (r.peak.u - peak.u).abs() < COINCIDENT
-            };
-            rows.retain(|r| !same(r));
-            rows.push(self.row(limit, peak));
-        }
-    }
-
-    /// Exact worst points at which a limit is exceeded by more than the tolerance.
-    pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
-        let law = self.basis.law(x);
-        let mut out = Vec::new();
-        for (index, limit) in self.limits.iter().enumerate() {
-            let bound = limit.room(extra);
-            let allowed = bound + self.tolerance * limit.scale.max(bound.abs());
-            let peaks =
-                self.curve(&law, limit)
-                    .peaks_above(allowed, limit.domain.0, limit.domain.1);
-            out.extend(peaks.into_iter().map(|peak| (index, peak)));
-        }
-        out
-    }
-
-    /// Largest excess over any limit, relative to its scale; 0 when all hold.
-    pub fn violation(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
-        let law = self.basis.law(x);
-        let mut worst = 0.0_f64;
-        for limit in &self.limits {
-            let bound = limit.room(extra);
-            let scale = limit.scale.max(bound.abs());
-            for peak in self
-                .curve(&law, limit)
-                .peaks_above(bound, limit.domain.0, limit.domain.1)
-            {
-                worst = worst.max((peak.value - bound) / scale);
-            }
-        }
-        worst
-    }
-
-    /// Left side of a limit less its shape, over the whole law.
-    fn curve(&self, law: &crate::law::Law, limit: &Limit) -> PiecewisePoly {
-        let w = limit.weights;
-        let mut curve = law.combination([w[0], w[1], w[2], w[3]], 0.0);
-        if w[4] != 0.0 {
-            let snap = law.combination([0.0, 0.0, 0.0, 1.0], 0.0).derivative();
-            curve = PiecewisePoly::combine(&[(1.0, &curve), (w[4], &snap)], 0.0);
-        }
-        if let Some(shape) = limit.shape.map(|i| &self.shapes[i]) {
-            let own = curve.cut_at(shape.breaks());
-            curve =
-                PiecewisePoly::combine(&[(1.0, &own), (-1.0, &shape.cut_at(own.breaks()))], 0.0);
-        }
-        curve
-    }
-
     /// Whether H does not see the constant function: the moving axis knows no absolute lift.
     pub fn constant_is_free(&self) -> bool {
         let one = match self.basis {
@@ -538,9 +299,8 @@ impl Program {
         energy <= 1e-10 * self.hessian.largest_diagonal()
     }
 
-    /// Where neither the objective nor a demand fixes the level, the law with its lowest point at zero: a
-    /// stroke counts from there.
-    fn on_base_circle(&self, mut x: Vec<f64>) -> Vec<f64> {
+    /// Whether neither the objective nor a demand fixes the level of the law.
+    pub fn level_is_open(&self) -> bool {
         let fixes_level = |e: &Equality| {
             let (sum, size) = e
                 .entries
@@ -548,7 +308,12 @@ impl Program {
                 .fold((0.0, 0.0), |(s, z), e| (s + e.1, z + e.1.abs()));
             f64::abs(sum) > 1e-6 * size
         };
-        if !self.constant_is_free() || self.equalities.iter().any(fixes_level) {
+        !self.equalities.iter().any(fixes_level) && self.constant_is_free()
+    }
+
+    /// Where nothing fixes the level, the law with its lowest point at zero: a stroke counts from there.
+    pub fn on_base_circle(&self, mut x: Vec<f64>) -> Vec<f64> {
+        if !self.level_is_open() {
             return x;
         }
         let lowest = self.basis.law(&x).extremes(0).0.value;
@@ -557,6 +322,17 @@ impl Program {
             Basis::Harmonic { .. } => x[0] -= lowest,
         }
         x
+    }
+
+    /// Width of a piece of the basis, rad.
+    pub fn width(&self, piece: usize) -> f64 {
+        match &self.basis {
+            Basis::Spline { space, .. } => space.spans()[piece].width,
+            Basis::Harmonic { .. } => {
+                let breaks = self.basis.breaks();
+                breaks[piece + 1] - breaks[piece]
+            }
+        }
     }
 
     /// Size by which solvers divide the objective: its value for coefficients of typical size.
@@ -573,199 +349,5 @@ impl Program {
         let hx = self.hessian.times(&x[..self.basis.columns()]);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::poly::SplineSpace;
-    use crate::synth::objective::Quadratic;
-    use std::f64::consts::PI;
-
-    /// Rest to rest on [0, 1] with h = 1, the first n − 1 derivatives zero at both ends.
-    fn rest_to_rest(n: usize, degree: usize, breaks: &[f64]) -> Program {
-        let inner = breaks.len() - 2;
-        let space = SplineSpace::clamped(degree, breaks, &vec![1; inner]);
-        let basis = Basis::Spline {
-            space,
-            closed: false,
-        };
-        let mut equalities = Vec::new();
-        for order in 0..n {
-            let mut w = [0.0; 5];
-            w[order] = 1.0;
-            let last = breaks.len() - 2;
-            let demand = |piece, u, value| Equality {
-                name: format!("order {order}"),
-                entries: basis.row_on(piece, u, &w),
-                value,
-            };
-            equalities.push(demand(0, 0.0, 0.0));
-            equalities.push(demand(last, 1.0, if order == 0 { 1.0 } else { 0.0 }));
-        }
-        let zero = Quadratic::zero(&basis);
-        Program::new(basis, zero.hessian, zero.gradient, equalities, 1.0)
-    }
-
-    fn uniform(n: usize) -> Vec<f64> {
-        (0..=n).map(|i| i as f64 / n as f64).collect()
-    }
-
-    fn with_energy(mut p: Program, order: usize) -> Program {
-        let mut q = Quadratic::zero(&p.basis);
-        q.add_energy(&p.basis, order, 2.0);
-        p.hessian = q.hessian;
-        p
-    }
-
-    fn two_sided(order: usize, bound: f64) -> Vec<Limit> {
-        [1.0, -1.0]
-            .map(|sign| {
-                let mut weights = [0.0; 5];
-                weights[order] = sign;
-                Limit {
-                    domain: (0.0, 1.0),
-                    ..Limit::new("peak", weights, bound, 1.0)
-                }
-            })
-            .to_vec()
-    }
-
-    fn minimise_peak(program: &mut Program, order: usize) {
-        program
-            .limits
-            .extend(two_sided(order, 0.0).into_iter().map(Limit::minimised));
-        program.cost[PEAK] = 1.0;
-    }
-
-    #[test]
-    fn least_energy_rest_to_rest_is_3_4_5_and_4_5_6_7() {
-        // FACTS §8: 12, 720, 100800 for n = 2, 3, 4.
-        for (n, degree, expected) in [(2, 3, 12.0), (3, 5, 720.0), (4, 7, 100_800.0)] {
-            let program = with_energy(rest_to_rest(n, degree, &[0.0, 0.3, 1.0]), n);
-            let solution = program.solve().unwrap();
-            let value = program.objective(&solution.x);
-            assert!((value / expected - 1.0).abs() < 1e-9, "{n}: {value}");
-        }
-    }
-
-    #[test]
-    fn free_end_acceleration_gives_jerk_energy_120() {
-        let mut program = with_energy(rest_to_rest(2, 5, &[0.0, 0.5, 1.0]), 3);
-        program.equalities.truncate(4);
-        let solution = program.solve().unwrap();
-        assert!((program.objective(&solution.x) / 120.0 - 1.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn least_peaks_are_4_32_and_384() {
-        // FACTS §8: switches at (1 − cos kπ/n)/2 put the optimum inside the spline space.
-        for (n, expected) in [(2_usize, 4.0), (3, 32.0), (4, 384.0)] {
-            let breaks: Vec<f64> = (0..=n)
-                .map(|k| 0.5 * (1.0 - (k as f64 * PI / n as f64).cos()))
-                .collect();
-            let mut program = rest_to_rest(n, n, &breaks);
-            minimise_peak(&mut program, n);
-            let solution = program.solve().unwrap();
-            let peak = solution.extra[PEAK];
-            assert!((peak / expected - 1.0).abs() < 1e-6, "{n}: {peak}");
-        }
-    }
-
-    #[test]
-    fn least_peak_acceleration_under_a_jerk_limit_follows_the_closed_form() {
-        // FACTS §8: A*(J) = (J/4)(1 − √(1 − 32/J)); breaks on the ramp ends make it exact.
-        for (jerk, n, expected) in [(32.0, 8, 8.0), (36.0, 12, 6.0), (50.0, 20, 5.0)] {
-            let mut program = rest_to_rest(3, 3, &uniform(n));
-            program.limits = two_sided(3, jerk);
-            minimise_peak(&mut program, 2);
-            let solution = program.solve().unwrap();
-            let closed = jerk / 4.0 * (1.0 - (1.0 - 32.0 / jerk).max(0.0).sqrt());
-            assert!((closed - expected).abs() < 1e-12);
-            let peak = solution.extra[PEAK];
-            assert!((peak / expected - 1.0).abs() < 1e-6, "J = {jerk}: {peak}");
-            assert!(solution.violation < 1e-6);
-        }
-    }
-
-    /// Dwell, rise to 1 at ½, return: the first n − 1 derivatives zero at both ends.
-    fn rise_and_return(n: usize, degree: usize, breaks: &[f64]) -> Program {
-        let mut program = rest_to_rest(n, degree, breaks);
-        for e in &mut program.equalities {
-            e.value = 0.0;
-        }
-        let entries = program.basis.row(0.5, &[1.0]);
-        program.equalities.push(Equality {
-            name: "top".to_string(),
-            entries,
-            value: 1.0,
-        });
-        program
-    }
-
-    #[test]
-    fn dwell_rise_return_optima_are_found() {
-        // FACTS §8: min ∫a² = 192, min ∫j² = 20480, min peak |a| = 16, min peak |j| = 48(2 + √2).
-        for (n, degree, expected) in [(2, 3, 192.0), (3, 5, 20_480.0)] {
-            let program = with_energy(rise_and_return(n, degree, &uniform(4)), n);
-            let value = program.objective(&program.solve().unwrap().x);
-            assert!((value / expected - 1.0).abs() < 1e-9, "{n}: {value}");
-        }
-        let mut program = rise_and_return(2, 2, &uniform(8));
-        minimise_peak(&mut program, 2);
-        let peak = program.solve().unwrap().extra[PEAK];
-        assert!((peak / 16.0 - 1.0).abs() < 1e-6, "{peak}");
-        // The switches of the jerk are irrational; fine uniform breaks come near enough.
-        let mut program = rise_and_return(3, 3, &uniform(400));
-        minimise_peak(&mut program, 3);
-        let peak = program.solve().unwrap().extra[PEAK];
-        let exact = 48.0 * (2.0 + 2.0_f64.sqrt());
-        assert!(
-            (peak / exact - 1.0).abs() < 1e-4 && peak > exact * (1.0 - 1e-6),
-            "{peak} {exact}"
-        );
-    }
-
-    #[test]
-    fn a_jerk_limit_below_32_is_infeasible() {
-        let mut program = with_energy(rest_to_rest(3, 5, &uniform(24)), 3);
-        program.limits = two_sided(3, 31.9);
-        assert_eq!(program.solve().unwrap_err(), Failure::Infeasible);
-    }
-
-    #[test]
-    fn a_jerk_limit_on_quintics_holds_between_samples() {
-        // FACTS §9: one sample per span lets a limit of 50 reach 197.9; exchange must not.
-        let mut program = with_energy(rest_to_rest(3, 5, &uniform(16)), 2);
-        program.limits = two_sided(3, 50.0);
-        let solution = program.solve().unwrap();
-        let law = program.basis.law(&solution.x);
-        let worst = (0..100_000)
-            .map(|i| law.svaj(f64::from(i) / 100_000.0).j.abs())
-            .fold(0.0, f64::max);
-        assert!(worst < 50.0 * (1.0 + 2e-9), "{worst}");
-        assert!(worst > 49.9, "the limit should bind: {worst}");
-        assert!(solution.active.iter().all(|r| r.multiplier > 0.0) && !solution.active.is_empty());
-    }
-
-    #[test]
-    fn contradicting_demands_are_named() {
-        let mut program = with_energy(rest_to_rest(3, 5, &uniform(4)), 3);
-        let mut again = program.equalities[1].clone();
-        again.name = "the second end".to_string();
-        again.value = 2.0;
-        program.equalities.push(again.clone());
-        assert_eq!(
-            program.solve().unwrap_err(),
-            Failure::Equalities(vec!["the second end".to_string()])
-        );
-        again.value = 1.0;
-        program.equalities.pop();
-        program.equalities.push(again);
-        assert!(
-            program.solve().is_ok(),
-            "a repeated demand is no contradiction"
-        );
     }
 }

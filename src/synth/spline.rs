@@ -75,7 +75,7 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     while spans < MOST_AUTO_SPANS {
         let program = program(scene, demand, spans, Vec::new())?;
         match super::equality::solve(&program.0) {
-            Ok(x) if rms(&program.1, &x) <= wanted => break,
+            Ok(u) if rms(&program.1, &u.x) <= wanted => break,
             _ => spans += 1 + spans / 40,
         }
     }
@@ -168,8 +168,8 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     if !level && limits::size_is_given(scene) {
         // The base circle is where the law is lowest, and a given size counts from there. Which angle
         // that is comes from the law without limits.
-        if let Ok(x) = super::equality::solve(&program) {
-            let lowest = program.basis.law(&x).extremes(0).0.at;
+        if let Ok(unlimited) = super::equality::solve(&program) {
+            let lowest = program.basis.law(&unlimited.x).extremes(0).0.at;
             rows = limits::linear(scene, demand, true);
             program.equalities.push(Equality {
                 name: "base circle".to_string(),
@@ -275,7 +275,7 @@ fn force_distance(_scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
             &w,
             nodes,
             |x| demand.wanted(x) - demand.drive.rest_force,
-            |_| 1.0,
+            None,
         );
     }
     force

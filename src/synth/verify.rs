@@ -171,8 +171,10 @@ fn curvature(scene: &Scene, cam: &Cam, prefix: &str) -> Vec<Check> {
     let wanted = scene.limits.curvature.unwrap_or(0.0);
     let name = format!("{prefix}curvature");
     let mut convex = Check::at_least(&name, curvature.convex, wanted, GEOMETRY);
-    convex.pass &= !curvature.undercut
-        || curvature.convex.value.abs() <= GEOMETRY * cam.follower.prime_radius();
+    // The smallest cam that may come to a point does so to rounding of its own size.
+    let rounding = GEOMETRY * cam.follower.prime_radius();
+    convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
+    convex.pass &= !curvature.undercut || curvature.convex.value.abs() <= rounding;
     let mut out = vec![convex];
     let roller = cam.follower.roller_radius();
     if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {

@@ -1,0 +1,491 @@
+//! The law nearest to the unlimited one: a dual active-set method on the banded factor.
+//!
+//! With H = LLᵀ and y = Lᵀx the program asks for the point nearest to y₀ = −L⁻¹g among all that keep the
+//! rows zᵀy ≤ b, z = L⁻¹a (Goldfarb and Idnani 1983). The active rows are kept as an orthonormal basis Q and
+//! a triangle R, Z = QR, so a row comes or goes in O(n·active) operations, and each round of exchange goes
+//! on from the last. Between rounds the exact worst points of the law join as rows; the objective only
+//! grows, so no set returns.
+
+use super::band::ArrowFactor;
+use super::basis::{Entries, apply};
+use super::contacts;
+use super::equality::Unlimited;
+use super::problem::{EXTRAS, Program, Row, Solution};
+use crate::poly::Peak;
+
+/// Rounds of exchange before the interior-point method takes over.
+const MOST_ROUNDS: usize = 60;
+/// Steps over all rounds, per unknown, before it takes over.
+const STEPS_PER_UNKNOWN: usize = 60;
+/// More active rows than this are cheaper without a dense basis.
+const MOST_ACTIVE: usize = 400;
+/// A row counts as broken beyond this part of its limit's size; the rounds' own tolerance is far larger.
+const RESOLVED: f64 = 1e-12;
+/// When progress ends, a law that breaks limits by less than this is as good as numbers allow.
+const RESOLVED_AT_LAST: f64 = 1e-7;
+/// A row whose part outside the span of the active ones is below this share of its square length depends
+/// on them.
+const DEPENDENT: f64 = 1e-13;
+/// A new row this near (in units of its piece) to an old one of the same limit replaces it.
+const COINCIDENT: f64 = 1e-5;
+/// Contacts are moved all together once limits are broken by less than this part of their scale.
+const NEAR: f64 = 1e-3;
+/// … at most this often.
+const ATTEMPTS: usize = 8;
+/// The pin of an open level is moved at most this often.
+const PINNINGS: usize = 12;
+/// … until the level moves by no more than this part of the typical lift.
+const SETTLED: f64 = 1e-9;
+
+/// Solves a program without variables beside the law, starting from its optimum without limits.
+///
+/// Returns the rows gathered so far when no step is left or progress ends: the interior-point method then
+/// has the last word on whether there is a solution.
+pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<Row>> {
+    let mut set = ActiveSet::new(program, unlimited);
+    let mut rows: Vec<Row> = Vec::new();
+    rows.extend(program.fixed.iter().chain(&program.seeds).cloned());
+    let none = [0.0; EXTRAS];
+    if program.seeds.is_empty() {
+        program.add_neighbours(&mut rows, &set.x);
+        add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
+    }
+    let mut best: Option<Solution> = None;
+    let mut since_best = 0;
+    let mut attempts = 0;
+    for round in 1..=MOST_ROUNDS {
+        if set.settle(program, &mut rows).is_err() {
+            return best.filter(|b| b.violation < RESOLVED_AT_LAST).ok_or(rows);
+        }
+        let broken = program.broken(&set.x, &none);
+        if broken.is_empty() {
+            return Ok(set.solution(program, &rows, round));
+        }
+        let candidate = set.solution(program, &rows, round);
+        if candidate.violation < NEAR && attempts < ATTEMPTS {
+            attempts += 1;
+            let level = set.pinned_at;
+            if let Some(refined) = contacts::refine(program, unlimited, &candidate, level) {
+                return Ok(refined);
+            }
+        }
+        if best
+            .as_ref()
+            .is_none_or(|b| candidate.violation < 0.9 * b.violation)
+        {
+            best = Some(candidate);
+            since_best = 0;
+        } else {
+            since_best += 1;
+            // Rounding, not rows, is what is left.
+            let fine = |b: &Solution| b.violation < RESOLVED_AT_LAST;
+            if since_best >= 4 && best.as_ref().is_some_and(fine) {
+                return best.ok_or(rows);
+            }
+        }
+        add_rows(program, &mut rows, broken, &mut set);
+    }
+    Err(rows)
+}
+
+fn add_rows(
+    program: &Program,
+    rows: &mut Vec<Row>,
+    broken: Vec<(usize, Peak)>,
+    set: &mut ActiveSet,
+) {
+    for (limit, peak) in broken {
+        let same = |r: &Row| {
+            r.limit == Some(limit)
+                && r.peak.piece == peak.piece
+                && (r.peak.u - peak.u).abs() < COINCIDENT
+        };
+        let row = program.row(limit, peak);
+        match rows.iter().position(same) {
+            Some(at) => {
+                set.forget(at);
+                rows[at] = row;
+            }
+            None => rows.push(row),
+        }
+    }
+}
+
+/// An active row or demand.
+struct Member {
+    /// Index of the row; `None` for a demand, which never leaves.
+    row: Option<usize>,
+    /// Its bound.
+    bound: f64,
+    /// Its multiplier.
+    push: f64,
+}
+
+pub struct ActiveSet<'a> {
+    factor: &'a ArrowFactor,
+    /// y₀.
+    free: Vec<f64>,
+    /// Coefficients.
+    pub x: Vec<f64>,
+    members: Vec<Member>,
+    q: Vec<Vec<f64>>,
+    /// Columns of the upper triangle.
+    r: Vec<Vec<f64>>,
+    steps: usize,
+    pin: Option<(usize, f64)>,
+    pinned_at: f64,
+}
+
+/// No step is left, or too many were taken.
+struct Stuck;
+
+impl<'a> ActiveSet<'a> {
+    fn new(program: &Program, unlimited: &'a Unlimited) -> Self {
+        let level = unlimited.pin.map_or(0.0, |(at, _)| unlimited.x[at]);
+        Self::about(program, unlimited, &unlimited.factor, level)
+    }
+
+    /// With the demands alone, on another factor, the level pinned at `level` where it is open.
+    pub fn about(
+        program: &Program,
+        unlimited: &Unlimited,
+        factor: &'a ArrowFactor,
+        level: f64,
+    ) -> Self {
+        let mut set = ActiveSet {
+            factor,
+            free: unlimited.pull.clone(),
+            x: unlimited.x.clone(),
+            members: Vec::new(),
+            q: Vec::new(),
+            r: Vec::new(),
+            steps: 0,
+            pin: unlimited.pin,
+            pinned_at: 0.0,
+        };
+        set.factor.forward(&mut set.free);
+        set.move_pin(level);
+        for demand in &program.equalities {
+            let z = set.whitened(&demand.entries);
+            let (d, rest, left) = set.split(&z);
+            if left > DEPENDENT * square(&z) {
+                set.push(d, rest, left, None, demand.value, 0.0);
+            }
+        }
+        set
+    }
+
+    fn whitened(&self, entries: &Entries) -> Vec<f64> {
+        let mut z = vec![0.0; self.x.len()];
+        for &(i, a) in entries {
+            z[i] += a;
+        }
+        self.factor.forward(&mut z);
+        z
+    }
+
+    /// Coordinates in Q, the rest outside its span, and the rest's squared length.
+    fn split(&self, z: &[f64]) -> (Vec<f64>, Vec<f64>, f64) {
+        let mut rest = z.to_vec();
+        let mut d = vec![0.0; self.q.len()];
+        let mut left = square(&rest);
+        // Where most of z cancels, a second pass restores orthogonality to rounding.
+        for _ in 0..2 {
+            let before = left;
+            for (q, d) in self.q.iter().zip(&mut d) {
+                let part = dot(q, &rest);
+                *d += part;
+                for (r, q) in rest.iter_mut().zip(q) {
+                    *r -= part * q;
+                }
+            }
+            left = square(&rest);
+            if left > 0.25 * before {
+                break;
+            }
+        }
+        (d, rest, left)
+    }
+
+    fn push(
+        &mut self,
+        mut d: Vec<f64>,
+        mut rest: Vec<f64>,
+        left: f64,
+        row: Option<usize>,
+        bound: f64,
+        push: f64,
+    ) {
+        let length = left.sqrt();
+        rest.iter_mut().for_each(|x| *x /= length);
+        d.push(length);
+        self.q.push(rest);
+        self.r.push(d);
+        self.members.push(Member { row, bound, push });
+    }
+
+    /// R⁻¹d.
+    fn back_substituted(&self, d: &[f64]) -> Vec<f64> {
+        let mut out = d.to_vec();
+        for i in (0..out.len()).rev() {
+            out[i] /= self.r[i][i];
+            let value = out[i];
+            for (x, r) in out[..i].iter_mut().zip(&self.r[i]) {
+                *x -= r * value;
+            }
+        }
+        out
+    }
+
+    /// Takes member `j` out of Q and R.
+    fn remove(&mut self, j: usize) {
+        self.members.remove(j);
+        self.r.remove(j);
+        let k = self.members.len();
+        for i in j..k {
+            let (a, b) = (self.r[i][i], self.r[i][i + 1]);
+            let length = a.hypot(b);
+            let (c, s) = (a / length, b / length);
+            for column in &mut self.r[i..] {
+                let (p, q) = (column[i], column[i + 1]);
+                column[i] = c * p + s * q;
+                column[i + 1] = c * q - s * p;
+            }
+            self.r[i].truncate(i + 1);
+            let (left, right) = self.q.split_at_mut(i + 1);
+            for (p, q) in left[i].iter_mut().zip(&mut right[0]) {
+                let (a, b) = (*p, *q);
+                *p = c * a + s * b;
+                *q = c * b - s * a;
+            }
+        }
+        self.q.pop();
+    }
+
+    /// The point nearest to y₀ on all members' planes, and their multipliers.
+    pub fn refresh(&mut self) {
+        let mut away: Vec<f64> = self.q.iter().map(|q| dot(q, &self.free)).collect();
+        let mut on_planes: Vec<f64> = Vec::with_capacity(away.len());
+        for (member, column) in self.members.iter().zip(&self.r) {
+            let i = on_planes.len();
+            on_planes.push((member.bound - dot(&column[..i], &on_planes)) / column[i]);
+        }
+        for (a, b) in away.iter_mut().zip(&on_planes) {
+            *a -= b;
+        }
+        let mut y = self.free.clone();
+        for (q, part) in self.q.iter().zip(&away) {
+            for (y, q) in y.iter_mut().zip(q) {
+                *y -= part * q;
+            }
+        }
+        self.factor.backward(&mut y);
+        self.x = y;
+        let pushes = self.back_substituted(&away);
+        for (member, push) in self.members.iter_mut().zip(pushes) {
+            member.push = push;
+        }
+    }
+
+    /// The same after members that pull instead of push have left, so that what is left is an optimum.
+    fn retreat(&mut self) {
+        loop {
+            self.refresh();
+            let worst = (0..self.members.len())
+                .filter(|&j| self.members[j].row.is_some() && self.members[j].push < 0.0)
+                .min_by(|&a, &b| self.members[a].push.total_cmp(&self.members[b].push));
+            match worst {
+                Some(j) => self.remove(j),
+                None => return,
+            }
+        }
+    }
+
+    /// A row is about to change: it leaves the set.
+    fn forget(&mut self, row: usize) {
+        if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
+            self.remove(j);
+            self.retreat();
+        }
+    }
+
+    /// Until no row is broken and the level, where it is open, has settled.
+    fn settle(&mut self, program: &Program, rows: &mut [Row]) -> Result<(), Stuck> {
+        for _ in 0..PINNINGS {
+            self.keep_rows(program, rows)?;
+            let Some((at, _)) = self.pin else {
+                return Ok(());
+            };
+            if (self.x[at] - self.pinned_at).abs() <= SETTLED * program.length {
+                return Ok(());
+            }
+            self.move_pin(self.x[at]);
+            self.retreat();
+        }
+        Ok(())
+    }
+
+    fn move_pin(&mut self, to: f64) {
+        if let Some((at, weight)) = self.pin {
+            let mut change = vec![0.0; self.x.len()];
+            change[at] = weight * (to - self.pinned_at);
+            self.factor.forward(&mut change);
+            for (f, c) in self.free.iter_mut().zip(change) {
+                *f += c;
+            }
+            self.pinned_at = to;
+        }
+    }
+
+    fn keep_rows(&mut self, program: &Program, rows: &[Row]) -> Result<(), Stuck> {
+        let units: Vec<f64> = rows
+            .iter()
+            .map(|row| {
+                let size = row.limit.map_or(row.scale, |i| program.limits[i].scale);
+                size.max(row.bound.abs())
+            })
+            .collect();
+        loop {
+            let mut worst = (0.0, None);
+            for (i, (row, unit)) in rows.iter().zip(&units).enumerate() {
+                let (value, rounding) = with_rounding(&row.entries, &self.x);
+                let gap = (value - row.bound - rounding) / unit - RESOLVED;
+                if gap > worst.0 && !self.members.iter().any(|m| m.row == Some(i)) {
+                    worst = (gap, Some(i));
+                }
+            }
+            let Some(i) = worst.1 else {
+                self.refresh();
+                return Ok(());
+            };
+            self.bring_in(i, &rows[i])?;
+            if self.members.len() > MOST_ACTIVE {
+                return Err(Stuck);
+            }
+        }
+    }
+
+    /// Makes a broken row hold; rows that no longer push leave on the way.
+    fn bring_in(&mut self, index: usize, row: &Row) -> Result<(), Stuck> {
+        let z = self.whitened(&row.entries);
+        let length = square(&z);
+        let mut push = 0.0;
+        loop {
+            self.steps += 1;
+            if self.steps > STEPS_PER_UNKNOWN * self.x.len() {
+                return Err(Stuck);
+            }
+            let (d, rest, left) = self.split(&z);
+            let shift = self.back_substituted(&d);
+            let mut blocking: Option<(usize, f64)> = None;
+            for (j, (member, shift)) in self.members.iter().zip(&shift).enumerate() {
+                if member.row.is_some() && *shift > 0.0 {
+                    let most = member.push.max(0.0) / shift;
+                    if blocking.is_none_or(|b| most < b.1) {
+                        blocking = Some((j, most));
+                    }
+                }
+            }
+            let gap = apply(&row.entries, &self.x) - row.bound;
+            let full = (left > DEPENDENT * length).then_some(gap / left);
+            let (step, leaves) = match (full, blocking) {
+                (Some(full), Some((j, most))) if most < full => (most, Some(j)),
+                (Some(full), _) => (full, None),
+                (None, Some((j, most))) => (most, Some(j)),
+                (None, None) => return Err(Stuck),
+            };
+            for (member, shift) in self.members.iter_mut().zip(&shift) {
+                member.push -= step * shift;
+            }
+            push += step;
+            if full.is_some() {
+                let mut direction = rest.clone();
+                self.factor.backward(&mut direction);
+                for (x, p) in self.x.iter_mut().zip(&direction) {
+                    *x -= step * p;
+                }
+            }
+            match leaves {
+                Some(j) => self.remove(j),
+                None => {
+                    self.push(d, rest, left, Some(index), row.bound, push);
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// Adds a row as active; false when it depends on those that are.
+    pub fn hold(&mut self, index: usize, row: &Row) -> bool {
+        let z = self.whitened(&row.entries);
+        let (d, rest, left) = self.split(&z);
+        let independent = left > DEPENDENT * square(&z);
+        if independent {
+            self.push(d, rest, left, Some(index), row.bound, row.multiplier);
+        }
+        independent
+    }
+
+    /// Smallest multiplier of an active row, relative to the largest.
+    pub fn weakest(&self) -> f64 {
+        let pushes = || {
+            let rows = self.members.iter().filter(|m| m.row.is_some());
+            rows.map(|m| m.push)
+        };
+        let largest = pushes().fold(0.0_f64, |m, p| m.max(p.abs()));
+        pushes().fold(f64::INFINITY, f64::min) / largest.max(f64::MIN_POSITIVE)
+    }
+
+    /// The state as an answer.
+    pub fn solution(&self, program: &Program, rows: &[Row], rounds: usize) -> Solution {
+        let extra = [0.0; EXTRAS];
+        let active = self
+            .members
+            .iter()
+            .filter_map(|m| {
+                let row = &rows[m.row?];
+                (m.push > 0.0).then(|| Row {
+                    multiplier: m.push,
+                    ..row.clone()
+                })
+            })
+            .collect();
+        Solution {
+            violation: program.violation(&self.x, &extra),
+            x: self.x.clone(),
+            extra,
+            active,
+            used_rows: true,
+            iterations: self.steps,
+            rounds,
+        }
+    }
+}
+
+/// Inner product in four sums, which a processor adds side by side.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let n = a.len().min(b.len());
+    let (fours_a, rest_a) = a[..n].as_chunks::<4>();
+    let (fours_b, rest_b) = b[..n].as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for (a, b) in fours_a.iter().zip(fours_b) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    let tail: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
+    sums[0] + sums[1] + (sums[2] + sums[3]) + tail
+}
+
+fn square(a: &[f64]) -> f64 {
+    dot(a, a)
+}
+
+/// Value of a row and what rounding may have made of it.
+fn with_rounding(entries: &Entries, x: &[f64]) -> (f64, f64) {
+    let (value, size) = entries.iter().fold((0.0, 0.0), |(v, z), &(i, a)| {
+        let term: f64 = a * x[i];
+        (v + term, z + term.abs())
+    });
+    (value, 4.0 * f64::EPSILON * size)
+}

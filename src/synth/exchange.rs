@@ -1,0 +1,139 @@
+//! Exchange of rows: solve with the rows at hand, find the exact worst points of the law, bring them in,
+//! solve again, until no limit is broken on the whole turn.
+
+use super::basis::apply;
+use super::problem::{EXTRAS, Failure, Program, Row, Solution};
+use super::{active_set, cones, equality};
+use crate::poly::Peak;
+
+/// A point that breaks limits by more than this part of their scale is not polished.
+const WORTH_POLISHING: f64 = 1e-5;
+/// Rounds of exchange before giving up; a handful is usual.
+const MAX_ROUNDS: usize = 60;
+/// Room inside a limit never exceeds this part of its scale.
+const LARGEST_MARGIN: f64 = 1e-6;
+/// What the solver leaves unresolved on a second-order cone program.
+const CONE_MARGIN: f64 = 1e-7;
+/// A new row this near (in units of its piece) to an old one of the same limit replaces it.
+const COINCIDENT: f64 = 1e-4;
+
+impl Program {
+    /// The optimum without limits, then with as many rows as they need.
+    ///
+    /// A program over the coefficients alone goes to the active-set method; sizes, peaks and cones, and what
+    /// the active set cannot settle, go to the interior-point method.
+    pub fn solve(&self) -> Result<Solution, Failure> {
+        if self.present().iter().any(|p| *p) {
+            return self.solve_by_interior_point();
+        }
+        let mut unlimited = equality::solve(self)?;
+        unlimited.x = self.on_base_circle(unlimited.x);
+        if let Some(solution) = self.without_rows(&unlimited.x) {
+            return Ok(solution);
+        }
+        match active_set::solve(self, &unlimited) {
+            Ok(solution) => Ok(solution),
+            Err(rows) => self.exchange(rows),
+        }
+    }
+
+    /// The same with an interior-point method on the rows of every round.
+    pub fn solve_by_interior_point(&self) -> Result<Solution, Failure> {
+        let mut rows: Vec<Row> = self.fixed.clone();
+        if !self.seeds.is_empty() {
+            rows.extend(self.seeds.iter().cloned());
+        } else if self.present().iter().any(|p| *p) {
+            self.seed_rows(&mut rows);
+        } else {
+            let x = self.on_base_circle(equality::solve(self)?.x);
+            if let Some(solution) = self.without_rows(&x) {
+                return Ok(solution);
+            }
+            self.add_rows(&mut rows, self.broken(&x, &[0.0; EXTRAS]));
+            self.add_neighbours(&mut rows, &x);
+        }
+        self.exchange(rows)
+    }
+
+    /// The optimum without limits as the answer, where it breaks none.
+    fn without_rows(&self, x: &[f64]) -> Option<Solution> {
+        let extra = [0.0; EXTRAS];
+        let kept = self.fixed.iter().all(|r| apply(&r.entries, x) <= r.bound)
+            && self.broken(x, &extra).is_empty();
+        kept.then(|| Solution {
+            x: x.to_vec(),
+            extra,
+            active: Vec::new(),
+            used_rows: false,
+            iterations: 0,
+            rounds: 0,
+            violation: self.violation(x, &extra),
+        })
+    }
+
+    fn exchange(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
+        let mut iterations = 0;
+        let mut best: Option<Solution> = None;
+        // Room left inside every limit for what the solver does not resolve; grows only when needed.
+        // Cones are not polished, so there it is kept from the start.
+        let mut margin = if self.cone { CONE_MARGIN } else { 0.0 };
+        for round in 1..=MAX_ROUNDS {
+            let point = match (cones::solve(self, &mut rows, margin), &best) {
+                (Ok(point), _) => point,
+                // The room kept free is ours, not the user's: without it there is a solution.
+                (Err(_), Some(_)) if margin > 0.0 => break,
+                (Err(failure), _) => return Err(failure),
+            };
+            iterations += point.iterations;
+            // Far from the end the next rows matter, not the last digits.
+            let rough = self.violation(&point.x, &point.extra) > WORTH_POLISHING;
+            let (x, extra) = if rough {
+                (point.x, point.extra)
+            } else {
+                super::polish::polish(self, &mut rows, &point)
+            };
+            let broken = self.broken(&x, &extra);
+            let violation = self.violation(&x, &extra);
+            let active = rows
+                .iter()
+                .filter(|r| r.multiplier > 0.0)
+                .cloned()
+                .collect();
+            let solution = Solution {
+                active,
+                x,
+                extra,
+                used_rows: true,
+                iterations,
+                rounds: round,
+                violation,
+            };
+            if broken.is_empty() {
+                return Ok(solution);
+            }
+            let stalled = best.as_ref().is_some_and(|b| violation > 0.5 * b.violation);
+            if best.as_ref().is_none_or(|b| violation < b.violation) {
+                best = Some(solution);
+            }
+            if stalled && violation < 1e-6 {
+                margin = (2.0 * violation).max(2.0 * margin).min(LARGEST_MARGIN);
+            }
+            self.add_rows(&mut rows, broken);
+        }
+        best.ok_or_else(|| Failure::Solver("no progress".to_string()))
+    }
+
+    /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a
+    /// secant); only one that all but coincides is replaced.
+    fn add_rows(&self, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
+        for (limit, peak) in broken {
+            let same = |r: &Row| {
+                r.limit == Some(limit)
+                    && r.peak.piece == peak.piece
+                    && (r.peak.u - peak.u).abs() < COINCIDENT
+            };
+            rows.retain(|r| !same(r));
+            rows.push(self.row(limit, peak));
+        }
+    }
+}
