@@ -8,8 +8,10 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::f64::consts::TAU;
 
-/// Slack of the scan: the program's own tolerance, and rounding of the samples.
-const SLACK: f64 = 1e-6;
+/// Slack of the scan: what a certified law promises, and rounding of the samples.
+const SLACK: f64 = 1.01e-9;
+/// Points of the scan.
+const SCANNED: u32 = 100_000;
 
 #[derive(Debug, Clone)]
 struct Wish {
@@ -86,8 +88,8 @@ fn holds(wish: &Wish) -> Result<(), TestCaseError> {
     let speed = answer.drive.speed;
     let (mut low, mut high, mut a, mut j, mut force) =
         (f64::MAX, f64::MIN, 0.0_f64, 0.0_f64, f64::MAX);
-    for i in 0..2003 {
-        let at = answer.cam.law.svaj(TAU * f64::from(i) / 2003.0);
+    for i in 0..SCANNED {
+        let at = answer.cam.law.svaj(TAU * f64::from(i) / f64::from(SCANNED));
         prop_assert!(
             [at.s, at.v, at.a, at.j].iter().all(|x| x.is_finite()),
             "{at:?}"
@@ -99,8 +101,13 @@ fn holds(wish: &Wish) -> Result<(), TestCaseError> {
     }
     let built = answer.infeasible.is_none() && answer.checks.iter().all(|c| c.pass);
     match &answer.infeasible {
-        // A failed check is said and ends in exit code 3; it is no promise.
-        None if !built => {}
+        // The accuracy may be out of reach of the spans given; every other limit is held or in conflict.
+        None if !built => {
+            let broken: Vec<_> = (answer.checks.iter())
+                .filter(|c| !c.pass && c.name != "rms_error")
+                .collect();
+            prop_assert!(broken.is_empty(), "neither held nor refused: {broken:?}");
+        }
         None => {
             let under =
                 |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l * (1.0 + SLACK));

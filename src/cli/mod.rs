@@ -79,6 +79,9 @@ struct SynthArgs {
     /// Print summary.json instead of the summary for people
     #[arg(long)]
     json: bool,
+    /// Print every step of a sequence of convex programs with its merit
+    #[arg(short, long)]
+    verbose: bool,
     /// Rows of law.csv and profile.csv
     #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     points: u32,

@@ -59,6 +59,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     if args.json {
         say(&summary);
     } else {
+        if args.verbose {
+            say(&sequence(&design));
+        }
         say(&words(&design, time));
         for remark in remarks {
             say(&format!("  note      {remark}"));
@@ -106,6 +109,35 @@ fn write_files(
         folder.write(&format!("{name}.png"), &picture.png())?;
     }
     folder.write("report.html", emit::report::html(design, time()).as_bytes())
+}
+
+/// The sequence of convex programs, step by step.
+fn sequence(design: &Synthesis) -> String {
+    let solver = &design.solver;
+    let mut out = vec![format!(
+        "{}: {} step(s) of a sequence of convex programs",
+        design.name,
+        solver.steps.len()
+    )];
+    if solver.steps.is_empty() {
+        out.push("  none was needed: one convex program (or less) has the answer".to_string());
+        return out.join("\n");
+    }
+    out.push(
+        "  step   prime radius          objective   room to the sharpest   part taken".to_string(),
+    );
+    for (i, step) in solver.steps.iter().enumerate() {
+        out.push(format!(
+            "  {:>4} {:>11.6} mm {:>18.10e} {:>22.3e} {:>12.4}",
+            i + 1,
+            1e3 * step.prime_radius,
+            step.merit,
+            step.clearance,
+            step.taken
+        ));
+    }
+    out.push(format!("  ended because {}", solver.ended));
+    out.join("\n")
 }
 
 /// A checked value in the units of its follower: lifts of an arm are angles.
@@ -184,6 +216,17 @@ fn words(design: &Synthesis, time: Timing) -> String {
             binding.at.to_degrees()
         ));
     }
+    for easing in &design.easing {
+        let (name, unit, factor) = easing.in_words();
+        out.push(format!(
+            "  1 % more  {} {} instead of {}: {name} about {:.5} {unit} instead of {:.5} {unit}",
+            easing.limit,
+            in_units(design, &easing.limit, easing.to),
+            in_units(design, &easing.limit, easing.from),
+            factor * easing.after,
+            factor * easing.before
+        ));
+    }
     for remark in &design.remarks {
         out.push(format!("  note      {remark}"));
     }
@@ -194,5 +237,11 @@ fn words(design: &Synthesis, time: Timing) -> String {
         1e3 * time.total_s,
         design.solver.status
     ));
+    if let Some(c) = &design.solver.certificate {
+        out.push(format!(
+            "  proof     within {:.1e} of the optimum; conditions hold to {:.1e}, limits to {:.1e}",
+            c.relative_gap, c.stationarity, c.violation
+        ));
+    }
     out.join("\n")
 }

@@ -27,6 +27,7 @@ struct Summary<'a> {
     cam: CamSummary,
     checks: Vec<CheckSummary<'a>>,
     binding: Vec<BindingSummary<'a>>,
+    easing: Vec<EasingSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<InfeasibleSummary<'a>>,
     remarks: &'a [String],
@@ -96,6 +97,25 @@ struct BindingSummary<'a> {
     at_rad: f64,
 }
 
+/// What easing a limit by 1 % buys; `objective` names `before` and `after` with their unit.
+#[derive(Serialize)]
+struct EasingSummary<'a> {
+    limit: &'a str,
+    from: f64,
+    to: f64,
+    objective: &'a str,
+    before: f64,
+    after: f64,
+}
+
+#[derive(Serialize)]
+struct CertificateSummary {
+    duality_gap: f64,
+    relative_gap: f64,
+    stationarity: f64,
+    violation: f64,
+}
+
 #[derive(Serialize)]
 struct InfeasibleSummary<'a> {
     conflict: &'a [String],
@@ -117,6 +137,7 @@ struct Solver<'a> {
     iterations: usize,
     solve_s: f64,
     certified: bool,
+    certificate: Option<CertificateSummary>,
 }
 
 #[derive(Serialize)]
@@ -164,6 +185,18 @@ impl<'a> Summary<'a> {
                     at_rad: b.at,
                 })
                 .collect(),
+            easing: synthesis
+                .easing
+                .iter()
+                .map(|e| EasingSummary {
+                    limit: &e.limit,
+                    from: e.from,
+                    to: e.to,
+                    objective: &e.objective,
+                    before: e.before,
+                    after: e.after,
+                })
+                .collect(),
             infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
             remarks: &synthesis.remarks,
             solver: Solver {
@@ -172,6 +205,12 @@ impl<'a> Summary<'a> {
                 iterations: solver.iterations,
                 solve_s: time.solve_s,
                 certified: solver.certified,
+                certificate: solver.certificate.map(|c| CertificateSummary {
+                    duality_gap: c.duality_gap,
+                    relative_gap: c.relative_gap,
+                    stationarity: c.stationarity,
+                    violation: c.violation,
+                }),
             },
             time: Total {
                 total_s: time.total_s,

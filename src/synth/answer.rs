@@ -42,6 +42,8 @@ pub struct Synthesis {
     pub checks: Vec<Check>,
     /// Limits that shape the law, with what they cost.
     pub binding: Vec<Binding>,
+    /// What easing each of them by 1 % would buy, the dearest first.
+    pub easing: Vec<Easing>,
     /// How it was solved.
     pub solver: SolverReport,
     /// Remarks on the problem found before and during solving, in words.
@@ -76,6 +78,67 @@ pub struct Binding {
     pub multiplier: f64,
     /// Where it binds, rad.
     pub at: f64,
+}
+
+/// What easing one limit by 1 % would buy, to first order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Easing {
+    /// Name of the limit, or key of the scene where that is another.
+    pub limit: String,
+    /// Its value, SI.
+    pub from: f64,
+    /// The value eased, SI.
+    pub to: f64,
+    /// What is minimised: `rms_error_n`, `radius_m`, `rms_derivative_3` (m/rad³), `peak_derivative_2` …
+    pub objective: String,
+    /// Its value.
+    pub before: f64,
+    /// Its value with the limit eased.
+    pub after: f64,
+}
+
+impl Easing {
+    /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
+    pub fn in_words(&self) -> (&'static str, &'static str, f64) {
+        match self.objective.as_str() {
+            "rms_error_n" => ("force error (RMS)", "N", 1.0),
+            "radius_m" => ("radius", "mm", 1e3),
+            "rms_derivative_2" => ("acceleration (RMS)", "mm/rad²", 1e3),
+            "rms_derivative_3" => ("jerk (RMS)", "mm/rad³", 1e3),
+            "rms_derivative_4" => ("snap (RMS)", "mm/rad⁴", 1e3),
+            "peak_derivative_2" => ("peak acceleration", "mm/rad²", 1e3),
+            "peak_derivative_3" => ("peak jerk", "mm/rad³", 1e3),
+            "peak_derivative_4" => ("peak snap", "mm/rad⁴", 1e3),
+            _ => ("objective", "", 1.0),
+        }
+    }
+}
+
+/// How near to the optimum a law is proved to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a
+    /// force error's half mean square).
+    pub duality_gap: f64,
+    /// The same as a part of the objective's size.
+    pub relative_gap: f64,
+    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
+    pub stationarity: f64,
+    /// Largest violation of any limit on the continuum, as a part of its scale.
+    pub violation: f64,
+}
+
+/// One convex program of a sequence, as it was taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Prime radius after the step, m.
+    pub prime_radius: f64,
+    /// Objective after the step.
+    pub merit: f64,
+    /// Smallest distance to undercut or the sharpest curvature allowed, without unit; not below zero.
+    pub clearance: f64,
+    /// Part of the step that was taken.
+    pub taken: f64,
 }
 
 /// Which rung of the ladder answered.
@@ -117,6 +180,12 @@ pub struct SolverReport {
     pub iterations: usize,
     /// Every limit was confirmed on the continuous law.
     pub certified: bool,
+    /// How near to the optimum the law is proved to be; `None` where nothing was minimised.
+    pub certificate: Option<Certificate>,
+    /// The sequence of convex programs, where one was needed, and why it ended.
+    pub steps: Vec<Step>,
+    /// Why the sequence of convex programs ended; empty without one.
+    pub ended: &'static str,
 }
 
 /// Why no such cam exists.

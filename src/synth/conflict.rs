@@ -2,7 +2,7 @@
 
 use super::answer::{Infeasible, Relaxation};
 use super::band::ArrowMatrix;
-use super::problem::{Failure, Meaning, PEAK, Program};
+use super::problem::{Failure, PEAK, Program};
 
 /// Explains a program without solution.
 pub fn explain(program: &Program, failure: &Failure) -> Infeasible {
@@ -91,14 +91,20 @@ fn spoken(name: &str) -> String {
 
 /// A limit's value in the units people use for it.
 pub fn in_units(limit: &str, value: f64) -> String {
-    match limit {
-        "velocity" => format!("{value:.6} m/s"),
-        "acceleration" => format!("{value:.6} m/s²"),
-        "jerk" => format!("{value:.6} m/s³"),
-        "force_min" | "force_max" | "rms_error" => format!("{value:.6} N"),
-        name if name.contains("pressure_angle") => format!("{:.4}°", value.to_degrees()),
-        _ if value.is_infinite() => "∞".to_string(),
-        _ => format!("{:.6} mm", 1e3 * value),
+    let (unit, value) = match limit {
+        name if name.contains("pressure_angle") => return format!("{:.4}°", value.to_degrees()),
+        _ if value.is_infinite() => return "∞".to_string(),
+        "velocity" => ("m/s", value),
+        "acceleration" => ("m/s²", value),
+        "jerk" => ("m/s³", value),
+        "force_min" | "force_max" | "rms_error" => ("N", value),
+        _ => ("mm", 1e3 * value),
+    };
+    // Six places hide what is smaller.
+    if value != 0.0 && value.abs() < 1e-4 {
+        format!("{value:.4e} {unit}")
+    } else {
+        format!("{value:.6} {unit}")
     }
 }
 
@@ -121,9 +127,6 @@ fn relax(program: &Program, name: &str) -> Option<Relaxation> {
         .solve()
         .ok()
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
-    let limit = match first.meaning {
-        Meaning::PrimeRadius { .. } => "cam.prime_radius".to_string(),
-        _ => name.to_string(),
-    };
+    let limit = first.meaning.key(first.name).to_string();
     Some(Relaxation { limit, from, to })
 }

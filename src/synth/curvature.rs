@@ -7,6 +7,7 @@
 //! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3
 //! and needs no trust in the linearisation.
 
+use super::answer::Step;
 use super::basis::apply;
 use super::problem::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
 use crate::law::{Law, Svaj};
@@ -21,19 +22,6 @@ pub struct Size {
     pub offset: f64,
     /// Smallest pitch radius allowed: smallest convex radius of the cam plus the roller's.
     pub rho: f64,
-}
-
-/// One step of the sequence, for those who want to watch.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Step {
-    /// Prime radius after the step, m.
-    pub prime_radius: f64,
-    /// Objective after the step.
-    pub merit: f64,
-    /// Smallest h/w after the step; not below zero.
-    pub clearance: f64,
-    /// Part of the step that was taken.
-    pub taken: f64,
 }
 
 /// Steps before the sequence is called finished as it is.
@@ -101,13 +89,13 @@ pub fn clearance(law: &Law, size: Size) -> f64 {
 /// Improves `program`'s solution until the curvature holds as well; `start` is its optimum without
 /// curvature, `size` gives the roller and, where the program has no size among its variables, the size.
 ///
-/// Returns the last solution with its size and the steps taken, or `None` where no feasible start was
-/// found.
+/// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
+/// feasible start was found.
 pub fn refine(
     program: &Program,
     start: &Solution,
     size: Size,
-) -> Option<(Solution, Size, Vec<Step>)> {
+) -> Option<(Solution, Vec<Step>, &'static str)> {
     // Between steps limits need not hold better than the next step will change them.
     let program = &Program {
         tolerance: STEP_TOLERANCE,
@@ -135,12 +123,16 @@ pub fn refine(
                 .sum::<f64>()
     };
     let mut steps = Vec::new();
+    let mut ended = "as many steps as are allowed were taken";
     for _ in 0..MOST_STEPS {
         let here = sized(&current.extra);
         let mut next = program.clone();
         next.fixed = linearised(program, &current, here, &present);
         next.seeds = contacts(&current);
-        let Ok(target) = next.solve() else { break };
+        let Ok(target) = next.solve() else {
+            ended = "the linearised program has no solution beside the last law";
+            break;
+        };
         let mut taken = 1.0;
         let accepted = loop {
             let trial = blend(&current, &target, taken, program);
@@ -154,6 +146,7 @@ pub fn refine(
             }
         };
         let Some((mut trial, room)) = accepted else {
+            ended = "no part of the last step improves the objective";
             break;
         };
         let gain = merit(&current) - merit(&trial);
@@ -169,6 +162,7 @@ pub fn refine(
             taken,
         });
         if gain <= IMPROVEMENT * old.abs() {
+            ended = "the last step improved the objective by less than one part in ten million";
             break;
         }
     }
@@ -182,7 +176,7 @@ pub fn refine(
             ..exact
         };
     }
-    Some((current, size, steps))
+    Some((current, steps, ended))
 }
 
 /// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.

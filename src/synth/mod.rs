@@ -17,6 +17,7 @@ mod active_set;
 mod answer;
 mod band;
 mod basis;
+mod certificate;
 mod cones;
 mod conflict;
 mod contacts;
@@ -39,7 +40,10 @@ mod problem_tests;
 mod spline;
 mod verify;
 
-pub use answer::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};
+pub use answer::{
+    Binding, Certificate, Easing, ForceReport, Infeasible, Relaxation, SolverReport, Step,
+    Synthesis, Tier,
+};
 pub use conflict::in_units;
 
 use crate::error::{Error, Place, Result};
@@ -55,6 +59,7 @@ struct Found {
     degree: usize,
     coefficients: Vec<f64>,
     binding: Vec<Binding>,
+    easing: Vec<Easing>,
     solver: SolverReport,
     infeasible: Option<Infeasible>,
 }
@@ -98,6 +103,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         reason,
         checks,
         binding: found.binding,
+        easing: found.easing,
         solver: found.solver,
         remarks: demand.remarks,
     })
@@ -124,6 +130,7 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
                 degree: p.degree,
                 coefficients: p.monomials,
                 binding: Vec::new(),
+                easing: Vec::new(),
                 solver: report(
                     Tier::Equality,
                     "as many conditions as coefficients: one linear system",
@@ -140,8 +147,11 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
 }
 
 /// Brings the curvature of a roller cam into the law where the size is among the variables or given, and
-/// the law without it would be undercut or too sharp. Returns the number of programs solved.
-fn roller_curvature(scene: &Scene, fitted: &mut spline::Fitted) -> Option<usize> {
+/// the law without it would be undercut or too sharp. Returns the steps taken and why no more were.
+fn roller_curvature(
+    scene: &Scene,
+    fitted: &mut spline::Fitted,
+) -> Option<(Vec<Step>, &'static str)> {
     if !scene.cam.follower.ends_with("translating") || scene.cam.follower.starts_with("flat") {
         return None;
     }
@@ -163,12 +173,12 @@ fn roller_curvature(scene: &Scene, fitted: &mut spline::Fitted) -> Option<usize>
     if rho <= 0.0 {
         return None;
     }
-    let (solution, _, steps) = curvature::refine(&fitted.program, &fitted.solution, size)?;
+    let (solution, steps, ended) = curvature::refine(&fitted.program, &fitted.solution, size)?;
     if steps.is_empty() && solution.x == fitted.solution.x {
         return None;
     }
     fitted.solution = solution;
-    Some(steps.len() + 1)
+    Some((steps, ended))
 }
 
 /// Active rows as a user reads them: rows of one limit within half a piece are one contact.
@@ -188,7 +198,7 @@ fn gathered(
     for row in rows {
         let limit = row.limit.map(|i| &program.limits[i]);
         let name = limit.map_or("curvature", |l| l.name);
-        let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope());
+        let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope(l.bound));
         match out.last_mut() {
             Some(last) if last.limit == name && (row.peak.at - last.at).abs() < near => {
                 let both = last.multiplier + multiplier;
@@ -229,6 +239,7 @@ fn from_program(scene: &Scene) -> Result<Found> {
         law,
         family: Family::Program,
         binding: Vec::new(),
+        easing: Vec::new(),
         solver: report(
             Tier::Equality,
             "the programme is given: nothing to solve",
@@ -259,6 +270,9 @@ fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> Solve
         status: status.to_string(),
         iterations,
         certified,
+        certificate: None,
+        steps: Vec::new(),
+        ended: "",
     }
 }
 
@@ -271,6 +285,7 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
         family: Family::Harmonic,
         degree: 0,
         binding: Vec::new(),
+        easing: Vec::new(),
         solver: report(
             Tier::Spectral,
             &format!(
@@ -299,6 +314,8 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
             );
             let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
             found.solver = report(Tier::Qp, &status, solution.iterations, certified);
+            found.solver.certificate = Some(certificate::certificate(&program, &solution));
+            found.easing = certificate::easings(&program, &solution, Minimise::ForceError);
             found.coefficients = solution.x;
         }
         Err(failure) => found.infeasible = Some(conflict::explain(&program, &failure)),
@@ -328,6 +345,7 @@ fn from_double_harmonic(scene: &Scene, demand: &Demand) -> Result<Found> {
         degree: 0,
         coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
         binding: Vec::new(),
+        easing: Vec::new(),
         solver: report(Tier::Equality, &status, hump.evaluations, true),
         infeasible: None,
     })
@@ -406,11 +424,17 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     let binding = gathered(&fitted.program, &fitted.solution, fitted.spans);
     let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
     let holds = format!("limits hold to {:.1e}", solution.violation);
-    let solver = match sequence {
-        Some(steps) => {
-            let status =
-                format!("{steps} convex programs in sequence for the roller's curvature; {holds}");
-            report(Tier::Scp, &status, solution.iterations, certified)
+    let mut solver = match sequence {
+        Some((steps, ended)) => {
+            let status = format!(
+                "{} convex programs in sequence for the roller's curvature, ended because {ended}; {holds}",
+                steps.len() + 1
+            );
+            SolverReport {
+                steps,
+                ended,
+                ..report(Tier::Scp, &status, solution.iterations, certified)
+            }
         }
         None if solution.used_rows => {
             let tier = if fitted.program.cone {
@@ -418,7 +442,11 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
             } else {
                 Tier::Qp
             };
-            let status = format!("{} rounds of exchange; {holds}", solution.rounds);
+            let rounds = match solution.rounds {
+                1 => "one round".to_string(),
+                n => format!("{n} rounds"),
+            };
+            let status = format!("{rounds} of exchange; {holds}");
             report(tier, &status, solution.iterations, certified)
         }
         None => report(
@@ -428,8 +456,16 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
             certified,
         ),
     };
+    let minimised = spline::objective(scene);
+    let easing = if infeasible.is_none() {
+        solver.certificate = Some(certificate::certificate(&fitted.program, solution));
+        certificate::easings(&fitted.program, solution, minimised)
+    } else {
+        Vec::new()
+    };
     Ok(Found {
         law: fitted.law(),
+        easing,
         family: Family::Spline,
         degree: fitted.degree,
         coefficients: solution.x.clone(),

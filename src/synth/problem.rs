@@ -110,11 +110,22 @@ impl Meaning {
     }
 
     /// |d value / d bound|, for multipliers.
-    pub fn slope(self) -> f64 {
+    pub fn slope(self, bound: f64) -> f64 {
         match self {
             Meaning::Structure | Meaning::Sized => 1.0,
             Meaning::Value { factor, .. } => factor.abs(),
-            Meaning::PrimeRadius { tan, .. } => 1.0 / tan,
+            Meaning::PrimeRadius { tan, offset } => {
+                let rise = (bound - offset) / tan;
+                (rise / rise.hypot(offset)).abs() / tan
+            }
+        }
+    }
+
+    /// The scene's own name for the value, where it is not the limit's.
+    pub fn key(self, limit: &'static str) -> &'static str {
+        match self {
+            Meaning::PrimeRadius { .. } => "cam.prime_radius",
+            _ => limit,
         }
     }
 }
@@ -139,6 +150,8 @@ pub struct Program {
     pub hessian: ArrowMatrix,
     /// g of the quadratic objective.
     pub gradient: Vec<f64>,
+    /// What the quadratic leaves out of the whole objective.
+    pub constant: f64,
     /// Exact demands.
     pub equalities: Vec<Equality>,
     /// Limits over ranges.
@@ -223,6 +236,7 @@ impl Program {
             basis,
             hessian,
             gradient,
+            constant: 0.0,
             equalities,
             limits: Vec::new(),
             shapes: Vec::new(),

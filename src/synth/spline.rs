@@ -125,6 +125,7 @@ pub fn harmonic_program(scene: &Scene, demand: &Demand, count: usize, unlimited:
         Vec::new(),
         demand.length,
     );
+    program.constant = force.constant;
     let level = level_is_known(scene, demand);
     let on_the_cam = limits::size_is_given(scene);
     program.limits = limits::linear(scene, demand, level || on_the_cam);
@@ -256,6 +257,7 @@ fn program(
         equalities,
         demand.length,
     );
+    program.constant = quadratic.constant;
     program.limits = limits;
     Ok((program, force))
 }

@@ -27,6 +27,7 @@ pub fn shown(limit: &str, value: f64) -> String {
         | "base_circle"
         | "base_radius"
         | "prime_radius"
+        | "cam.prime_radius"
         | "roller_radius"
         | "offset"
         | "interference"
@@ -120,6 +121,32 @@ pub fn binding(out: &mut String, synthesis: &Synthesis) {
         "</table></div>\n<p class=\"note\">The multiplier is what the objective gains per unit by which the \
          limit is eased: the limit with the largest one is the first to talk about.</p>\n",
     );
+    easing(out, synthesis);
+}
+
+/// What one per cent more of each binding limit would buy.
+fn easing(out: &mut String, synthesis: &Synthesis) {
+    if synthesis.easing.is_empty() {
+        return;
+    }
+    out.push_str(
+        "<div class=\"scroll\"><table><tr><th>Ease this by 1 %</th><th class=\"n\">From</th><th class=\"n\">To</th>\
+         <th>and this</th><th class=\"n\">falls from</th><th class=\"n\">to about</th></tr>\n",
+    );
+    for e in &synthesis.easing {
+        let (name, unit, factor) = e.in_words();
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{name}</td>\
+             <td class=\"n\">{} {unit}</td><td class=\"n\">{} {unit}</td></tr>",
+            escaped(&spoken(&e.limit)),
+            shown(&e.limit, e.from),
+            shown(&e.limit, e.to),
+            number(factor * e.before, 5),
+            number(factor * e.after, 5)
+        );
+    }
+    out.push_str("</table></div>\n");
 }
 
 /// Drive, law and cam in numbers.
@@ -268,6 +295,14 @@ pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
             "<h2>How it was solved</h2>\n<p>Solved {how}, {spent}. {status}{certified}</p>"
         )
     };
+    if let Some(c) = &solver.certificate {
+        let _ = writeln!(
+            out,
+            "<p class=\"note\">Proof: no law of this family that keeps these limits has an objective lower by more than {:.1e} of it; \
+             the optimality conditions hold to {:.1e}, the limits to {:.1e}.</p>",
+            c.relative_gap, c.stationarity, c.violation
+        );
+    }
     if !synthesis.remarks.is_empty() {
         out.push_str("<h3>Remarks</h3>\n<ul>\n");
         for remark in &synthesis.remarks {

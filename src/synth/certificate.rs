@@ -1,0 +1,245 @@
+//! The proof that comes with a law: how far from the optimum it can be, and what each limit costs.
+//!
+//! With multipliers λ ≥ 0 on the active rows, Lagrange's dual of the program is a lower bound on its
+//! objective. At a law x with residual r = Hx + g + Eᵀν + Aᵀλ the two differ by
+//!
+//! ```text
+//! gap = Σ λᵢ (bᵢ − aᵢᵀx) + xᵀr (+ z·y for the cone's own multiplier z)
+//! ```
+//!
+//! (Boyd and Vandenberghe, Convex Optimization, §5.5). The rows are limits at exact places of the law, so
+//! the bound holds for the whole turn and not for samples of it.
+
+use super::answer::{Certificate, Easing};
+use super::basis::apply;
+use super::problem::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
+use crate::scene::Minimise;
+
+/// Part of a limit by which it is eased to say what it costs.
+const EASED: f64 = 0.01;
+/// A demand whose part outside the span of those before it is below this share of its square length says
+/// nothing new.
+const DEPENDENT: f64 = 1e-20;
+
+/// The evidence for a solution of a program.
+pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
+    let x = &solution.x[..program.basis.columns()];
+    let mut residual = program.hessian.times(x);
+    let size = residual
+        .iter()
+        .zip(&program.gradient)
+        .fold(0.0_f64, |m, (h, g)| m.max(h.abs()).max(g.abs()));
+    for (r, g) in residual.iter_mut().zip(&program.gradient) {
+        *r += g;
+    }
+    let mut beside = program.cost;
+    let mut slack = 0.0;
+    let mut pushed = size;
+    for row in &solution.active {
+        let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * solution.extra[k]).sum();
+        slack += row.multiplier * (row.bound - taken - apply(&row.entries, x)).abs();
+        for &(i, a) in &row.entries {
+            residual[i] += row.multiplier * a;
+            pushed = pushed.max((row.multiplier * a).abs());
+        }
+        for (b, e) in beside.iter_mut().zip(&row.extra) {
+            *b += row.multiplier * e;
+        }
+    }
+    off_the_demands(program, &mut residual);
+    let present = program.present();
+    let mut gap = slack;
+    let mut left =
+        residual.iter().fold(0.0_f64, |m, r| m.max(r.abs())) / pushed.max(f64::MIN_POSITIVE);
+    gap += residual
+        .iter()
+        .zip(x)
+        .map(|(r, x)| r * x)
+        .sum::<f64>()
+        .abs();
+    let cost = program.cost.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+    if program.cone {
+        // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
+        // orthogonal to the sizes.
+        let z = [RADIUS, RISE, OFFSET].map(|k| beside[k]);
+        let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
+        left = left.max(outside / cost.max(f64::MIN_POSITIVE));
+        let product: f64 = [RADIUS, RISE, OFFSET]
+            .iter()
+            .zip(z)
+            .map(|(&k, z)| solution.extra[k] * z)
+            .sum();
+        gap += product.abs();
+    }
+    for k in 0..EXTRAS {
+        if present[k] && !(program.cone && k != PEAK) {
+            left = left.max(beside[k].abs() / cost.max(f64::MIN_POSITIVE));
+            gap += (beside[k] * solution.extra[k]).abs();
+        }
+    }
+    Certificate {
+        duality_gap: gap,
+        relative_gap: gap / scale(program, solution),
+        stationarity: left,
+        violation: solution.violation,
+    }
+}
+
+/// Size of the objective: its value, or its fall from the law at rest if that is larger.
+fn scale(program: &Program, solution: &Solution) -> f64 {
+    let x = &solution.x[..program.basis.columns()];
+    let linear: f64 = program
+        .gradient
+        .iter()
+        .zip(x)
+        .map(|(g, x)| (g * x).abs())
+        .sum();
+    let beside: f64 = (0..EXTRAS)
+        .map(|k| (program.cost[k] * solution.extra[k]).abs())
+        .sum();
+    let whole = program.objective(x) + program.constant;
+    let value = whole.abs().max(linear).max(beside);
+    if value > 0.0 { value } else { 1.0 }
+}
+
+/// Takes the demands' own pushes out of a residual: what is orthogonal to their rows is left.
+fn off_the_demands(program: &Program, residual: &mut [f64]) {
+    let mut kept: Vec<Vec<f64>> = Vec::new();
+    for demand in &program.equalities {
+        let mut q = vec![0.0; residual.len()];
+        for &(i, a) in &demand.entries {
+            q[i] += a;
+        }
+        let before: f64 = q.iter().map(|q| q * q).sum();
+        for _ in 0..2 {
+            for k in &kept {
+                take_away(&mut q, k);
+            }
+        }
+        let length: f64 = q.iter().map(|q| q * q).sum();
+        if length > DEPENDENT * before {
+            q.iter_mut().for_each(|x| *x /= length.sqrt());
+            kept.push(q);
+        }
+    }
+    for q in &kept {
+        take_away(residual, q);
+    }
+}
+
+fn take_away(from: &mut [f64], unit: &[f64]) {
+    let part: f64 = from.iter().zip(unit).map(|(f, u)| f * u).sum();
+    for (f, u) in from.iter_mut().zip(unit) {
+        *f -= part * u;
+    }
+}
+
+/// What easing each binding limit by 1 % would do to the objective, to first order in the easing; the
+/// limits that are numbers of the scene, the dearest first.
+pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
+    let mut eased: Vec<Eased> = Vec::new();
+    for row in &solution.active {
+        for one in eased_by(program, solution, row) {
+            match eased.iter_mut().find(|e| e.limit == one.limit) {
+                Some(known) => known.gain += one.gain,
+                None => eased.push(one),
+            }
+        }
+    }
+    eased.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    eased
+        .into_iter()
+        .map(|e| {
+            let (objective, before, after) = spoken(program, solution, minimised, e.gain);
+            Easing {
+                limit: e.limit.to_string(),
+                from: e.from,
+                to: e.to,
+                objective,
+                before,
+                after,
+            }
+        })
+        .collect()
+}
+
+struct Eased {
+    limit: &'static str,
+    from: f64,
+    to: f64,
+    /// Fall of the objective.
+    gain: f64,
+}
+
+/// The numbers of the scene that could ease one row.
+fn eased_by(program: &Program, solution: &Solution, row: &Row) -> Vec<Eased> {
+    let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
+        return Vec::new();
+    };
+    let mut out = Vec::new();
+    if let Some(from) = limit.meaning.value(limit.bound) {
+        let slope = limit.meaning.slope(limit.bound);
+        let typical = limit.scale * slope;
+        let by = EASED * if from == 0.0 { typical } else { from.abs() };
+        let downwards = matches!(limit.meaning, Meaning::Value { factor, .. } if factor < 0.0);
+        out.push(Eased {
+            limit: limit.meaning.key(limit.name),
+            from,
+            to: if downwards { from - by } else { from + by },
+            gain: row.multiplier * by / slope,
+        });
+    }
+    // v − e ≤ t (s + D): a larger t makes room in proportion to the height s + D of the roller's centre.
+    let rise = match limit.meaning {
+        Meaning::Sized if limit.extra[RISE] != 0.0 => Some(solution.extra[RISE]),
+        Meaning::PrimeRadius { tan, offset } => Some((limit.bound - offset) / tan),
+        _ => None,
+    };
+    if let Some(rise) = rise {
+        let tan = -limit.weights[0];
+        let from = tan.atan();
+        let height = rise + program.basis.law(&solution.x).svaj(row.peak.at).s;
+        out.push(Eased {
+            limit: limit.name,
+            from,
+            to: (1.0 + EASED) * from,
+            gain: row.multiplier * height * (1.0 + tan * tan) * EASED * from,
+        });
+    }
+    out
+}
+
+/// A gain of the objective in the words and numbers of a user: name, before, after.
+fn spoken(
+    program: &Program,
+    solution: &Solution,
+    minimised: Minimise,
+    gain: f64,
+) -> (String, f64, f64) {
+    let root = |name: &str, before: f64| {
+        let after = (before * before - 2.0 * gain).max(0.0).sqrt();
+        (name.to_string(), before, after)
+    };
+    let mean_square = 2.0 * (program.objective(&solution.x) + program.constant);
+    match minimised {
+        Minimise::ForceError => root("rms_error_n", mean_square.max(0.0).sqrt()),
+        Minimise::Energy(order) => root(
+            &format!("rms_derivative_{order}"),
+            mean_square.max(0.0).sqrt(),
+        ),
+        Minimise::Peak(order) => {
+            let peak = solution.extra[PEAK];
+            (format!("peak_derivative_{order}"), peak, peak - gain)
+        }
+        Minimise::Size => {
+            let radius = if program.cone {
+                solution.extra[RADIUS]
+            } else if program.cost[RISE] != 0.0 {
+                solution.extra[RISE].hypot(solution.extra[OFFSET])
+            } else {
+                solution.extra[RADIUS]
+            };
+            ("radius_m".to_string(), radius, radius - gain)
+        }
+    }
+}
