@@ -802,3 +802,58 @@ fn odd_designs_are_handed_over_without_fault() {
         assert_eq!(arcs.closed, s.cam.law.is_closed());
     }
 }
+
+#[test]
+fn the_report_of_a_run_moves_the_follower_as_it_ran() {
+    use gaitcam::dynamics::{Machine, Model, Run, impact::Restitution, simulate};
+    use gaitcam::emit::report::{Running, html_of_run};
+    // Far above lift-off: the follower flies for a part of every turn.
+    let mut s = footbridge();
+    s.drive.speed *= 2.2;
+    let run = Run {
+        profile: s.cam.profile(720),
+        cam: s.cam.clone(),
+        drive: s.drive,
+        target: None,
+        machine: Machine {
+            restitution: Restitution::Prescribed(0.3),
+            ..Machine::default()
+        },
+    };
+    let outcome = simulate(&run, Model::Contact).unwrap();
+    assert!(outcome.contact_lost);
+    let running = Running {
+        outcome: &outcome,
+        second_cam: None,
+    };
+    let html = html_of_run(&s, TIME, &running);
+    let all = elements(&html);
+    // The run in motion and its diagrams beside force, law, cam, curvature.
+    assert_eq!(all.iter().filter(|e| *e == "svg").count(), 6);
+    assert!(html.contains("The run") && html.contains("Landings"));
+    assert!(!html.contains("NaN"));
+    let data = html.split("id=\"motion\">").nth(1).unwrap();
+    let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
+    let turns = data["turns"].as_u64().unwrap() as usize;
+    assert_eq!(turns, outcome.period_turns.min(4));
+    let list = |name: &str| data[name].as_array().unwrap().clone();
+    let (gap, contact, force) = (list("gap"), list("cx"), list("f"));
+    assert_eq!(gap.len(), 480 * turns + 1);
+    let flying = gap.iter().filter(|g| g.as_f64().unwrap() > 1e-3).count();
+    assert!(flying > 20);
+    for ((g, c), f) in gap.iter().zip(&contact).zip(&force) {
+        // In the air there is no contact point, and no force but within a row of take-off or landing.
+        assert_eq!(c.is_null(), g.as_f64().unwrap() > 0.0 || c.is_null());
+        if g.as_f64().unwrap() > 0.5 {
+            assert_eq!(f.as_f64().unwrap(), 0.0);
+        }
+    }
+    // Steps and rows coincide here: 1.5 rows to a step, so every second step is a row.
+    for k in 0..240 {
+        let row = &outcome.rows[3 * k];
+        let shown = force[2 * k].as_f64().unwrap();
+        if row.gap == 0.0 {
+            assert!((shown - row.contact_force).abs() < 1e-6, "{k}");
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! `gaitcam simulate`: runs the emitted cam, not the law it came from.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use clap::Args;
 
@@ -9,6 +10,8 @@ use super::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
 use crate::dynamics::impact::Restitution;
 use crate::dynamics::train::Train;
 use crate::dynamics::{Machine, Model, Run, simulate};
+use crate::emit::Timing;
+use crate::emit::report::{Running, html_of_run};
 use crate::error::{Error, Place, Result};
 use crate::synth::synthesise;
 use crate::units::{Dimension, parse};
@@ -23,7 +26,7 @@ pub struct SimulateArgs {
     /// auto (the least that is enough), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
-    /// Folder for dynamics.csv and simulation.json (default out/NAME)
+    /// Folder for dynamics.csv, simulation.json and report.html (default out/NAME)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print JSON
@@ -52,6 +55,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         Error::argument("--model", format!("\"{}\" is not a model", args.model))
             .help("write auto, rigid, flexible or contact")
     })?;
+    let start = Instant::now();
     let input = input::scene(&args.scene)?;
     let out = args
         .out
@@ -59,7 +63,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         .unwrap_or_else(|| PathBuf::from("out").join(&input.scene.name));
     let folder = Folder::open(&out)?;
     let target = input.target()?;
+    let solving = Instant::now();
     let design = synthesise(&input.scene, target.as_ref())?;
+    let solve_s = solving.elapsed().as_secs_f64();
     if let Some(infeasible) = &design.infeasible {
         eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
         return Ok(NO_SUCH_CAM);
@@ -72,7 +78,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
                 .map(|i| t.at(std::f64::consts::TAU * i as f64 / POINTS as f64))
                 .collect()
         }),
-        cam: design.cam,
+        cam: design.cam.clone(),
         drive: design.drive,
         machine,
     };
@@ -80,11 +86,25 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     folder.write("dynamics.csv", outcome.csv().as_bytes())?;
     let json = serde_json::to_string_pretty(&outcome.json()).unwrap_or_default();
     folder.write("simulation.json", json.as_bytes())?;
+    let running = Running {
+        outcome: &outcome,
+        second_cam: run.machine.second_cam,
+    };
+    let time = Timing {
+        solve_s,
+        total_s: start.elapsed().as_secs_f64(),
+    };
+    let page = html_of_run(&design, time, &running);
+    folder.write("report.html", page.as_bytes())?;
     if args.json {
         say(&json);
     } else {
         say(&outcome.table());
-        say(&format!("Files in {}", folder.path().display()));
+        say(&format!(
+            "Files in {}; open {} first.",
+            folder.path().display(),
+            folder.path().join("report.html").display()
+        ));
     }
     Ok(BUILT)
 }

@@ -351,7 +351,8 @@ fn difference_json(next: &Difference) -> Value {
     })
 }
 
-fn difference_words(next: &Difference) -> String {
+/// What the next model up would change, in words.
+pub fn difference_words(next: &Difference) -> String {
     if let Some(reason) = &next.failed {
         return format!("{} could not be run: {reason}", next.model.name());
     }

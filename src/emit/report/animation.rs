@@ -2,120 +2,190 @@
 
 use std::fmt::Write;
 
-use serde::Serialize;
-
-use crate::emit::geometry::{Pose, angles, face_reach, pose, turned};
-use crate::emit::samples::lift_unit;
+use super::Running;
+use super::motion::{STEPS, angle_unit, motion, placed, slide};
+use crate::cam::{Cam, Follower, ProfilePoint};
+use crate::dynamics::two_cams::shifted;
+use crate::emit::geometry::{Pose, angles, face_reach, pose};
 use crate::synth::Synthesis;
 
 const MM: f64 = 1000.0;
-/// Steps of the motion; the script goes straight from one to the next.
-const STEPS: usize = 480;
 /// Vertices of the outline.
 const POINTS: usize = 720;
 
-/// What the script knows, one value per step and the last again at the end; mm, N, degrees.
-#[derive(Serialize)]
-struct Motion {
-    start: f64,
-    length: f64,
-    /// Time of one cycle, s.
-    period: f64,
-    unit: &'static str,
-    s: Vec<Option<f64>>,
-    f: Vec<Option<f64>>,
-    rho: Vec<Option<f64>>,
-    phi: Vec<Option<f64>>,
-    cx: Vec<Option<f64>>,
-    cy: Vec<Option<f64>>,
-    px: Vec<Option<f64>>,
-    py: Vec<Option<f64>>,
-    pa: Vec<Option<f64>>,
+/// What the drawing must hold, mm, y up: left, right, bottom, top.
+struct Room {
+    left: f64,
+    right: f64,
+    bottom: f64,
+    top: f64,
 }
 
-/// Four decimals are a tenth of a micrometre; what is not finite becomes null.
-fn rounded(x: f64) -> Option<f64> {
-    x.is_finite().then(|| (x * 1e4).round() / 1e4)
-}
-
-fn motion(synthesis: &Synthesis) -> Motion {
-    let cam = &synthesis.cam;
-    let (start, length) = cam.law.extent();
-    let (factor, unit) = lift_unit(synthesis);
-    let mut out = Motion {
-        start: start.to_degrees(),
-        length: length.to_degrees(),
-        period: length / synthesis.drive.speed,
-        unit,
-        s: Vec::new(),
-        f: Vec::new(),
-        rho: Vec::new(),
-        phi: Vec::new(),
-        cx: Vec::new(),
-        cy: Vec::new(),
-        px: Vec::new(),
-        py: Vec::new(),
-        pa: Vec::new(),
-    };
-    for i in 0..=STEPS {
-        let theta = start + length * i as f64 / STEPS as f64;
-        let at = cam.law.svaj(theta);
-        let p = cam.point(theta);
-        let [cx, cy] = turned([MM * p.x, MM * p.y], theta);
-        let (foot, angle) = match pose(cam, theta) {
-            Pose::Face { at, angle } => (at, angle),
-            Pose::Roller { centre, .. } => (centre, 0.0),
-        };
-        // Beyond a hundred prime radii a flank is straight to the eye.
-        let straight = p.rho.abs() > 100.0 * cam.follower.prime_radius();
-        out.s.push(rounded(factor * at.s));
-        out.f.push(rounded(synthesis.drive.force(at)));
-        out.rho
-            .push(if straight { None } else { rounded(MM * p.rho) });
-        out.phi.push(rounded(p.pressure_angle.to_degrees()));
-        out.cx.push(rounded(cx));
-        out.cy.push(rounded(cy));
-        out.px.push(rounded(MM * foot[0]));
-        out.py.push(rounded(MM * foot[1]));
-        out.pa.push(rounded(angle.to_degrees()));
+impl Room {
+    fn hold(&mut self, [x, y]: [f64; 2], margin: f64) {
+        self.left = self.left.min(x - margin);
+        self.right = self.right.max(x + margin);
+        self.bottom = self.bottom.min(y - margin);
+        self.top = self.top.max(y + margin);
     }
-    out
 }
 
-/// The drawing, its controls and the live values.
-pub fn stage(out: &mut String, synthesis: &Synthesis) {
+/// The drawing, its controls and the live values; of a run where there is one.
+pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
-    let closed = cam.law.is_closed();
-    let (base, prime) = (
-        MM * cam.follower.base_radius(),
-        MM * cam.follower.prime_radius(),
-    );
-    let pitch_reach = rows
-        .iter()
-        .map(|p| p.pitch_x.hypot(p.pitch_y))
-        .fold(0.0, f64::max);
-    let reach = MM * rows.iter().map(|p| p.x.hypot(p.y)).fold(0.0, f64::max);
-    let rim = prime.max(MM * pitch_reach);
+    let slides = slide(cam) > 0.0;
+    let mut room = Room {
+        left: 0.0,
+        right: 0.0,
+        bottom: 0.0,
+        top: 0.0,
+    };
+    let reach = reach(cam, &rows);
     let stem = 0.34 * reach;
-    let poses: Vec<Pose> = angles(&cam.law, STEPS).map(|t| pose(cam, t)).collect();
-    let top = poses.iter().fold(rim, |m, p| {
-        m.max(match p {
-            Pose::Face { at, .. } => MM * at[1],
-            Pose::Roller { centre, radius } => MM * (centre[1] + radius),
-        })
-    }) + stem;
-    let side = face_reach(cam).map_or(rim, |(low, high)| rim.max(MM * high).max(-MM * low));
-    let blank = 0.06 * side;
-    let (left, width, height) = (-side - blank, 2.0 * (side + blank), top + rim + 1.5 * blank);
+    if slides {
+        let travel = slide(cam) * cam.law.extent().1;
+        let half = (0.5 * travel).min(4.0 * reach);
+        room.hold([-half, -0.15 * reach], 0.0);
+        room.hold([half, reach], 0.0);
+    } else {
+        room.hold([0.0, 0.0], reach);
+    }
+    for follower in followers(synthesis) {
+        for theta in angles(&follower.cam.law, STEPS) {
+            let (at, _) = placed(follower.cam, theta);
+            let ([x, y], r) = (
+                at.map(|q| follower.sign * MM * q),
+                MM * follower.cam.follower.roller_radius(),
+            );
+            room.hold([x, y], r);
+            if follower.cam.follower.pivot().is_none() {
+                room.hold([x, y + follower.sign * (stem + r)], 0.0);
+            }
+        }
+        if let Some(pivot) = follower.cam.follower.pivot() {
+            room.hold(pivot.map(|q| follower.sign * MM * q), 0.1 * reach);
+        }
+        if let (Some((low, high)), None) = (face_reach(follower.cam), follower.cam.follower.pivot())
+        {
+            room.hold([MM * low, 0.0], 0.1 * reach);
+            room.hold([MM * high, 0.0], 0.1 * reach);
+        }
+    }
+    if let Some(r) = running {
+        let gap = r.outcome.rows.iter().fold(0.0_f64, |m, row| m.max(row.gap));
+        if !cam.follower.is_oscillating() {
+            room.top += MM * gap;
+        }
+    }
+    let blank = 0.04 * (room.right - room.left);
+    let (width, height) = (
+        room.right - room.left + 2.0 * blank,
+        room.top - room.bottom + 2.0 * blank,
+    );
     let _ = write!(
         out,
-        "<div class=\"stage\">\n<svg viewBox=\"{left:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
-         aria-label=\"The turning cam lifts its follower\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
+        "<div class=\"stage\">\n<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
+         aria-label=\"The moving cam lifts its follower\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
          <g id=\"cam-turning\">",
-        -top - 0.5 * blank
+        room.left - blank,
+        -room.top - blank
     );
+    if slides {
+        sliding_body(out, cam, &rows, room.bottom - blank);
+    } else {
+        turning_body(out, synthesis, running, &rows);
+    }
+    out.push_str("</g>\n");
+    let mark = 0.06 * reach;
+    if !slides {
+        let _ = writeln!(
+            out,
+            "<path d=\"M{:.3} 0H{mark:.3}M0 {:.3}V{mark:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"1.4\"/>",
+            -mark, -mark
+        );
+    }
+    for follower in followers(synthesis) {
+        draw_follower(out, &follower, reach, stem);
+    }
+    let dot = 0.008 * width.max(height);
+    let _ = write!(
+        out,
+        "<g id=\"cam-push\" data-reach=\"{:.3}\"><path d=\"M0 0H1M.82 .09L1 0L.82 -.09\" style=\"stroke:var(--red)\" stroke-width=\"2.4\"/></g>\
+         <circle id=\"cam-contact\" r=\"{dot:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
+        1.2 * stem
+    );
+    controls(out, synthesis, running);
+    out.push_str("</div>\n");
+    // Only numbers and units: nothing here can end the script element.
+    let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
+    let _ = writeln!(
+        out,
+        "<script type=\"application/json\" id=\"motion\">{data}</script>"
+    );
+}
+
+/// One follower on the drawing; the second of a pair is seen turned by half a turn.
+struct Drawn<'a> {
+    cam: &'a Cam,
+    sign: f64,
+    id: &'static str,
+}
+
+fn followers(synthesis: &Synthesis) -> Vec<Drawn<'_>> {
+    let mut all = vec![Drawn {
+        cam: &synthesis.cam,
+        sign: 1.0,
+        id: "cam-follower",
+    }];
+    if let Some(pair) = &synthesis.conjugate {
+        all.push(Drawn {
+            cam: &pair.second,
+            sign: -1.0,
+            id: "cam-second",
+        });
+    }
+    all
+}
+
+/// How far the body of the cam reaches, mm: from its centre, or up where it slides.
+fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
+    let up = |p: &ProfilePoint| {
+        if slide(cam) > 0.0 {
+            (p.pitch_y + cam.follower.roller_radius()).abs()
+        } else {
+            p.x.hypot(p.y).max(p.pitch_x.hypot(p.pitch_y))
+        }
+    };
+    MM * rows.iter().map(up).fold(0.0, f64::max)
+}
+
+fn turning_body(
+    out: &mut String,
+    synthesis: &Synthesis,
+    running: Option<&Running>,
+    rows: &[ProfilePoint],
+) {
+    let cam = &synthesis.cam;
+    let closed = cam.law.is_closed();
+    let mut others: Vec<Vec<ProfilePoint>> = Vec::new();
+    if let Some(pair) = &synthesis.conjugate {
+        others.push(pair.second_profile(POINTS));
+    }
+    if let Some(angle) = running.and_then(|r| r.second_cam) {
+        let law = shifted(&cam.law, angle);
+        let follower = cam.follower;
+        others.push(Cam { law, follower }.profile(POINTS));
+    }
+    for other in &others {
+        let outline = path(other.iter().map(|p| [p.x, p.y]), closed);
+        let _ = write!(
+            out,
+            "<path d=\"{outline}\" style=\"fill:var(--purple);stroke:var(--purple)\" fill-opacity=\".12\" stroke-width=\"1.8\"/>"
+        );
+    }
     let outline = path(rows.iter().map(|p| [p.x, p.y]), closed);
+    let base = MM * cam.follower.base_radius();
     let _ = write!(
         out,
         "<path d=\"{outline}\" style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"/>\
@@ -123,97 +193,201 @@ pub fn stage(out: &mut String, synthesis: &Synthesis) {
          <path d=\"M0 0V{:.4}\" style=\"stroke:var(--quiet)\" stroke-width=\"1.2\"/>",
         0.8 * base
     );
-    if prime != base {
-        let pitch = path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed);
-        let _ = write!(
+    if cam.follower.roller_radius() > 0.0 {
+        pitch(
             out,
-            "<path d=\"{pitch}\" style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"/>"
+            path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed),
         );
     }
-    let mark = 0.06 * reach;
+}
+
+fn pitch(out: &mut String, path: String) {
     let _ = write!(
         out,
-        "</g>\n<path d=\"M{:.3} 0H{mark:.3}M0 {:.3}V{mark:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"1.4\"/>\n",
-        -mark, -mark
-    );
-    follower(out, synthesis, poses.first(), reach, stem);
-    let _ = write!(
-        out,
-        "<circle id=\"cam-contact\" r=\"{:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
-        0.008 * width.max(height)
-    );
-    controls(out, synthesis);
-    out.push_str("</div>\n");
-    // Only numbers and a unit: nothing here can end the script element.
-    let data = serde_json::to_string(&motion(synthesis)).unwrap_or_default();
-    let _ = writeln!(
-        out,
-        "<script type=\"application/json\" id=\"motion\">{data}</script>"
+        "<path d=\"{path}\" style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"/>"
     );
 }
 
-/// The follower about its own origin: the foot of the stem, or the roller's centre.
-fn follower(out: &mut String, synthesis: &Synthesis, pose: Option<&Pose>, reach: f64, stem: f64) {
+/// A slide down to its foot, or the unrolled groove of a barrel with both walls; a closed law is shown
+/// once more on either side.
+fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
+    let travel = slide(cam) * cam.law.extent().1 / MM;
+    let rounds: &[f64] = if cam.law.is_closed() {
+        &[-1.0, 0.0, 1.0]
+    } else {
+        &[0.0]
+    };
+    let along = |f: fn(&ProfilePoint) -> [f64; 2]| -> Vec<[f64; 2]> {
+        rounds
+            .iter()
+            .flat_map(|k| rows.iter().map(move |p| (k, f(p))))
+            .map(|(k, [x, y])| [x + k * travel, y])
+            .collect()
+    };
+    let lower = along(|p| [p.x, p.y]);
+    let look =
+        "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
+    let body = match cam.follower {
+        Follower::Barrel { .. } => {
+            let upper = along(|p| [2.0 * p.pitch_x - p.x, 2.0 * p.pitch_y - p.y]);
+            path(lower.into_iter().chain(upper.into_iter().rev()), true)
+        }
+        _ => {
+            let (first, last) = (lower[0][0], lower[lower.len() - 1][0]);
+            let ground = [[last, foot / MM], [first, foot / MM]];
+            path(lower.into_iter().chain(ground), true)
+        }
+    };
+    let _ = write!(out, "<path d=\"{body}\" {look}/>");
+    pitch(
+        out,
+        path(along(|p| [p.pitch_x, p.pitch_y]).into_iter(), false),
+    );
+}
+
+/// The follower about its own origin: the foot of the stem, or the roller's centre. An arm lies along
+/// its own +x towards the pivot.
+fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
+    let (cam, id) = (drawn.cam, drawn.id);
     let half = 0.04 * reach;
     let look = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
-    out.push_str("<g id=\"cam-follower\">");
-    let _ = match pose {
-        Some(Pose::Roller { radius: 0.0, .. }) => {
+    let _ = write!(out, "<g id=\"{id}\">");
+    let start = cam.law.extent().0;
+    match (pose(cam, start), cam.follower.pivot()) {
+        (Pose::Roller { radius, .. }, Some(_)) => {
+            let arm = arm(&cam.follower);
+            bar(out, 0.0, arm, half, look);
+            // A knife edge at the end of an arm is its tip.
+            let r = if radius > 0.0 {
+                MM * radius
+            } else {
+                0.4 * half
+            };
+            let _ = write!(out, "<circle r=\"{r:.4}\" {look}/>");
+            bearing(out, [0.0, 0.0], 0.2 * half);
+            bearing(out, [arm, 0.0], 0.5 * half);
+        }
+        (Pose::Roller { radius: 0.0, .. }, None) => {
             let shoulder = 2.5 * half;
-            write!(
+            let _ = write!(
                 out,
                 "<path d=\"M0 0L{:.3} {shoulder:.3}V{stem:.3}H{half:.3}V{shoulder:.3}Z\" {look}/>",
                 -half
-            )
+            );
         }
-        Some(Pose::Roller { radius, .. }) => {
+        (Pose::Roller { radius, .. }, None) => {
             let r = MM * radius;
             let top = r + stem;
-            write!(
+            let _ = write!(
                 out,
-                "<path d=\"M{:.3} 0V{top:.3}H{half:.3}V0\" {look}/><circle r=\"{r:.4}\" {look}/>\
-                 <circle r=\"{:.3}\" style=\"fill:var(--ink)\"/>",
-                -half,
-                0.2 * half
-            )
+                "<path d=\"M{:.3} 0V{top:.3}H{half:.3}V0\" {look}/><circle r=\"{r:.4}\" {look}/>",
+                -half
+            );
+            bearing(out, [0.0, 0.0], 0.2 * half);
         }
-        _ => {
-            let (low, high) = face_reach(&synthesis.cam).unwrap_or((0.0, 0.0));
-            let more = 0.08 * reach;
-            let thick = 0.035 * reach;
-            write!(
+        (Pose::Face { .. }, pivot) => {
+            let (low, high) = face_reach(cam).unwrap_or((0.0, 0.0));
+            let (more, thick) = (0.08 * reach, 0.035 * reach);
+            let (low, high) = (MM * low - more, MM * high + more);
+            // The face's own normal away from the cam is −y where the pivot lies on +x.
+            let up = pivot.map_or(1.0, |p| -p[0].signum());
+            if pivot.is_none() {
+                let _ = write!(
+                    out,
+                    "<path d=\"M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}\" {look}/>",
+                    -half
+                );
+            }
+            let _ = write!(
                 out,
-                "<path d=\"M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}\" {look}/>\
-                 <path d=\"M{:.3} 0H{:.3}V{thick:.3}H{:.3}Z\" {look}/>",
-                -half,
-                MM * low - more,
-                MM * high + more,
-                MM * low - more
-            )
+                "<path d=\"M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z\" {look}/>",
+                up * thick
+            );
+            if let Follower::FlatOscillating { face_offset, .. } = cam.follower {
+                let _ = write!(
+                    out,
+                    "<path d=\"M0 {:.3}V0H{:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"2.4\"/>",
+                    -up * MM * face_offset,
+                    if low + high < 0.0 { low } else { high }
+                );
+                bearing(out, [0.0, -up * MM * face_offset], 0.5 * half);
+            }
         }
-    };
+    }
     out.push_str("</g>\n");
 }
 
-fn controls(out: &mut String, synthesis: &Synthesis) {
-    let (start, length) = synthesis.cam.law.extent();
+fn bar(out: &mut String, from: f64, to: f64, half: f64, look: &str) {
+    let half = 0.7 * half;
+    let _ = write!(
+        out,
+        "<path d=\"M{from:.3} {:.3}H{to:.3}V{half:.3}H{from:.3}Z\" {look}/>",
+        -half
+    );
+}
+
+fn bearing(out: &mut String, [x, y]: [f64; 2], radius: f64) {
+    let _ = write!(
+        out,
+        "<circle cx=\"{x:.3}\" cy=\"{y:.3}\" r=\"{radius:.3}\" style=\"fill:var(--ink)\"/>"
+    );
+}
+
+/// Length of the arm, mm.
+fn arm(follower: &Follower) -> f64 {
+    match *follower {
+        Follower::RollerOscillating { arm, .. } | Follower::MushroomOscillating { arm, .. } => {
+            MM * arm
+        }
+        _ => 0.0,
+    }
+}
+
+fn controls(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
+    let cam = &synthesis.cam;
+    let (start, length) = cam.law.extent();
+    let (per, _) = angle_unit(cam);
+    let what = match cam.follower {
+        Follower::TranslatingCam { .. } => "travel of the cam",
+        _ => "cam angle",
+    };
+    let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, 4));
     let _ = write!(
         out,
         "<div class=\"live\">\n<div><button id=\"play\" type=\"button\">Play</button></div>\n\
-         <label>cam angle<input id=\"angle\" type=\"range\" min=\"{:.3}\" max=\"{:.3}\" step=\"any\" value=\"{:.3}\"></label>\n\
+         <label>{what}<input id=\"angle\" type=\"range\" min=\"{:.3}\" max=\"{:.3}\" step=\"any\" value=\"{:.3}\"></label>\n\
          <label><span>speed: <span id=\"pace\"></span></span>\
          <input id=\"speed\" type=\"range\" min=\"-2.3\" max=\"0\" step=\"0.05\" value=\"-1\"></label>\n<table>",
-        start.to_degrees(),
-        (start + length).to_degrees(),
-        start.to_degrees()
+        per * start,
+        per * (start + turns as f64 * length),
+        per * start
     );
+    let moment = cam.follower.is_oscillating();
     let mut rows = vec![
-        ("now-angle", "cam angle θ"),
+        ("now-angle", what),
         ("now-lift", "lift s"),
-        ("now-force", "force F"),
-        ("now-rho", "radius ρ there"),
+        (
+            "now-force",
+            if moment {
+                "moment on the arm"
+            } else {
+                "force F"
+            },
+        ),
+        (
+            "now-torque",
+            if slide(cam) > 0.0 && !matches!(cam.follower, Follower::Barrel { .. }) {
+                "push on the cam"
+            } else {
+                "shaft torque T"
+            },
+        ),
     ];
-    if synthesis.cam.face_width().is_none() {
+    if running.is_some_and(|r| r.outcome.contact_lost) {
+        rows.push(("now-gap", "gap"));
+    }
+    rows.push(("now-rho", "radius ρ there"));
+    if !cam.follower.is_flat() {
         rows.push(("now-phi", "pressure angle φ"));
     }
     for (id, name) in rows {

@@ -1,6 +1,8 @@
 //! `report.html`: the design on one page that opens without a network, and prints on A4.
 
 mod animation;
+mod motion;
+mod run;
 mod tables;
 
 use std::fmt::Write;
@@ -12,6 +14,7 @@ use super::plots::{Layout, force_frame, force_in, geometry_in, svaj_in};
 use super::samples::{lift_unit, number, range};
 use super::svg::escaped;
 use crate::cam::Verdict;
+use crate::dynamics::Outcome;
 use crate::synth::Synthesis;
 
 const STYLE: &str = include_str!("page.css");
@@ -22,6 +25,24 @@ const SCRIPT: &str = include_str!("page.js");
 /// An infeasible answer gets the conflict and the changes that would resolve it, and no pictures of a cam
 /// that does not do what was asked.
 pub fn html(synthesis: &Synthesis, time: Timing) -> String {
+    page(synthesis, time, None)
+}
+
+/// What is shown of a run.
+#[derive(Debug, Clone, Copy)]
+pub struct Running<'a> {
+    /// What the run found.
+    pub outcome: &'a Outcome,
+    /// Angle by which a second, equal cam follows on the shaft, rad.
+    pub second_cam: Option<f64>,
+}
+
+/// The report of a design that was run: the cam moves as it did in the run.
+pub fn html_of_run(synthesis: &Synthesis, time: Timing, running: &Running) -> String {
+    page(synthesis, time, Some(running))
+}
+
+fn page(synthesis: &Synthesis, time: Timing, running: Option<&Running>) -> String {
     let mut out = String::with_capacity(1 << 18);
     let name = escaped(&synthesis.name);
     // Writing to a String cannot fail, here and below.
@@ -36,6 +57,14 @@ pub fn html(synthesis: &Synthesis, time: Timing) -> String {
         conflict(&mut out, synthesis);
     } else {
         cards(&mut out, synthesis);
+        match running {
+            Some(running) => run::section(&mut out, synthesis, running),
+            None => {
+                out.push_str("<div class=\"turning\">\n<h2>The cam at work</h2>\n");
+                animation::stage(&mut out, synthesis, None);
+                out.push_str("</div>\n");
+            }
+        }
         figures(&mut out, synthesis);
     }
     tables::checks(&mut out, synthesis);
@@ -153,11 +182,9 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
     out.push_str("</dl>\n");
 }
 
-/// The cam in motion and the diagrams.
+/// The diagrams.
 fn figures(out: &mut String, synthesis: &Synthesis) {
-    out.push_str("<div class=\"turning\">\n<h2>The cam at work</h2>\n");
-    animation::stage(out, synthesis);
-    out.push_str("</div>\n<h2>Force</h2>\n");
+    out.push_str("<h2>Force</h2>\n");
     comparison(out, synthesis);
     let tall = Layout::figure(500);
     figure(

@@ -1,22 +1,34 @@
 (function () {
   "use strict";
-  var data = JSON.parse(document.getElementById("motion").textContent);
+  var source = document.getElementById("motion");
+  if (!source) return;
+  var data = JSON.parse(source.textContent);
   var get = function (id) { return document.getElementById(id); };
-  var cam = get("cam-turning"), follower = get("cam-follower"), contact = get("cam-contact");
+  var cam = get("cam-turning"), follower = get("cam-follower"), second = get("cam-second");
+  var contact = get("cam-contact"), push = get("cam-push");
   var play = get("play"), angle = get("angle"), speed = get("speed");
   if (!cam || !play) return;
-  var n = data.s.length - 1, turn = data.length, at = 0, running = false, last = 0;
+  var turns = data.turns, n = (data.s.length - 1) / turns, at = 0, running = false, last = 0;
+  var most = data.f.reduce(function (m, f) { return Math.max(m, Math.abs(f)); }, 0) || 1;
 
-  // Value of a sampled quantity at the share u of the cycle; null where it has none.
+  // Value of a sampled quantity after u turns; null where it has none.
   function value(list, u) {
-    var x = u * n, i = Math.min(Math.floor(x), n - 1), f = x - i;
+    var x = u * n, i = Math.min(Math.floor(x), list.length - 2), f = x - i;
     var a = list[i], b = list[i + 1];
     return a === null || b === null ? null : a + f * (b - a);
+  }
+  // Angles go the short way where they wrap.
+  function turned(list, u) {
+    var x = u * n, i = Math.min(Math.floor(x), list.length - 2), f = x - i;
+    var d = ((list[i + 1] - list[i]) % 360 + 540) % 360 - 180;
+    return list[i] + f * d;
   }
   function text(id, v, digits, unit) {
     var cell = get(id);
     if (!cell) return;
-    cell.textContent = v === null ? "\u2014" : v.toFixed(digits).replace("-", "\u2212") + unit;
+    var shown = v === null ? "\u2014" : v.toFixed(digits);
+    if (/^-0\.?0*$/.test(shown)) shown = shown.slice(1);
+    cell.textContent = v === null ? shown : shown.replace("-", "\u2212") + unit;
   }
   // A thin line across every diagram at the present angle.
   var cursors = Array.prototype.map.call(document.querySelectorAll("svg[data-left]"), function (svg) {
@@ -27,25 +39,42 @@
     line.setAttribute("stroke-width", "1");
     line.setAttribute("class", "turning");
     svg.appendChild(line);
-    return { line: line, left: +svg.dataset.left, right: +svg.dataset.right };
+    return { line: line, left: +svg.dataset.left, right: +svg.dataset.right, turns: +(svg.dataset.turns || 1) };
   });
+  function stand(part, x, y, a) {
+    part.setAttribute("transform", "translate(" + x + " " + y + ") rotate(" + a + ")");
+  }
 
   function show(u) {
     at = u;
-    var theta = data.start + u * turn;
-    cam.setAttribute("transform", "rotate(" + theta + ")");
-    var x = value(data.px, u), y = value(data.py, u), a = value(data.pa, u);
-    follower.setAttribute("transform", "translate(" + x + " " + y + ") rotate(" + a + ")");
-    contact.setAttribute("cx", value(data.cx, u));
-    contact.setAttribute("cy", value(data.cy, u));
-    text("now-angle", theta, 1, "\u00b0");
-    text("now-lift", value(data.s, u), 3, " " + data.unit);
-    text("now-force", value(data.f, u), 1, " N");
+    var here = u - Math.floor(u) || (u > 0 && data.slide && u === turns ? 1 : 0);
+    var theta = data.start + here * data.length;
+    cam.setAttribute("transform", data.slide
+      ? "translate(" + -theta * data.slide + " 0)" : "rotate(" + theta + ")");
+    stand(follower, value(data.px, u), value(data.py, u), turned(data.pa, u));
+    if (second) stand(second, value(data.qx, u), value(data.qy, u), turned(data.qa, u));
+    var x = value(data.cx, u), y = value(data.cy, u), f = value(data.f, u);
+    var touching = x !== null;
+    contact.setAttribute("visibility", touching ? "visible" : "hidden");
+    push.setAttribute("visibility", touching && Math.abs(f) > 0.01 * most ? "visible" : "hidden");
+    if (touching) {
+      contact.setAttribute("cx", x);
+      contact.setAttribute("cy", y);
+      var size = f / most * push.dataset.reach;
+      push.setAttribute("transform", "translate(" + x + " " + y + ") rotate(" + turned(data.push, u) + ") scale(" + size + ")");
+    }
+    var shown = data.start + u * data.length;
+    text("now-angle", shown, 1, data.angle_unit);
+    text("now-lift", value(data.s, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
+    text("now-force", f, data.digits[0], " " + data.force_unit);
+    text("now-torque", value(data.t, u), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
+    text("now-gap", value(data.gap, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
     text("now-phi", value(data.phi, u), 2, "\u00b0");
     text("now-rho", value(data.rho, u), 2, " mm");
-    angle.value = theta;
+    angle.value = shown;
     cursors.forEach(function (c) {
-      var px = c.left + u * (c.right - c.left);
+      var part = (c.turns === 1 ? here : u / turns);
+      var px = c.left + part * (c.right - c.left);
       c.line.setAttribute("x1", px);
       c.line.setAttribute("x2", px);
     });
@@ -60,9 +89,10 @@
   }
   function frame(now) {
     if (!running) return;
-    var u = at + Math.min(now - last, 100) / 1000 * pace() / data.period;
+    var step = Math.min(now - last, 100) / 1000 * pace() / data.period;
+    var u = at + (data.back ? -step : step);
     last = now;
-    show(u - Math.floor(u));
+    show(u - turns * Math.floor(u / turns));
     requestAnimationFrame(frame);
   }
   function run(on) {
@@ -71,7 +101,7 @@
     if (on) { last = performance.now(); requestAnimationFrame(frame); }
   }
   play.addEventListener("click", function () { run(!running); });
-  angle.addEventListener("input", function () { run(false); show((+angle.value - data.start) / turn); });
+  angle.addEventListener("input", function () { run(false); show((+angle.value - data.start) / data.length); });
   speed.addEventListener("input", tell);
   speed.value = Math.max(-2.3, Math.min(0, Math.log10(data.period / 6)));
   tell();

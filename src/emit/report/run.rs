@@ -1,0 +1,244 @@
+//! The run of the emitted cam on the page: what was run and why, the cam in motion, force, torque and gap.
+
+use std::fmt::Write;
+
+use plotters::style::Color;
+
+use super::{Running, animation};
+use crate::dynamics::outcome::{Model, Outcome};
+use crate::emit::geometry::target_at;
+use crate::emit::panel::{Frame, Panel, padded};
+use crate::emit::picture::Picture;
+use crate::emit::picture::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
+use crate::emit::plots::{Layout, force_frame, key, strips};
+use crate::emit::samples::{degrees, number, range};
+use crate::emit::svg::escaped;
+use crate::synth::Synthesis;
+
+/// Landings listed; a bounce that dies out has dozens.
+const LISTED: usize = 12;
+
+/// The section of a run.
+pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running) {
+    let outcome = running.outcome;
+    let _ = write!(
+        out,
+        "<h2>The run</h2>\n<p>The emitted profile, run with the <strong>{}</strong> model: {}.</p>\n",
+        outcome.model.name(),
+        escaped(&outcome.why)
+    );
+    cards(out, synthesis, outcome);
+    out.push_str("<div class=\"turning\">\n");
+    animation::stage(out, synthesis, Some(running));
+    out.push_str("</div>\n");
+    let lost = outcome.contact_lost;
+    let layout = Layout::figure(if lost { 620 } else { 500 });
+    let frame = force_frame(layout);
+    let data = format!(
+        " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\" data-turns=\"{}\"",
+        frame.left, frame.right, frame.top, frame.bottom, outcome.period_turns
+    );
+    let picture = diagrams(synthesis, outcome, layout);
+    let _ = writeln!(
+        out,
+        "<figure>{}</figure>",
+        picture.svg_for_page(
+            "run",
+            "Force, torque and gap of the run over the cam angle",
+            &data
+        )
+    );
+    impacts(out, outcome);
+    remarks(out, outcome);
+}
+
+fn cards(out: &mut String, synthesis: &Synthesis, outcome: &Outcome) {
+    let moment = synthesis.cam.follower.is_oscillating();
+    let unit = if moment { "N·m" } else { "N" };
+    let contact = if outcome.contact_lost {
+        (
+            "lost".to_string(),
+            format!(
+                "{} % of the motion",
+                number(100.0 * outcome.lost_fraction, 3)
+            ),
+        )
+    } else {
+        ("kept".to_string(), "all the way round".to_string())
+    };
+    let error = outcome.force.rms_error.map_or(String::new(), |e| {
+        format!("{} N RMS off the target", number(e, 3))
+    });
+    let t = outcome.torque;
+    let liftoff = match outcome.liftoff_speed {
+        Some(w) => (
+            format!("{} rad/s", number(w, 5)),
+            format!("runs at {} rad/s", number(synthesis.drive.speed, 5)),
+        ),
+        None => ("at no speed".to_string(), String::new()),
+    };
+    let settles = match outcome.settle_cycles {
+        Some(0) => ("at once".to_string(), String::new()),
+        Some(n) => (format!("after {n} turns"), repeats(outcome.period_turns)),
+        None => ("does not".to_string(), "within the turns run".to_string()),
+    };
+    let all = [
+        ("Contact", contact.0, contact.1),
+        (
+            if moment {
+                "Moment on the arm"
+            } else {
+                "Contact force"
+            },
+            format!(
+                "{}\u{a0}{unit}",
+                range(outcome.force.min, outcome.force.max, 4)
+            ),
+            error,
+        ),
+        (
+            "Shaft torque",
+            format!("{}\u{a0}N·m", range(t.min, t.max, 3)),
+            format!("RMS {}", number(t.rms, 3)),
+        ),
+        ("First lifts off", liftoff.0, liftoff.1),
+        ("Settles", settles.0, settles.1),
+    ];
+    out.push_str("<dl class=\"cards\">\n");
+    for (name, value, more) in all {
+        let _ = writeln!(
+            out,
+            "<div><dt>{name}</dt><dd>{value}<small>{more}</small></dd></div>"
+        );
+    }
+    out.push_str("</dl>\n");
+}
+
+fn repeats(turns: usize) -> String {
+    if turns == 1 {
+        "then every turn alike".to_string()
+    } else {
+        format!("then every {turns} turns alike")
+    }
+}
+
+/// Force with target and rigid force behind it, torque, and the gap where there is one.
+fn diagrams(synthesis: &Synthesis, outcome: &Outcome, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let law = &synthesis.cam.law;
+        let (start, length) = law.extent();
+        let turns = outcome.period_turns;
+        let e = layout.letters;
+        let total = outcome.rows.len();
+        let span = length * turns as f64;
+        let angle = |i: usize| start + span * i as f64 / total as f64;
+        let curve = |f: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
+            (0..=total)
+                .map(|i| (angle(i).to_degrees(), f(i % total)))
+                .collect()
+        };
+        let rows = &outcome.rows;
+        let force = curve(&|i| rows[i].contact_force);
+        let torque = curve(&|i| rows[i].torque);
+        let gap = curve(&|i| 1000.0 * rows[i].gap);
+        let within = |i: usize| start + (angle(i) - start) % length;
+        let rigid = (outcome.model != Model::Rigid)
+            .then(|| curve(&|i| synthesis.drive.force(law.svaj(within(i)))));
+        let wanted = synthesis
+            .target
+            .as_ref()
+            .map(|t| curve(&|i| target_at(t, law, within(i))));
+        let frame: Frame = force_frame(layout);
+        let x = [start.to_degrees(), (start + span).to_degrees()];
+        let shares: &[f64] = if outcome.contact_lost {
+            &[1.9, 1.0, 0.8]
+        } else {
+            &[1.9, 1.0]
+        };
+        let frames = strips(frame, shares, 0.9 * e);
+        let values = force
+            .iter()
+            .chain(rigid.iter().flatten())
+            .chain(wanted.iter().flatten())
+            .map(|p| p.1);
+        let panel = Panel::new(canvas, frames[0], x, padded(values.chain([0.0]), 0.08), e)?;
+        let mut entries = Vec::new();
+        if let Some(wanted) = &wanted {
+            panel.curve(wanted, ORANGE.mix(0.55), 8.0)?;
+            entries.push((ORANGE.mix(0.55), 8.0, "wanted"));
+        }
+        if let Some(rigid) = &rigid {
+            panel.curve(rigid, QUIET, 1.4)?;
+            entries.push((QUIET, 1.4, "rigid"));
+        }
+        panel.curve(&force, BLUE, 2.2)?;
+        entries.push((BLUE, 2.2, "as run"));
+        let moment = synthesis.cam.follower.is_oscillating();
+        panel.quantity(if moment { "moment, N·m" } else { "force, N" }, 5.7 * e)?;
+        let panel = Panel::new(
+            canvas,
+            frames[1],
+            x,
+            padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12),
+            e,
+        )?;
+        panel.curve(&torque, PURPLE, 2.0)?;
+        panel.quantity("torque, N·m", 5.7 * e)?;
+        if outcome.contact_lost {
+            let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
+            let panel = Panel::new(canvas, frames[2], x, [0.0, top], e)?;
+            panel.curve(&gap, RED, 2.0)?;
+            panel.quantity("gap, mm", 5.7 * e)?;
+            panel.angles()?;
+        } else {
+            panel.angles()?;
+        }
+        key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
+    })
+}
+
+fn impacts(out: &mut String, outcome: &Outcome) {
+    if outcome.impacts.is_empty() {
+        return;
+    }
+    let _ = write!(
+        out,
+        "<h3>Landings</h3>\n<div class=\"scroll\"><table><tr><th class=\"n\">Leaves at θ</th><th class=\"n\">Lands at θ</th>\
+         <th class=\"n\">Speed</th><th class=\"n\">Gap</th><th class=\"n\">Impulse</th></tr>\n"
+    );
+    for hit in outcome.impacts.iter().take(LISTED) {
+        let _ = writeln!(
+            out,
+            "<tr><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} m/s</td>\
+             <td class=\"n\">{} mm</td><td class=\"n\">{} N·s</td></tr>",
+            degrees(hit.since),
+            degrees(hit.at),
+            number(hit.speed, 4),
+            number(1000.0 * hit.height, 4),
+            number(hit.pulse.impulse, 4)
+        );
+    }
+    out.push_str("</table></div>\n");
+    let more = outcome.impacts.len().saturating_sub(LISTED);
+    if more > 0 {
+        let _ = writeln!(
+            out,
+            "<p class=\"note\">{more} more in simulation.json; angles are counted on over the turns.</p>"
+        );
+    }
+}
+
+fn remarks(out: &mut String, outcome: &Outcome) {
+    let next = outcome.next.as_ref().map(|n| {
+        let words = crate::dynamics::outcome::difference_words(n);
+        format!("The next model up, {words}.")
+    });
+    if outcome.notes.is_empty() && next.is_none() {
+        return;
+    }
+    out.push_str("<ul>\n");
+    for note in outcome.notes.iter().chain(&next) {
+        let _ = writeln!(out, "<li>{}</li>", escaped(note));
+    }
+    out.push_str("</ul>\n");
+}
