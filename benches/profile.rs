@@ -36,6 +36,40 @@ fn run(bencher: divan::Bencher, law: Law, follower: Follower) {
     bencher.bench(|| divan::black_box(&cam).profile(3600));
 }
 
+const CLASSICS: [&str; 4] = ["3-4-5", "cycloidal", "modified-sine", "modified-trapezoid"];
+
+/// Lift, velocity and acceleration at 3600 equal steps, walking from piece to piece.
+#[divan::bench(args = CLASSICS)]
+fn law_walked(bencher: divan::Bencher, motion: &str) {
+    let law = turn(Rise::from_name(motion).expect("in the catalogue"), 0.02);
+    bencher.bench(|| {
+        let mut walk = divan::black_box(&law).walk(0.0, TAU / 3600.0, 3600);
+        let mut sum = 0.0;
+        while let Some(batch) = walk.next_batch() {
+            sum += batch.a[0];
+        }
+        sum
+    });
+}
+
+/// The same angles, the piece searched for each.
+#[divan::bench(args = CLASSICS)]
+fn law_searched(bencher: divan::Bencher, motion: &str) {
+    let law = turn(Rise::from_name(motion).expect("in the catalogue"), 0.02);
+    bencher.bench(|| {
+        (0..3600)
+            .map(|i| divan::black_box(&law).svaj(TAU * f64::from(i) / 3600.0).a)
+            .sum::<f64>()
+    });
+}
+
+/// Checking and putting together of a rise, dwell, fall and dwell.
+#[divan::bench(args = CLASSICS)]
+fn programme(bencher: divan::Bencher, motion: &str) {
+    let motion = Rise::from_name(motion).expect("in the catalogue");
+    bencher.bench(|| turn(divan::black_box(&motion).clone(), 0.02));
+}
+
 #[divan::bench(args = ["3-4-5", "modified-sine"])]
 fn flat_translating(bencher: divan::Bencher, motion: &str) {
     let motion = Rise::from_name(motion).expect("in the catalogue");

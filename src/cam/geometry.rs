@@ -9,6 +9,7 @@
 //! envelope p·n + (dp/dψ)·n⊥ with radius of curvature p + d²p/dψ².
 
 use super::Follower;
+use super::arc_tangent::arc_tangent;
 use crate::law::{BATCH, Batch, Svaj};
 
 /// What is known of one contact, fixed frame; lengths in m.
@@ -161,7 +162,15 @@ impl Geometry {
     }
 
     /// The contacts of a whole batch: the same formulae, in loops that the compiler runs side by side.
+    #[inline(always)]
     pub fn contacts(&self, batch: &Batch, out: &mut Contacts) {
+        if batch.at_rest {
+            out.fill(self.contact(Svaj {
+                s: batch.s[0],
+                ..Svaj::default()
+            }));
+            return;
+        }
         let (s, v, a) = (&batch.s, &batch.v, &batch.a);
         match *self {
             Geometry::Flat { base } => {
@@ -213,6 +222,16 @@ impl Geometry {
                 }
             }
         }
+        if !self.is_flat() {
+            for tan in &mut out.pressure_angle {
+                *tan = arc_tangent(*tan);
+            }
+        }
+    }
+
+    /// Whether the follower's face is flat: its pressure angle is zero always.
+    fn is_flat(&self) -> bool {
+        matches!(self, Geometry::Flat { .. } | Geometry::Swinging { .. })
     }
 
     /// Signed curvature of the pitch curve, 1/m: finite where its radius is not.
@@ -260,7 +279,8 @@ pub(super) struct Contacts {
     pub pitch_x: [f64; BATCH],
     pub pitch_y: [f64; BATCH],
     pub rho: [f64; BATCH],
-    pub tan_pressure: [f64; BATCH],
+    /// Signed, rad.
+    pub pressure_angle: [f64; BATCH],
 }
 
 impl Contacts {
@@ -271,22 +291,35 @@ impl Contacts {
             pitch_x: [0.0; BATCH],
             pitch_y: [0.0; BATCH],
             rho: [0.0; BATCH],
-            tan_pressure: [0.0; BATCH],
+            pressure_angle: [0.0; BATCH],
         }
     }
 
-    #[inline]
+    /// Writes contact `k`, the tangent in place of its angle.
+    #[inline(always)]
     fn set(&mut self, k: usize, c: Contact) {
         self.x[k] = c.point[0];
         self.y[k] = c.point[1];
         self.pitch_x[k] = c.pitch[0];
         self.pitch_y[k] = c.pitch[1];
         self.rho[k] = c.rho;
-        self.tan_pressure[k] = c.tan_pressure;
+        self.pressure_angle[k] = c.tan_pressure;
+    }
+
+    /// One contact for all.
+    #[inline(always)]
+    fn fill(&mut self, c: Contact) {
+        self.x.fill(c.point[0]);
+        self.y.fill(c.point[1]);
+        self.pitch_x.fill(c.pitch[0]);
+        self.pitch_y.fill(c.pitch[1]);
+        self.rho.fill(c.rho);
+        self.pressure_angle.fill(arc_tangent(c.tan_pressure));
     }
 }
 
 /// sin ξ and cos ξ of a batch; a dwell asks once.
+#[inline(always)]
 fn turns(batch: &Batch, start: f64) -> [[f64; BATCH]; 2] {
     let mut out = [[0.0; BATCH]; 2];
     let mut known = (f64::NAN, (0.0, 1.0));
@@ -300,7 +333,7 @@ fn turns(batch: &Batch, start: f64) -> [[f64; BATCH]; 2] {
     out
 }
 
-#[inline]
+#[inline(always)]
 fn flat([s, v, a]: [f64; 3], base: f64) -> Contact {
     let point = [v, base + s];
     Contact {
@@ -312,7 +345,7 @@ fn flat([s, v, a]: [f64; 3], base: f64) -> Contact {
 }
 
 /// Circle on a slide: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
-#[inline]
+#[inline(always)]
 fn sliding([s, v, a]: [f64; 3], rise: f64, offset: f64, radius: f64) -> Contact {
     let (x, y) = (rise + s, v - offset);
     let square = x * x + y * y;
@@ -328,7 +361,7 @@ fn sliding([s, v, a]: [f64; 3], rise: f64, offset: f64, radius: f64) -> Contact 
 }
 
 /// Circle over an unrolled cam: pitch curve (scale·θ, base + s).
-#[inline]
+#[inline(always)]
 fn unrolled([s, v, a]: [f64; 3], scale: f64, base: f64, radius: f64) -> Contact {
     let slope = v / scale;
     let square = 1.0 + slope * slope;
@@ -345,7 +378,7 @@ fn unrolled([s, v, a]: [f64; 3], scale: f64, base: f64, radius: f64) -> Contact 
 }
 
 /// Oscillating flat face: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
-#[inline]
+#[inline(always)]
 fn swinging(
     [v, a]: [f64; 2],
     (sin, cos): (f64, f64),
@@ -369,7 +402,7 @@ fn swinging(
 }
 
 /// Circle on an arm: C = (σ(c − A cos ξ), A sin ξ).
-#[inline]
+#[inline(always)]
 fn on_arm(
     [v, a]: [f64; 2],
     (sin, cos): (f64, f64),

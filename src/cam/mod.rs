@@ -4,6 +4,7 @@
 //! point fixed in space is seen in the cam's frame turned by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]].
 //! The profile is therefore traversed clockwise; curvature is positive where the cam is convex.
 
+mod arc_tangent;
 mod barrel;
 mod breadth;
 mod checks;

@@ -2,11 +2,13 @@
 
 use super::Cam;
 use super::geometry::{Contacts, Geometry};
+use crate::law::{BATCH, Batch, Turns};
+use pulp::{Arch, NullaryFnOnce};
 
 /// One row of the profile; lengths in m, angles in rad.
 ///
 /// A translating cam and an unrolled barrel have their profile over the travel: x along it, y up.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProfilePoint {
     /// Cam angle at which this point touches the follower (m of travel for a translating cam).
     pub theta: f64,
@@ -52,45 +54,81 @@ impl Cam {
     /// `n` profile points at equal steps of the cam angle, from the law's first angle on. The curve of a
     /// closed law closes on point 0, which is not repeated; an open law ends on its last point.
     pub fn profile(&self, n: usize) -> Vec<ProfilePoint> {
-        let (start, length) = self.law.extent();
-        let steps = if self.law.is_closed() {
+        Arch::new().dispatch(Rows { cam: self, n })
+    }
+}
+
+/// A profile to be computed with the processor's widest registers. They do the same arithmetic, so the
+/// digits do not depend on them.
+struct Rows<'a> {
+    cam: &'a Cam,
+    n: usize,
+}
+
+impl NullaryFnOnce for Rows<'_> {
+    type Output = Vec<ProfilePoint>;
+
+    #[inline(always)]
+    fn call(self) -> Vec<ProfilePoint> {
+        let Rows { cam, n } = self;
+        let (start, length) = cam.law.extent();
+        let steps = if cam.law.is_closed() {
             n
         } else {
             n.saturating_sub(1).max(1)
         };
         let step = length / steps as f64;
-        let geometry = Geometry::new(&self.follower);
-        let (sin_step, cos_step) = step.sin_cos();
+        let geometry = Geometry::new(&cam.follower);
+        let turns = Turns::of(step);
         let mut contacts = Contacts::new();
+        let mut rows = [ProfilePoint::default(); BATCH];
         let mut out = Vec::with_capacity(n);
-        self.law.walk(start, step, n, |batch| {
+        let mut walk = cam.law.walk(start, step, n);
+        while let Some(batch) = walk.next_batch() {
             geometry.contacts(batch, &mut contacts);
-            // The frame turns by rotation within a batch: rounding stays below 1e-14.
-            let (mut sin, mut cos) = batch.theta[0].sin_cos();
-            for k in 0..batch.len {
-                let theta = batch.theta[k];
-                let frame = match geometry.straight() {
-                    Some(scale) => Frame::Moved(scale * theta),
-                    None => Frame::Turned { sin, cos },
-                };
-                let [x, y] = frame.seen([contacts.x[k], contacts.y[k]]);
-                let [pitch_x, pitch_y] = frame.seen([contacts.pitch_x[k], contacts.pitch_y[k]]);
-                out.push(ProfilePoint {
-                    theta,
-                    x,
-                    y,
-                    pitch_x,
-                    pitch_y,
-                    rho: contacts.rho[k],
-                    pressure_angle: contacts.tan_pressure[k].atan(),
-                });
-                (sin, cos) = (
-                    sin * cos_step + cos * sin_step,
-                    cos * cos_step - sin * sin_step,
-                );
+            match geometry.straight() {
+                Some(scale) => contacts.move_along(scale, batch),
+                None => contacts.turn_back(batch.theta[0], &turns),
             }
-        });
+            for (k, row) in rows.iter_mut().enumerate() {
+                *row = ProfilePoint {
+                    theta: batch.theta[k],
+                    x: contacts.x[k],
+                    y: contacts.y[k],
+                    pitch_x: contacts.pitch_x[k],
+                    pitch_y: contacts.pitch_y[k],
+                    rho: contacts.rho[k],
+                    pressure_angle: contacts.pressure_angle[k],
+                };
+            }
+            out.extend_from_slice(&rows[..batch.len]);
+        }
         out
+    }
+}
+
+impl Contacts {
+    /// From the fixed frame to the cam's, which moves straight by scale·θ.
+    #[inline(always)]
+    fn move_along(&mut self, scale: f64, batch: &Batch) {
+        for k in 0..BATCH {
+            self.x[k] += scale * batch.theta[k];
+            self.pitch_x[k] += scale * batch.theta[k];
+        }
+    }
+
+    /// From the fixed frame to the cam's, which turns in the steps of `turns` from `theta` on.
+    #[inline(always)]
+    fn turn_back(&mut self, theta: f64, turns: &Turns) {
+        let (sin, cos) = theta.sin_cos();
+        for k in 0..BATCH {
+            let frame = Frame::Turned {
+                sin: sin * turns.cos[k] + cos * turns.sin[k],
+                cos: cos * turns.cos[k] - sin * turns.sin[k],
+            };
+            [self.x[k], self.y[k]] = frame.seen([self.x[k], self.y[k]]);
+            [self.pitch_x[k], self.pitch_y[k]] = frame.seen([self.pitch_x[k], self.pitch_y[k]]);
+        }
     }
 }
 
@@ -103,7 +141,7 @@ enum Frame {
 
 impl Frame {
     /// A point fixed in space as the cam sees it.
-    #[inline]
+    #[inline(always)]
     fn seen(self, p: [f64; 2]) -> [f64; 2] {
         match self {
             Frame::Turned { sin, cos } => [cos * p[0] + sin * p[1], cos * p[1] - sin * p[0]],

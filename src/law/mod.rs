@@ -13,7 +13,8 @@ pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
 pub use program::{Extent, Segment, assemble, constant_breadth, program};
 pub use rise::{End, Ends, Factors, Rise};
-pub use walk::{BATCH, Batch};
+pub(crate) use walk::Turns;
+pub use walk::{BATCH, Batch, Walk};
 pub use wave::Wave;
 
 use crate::poly::{Extreme, PiecewisePoly, bernstein};
@@ -178,6 +179,23 @@ impl Law {
         let mut weights = [0.0; 4];
         weights[order] = 1.0;
         self.combination(weights, 0.0).extremes()
+    }
+
+    /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes: no search.
+    /// It exceeds the true maximum by a small factor at most, so it serves as a scale.
+    pub(crate) fn bound(&self, order: usize) -> f64 {
+        let mut poly = self.poly.clone();
+        for _ in 0..order {
+            poly = poly.derivative();
+        }
+        let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * w.cos.hypot(w.sin);
+        (0..poly.pieces())
+            .map(|i| {
+                let (low, high) = bernstein::hull(poly.piece(i));
+                let waves: f64 = self.waves(i).iter().map(amplitude).sum();
+                low.abs().max(high.abs()) + waves
+            })
+            .fold(0.0, f64::max)
     }
 
     /// Stroke: largest lift less smallest.

@@ -300,33 +300,35 @@ fn check_general(segments: &[Segment], extent: Extent) -> Result<()> {
 }
 
 fn check_joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
-    let scale = |order: usize| {
-        let (low, high) = draft.law.extremes(order);
-        low.value.abs().max(high.value.abs())
-    };
-    let (lift, velocity) = (scale(0), scale(1));
+    let (lift, velocity) = (draft.law.bound(0), draft.law.bound(1));
     for joint in draft.law.joints() {
         let Some(second) = draft.starting(joint.at) else {
             continue;
         };
         let n = segments.len();
         let (before, after) = ((second + n - 2) % n, second - 1);
-        let pair = format!(
-            "{} cannot join {}",
-            name(segments, before),
-            name(segments, after)
-        );
-        let at = extent.words(joint.at);
+        let pair = || {
+            format!(
+                "{} cannot join {}",
+                name(segments, before),
+                name(segments, after)
+            )
+        };
+        let at = || extent.words(joint.at);
         if joint.jump.s.abs() > JUMP * lift {
             return Err(Error::new(format!(
-                "{pair} at {at}: the lift jumps by {:.6e} m",
+                "{} at {}: the lift jumps by {:.6e} m",
+                pair(),
+                at(),
                 joint.jump.s
             ))
             .help("the lifts of all segments must add to 0"));
         }
         if joint.jump.v.abs() > JUMP * velocity {
             return Err(Error::new(format!(
-                "{pair} at {at}: the velocity jumps by {:.6e} m per unit of cam travel (from {:.6e} to {:.6e})",
+                "{} at {}: the velocity jumps by {:.6e} m per unit of cam travel (from {:.6e} to {:.6e})",
+                pair(),
+                at(),
                 joint.jump.v,
                 draft.before(&joint).v,
                 draft.after(&joint).v

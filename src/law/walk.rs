@@ -1,7 +1,7 @@
 //! Evaluation at many equal steps: pieces are walked, not searched, sinusoids turned, not recomputed, and
 //! polynomials evaluated for a batch of points at once.
 
-use super::Law;
+use super::{Law, Wave};
 
 /// Points evaluated together. Sinusoids advance by rotation within a batch and are computed afresh for the
 /// next one, which keeps the sum of rounding errors below 1e-14 of the amplitude.
@@ -12,6 +12,8 @@ pub const BATCH: usize = 32;
 pub struct Batch {
     /// Number of points.
     pub len: usize,
+    /// Whether the follower rests: one lift throughout, velocity and acceleration zero.
+    pub at_rest: bool,
     /// Angles, rad.
     pub theta: [f64; BATCH],
     /// Lifts.
@@ -22,90 +24,192 @@ pub struct Batch {
     pub a: [f64; BATCH],
 }
 
-impl Law {
-    /// Hands the law at θᵢ = start + i·step, 0 ≤ i < n, `step` ≥ 0, to `f`, batch after batch. Agrees with
-    /// [`Law::svaj`] to rounding, at a fraction of its cost (jerk is left out: profiles do not ask for it).
-    pub fn walk(&self, start: f64, step: f64, n: usize, mut f: impl FnMut(&Batch)) {
-        let mut batch = Batch {
-            len: 0,
-            theta: [0.0; BATCH],
-            s: [0.0; BATCH],
-            v: [0.0; BATCH],
-            a: [0.0; BATCH],
-        };
-        let mut u = [0.0; BATCH];
-        let mut i = 0;
-        while i < n {
-            let theta = start + step * i as f64;
-            let inside = self.wrap(theta);
-            let (piece, _) = self.poly.locate(inside);
-            let (from, to) = (self.breaks()[piece], self.breaks()[piece + 1]);
-            let last = piece + 1 == self.poly.pieces() && !self.closed;
-            let mut left = if last || step == 0.0 {
-                n - i
-            } else {
-                // Points up to the end of the piece, at least this one.
-                (((to - inside) / step).ceil().max(1.0) as usize).min(n - i)
-            };
-            let shift = inside - theta - from;
-            let inverse = 1.0 / (to - from);
-            while left > 0 {
-                batch.len = left.min(BATCH);
-                for (k, (t, u)) in batch.theta.iter_mut().zip(&mut u).enumerate() {
-                    *t = start + step * (i + k) as f64;
-                    *u = (*t + shift) * inverse;
-                }
-                self.fill(piece, &u, step, &mut batch);
-                f(&batch);
-                i += batch.len;
-                left -= batch.len;
-            }
-        }
-    }
+/// cos kα and sin kα for k = 0 … BATCH − 1.
+#[derive(Debug, Clone)]
+pub(crate) struct Turns {
+    pub cos: [f64; BATCH],
+    pub sin: [f64; BATCH],
+}
 
-    /// Evaluates piece `piece` at all `u`.
-    fn fill(&self, piece: usize, u: &[f64; BATCH], step: f64, batch: &mut Batch) {
-        let degree = self.poly.degree();
-        for (order, out) in [&mut batch.s, &mut batch.v, &mut batch.a]
-            .into_iter()
-            .enumerate()
-        {
-            let m = degree.saturating_sub(order);
-            bernstein_batch(
-                &self.scaled[order][piece * (m + 1)..(piece + 1) * (m + 1)],
-                u,
-                out,
-            );
+impl Turns {
+    /// By doubling, so that rounding grows with the logarithm of k only.
+    #[inline(always)]
+    pub fn of(angle: f64) -> Self {
+        let (mut cos, mut sin) = ([1.0; BATCH], [0.0; BATCH]);
+        (sin[1], cos[1]) = angle.sin_cos();
+        for k in 2..BATCH {
+            let (a, b) = (k / 2, k - k / 2);
+            cos[k] = cos[a] * cos[b] - sin[a] * sin[b];
+            sin[k] = sin[a] * cos[b] + cos[a] * sin[b];
         }
-        let (from, to) = (self.breaks()[piece], self.breaks()[piece + 1]);
-        let x = u[0] * (to - from);
-        for wave in self.waves(piece) {
-            let (sin, cos) = (wave.rate * x).sin_cos();
-            let (sin_step, cos_step) = (wave.rate * step).sin_cos();
-            let mut value = wave.cos * cos + wave.sin * sin;
-            let mut quarter = wave.sin * cos - wave.cos * sin;
-            let square = wave.rate * wave.rate;
-            for k in 0..batch.len {
-                batch.s[k] += value;
-                batch.v[k] += wave.rate * quarter;
-                batch.a[k] -= square * value;
-                let turned = value * cos_step + quarter * sin_step;
-                quarter = quarter * cos_step - value * sin_step;
-                value = turned;
-            }
-        }
+        Turns { cos, sin }
     }
 }
 
-/// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u.
-fn bernstein_batch(c: &[f64], u: &[f64; BATCH], out: &mut [f64; BATCH]) {
-    out.fill(c[0]);
-    let mut power = [1.0; BATCH];
-    for &ck in &c[1..] {
-        for ((sum, p), u) in out.iter_mut().zip(&mut power).zip(u) {
-            *p *= u;
-            *sum = *sum * (1.0 - u) + *p * ck;
+/// A law under way: see [`Law::walk`].
+#[derive(Debug, Clone)]
+pub struct Walk<'a> {
+    law: &'a Law,
+    start: f64,
+    step: f64,
+    n: usize,
+    /// Points done.
+    done: usize,
+    /// Points left on the piece.
+    left: usize,
+    piece: usize,
+    /// The piece's waves turned by one step after the other.
+    turns: Vec<Turns>,
+    batch: Batch,
+}
+
+impl Law {
+    /// The law at θᵢ = start + i·step, 0 ≤ i < n, `step` ≥ 0, batch after batch. Agrees with [`Law::svaj`]
+    /// to rounding, at a fraction of its cost (jerk is left out: profiles do not ask for it).
+    #[inline(always)]
+    pub fn walk(&self, start: f64, step: f64, n: usize) -> Walk<'_> {
+        Walk {
+            law: self,
+            start,
+            step,
+            n,
+            done: 0,
+            left: 0,
+            piece: 0,
+            turns: Vec::new(),
+            batch: Batch {
+                len: 0,
+                at_rest: false,
+                theta: [0.0; BATCH],
+                s: [0.0; BATCH],
+                v: [0.0; BATCH],
+                a: [0.0; BATCH],
+            },
         }
+    }
+    /// Scaled Bernstein coefficients of lift, velocity and acceleration on a piece.
+    #[inline(always)]
+    fn coefficients(&self, piece: usize) -> [&[f64]; 3] {
+        [0, 1, 2].map(|order| {
+            let m = self.poly.degree().saturating_sub(order);
+            &self.scaled[order][piece * (m + 1)..(piece + 1) * (m + 1)]
+        })
+    }
+}
+
+impl Walk<'_> {
+    /// The next points; `None` when all are done.
+    #[inline(always)]
+    pub fn next_batch(&mut self) -> Option<&Batch> {
+        if self.done >= self.n {
+            return None;
+        }
+        let (law, step) = (self.law, self.step);
+        let theta = self.start + step * self.done as f64;
+        let inside = law.wrap(theta);
+        if self.left == 0 {
+            self.enter(inside);
+        }
+        let (from, to) = (law.breaks()[self.piece], law.breaks()[self.piece + 1]);
+        let batch = &mut self.batch;
+        batch.len = self.left.min(BATCH);
+        let mut u = [0.0; BATCH];
+        let shift = inside - theta - from;
+        let inverse = 1.0 / (to - from);
+        for k in 0..BATCH {
+            batch.theta[k] = self.start + step * (self.done + k) as f64;
+            u[k] = (batch.theta[k] + shift) * inverse;
+        }
+        let coefficients = law.coefficients(self.piece);
+        if batch.at_rest {
+            batch.s = [coefficients[0][0]; BATCH];
+            batch.v = [0.0; BATCH];
+            batch.a = [0.0; BATCH];
+        } else {
+            polynomials(coefficients, &u, batch);
+        }
+        for (wave, turns) in law.waves(self.piece).iter().zip(&self.turns) {
+            add_wave(wave, u[0] * (to - from), turns, batch);
+        }
+        self.done += batch.len;
+        self.left -= batch.len;
+        Some(batch)
+    }
+
+    /// Goes to the piece that holds the next point and counts the points on it.
+    fn enter(&mut self, inside: f64) {
+        let law = self.law;
+        (self.piece, _) = law.poly.locate(inside);
+        let all = self.n - self.done;
+        let last = self.piece + 1 == law.poly.pieces() && !law.closed;
+        self.left = if last || self.step == 0.0 {
+            all
+        } else {
+            // Points up to the end of the piece, at least this one.
+            let to = law.breaks()[self.piece + 1];
+            (((to - inside) / self.step).ceil().max(1.0) as usize).min(all)
+        };
+        let waves = law.waves(self.piece);
+        self.turns.clear();
+        self.turns
+            .extend(waves.iter().map(|w| Turns::of(w.rate * self.step)));
+        self.batch.at_rest =
+            waves.is_empty() && law.coefficients(self.piece)[1].iter().all(|c| *c == 0.0);
+    }
+}
+
+/// Points whose sums stay in registers together.
+const SIDE_BY_SIDE: usize = 8;
+
+/// Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ at every u, for three polynomials of falling degree with their powers in common.
+#[inline(always)]
+fn polynomials([s, v, a]: [&[f64]; 3], u: &[f64; BATCH], batch: &mut Batch) {
+    for first in (0..BATCH).step_by(SIDE_BY_SIDE) {
+        let (mut up, mut down) = ([0.0; SIDE_BY_SIDE], [0.0; SIDE_BY_SIDE]);
+        let mut power = [1.0; SIDE_BY_SIDE];
+        let mut sums = [
+            [s[0]; SIDE_BY_SIDE],
+            [v[0]; SIDE_BY_SIDE],
+            [a[0]; SIDE_BY_SIDE],
+        ];
+        for k in 0..SIDE_BY_SIDE {
+            up[k] = u[first + k];
+            down[k] = 1.0 - up[k];
+        }
+        for (i, cs) in s.iter().enumerate().skip(1) {
+            for k in 0..SIDE_BY_SIDE {
+                power[k] *= up[k];
+                sums[0][k] = sums[0][k] * down[k] + power[k] * cs;
+            }
+            if let Some(cv) = v.get(i) {
+                for k in 0..SIDE_BY_SIDE {
+                    sums[1][k] = sums[1][k] * down[k] + power[k] * cv;
+                }
+            }
+            if let Some(ca) = a.get(i) {
+                for k in 0..SIDE_BY_SIDE {
+                    sums[2][k] = sums[2][k] * down[k] + power[k] * ca;
+                }
+            }
+        }
+        batch.s[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[0]);
+        batch.v[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[1]);
+        batch.a[first..first + SIDE_BY_SIDE].copy_from_slice(&sums[2]);
+    }
+}
+
+/// Adds a sinusoid to a batch that begins `x` after the piece does.
+#[inline(always)]
+fn add_wave(wave: &Wave, x: f64, turns: &Turns, batch: &mut Batch) {
+    let (sin, cos) = (wave.rate * x).sin_cos();
+    let first = wave.cos * cos + wave.sin * sin;
+    let quarter = wave.sin * cos - wave.cos * sin;
+    let square = wave.rate * wave.rate;
+    for k in 0..BATCH {
+        let value = first * turns.cos[k] + quarter * turns.sin[k];
+        batch.s[k] += value;
+        batch.v[k] += wave.rate * (quarter * turns.cos[k] - first * turns.sin[k]);
+        batch.a[k] -= square * value;
     }
 }
 
@@ -135,7 +239,8 @@ mod tests {
         for law in [law, harmonic] {
             for (start, step, n) in [(0.0, TAU / 1000.0, 1000), (-9.0, 0.37, 80), (1.0, 0.0, 3)] {
                 let mut seen = 0;
-                law.walk(start, step, n, |batch| {
+                let mut walk = law.walk(start, step, n);
+                while let Some(batch) = walk.next_batch() {
                     for k in 0..batch.len {
                         let theta = start + step * (seen + k) as f64;
                         assert_eq!(batch.theta[k], theta);
@@ -147,7 +252,7 @@ mod tests {
                         assert!(error < 1e-11, "{theta} {direct:?}");
                     }
                     seen += batch.len;
-                });
+                }
                 assert_eq!(seen, n);
             }
         }

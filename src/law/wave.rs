@@ -2,6 +2,7 @@
 
 use super::Svaj;
 use crate::poly::{PiecewisePoly, bernstein};
+use std::sync::OnceLock;
 
 /// cos·cos(rate·x) + sin·sin(rate·x), where x is the angle since the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,7 +126,7 @@ pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4])
             }
         }
         let mut wave = vec![0.0; TAYLOR_DEGREE + 1];
-        for (t, row) in taylor.iter().zip(&table) {
+        for (t, row) in taylor.iter().zip(table) {
             for (w, r) in wave.iter_mut().zip(row) {
                 *w += t * r;
             }
@@ -138,12 +139,15 @@ pub fn add_taylor(sum: PiecewisePoly, waves: &[Vec<Shifted>], weights: [f64; 4])
 }
 
 /// Bernstein coefficients of (2u − 1)ᵏ at the Taylor degree, k = 0 … degree.
-fn symmetric_powers() -> Vec<Vec<f64>> {
-    let mut power = vec![1.0];
-    let mut out = Vec::with_capacity(TAYLOR_DEGREE + 1);
-    for _ in 0..=TAYLOR_DEGREE {
-        out.push(bernstein::elevate(&power, TAYLOR_DEGREE));
-        power = bernstein::product(&power, &[-1.0, 1.0]);
-    }
-    out
+fn symmetric_powers() -> &'static [[f64; TAYLOR_DEGREE + 1]; TAYLOR_DEGREE + 1] {
+    static POWERS: OnceLock<[[f64; TAYLOR_DEGREE + 1]; TAYLOR_DEGREE + 1]> = OnceLock::new();
+    POWERS.get_or_init(|| {
+        let mut power = vec![1.0];
+        [0; TAYLOR_DEGREE + 1].map(|_| {
+            let mut row = [0.0; TAYLOR_DEGREE + 1];
+            row.copy_from_slice(&bernstein::elevate(&power, TAYLOR_DEGREE));
+            power = bernstein::product(&power, &[-1.0, 1.0]);
+            row
+        })
+    })
 }

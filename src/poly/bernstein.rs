@@ -46,19 +46,15 @@ pub fn antiderivative(b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The same polynomial written at degree `to` (at least its own).
+/// The same polynomial written at degree `to` (at least its own). A constant stays one, to the last bit.
 pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
-    let mut out = b.to_vec();
-    while out.len() <= to {
-        let n = out.len();
-        let mut next = Vec::with_capacity(n + 1);
-        next.push(out[0]);
-        for i in 1..n {
-            let t = i as f64 / n as f64;
-            next.push(t * out[i - 1] + (1.0 - t) * out[i]);
+    let mut out = Vec::with_capacity(to.max(b.len()) + 1);
+    out.extend_from_slice(b);
+    for n in b.len()..=to {
+        out.push(out[n - 1]);
+        for i in (1..n).rev() {
+            out[i] += (i as f64 / n as f64) * (out[i - 1] - out[i]);
         }
-        next.push(out[n - 1]);
-        out = next;
     }
     out
 }
