@@ -25,7 +25,8 @@ fn all() -> Vec<PathBuf> {
 }
 
 fn designed(path: &Path) -> (Scene, Synthesis) {
-    let table: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
+    let mut table: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
+    name_recording(&mut table);
     let scene = scene::read(&table).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let target = scene.gait.as_ref().map(|g| match &g.source {
         Source::Model {
@@ -44,6 +45,15 @@ fn designed(path: &Path) -> (Scene, Synthesis) {
         scene,
         design.unwrap_or_else(|e| panic!("{}: {e}", path.display())),
     )
+}
+
+/// A scene that leaves its recording to the command line gets a written cycle of the project.
+fn name_recording(table: &mut toml::Table) {
+    let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);
+    if let Some(gait) = gait.filter(|g| !g.contains_key("file") && !g.contains_key("model")) {
+        let file = here().join("data/gait_curves/young_1.85Hz_700N.csv");
+        gait.insert("file".to_string(), file.to_str().unwrap().into());
+    }
 }
 
 #[test]

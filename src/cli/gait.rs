@@ -1,29 +1,32 @@
 //! `gaitcam gait`: what a recording holds, and its mean cycle.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::{BAD_INPUT, BUILT, GaitArgs, files, input, say};
+use crate::emit;
 use crate::error::{Error, Place, Result};
 use crate::gait::{self, Feet, ReadOptions};
 use crate::units::{Dimension, parse};
 
+/// Stances drawn in the picture; the mean is of all.
+const DRAWN: usize = 60;
+
 /// Describes every file; the exit code is 2 when one of them holds no cycle.
 pub fn run(args: &GaitArgs) -> Result<u8> {
-    if args.out.is_some() && args.files.len() > 1 {
-        return Err(Error::argument(
-            "--out",
-            "one curve file cannot hold the cycles of several recordings",
-        )
-        .help("give one recording at a time"));
-    }
+    let places = args
+        .out
+        .as_deref()
+        .map(|out| places(out, &args.files))
+        .transpose()?;
     let feet: Feet = args
         .feet
         .parse()
         .map_err(|e: Error| e.at(Place::Argument("--feet".to_string())))?;
     let mut code = BUILT;
     let mut objects = Vec::new();
-    for path in &args.files {
-        match describe(args, path, feet) {
+    for (i, path) in args.files.iter().enumerate() {
+        let place = places.as_ref().map(|p| p[i].as_path());
+        match describe(args, path, place, feet) {
             Ok(Described {
                 text,
                 object,
@@ -61,7 +64,7 @@ struct Described {
     fault: Option<Error>,
 }
 
-fn describe(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Described> {
+fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> Result<Described> {
     let quantity = |flag: &str, text: &Option<String>, dimension| {
         text.as_deref()
             .map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
@@ -96,16 +99,64 @@ fn describe(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Described> {
         )
     );
     let object = gait::json(&recording, &stances, cycle.as_ref().ok());
-    if let (Some(out), Ok(cycle)) = (&args.out, &cycle) {
+    if let (Some(place), Ok(cycle)) = (place, &cycle) {
         let from = format!("mean cycle of {}", path.display());
         files::write_whole(
-            out,
+            place,
             gait::csv(&cycle.curve, &[&from, &cycle.how]).as_bytes(),
         )?;
+        if let Some(overlay) = gait::overlay(&recording, &stances, DRAWN) {
+            let name = path
+                .file_name()
+                .map_or_else(String::new, |n| n.to_string_lossy().into());
+            let picture = emit::recording::stances(&name, &overlay, cycle);
+            files::write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
+            files::write_whole(&place.with_extension("png"), &picture.png())?;
+        }
     }
     Ok(Described {
         text,
         object,
         fault: cycle.err(),
     })
+}
+
+/// Where each recording's mean cycle goes: the one file named, or `NAME_cycle.csv` in a folder.
+///
+/// The pictures stand beside it, with `.svg` and `.png` for `.csv`.
+fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let csv = out
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    if !csv || out.is_dir() {
+        let folder = files::Folder::open(out)?;
+        let mut places: Vec<PathBuf> = Vec::new();
+        for recording in recordings {
+            let stem = recording.file_stem().unwrap_or_default().to_string_lossy();
+            // Recordings of one name from two folders are numbered.
+            let numbered = (1..).map(|k| match k {
+                1 => format!("{stem}_cycle.csv"),
+                k => format!("{stem}_cycle_{k}.csv"),
+            });
+            let mut free = numbered.map(|name| folder.path().join(name));
+            places.extend(free.find(|p| !places.contains(p)));
+        }
+        return Ok(places);
+    }
+    if recordings.len() > 1 {
+        return Err(Error::argument(
+            "--out",
+            "one curve file cannot hold the cycles of several recordings",
+        )
+        .help("give a folder, or one recording at a time"));
+    }
+    let same =
+        |p: &PathBuf| matches!((p.canonicalize(), out.canonicalize()), (Ok(a), Ok(b)) if a == b);
+    if recordings.iter().any(same) {
+        return Err(
+            Error::argument("--out", "the mean cycle would replace the recording itself")
+                .help("give another name"),
+        );
+    }
+    Ok(vec![out.to_path_buf()])
 }

@@ -131,8 +131,9 @@ struct GaitArgs {
     /// Recordings: text, OpenSim .mot/.sto, C3D, insole exports
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Write the mean cycle as csv
-    #[arg(long, value_name = "CURVE.csv")]
+    /// Write the mean cycle as csv, and beside it a picture of the stances over their mean (svg, png);
+    /// a folder takes one of each per recording
+    #[arg(long, value_name = "CURVE.csv|DIR")]
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]

@@ -18,6 +18,7 @@ mod panel;
 pub mod picture;
 pub mod plots;
 mod raster;
+pub mod recording;
 pub mod report;
 pub mod reproduce;
 mod samples;

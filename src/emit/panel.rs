@@ -18,12 +18,14 @@ pub struct Frame {
     pub bottom: f64,
 }
 
-/// A diagram: angle in degrees to the right, a quantity upwards.
+/// A diagram: the cam angle in degrees, or another quantity, to the right; a quantity upwards.
 pub struct Panel<'a, 'c> {
     canvas: &'c Canvas<'a>,
     plane: Plane<'a>,
     frame: Frame,
     x: [f64; 2],
+    /// Where the grid stands upright.
+    columns: Vec<f64>,
     y: [f64; 2],
     /// Size of the lettering, points.
     size: f64,
@@ -93,11 +95,23 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
 }
 
 impl<'a, 'c> Panel<'a, 'c> {
-    /// Draws the frame, its grid and the ticks of the quantity. `x` in degrees.
+    /// A diagram over the cam angle: `x` in degrees.
     pub fn new(
         canvas: &'c Canvas<'a>,
         frame: Frame,
         x: [f64; 2],
+        y: [f64; 2],
+        size: f64,
+    ) -> Result<Self, DrawingAreaErrorKind<std::convert::Infallible>> {
+        Panel::over(canvas, frame, x, angle_ticks(x), y, size)
+    }
+
+    /// A diagram over any quantity: frame, grid upright at `columns`, ticks of the quantity upwards.
+    pub fn over(
+        canvas: &'c Canvas<'a>,
+        frame: Frame,
+        x: [f64; 2],
+        columns: Vec<f64>,
         y: [f64; 2],
         size: f64,
     ) -> Result<Self, DrawingAreaErrorKind<std::convert::Infallible>> {
@@ -113,11 +127,12 @@ impl<'a, 'c> Panel<'a, 'c> {
             plane,
             frame,
             x,
+            columns,
             y,
             size,
         };
         let grid = stroke(palette::GRID, 1.0);
-        for t in angle_ticks(x) {
+        for &t in &panel.columns {
             panel
                 .plane
                 .draw(&PathElement::new([(t, y[0]), (t, y[1])], grid))?;
@@ -172,10 +187,19 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// Writes the angles below the frame and, under them, what they are.
     pub fn angles(&self) -> Drawn {
+        self.across("cam angle θ, degrees")
+    }
+
+    /// Writes the grid's values below the frame and, under them, what they are.
+    pub fn across(&self, quantity: &str) -> Drawn {
         let small = Lettering::new(self.size, palette::QUIET).anchored(HPos::Center, VPos::Top);
-        for t in angle_ticks(self.x) {
+        let step = match self.columns[..] {
+            [a, b, ..] => b - a,
+            _ => 1.0,
+        };
+        for &t in &self.columns {
             let [x, _] = self.place(t, self.y[0]);
-            let text = tick_text(t, 1.0);
+            let text = tick_text(t, step);
             write(
                 self.canvas,
                 &text,
@@ -187,7 +211,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         let name = Lettering::new(self.size, palette::INK).anchored(HPos::Center, VPos::Top);
         write(
             self.canvas,
-            "cam angle θ, degrees",
+            quantity,
             [middle, self.frame.bottom + 2.1 * self.size],
             name,
         )

@@ -9,6 +9,8 @@ use super::stance::Stances;
 pub struct Overlay {
     /// Foot and force, N, of the stances shown.
     pub stances: Vec<(Option<Foot>, Vec<f64>)>,
+    /// Number of stances in the mean.
+    pub count: usize,
     /// Mean of all used stances, N.
     pub mean_n: Vec<f64>,
     /// Standard deviation from stance to stance, N, where there are two or more.
@@ -37,6 +39,7 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
     });
     Some(Overlay {
         stances: curves.collect(),
+        count: mean.count,
         mean_n: mean.force,
         spread_n: mean.spread,
         duration_s: mean.duration_s,

@@ -77,6 +77,12 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
             .as_table_mut()
             .ok_or_else(|| fault(format!("\"{part}\" in \"{key}\" is a value, not a table")))?;
     }
+    // A recording takes the place of the scene's model and the other way round.
+    match key.trim() {
+        "gait.file" => drop(at.remove("model")),
+        "gait.model" => drop(at.remove("file")),
+        _ => {}
+    }
     at.insert((*last).to_string(), value);
     Ok(())
 }
@@ -114,9 +120,15 @@ fn gait(mut r: Reader) -> Result<Gait> {
             step_frequency_hz,
             body_weight_n: body_weight_n.unwrap_or(MODEL_WEIGHT),
         },
-        _ => {
-            return Err(Error::key("gait", "says neither or both of file and model")
-                .help("give file = \"walk.mot\" or model = \"young\"; leave [gait] out for a classical programme"));
+        (Some(_), Some(_)) => {
+            return Err(Error::key("gait", "says both file and model")
+                .help("keep one: file = \"walk.mot\" or model = \"young\""));
+        }
+        (None, None) => {
+            return Err(Error::key("gait.file", "no recording and no model is named").help(
+                "give --set gait.file=walk.mot, or write file = \"walk.mot\" or model = \"young\"; \
+                 leave [gait] out for a classical programme",
+            ));
         }
     };
     r.finish()?;

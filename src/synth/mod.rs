@@ -85,6 +85,8 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         verdict = crate::cam::Verdict::Unacceptable;
         reason = infeasible.words.clone();
     }
+    let mut remarks = demand.remarks.clone();
+    remarks.extend(spline::stopped_at_noise(scene, &demand));
     Ok(Synthesis {
         name: scene.name.clone(),
         target: demand.target,
@@ -105,7 +107,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         binding: found.binding,
         easing: found.easing,
         solver: found.solver,
-        remarks: demand.remarks,
+        remarks,
     })
 }
 

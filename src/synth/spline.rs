@@ -8,6 +8,7 @@ use super::limits;
 use super::objective::Quadratic;
 use super::problem::{Equality, Failure, Limit, PEAK, Program, Solution};
 use crate::error::{Error, Result};
+use crate::gait::{ForceCurve, spread_rms_n};
 use crate::law::Law;
 use crate::poly::SplineSpace;
 use crate::scene::{Dwell, Family, Minimise, Scene};
@@ -67,7 +68,7 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     };
     let wanted = match scene.rms {
         Some(rms) => rms * target.mean_n().abs(),
-        None => noise(target).max(DEFAULT_ACCURACY * target.mean_n().abs()),
+        None => noise(target).max(finest(target)),
     };
     // The unlimited fit is the cheaper lower bound: spans that miss the accuracy without limits miss it
     // with them.
@@ -106,10 +107,29 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     }
 }
 
-/// Error below which a fit would follow the noise: a fifth of the step-to-step spread.
-fn noise(target: &crate::gait::ForceCurve) -> f64 {
-    target.spread_n.as_ref().map_or(0.0, |sd| {
-        0.2 * (sd.iter().map(|s| s * s).sum::<f64>() / sd.len() as f64).sqrt()
+/// Error, N, that is small enough where the scene asks for none and no spread is known.
+fn finest(target: &ForceCurve) -> f64 {
+    DEFAULT_ACCURACY * target.mean_n().abs()
+}
+
+/// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
+///
+/// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
+fn noise(target: &ForceCurve) -> f64 {
+    0.2 * spread_rms_n(target).unwrap_or(0.0)
+}
+
+/// Says so where the spread, not the accuracy, ended the choice of spans.
+pub fn stopped_at_noise(scene: &Scene, demand: &Demand) -> Option<String> {
+    let target = demand.target.as_ref()?;
+    let by_force = matches!(objective(scene), Minimise::ForceError);
+    let auto = scene.law.family == Family::Spline && scene.law.spans.is_none();
+    let (noise, finest) = (noise(target), finest(target));
+    (auto && by_force && scene.rms.is_none() && noise > finest).then(|| {
+        format!(
+            "The spans stop at an error of {noise:.1} N RMS, a fifth of the walker's step-to-step spread: \
+             more would follow its noise. accuracy.rms asks for another."
+        )
     })
 }
 

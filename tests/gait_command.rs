@@ -1,0 +1,171 @@
+//! `gaitcam gait`: what it writes and where.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn gaitcam(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("gaitcam_gait_{name}_{}", std::process::id()));
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Twelve seconds of a walk at 200 Hz, both feet, every stride alike.
+fn walk(path: &Path) {
+    wobbling_walk(path, 0.0);
+}
+
+/// The same with strides of `1 ± wobble` times the force in turn.
+fn wobbling_walk(path: &Path, wobble: f64) {
+    let foot = |t: f64| {
+        let x = t.rem_euclid(1.1) / 0.68;
+        let a = std::f64::consts::PI * x;
+        let odd = (t / 1.1) as usize % 2 == 1;
+        if x < 1.0 {
+            (1.0 + if odd { wobble } else { -wobble }) * 700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
+        } else {
+            0.0
+        }
+    };
+    let mut text = "time,left fz,right fz\n".to_string();
+    for i in 0..2400 {
+        let t = f64::from(i) / 200.0;
+        let _ = writeln!(text, "{t:.3},{:.2},{:.2}", foot(t + 0.2), foot(t + 0.75));
+    }
+    fs::write(path, text).unwrap();
+}
+
+fn is_picture(csv: &Path) {
+    let svg = fs::read_to_string(csv.with_extension("svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+    for word in ["mean of", "± 1 SD", "part of the stance, %", "mean cycle"] {
+        assert!(svg.contains(word), "{word} is not in the picture");
+    }
+    let png = fs::read(csv.with_extension("png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+}
+
+#[test]
+fn a_curve_file_gets_its_picture_beside_it_and_reads_back() {
+    let folder = folder("curve");
+    let (recording, out) = (folder.join("walk.csv"), folder.join("mean.csv"));
+    walk(&recording);
+    let (recording, curve) = (recording.to_str().unwrap(), out.to_str().unwrap());
+    let output = gaitcam(&["gait", recording, "--out", curve]);
+    assert!(output.status.success(), "{output:?}");
+    is_picture(&out);
+    let text = fs::read_to_string(&out).unwrap();
+    assert!(text.starts_with("# cycle, period_s = 1.1"), "{text:.40}");
+    let set = format!("gait.file={curve}");
+    let design = folder.join("design");
+    let output = gaitcam(&["synth", "--set", &set, "--out", design.to_str().unwrap()]);
+    // The recording takes the place of the built-in scene's model; its own stride asks for another stroke.
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        matches!(output.status.code(), Some(0 | 3)) && !said.contains("gait"),
+        "{output:?}"
+    );
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_folder_takes_one_curve_and_picture_per_recording() {
+    let folder = folder("folder");
+    let other = folder.join("other");
+    fs::create_dir_all(&other).unwrap();
+    let files = [
+        folder.join("a.csv"),
+        folder.join("b.csv"),
+        other.join("a.csv"),
+    ];
+    for f in &files {
+        walk(f);
+    }
+    let before = fs::read(&files[0]).unwrap();
+    let mut arguments = vec!["gait"];
+    arguments.extend(files.iter().map(|f| f.to_str().unwrap()));
+    arguments.extend(["--out", folder.to_str().unwrap()]);
+    let output = gaitcam(&arguments);
+    assert!(output.status.success(), "{output:?}");
+    for name in ["a_cycle.csv", "b_cycle.csv", "a_cycle_2.csv"] {
+        is_picture(&folder.join(name));
+    }
+    assert_eq!(
+        fs::read(&files[0]).unwrap(),
+        before,
+        "the recording is untouched"
+    );
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn one_curve_file_is_refused_for_several_recordings_and_for_the_recording_itself() {
+    let folder = folder("refused");
+    let recording = folder.join("walk.csv");
+    walk(&recording);
+    let path = recording.to_str().unwrap();
+    let before = fs::read(&recording).unwrap();
+    for (arguments, reason) in [
+        (vec![path, path, "--out", "mean.csv"], "several recordings"),
+        (vec![path, "--out", path], "replace the recording itself"),
+    ] {
+        let output = gaitcam(&[vec!["gait"], arguments].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(message.contains(reason), "{message}");
+    }
+    assert_eq!(fs::read(&recording).unwrap(), before);
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_measured_walk_is_synthesised_no_finer_than_its_spread() {
+    let folder = folder("measured");
+    let recording = folder.join("walk.csv");
+    wobbling_walk(&recording, 0.04);
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/measured_walk.toml");
+    let refused = gaitcam(&["synth", scene]);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(said.contains("--set gait.file="), "{said}");
+    let set = format!("gait.file={}", recording.display());
+    let out = folder.join("out");
+    let run = |more: &[&str]| {
+        let base = [
+            "synth",
+            scene,
+            "--set",
+            &set,
+            "--json",
+            "--out",
+            out.to_str().unwrap(),
+        ];
+        let output = gaitcam(&[&base[..], more].concat());
+        assert!(output.status.success(), "{output:?}");
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let coarse = run(&[]);
+    let fine = run(&["--set", "accuracy.rms=0.3 %"]);
+    let error = |v: &serde_json::Value| v["force"]["rms_error_n"].as_f64().unwrap();
+    let pieces = |v: &serde_json::Value| v["law"]["pieces"].as_u64().unwrap();
+    // The spread is about 4 % of either foot's force; a fifth of it is well above 0.5 % of the mean.
+    let mean = coarse["force"]["target_mean_n"].as_f64().unwrap();
+    assert!(
+        error(&coarse) > 0.003 * mean && error(&coarse) < 0.01 * mean,
+        "{coarse}"
+    );
+    assert!(error(&fine) <= 0.003 * mean && pieces(&fine) > pieces(&coarse));
+    let report = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains("From step to step"));
+    fs::remove_dir_all(folder).unwrap();
+}
