@@ -70,7 +70,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
         return Ok(NO_SUCH_CAM);
     }
-    let machine = machine(args, &design.drive)?;
+    let mut machine = machine(args, &design.drive)?;
+    machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
     let run = Run {
         profile: design.cam.profile(POINTS),
         target: design.target.as_ref().map(|t| {

@@ -3,6 +3,7 @@
 use super::flexible::Train;
 use super::models::{contact_run, flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
+use super::profile_curve::Cycle;
 use super::simulate::{Prepared, Run};
 use crate::error::Result;
 use realfft::RealFftPlanner;
@@ -22,7 +23,8 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let mean = forces.iter().sum::<f64>() / forces.len() as f64;
-    if let Some(why) = asks_for_contact(p, &rigid, mean) {
+    let contact = !p.held && p.cycle == Cycle::TURN;
+    if contact && let Some(why) = asks_for_contact(p, &rigid, mean) {
         let mut out = contact_run(input, p)?;
         out.why = why;
         out.next = input
@@ -41,7 +43,9 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
         let mut out = rigid;
         out.why =
             format!("{margin}; no natural frequency or stiffness is given, so nothing can vibrate");
-        out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        if contact {
+            out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        }
         return Ok(out);
     };
     let (ringing, words) = vibration(train, p, &forces, mean);
@@ -57,7 +61,9 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
             return Ok(out);
         }
         out.why = format!("{words}, more than {:.1} %; {margin}", 100.0 * RIGID_ENOUGH);
-        out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        if contact {
+            out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
+        }
         return Ok(out);
     }
     let mut out = rigid;
@@ -105,6 +111,7 @@ fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
             "the shaft turns at {:.4} rad/s, lift-off is at {w:.4} rad/s",
             p.drive.speed
         ),
+        None if p.held => "held from both sides, the follower cannot lift off".to_string(),
         None => format!(
             "the shaft turns at {:.4} rad/s, no speed lifts the follower off",
             p.drive.speed

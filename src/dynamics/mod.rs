@@ -30,8 +30,10 @@ pub mod profile_curve;
 pub mod rigid;
 pub mod shaft;
 pub mod simulate;
+pub mod stance;
 pub mod surface;
 pub mod thesis;
+pub mod touch;
 pub mod train;
 pub mod two_cams;
 

@@ -2,19 +2,16 @@
 
 use super::contact::{self, ContactRun, Phase};
 use super::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
+use super::profile_curve::Cycle;
 use super::simulate::{Prepared, Run};
 use super::surface::Surface;
+use super::touch::{Touch, touch};
 use super::{flexible, hertz, rigid};
 use crate::error::{Error, Result};
 use crate::law::Svaj;
 use std::f64::consts::TAU;
 
 impl Prepared {
-    /// Torque in the sense of turning for force and motion, N·m.
-    pub fn torque(&self, friction: f64, force: f64, at: Svaj) -> f64 {
-        force * at.v + friction * force.abs() * (self.reach + at.s)
-    }
-
     fn rms_error(&self, forces: &[f64]) -> Option<f64> {
         let target = self.target.as_ref()?;
         let sum: f64 = forces
@@ -29,35 +26,29 @@ impl Prepared {
     fn rows(&self, input: &Run, forces: &[f64], heights: &[f64], blows: &[(f64, f64)]) -> Vec<Row> {
         let n = self.nodes.len();
         let total = forces.len();
-        let length = TAU * total as f64 / n as f64;
+        let length = self.step * total as f64;
         let cell = input.machine.load_cell.map_or_else(
             || forces.to_vec(),
             |c| c.reading(forces, blows, length, self.drive.speed),
         );
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let first = if self.reversed {
-            -(self.start + TAU)
+            -(self.start + self.cycle.length)
         } else {
             self.start
         };
         let mut rows = vec![Row::default(); total];
         for i in 0..total {
             let at = self.nodes[i % n];
-            let touch = rigid::touch(
-                &input.cam.follower,
-                &self.drive,
-                input.machine.friction,
-                at,
-                forces[i],
-            );
-            let torque = self.torque(input.machine.friction, forces[i], at);
+            let touch = self.touch(input, i % n, at, forces[i]);
+            let torque = self.torque(input, forces[i], at);
             let place = if self.reversed {
                 (total - i) % total
             } else {
                 i
             };
             rows[place] = Row {
-                theta: first + TAU * place as f64 / n as f64,
+                theta: first + self.step * place as f64,
                 contact_force: forces[i],
                 torque: sign * torque,
                 power: torque * self.drive.speed,
@@ -77,6 +68,17 @@ impl Prepared {
         rows
     }
 
+    /// The contact that bears: the second cam's where a conjugate pair's first one would have to pull.
+    fn touch(&self, input: &Run, row: usize, at: Svaj, force: f64) -> Touch {
+        let (speed, friction) = (self.drive.speed, input.machine.friction);
+        match (&input.machine.conjugate, &self.second) {
+            (Some(cam), Some(nodes)) if force < 0.0 => {
+                touch(&cam.follower, speed, friction, nodes[row], -force)
+            }
+            _ => touch(&input.cam.follower, speed, friction, at, force),
+        }
+    }
+
     fn signed(&self, t: Torque) -> Torque {
         if !self.reversed {
             return t;
@@ -89,12 +91,12 @@ impl Prepared {
         }
     }
 
-    fn sampled_torque(&self, friction: f64, forces: &[f64]) -> Torque {
+    fn sampled_torque(&self, input: &Run, forces: &[f64]) -> Torque {
         let n = self.nodes.len();
         let values: Vec<f64> = forces
             .iter()
             .enumerate()
-            .map(|(i, f)| self.torque(friction, *f, self.nodes[i % n]))
+            .map(|(i, f)| self.torque(input, *f, self.nodes[i % n]))
             .collect();
         let count = values.len() as f64;
         Torque {
@@ -118,16 +120,21 @@ impl Prepared {
                 } else {
                     i % n
                 };
-                let curvature = rigid::relative_curvature(&input.cam.follower, self.nodes[place]);
+                // A positive normal force, whichever cam bears it.
+                let bearing = self.touch(input, place, self.nodes[place], row.contact_force);
+                let press = bearing.normal.abs();
                 Pressure {
                     theta: row.theta,
-                    contact: hertz::line(row.normal_force, face.length, curvature, modulus),
+                    contact: hertz::line(press, face.length, bearing.curvature.abs(), modulus),
                 }
             })
             .max_by(|a, b| a.contact.pressure.total_cmp(&b.contact.pressure))
     }
 
     pub fn liftoff(&self) -> Option<f64> {
+        if self.held {
+            return None;
+        }
         rigid::liftoff_speed(&self.lift, &self.drive)
     }
 
@@ -164,14 +171,25 @@ pub(super) fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         max: high.value,
         rms_error: p.rms_error(&forces),
     };
-    out.torque = p.sampled_torque(friction, &forces);
-    if let Some(curve) = rigid::torque_curve(&p.lift, &p.drive, friction, p.reach) {
+    out.torque = p.sampled_torque(input, &forces);
+    let curve = if p.rubs {
+        None
+    } else {
+        let friction = if p.reach > 0.0 { friction } else { 0.0 };
+        rigid::torque_curve(&p.lift, &p.drive, friction, p.reach)
+    };
+    if let Some(curve) = curve {
         let (low, high) = curve.extremes();
         (out.torque.min, out.torque.max) = (low.value, high.value);
-        out.torque.mean = curve.integral() / TAU;
+        out.torque.mean = curve.integral() / p.cycle.length;
     }
     out.torque = p.signed(out.torque);
-    out.lost_fraction = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / TAU;
+    let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
+    if p.held {
+        note_other_side(&mut out, input, pulled);
+    } else {
+        out.lost_fraction = pulled;
+    }
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {
         out.notes.push(
@@ -189,11 +207,33 @@ pub(super) fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
+/// Where a groove or a pair holds the follower from both sides a pull is the other side's push.
+fn note_other_side(out: &mut Outcome, input: &Run, pulled: f64) {
+    if pulled <= 0.0 {
+        return;
+    }
+    let side = if input.machine.conjugate.is_some() {
+        "the second cam"
+    } else {
+        "the groove's other wall"
+    };
+    out.notes.push(format!(
+        "{side} bears for {:.2} % of the cycle, up to {:.4} N; at each change the play between both sides is crossed",
+        100.0 * pulled,
+        -out.force.min
+    ));
+}
+
 pub(super) fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let Some(train) = &input.machine.train else {
         return Err(Error::new("the flexible model needs to know what gives")
             .help("give the follower's natural frequency, or its stiffness"));
     };
+    if !p.cycle.closed {
+        return Err(
+            Error::new("a slide that ends has no steady vibration").help("run --model rigid")
+        );
+    }
     let steady = flexible::steady(&p.lift, &p.drive, train)?;
     let mut out = p.outcome(Model::Flexible, "asked for");
     let n = p.nodes.len();
@@ -201,7 +241,7 @@ pub(super) fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let mut k = 0;
     let (mut forces, mut heights, mut outputs) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..n {
-        let at = p.start + TAU * i as f64 / n as f64;
+        let at = p.start + p.step * i as f64;
         while k + 1 < steady.theta.len() && steady.theta[k] < at - 1e-9 {
             k += 1;
         }
@@ -215,9 +255,14 @@ pub(super) fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         max: high.value,
         rms_error: p.rms_error(&outputs),
     };
-    out.torque = p.signed(p.sampled_torque(input.machine.friction, &forces));
-    out.contact_lost = low.value < 0.0;
-    out.lost_fraction = forces.iter().filter(|f| **f < 0.0).count() as f64 / n as f64;
+    out.torque = p.signed(p.sampled_torque(input, &forces));
+    let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / n as f64;
+    if p.held {
+        note_other_side(&mut out, input, pulled);
+    } else {
+        out.contact_lost = low.value < 0.0;
+        out.lost_fraction = pulled;
+    }
     if out.contact_lost {
         out.notes.push(
             "the vibrating follower leaves the cam: the flexible model pulls there".to_string(),
@@ -228,7 +273,28 @@ pub(super) fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     Ok(out)
 }
 
+/// Lift-off has no meaning where both sides hold, and no steady state where the cam ends.
+fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
+    if p.held {
+        let what = if input.machine.conjugate.is_some() {
+            "a conjugate pair holds its follower from both sides"
+        } else {
+            "the groove holds its roller from both sides"
+        };
+        return Err(Error::new(format!("{what}: nothing lifts off"))
+            .help("run --model rigid or flexible; they say which side bears"));
+    }
+    if p.cycle != Cycle::TURN {
+        return Err(
+            Error::new("the contact model follows a cam that turns once per cycle")
+                .help("run --model rigid: its smallest force says whether a slide keeps contact"),
+        );
+    }
+    Ok(())
+}
+
 pub(super) fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
+    refuse_contact(input, p)?;
     let surfaces: Vec<Surface> = p
         .laws
         .iter()
@@ -241,7 +307,6 @@ pub(super) fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         &input.machine.limits,
     );
     let mut out = p.outcome(Model::Contact, "asked for");
-    let friction = input.machine.friction;
     let (from, to) = run.window();
     let n = p.nodes.len();
     let total = n * run.period;
@@ -265,7 +330,7 @@ pub(super) fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         forces.push(force);
         heights.push(lift - p.nodes[i % n].s);
     }
-    let sums = integrate(&run, &surfaces, p, friction);
+    let sums = integrate(&run, &surfaces, input, p);
     let blows: Vec<(f64, f64)> = run
         .steady_impacts()
         .map(|i| (i.at - from, i.pulse.impulse))
@@ -320,7 +385,7 @@ struct Sums {
 }
 
 /// Two Gauss points per row and stretch: fourth order, the ends of flights resolved.
-fn integrate(run: &ContactRun, surfaces: &[Surface], p: &Prepared, friction: f64) -> Sums {
+fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
     const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
     let (from, to) = run.window();
     let n = p.nodes.len();
@@ -347,7 +412,7 @@ fn integrate(run: &ContactRun, surfaces: &[Surface], p: &Prepared, friction: f64
             surface.map_or((0.0, 0.0), |s| {
                 let at = s.at(x);
                 let force = p.drive.force(at);
-                (force, p.torque(friction, force, at))
+                (force, p.torque(input, force, at))
             })
         };
         let mut x = a;

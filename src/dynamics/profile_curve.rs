@@ -5,8 +5,11 @@
 //! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
 //! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
 //! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
-//! step of the angle once, not twice, and there is no facet anywhere (FACTS §10).
+//! step of the angle once, not twice, and there is no facet anywhere (FACTS §10). Where each follower
+//! stands over a contact point is [`super::stance`]'s business.
 
+use super::stance::{height_and_slope, slopes_known};
+use super::touch::touch;
 use crate::cam::{Follower, ProfilePoint};
 use crate::error::{Error, Result};
 use crate::law::{Law, Svaj, Wave};
@@ -33,15 +36,55 @@ pub struct Emitted {
     pub harmonics: Option<usize>,
 }
 
-/// The lift that `points` (equal steps of θ over one turn) give `follower`.
-///
-/// With `tolerance` > 0 (m) the heights are first smoothed to the fewest harmonics that stay within it
-/// at every point. Fails on fewer than 8 points, on angles that are not equal steps of one turn, on
-/// coordinates that are not finite or out of the follower's reach, on a tolerance that no smoothing
-/// meets, and on a profile with a concave or undercut stretch under a flat face.
+/// What a profile covers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycle {
+    /// rad (m of travel for a slide).
+    pub length: f64,
+    /// Whether the last point leads back to the first, which is then not repeated.
+    pub closed: bool,
+}
+
+impl Cycle {
+    /// One turn.
+    pub const TURN: Cycle = Cycle {
+        length: TAU,
+        closed: true,
+    };
+
+    /// What a cam's law covers.
+    pub fn of(law: &Law) -> Cycle {
+        Cycle {
+            length: law.extent().1,
+            closed: law.is_closed(),
+        }
+    }
+
+    /// Distance of two neighbouring points of n.
+    pub fn step(&self, n: usize) -> f64 {
+        self.length / if self.closed { n } else { n - 1 } as f64
+    }
+}
+
+/// The lift that `points` (equal steps of θ over one turn) give `follower`; see [`recover_over`].
 pub fn recover(follower: &Follower, points: &[ProfilePoint], tolerance: f64) -> Result<Emitted> {
-    let step = equal_step(points)?;
-    let slopes_known = !matches!(follower, Follower::RollerTranslating { roller_radius, .. } if *roller_radius == 0.0);
+    recover_over(follower, points, Cycle::TURN, tolerance)
+}
+
+/// The lift that `points` (equal steps of θ over one cycle) give `follower`.
+///
+/// With `tolerance` > 0 (m; rad for an arm) the heights are first smoothed to the fewest harmonics that
+/// stay within it at every point. Fails on fewer than 8 points, on angles that are not equal steps of
+/// the cycle, on coordinates that are not finite or out of the follower's reach, on a tolerance that no
+/// smoothing meets or on a cycle that is not closed, and on a profile with a concave or undercut stretch
+/// under a flat face.
+pub fn recover_over(
+    follower: &Follower,
+    points: &[ProfilePoint],
+    cycle: Cycle,
+    tolerance: f64,
+) -> Result<Emitted> {
+    let step = equal_step(points, cycle)?;
     let mut heights = Vec::with_capacity(points.len());
     let mut slopes = Vec::with_capacity(points.len());
     for (i, point) in points.iter().enumerate() {
@@ -53,6 +96,12 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint], tolerance: f64) -> 
     let start = points[0].theta;
     let mut harmonics = None;
     if tolerance > 0.0 {
+        if !cycle.closed {
+            return Err(
+                Error::new("only a profile that closes on itself can be smoothed")
+                    .help("leave the smoothing out"),
+            );
+        }
         let smooth = fewest_harmonics(&heights, tolerance, heights.len() / 4).ok_or_else(|| {
             Error::new(format!(
                 "no smoothing of the profile stays within {tolerance:e} m of its points"
@@ -61,15 +110,13 @@ pub fn recover(follower: &Follower, points: &[ProfilePoint], tolerance: f64) -> 
         })?;
         harmonics = Some(smooth.terms.len());
         (heights, slopes) = smooth.sample(points.len());
-        slopes
-            .iter_mut()
-            .for_each(|v| *v *= TAU / (step * points.len() as f64));
-    } else if !slopes_known {
-        slopes = periodic_slopes(&heights, step);
+        slopes.iter_mut().for_each(|v| *v *= TAU / cycle.length);
+    } else if !slopes_known(follower) {
+        slopes = spline_slopes(&heights, step, cycle.closed);
     }
-    let emitted = from_heights(start, step, &heights, &slopes, harmonics);
-    if let Follower::FlatTranslating { base_radius } = follower {
-        refuse_concave(&emitted, *base_radius, start, step)?;
+    let emitted = from_heights(start, step, cycle.closed, &heights, &slopes, harmonics);
+    if follower.is_flat() {
+        refuse_concave(&emitted, follower, start, step)?;
     }
     Ok(emitted)
 }
@@ -103,8 +150,9 @@ pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -
     let kept = smooth.terms.len();
     let (heights, slopes) = smooth.sample(n);
     let step = TAU / n as f64;
-    let emitted = from_heights(0.0, step, &heights, &slopes, Some(kept));
-    refuse_concave(&emitted, base_radius, 0.0, step).map_err(|_| refused())?;
+    let emitted = from_heights(0.0, step, true, &heights, &slopes, Some(kept));
+    let face = Follower::FlatTranslating { base_radius };
+    refuse_concave(&emitted, &face, 0.0, step).map_err(|_| refused())?;
     Ok(emitted)
 }
 
@@ -141,13 +189,13 @@ fn backwards(wave: &Wave, width: f64) -> Wave {
     }
 }
 
-fn equal_step(points: &[ProfilePoint]) -> Result<f64> {
+fn equal_step(points: &[ProfilePoint], cycle: Cycle) -> Result<f64> {
     let n = points.len();
     if n < 8 {
         return Err(Error::new(format!("a profile of {n} points is no curve"))
             .help("emit at least 8 points, better 360 or more"));
     }
-    let step = TAU / n as f64;
+    let step = cycle.step(n);
     for (i, p) in points.iter().enumerate() {
         let expected = points[0].theta + step * i as f64;
         if (p.theta - expected).abs() > STEP_SLACK * step || !p.theta.is_finite() {
@@ -155,7 +203,7 @@ fn equal_step(points: &[ProfilePoint]) -> Result<f64> {
                 "profile row {i} stands at {} rad, not at {expected} rad",
                 p.theta
             ))
-            .help("the contact run needs rows at equal steps of one turn"));
+            .help("a run needs rows at equal steps of the cam's cycle"));
         }
     }
     Ok(step)
@@ -166,48 +214,11 @@ fn out_of_reach(follower: &Follower, row: usize) -> Error {
         "profile row {row} cannot touch a {} follower",
         follower.name()
     ))
-    .help("the contact run knows flat and roller translating followers and finite coordinates")
+    .help("its coordinates must be finite and within the follower's reach")
 }
 
-/// Lift over the base (prime) circle and its slope at the follower's contact with `point`.
-fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
-    let (sin, cos) = point.theta.sin_cos();
-    let x = cos * point.x - sin * point.y;
-    let y = sin * point.x + cos * point.y;
-    let (height, slope) = if let Follower::FlatTranslating { base_radius } = *follower {
-        (y - base_radius, x)
-    } else if let Follower::RollerTranslating {
-        prime_radius,
-        offset,
-        roller_radius,
-    } = *follower
-    {
-        let side = offset - x;
-        let up = (roller_radius * roller_radius - side * side).sqrt();
-        let centre = y + up;
-        let rest = (prime_radius * prime_radius - offset * offset).sqrt();
-        // Tangent of the pitch curve is normal to (side, up): Y·side + (Y′ − e)·up = 0.
-        let slope = if roller_radius > 0.0 {
-            offset - centre * side / up
-        } else {
-            0.0
-        };
-        (
-            if roller_radius > 0.0 {
-                centre - rest
-            } else {
-                y - rest
-            },
-            slope,
-        )
-    } else {
-        return None;
-    };
-    (height.is_finite() && slope.is_finite()).then_some((height, slope))
-}
-
-fn refuse_concave(emitted: &Emitted, base_radius: f64, start: f64, step: f64) -> Result<()> {
-    let radius = |at: &Svaj| base_radius + at.s + at.a;
+fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> Result<()> {
+    let radius = |at: &Svaj| 1.0 / touch(face, 1.0, 0.0, *at, 0.0).curvature;
     match emitted.nodes.iter().position(|at| radius(at) <= 0.0) {
         None => Ok(()),
         Some(i) => Err(Error::new(format!(
@@ -223,19 +234,25 @@ fn refuse_concave(emitted: &Emitted, base_radius: f64, start: f64, step: f64) ->
 fn from_heights(
     start: f64,
     step: f64,
+    closed: bool,
     heights: &[f64],
     slopes: &[f64],
     harmonics: Option<usize>,
 ) -> Emitted {
     let n = heights.len();
     // A closed lift has no mean slope; what noise leaves of it is spread evenly.
-    let drift = slopes.iter().sum::<f64>() / n as f64;
+    let drift = if closed {
+        slopes.iter().sum::<f64>() / n as f64
+    } else {
+        0.0
+    };
     let slopes: Vec<f64> = slopes.iter().map(|v| v - drift).collect();
-    let accelerations = periodic_slopes(&slopes, step);
+    let accelerations = spline_slopes(&slopes, step, closed);
+    let spans = if closed { n } else { n - 1 };
     let mut rising = Vec::with_capacity(n);
-    let mut pieces = Vec::with_capacity(n);
+    let mut pieces = Vec::with_capacity(spans);
     let mut lift = 0.0;
-    for i in 0..n {
+    for i in 0..spans {
         let k = (i + 1) % n;
         let velocity = [
             slopes[i],
@@ -251,28 +268,77 @@ fn from_heights(
         lift = piece[4];
         pieces.push(piece);
     }
+    if !closed {
+        rising.push(lift);
+    }
     let level = heights.iter().zip(&rising).map(|(h, r)| h - r).sum::<f64>() / n as f64;
     let mismatch = heights
         .iter()
         .zip(&rising)
         .fold(0.0_f64, |m, (h, r)| m.max((h - r - level).abs()));
-    let breaks: Vec<f64> = (0..=n).map(|i| start + step * i as f64).collect();
+    let breaks: Vec<f64> = (0..=spans).map(|i| start + step * i as f64).collect();
     let coef: Vec<f64> = pieces.iter().flatten().map(|b| b + level).collect();
+    // Jerk at both ends of the velocity's cubic from node i to node k.
+    let jerk = |i: usize, k: usize, near: f64, far: f64| {
+        let sign = (near - far).signum();
+        6.0 * sign * (slopes[k] - slopes[i]) / (step * step)
+            - sign * (near * accelerations[i] + far * accelerations[k]) / step
+    };
     let nodes = (0..n)
         .map(|i| Svaj {
             s: rising[i] + level,
             v: slopes[i],
             a: accelerations[i],
-            j: 6.0 * (slopes[(i + 1) % n] - slopes[i]) / (step * step)
-                - (4.0 * accelerations[i] + 2.0 * accelerations[(i + 1) % n]) / step,
+            j: if i < spans {
+                jerk(i, (i + 1) % n, 4.0, 2.0)
+            } else {
+                jerk(i - 1, i, 2.0, 4.0)
+            },
         })
         .collect();
     Emitted {
-        law: Law::from_poly(PiecewisePoly::new(breaks, 4, coef), true),
+        law: Law::from_poly(PiecewisePoly::new(breaks, 4, coef), closed),
         nodes,
         mismatch,
         harmonics,
     }
+}
+
+/// Slopes at the nodes of the C² cubic spline through equally spaced values.
+fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
+    if closed {
+        periodic_slopes(values, step)
+    } else {
+        open_slopes(values, step)
+    }
+}
+
+/// The same of values that end: the slopes at both ends are those of the quartics through the five
+/// values next to them, so the order of the spline is kept.
+fn open_slopes(values: &[f64], step: f64) -> Vec<f64> {
+    const ONE_SIDED: [f64; 5] = [-25.0, 48.0, -36.0, 16.0, -3.0];
+    let n = values.len();
+    let end = |at: &dyn Fn(usize) -> f64| -> f64 {
+        let sum: f64 = ONE_SIDED.iter().enumerate().map(|(k, w)| w * at(k)).sum();
+        sum / (12.0 * step)
+    };
+    let mut slopes = vec![0.0; n];
+    slopes[0] = end(&|k| values[k]);
+    slopes[n - 1] = -end(&|k| values[n - 1 - k]);
+    // mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step between the ends, by elimination.
+    let mut ratio = vec![0.0; n];
+    let mut pivot = 1.0;
+    for i in 1..n - 1 {
+        ratio[i - 1] = if i == 1 { 0.0 } else { 1.0 / pivot };
+        pivot = 4.0 - ratio[i - 1];
+        let right = 3.0 * (values[i + 1] - values[i - 1]) / step;
+        let known = if i + 2 == n { slopes[n - 1] } else { 0.0 };
+        slopes[i] = (right - slopes[i - 1] - known) / pivot;
+    }
+    for i in (1..n - 2).rev() {
+        slopes[i] -= ratio[i] * slopes[i + 1];
+    }
+    slopes
 }
 
 /// Slopes at the nodes of the periodic C² cubic spline through equally spaced values:

@@ -25,21 +25,6 @@ pub struct Instant {
     pub power: f64,
 }
 
-/// What happens in the contact at one cam angle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Touch {
-    /// Force normal to the surfaces, N.
-    pub normal: f64,
-    /// Speed at which the cam rubs along the follower, m/s; 0 for a roller, which rolls.
-    pub sliding: f64,
-    /// Mean speed of both surfaces relative to the contact, m/s: what draws oil in.
-    pub entraining: f64,
-    /// Thrust across the guides, N.
-    pub side_thrust: f64,
-    /// Moment that tips a flat face about the guide's line through the cam's centre, N·m.
-    pub tipping: f64,
-}
-
 /// Force, torque and power at every angle of a table of the motion; `friction` is μ between cam and flat
 /// face, `reach` the height of the contact over the cam's centre at s = 0, m (0 where the follower rolls).
 pub fn cycle(motion: &[Svaj], drive: &Drive, friction: f64, reach: f64) -> Vec<Instant> {
@@ -63,66 +48,6 @@ pub fn cycle(motion: &[Svaj], drive: &Drive, friction: f64, reach: f64) -> Vec<I
 pub fn reach(follower: &Follower) -> f64 {
     if let Follower::FlatTranslating { base_radius } = follower {
         *base_radius
-    } else {
-        0.0
-    }
-}
-
-/// What happens in the contact at one point of the motion, under `force` N along the follower's line.
-///
-/// A roller's pressure angle and pitch curvature are those of FACTS §6. Followers other than flat and
-/// roller translating get the force alone.
-pub fn touch(follower: &Follower, drive: &Drive, friction: f64, at: Svaj, force: f64) -> Touch {
-    let mut touch = Touch {
-        normal: force,
-        sliding: 0.0,
-        entraining: 0.0,
-        side_thrust: 0.0,
-        tipping: 0.0,
-    };
-    if let Follower::FlatTranslating { base_radius } = *follower {
-        let d = base_radius + at.s;
-        touch.sliding = drive.speed * d;
-        touch.entraining = 0.5 * drive.speed * (d + 2.0 * at.a);
-        touch.side_thrust = friction * force.abs();
-        touch.tipping = force * at.v;
-    } else if let Follower::RollerTranslating {
-        prime_radius,
-        offset,
-        roller_radius,
-    } = *follower
-    {
-        let x = at.s + (prime_radius * prime_radius - offset * offset).sqrt();
-        let y = at.v - offset;
-        let tan = y / x;
-        let square = x * x + y * y;
-        let curvature = (square + at.v * y - at.a * x) / (square * square.sqrt());
-        touch.normal = force * (1.0 + tan * tan).sqrt();
-        touch.side_thrust = force * tan;
-        // Rolling: both surfaces pass the contact as fast as it walks along the cam, the pitch curve's
-        // |dp/dθ| reduced from the pitch radius to the cam's.
-        touch.entraining = drive.speed * square.sqrt() * (1.0 - roller_radius * curvature);
-    }
-    touch
-}
-
-/// Curvature of cam and follower together at the contact, 1/m: 1/ρ under a flat face, 1/ρ + 1/Rf under a
-/// roller (infinite for a knife edge), 0 for followers not known here.
-pub fn relative_curvature(follower: &Follower, at: Svaj) -> f64 {
-    if let Follower::FlatTranslating { base_radius } = *follower {
-        1.0 / (base_radius + at.s + at.a)
-    } else if let Follower::RollerTranslating {
-        prime_radius,
-        offset,
-        roller_radius,
-    } = *follower
-    {
-        let x = at.s + (prime_radius * prime_radius - offset * offset).sqrt();
-        let y = at.v - offset;
-        let square = x * x + y * y;
-        let pitch = (square + at.v * y - at.a * x) / (square * square.sqrt());
-        // 1/(1/κ − Rf) + 1/Rf = 1/(Rf·(1 − κRf)).
-        1.0 / (roller_radius * (1.0 - pitch * roller_radius))
     } else {
         0.0
     }

@@ -1,5 +1,6 @@
 use super::*;
 use crate::cam::Cam;
+use crate::dynamics::touch::{Touch, touch};
 
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
@@ -19,7 +20,7 @@ fn spring_loaded(speed: f64) -> Drive {
 
 fn touch_at(cam: &Cam, drive: &Drive, friction: f64, theta: f64) -> Touch {
     let at = cam.law.svaj(theta);
-    touch(&cam.follower, drive, friction, at, drive.force(at))
+    touch(&cam.follower, drive.speed, friction, at, drive.force(at))
 }
 
 #[test]

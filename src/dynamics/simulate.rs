@@ -7,14 +7,14 @@ use super::impact::Restitution;
 use super::load_cell::LoadCell;
 use super::models::{contact_run, flexible_run, rigid_run};
 use super::outcome::{Model, Outcome};
-use super::profile_curve::{mirrored, recover};
+use super::profile_curve::{Cycle, mirrored, recover_over};
+use super::touch::{held, rubs, touch};
 use super::two_cams::{envelope, shifted};
 use super::{choose, rigid};
-use crate::cam::{Cam, ProfilePoint};
+use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::law::{Law, Svaj};
-use std::f64::consts::TAU;
 
 /// What is known of the machine beyond its drive; the default is a rigid one without friction, plastic
 /// landings and one cam.
@@ -22,12 +22,15 @@ use std::f64::consts::TAU;
 pub struct Machine {
     /// What gives between cam and mass, where it is known.
     pub train: Option<Train>,
-    /// Coefficient of friction between cam and flat face.
+    /// Coefficient of friction where cam and follower rub; a roller rolls.
     pub friction: f64,
     /// How landings end.
     pub restitution: Restitution,
     /// Angle by which a second, equal cam follows the first on the shaft, rad.
     pub second_cam: Option<f64>,
+    /// The second cam of a conjugate pair, in its own frame: it takes the force where the first one's
+    /// would be a pull.
+    pub conjugate: Option<Cam>,
     /// Smoothing of the emitted points, m; 0 interpolates them.
     pub smoothing: f64,
     /// The load cell, where there is one.
@@ -45,6 +48,7 @@ impl Default for Machine {
             friction: 0.0,
             restitution: Restitution::Prescribed(0.0),
             second_cam: None,
+            conjugate: None,
             smoothing: 0.0,
             load_cell: None,
             face: None,
@@ -72,9 +76,9 @@ pub struct Run {
     pub cam: Cam,
     /// The machine; a negative speed turns the cam clockwise.
     pub drive: Drive,
-    /// The emitted profile: equal steps of θ over one turn.
+    /// The emitted profile: equal steps of θ over the law's cycle, one turn for most.
     pub profile: Vec<ProfilePoint>,
-    /// Wanted force at equal steps of one turn from θ = 0, N.
+    /// Wanted force at equal steps of one cycle from θ = 0, N.
     pub target: Option<Vec<f64>>,
     /// Machine data.
     pub machine: Machine,
@@ -90,8 +94,16 @@ pub(super) struct Prepared {
     pub lift: Law,
     /// Motion at the angles of the rows.
     pub nodes: Vec<Svaj>,
+    /// Motion of the conjugate cam's follower at the angles of the rows.
+    pub second: Option<Vec<Svaj>>,
     pub start: f64,
+    pub cycle: Cycle,
+    pub step: f64,
     pub reach: f64,
+    /// Whether neither side can lift off the other.
+    pub held: bool,
+    /// Whether friction makes the torque other than F·v and it is not the flat face's.
+    pub rubs: bool,
     /// Target at the angles of the rows.
     pub target: Option<Vec<f64>>,
     pub mismatch: f64,
@@ -145,7 +157,9 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         }
     }
     input.machine.restitution.check()?;
-    let emitted = recover(&input.cam.follower, &input.profile, input.machine.smoothing)?;
+    let cycle = Cycle::of(&input.cam.law);
+    let smoothing = input.machine.smoothing;
+    let emitted = recover_over(&input.cam.follower, &input.profile, cycle, smoothing)?;
     let law_mismatch = input
         .profile
         .iter()
@@ -161,6 +175,8 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         ));
     }
     let reversed = drive.speed < 0.0;
+    let held = held(&input.cam, input.machine.conjugate.as_ref());
+    refuse_unknown(input, cycle, held)?;
     let forward = Drive {
         speed: drive.speed.abs(),
         ..*drive
@@ -179,7 +195,8 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         lift = envelope(&lift, &second);
         laws.push(second);
     }
-    let at = |i: usize| start + TAU * i as f64 / n as f64;
+    let step = cycle.step(n);
+    let at = |i: usize| start + step * i as f64;
     let single = laws.len() == 1 && !reversed;
     let nodes = if single {
         emitted.nodes
@@ -191,17 +208,39 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         Some(values) if values.is_empty() || values.iter().any(|f| !f.is_finite()) => {
             return Err(Error::new("the target force must be finite at every angle"));
         }
-        Some(values) => Some((0..n).map(|i| phase_value(values, sign * at(i))).collect()),
+        Some(values) => Some(
+            (0..n)
+                .map(|i| phase_value(values, sign * at(i) / cycle.length))
+                .collect(),
+        ),
         None => None,
     };
+    let second = match &input.machine.conjugate {
+        Some(cam) => Some(conjugate_nodes(cam, n, reversed, &nodes, &mut notes)?),
+        None => None,
+    };
+    let follower = &input.cam.follower;
+    if follower.is_oscillating() {
+        notes.push(
+            "the follower swings: lift and gap are angles, rad, the force is the moment about the pivot, N·m, and the drive's mass, spring and preload count about it; the normal force is in N"
+                .to_string(),
+        );
+    }
     Ok(Prepared {
         drive: forward,
         reversed,
         laws,
         lift,
         nodes,
+        second,
         start,
-        reach: rigid::reach(&input.cam.follower),
+        cycle,
+        step,
+        reach: rigid::reach(follower),
+        held,
+        rubs: input.machine.friction > 0.0
+            && rubs(follower)
+            && !matches!(follower, Follower::FlatTranslating { .. }),
         target,
         mismatch: emitted.mismatch,
         law_mismatch,
@@ -209,10 +248,70 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     })
 }
 
-/// Value at angle `theta` of samples at equal steps of one turn, linear between.
-fn phase_value(values: &[f64], theta: f64) -> f64 {
+/// What no model here can answer, in words.
+fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
+    if !cycle.closed && input.drive.speed < 0.0 {
+        return Err(Error::new("a slide that ends is run forwards only")
+            .help("give the drive a positive speed"));
+    }
+    if input.machine.second_cam.is_some() && (held || cycle != Cycle::TURN) {
+        return Err(Error::new(
+            "a second cam that follows on the shaft needs a follower that rests on the first, and a law of one turn",
+        )
+        .help("leave the second cam out"));
+    }
+    Ok(())
+}
+
+/// Motion of the second follower at the angles of the rows, from its own emitted profile, and a note on
+/// how well both cams keep their distance.
+fn conjugate_nodes(
+    cam: &Cam,
+    n: usize,
+    reversed: bool,
+    first: &[Svaj],
+    notes: &mut Vec<String>,
+) -> Result<Vec<Svaj>> {
+    let cycle = Cycle::of(&cam.law);
+    let emitted = recover_over(&cam.follower, &cam.profile(n), cycle, 0.0)?;
+    let nodes: Vec<Svaj> = if reversed {
+        let law = mirrored(&emitted.law);
+        let (start, step) = (law.extent().0, cycle.step(n));
+        (0..n).map(|i| law.svaj(start + step * i as f64)).collect()
+    } else {
+        emitted.nodes
+    };
+    let sums = first.iter().zip(&nodes).map(|(a, b)| a.s + b.s);
+    let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
+        (l.min(x), h.max(x))
+    });
+    notes.push(format!(
+        "the conjugate pair keeps its distance within {:.1e}; where the force turns negative the second cam takes it",
+        high - low
+    ));
+    Ok(nodes)
+}
+
+impl Prepared {
+    /// Torque in the sense of turning for force and motion, N·m.
+    pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
+        let friction = input.machine.friction;
+        if self.rubs {
+            return touch(&input.cam.follower, self.drive.speed, friction, at, force).torque;
+        }
+        match input.cam.follower {
+            Follower::FlatTranslating { .. } => {
+                force * at.v + friction * force.abs() * (self.reach + at.s)
+            }
+            _ => force * at.v,
+        }
+    }
+}
+
+/// Value at the share `part` of a cycle of samples at its equal steps, linear between.
+fn phase_value(values: &[f64], part: f64) -> f64 {
     let n = values.len();
-    let x = theta.rem_euclid(TAU) / TAU * n as f64;
+    let x = part.rem_euclid(1.0) * n as f64;
     // A sample's own angle, met within rounding, is that sample.
     let nearest = x.round();
     if (x - nearest).abs() < 1e-6 {
@@ -225,3 +324,7 @@ fn phase_value(values: &[f64], theta: f64) -> f64 {
 #[cfg(test)]
 #[path = "simulate_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "followers_tests.rs"]
+mod followers_tests;

@@ -1,6 +1,7 @@
 use super::*;
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
+use std::f64::consts::TAU;
 
 fn scene(cam: &Cam, speed: f64) -> Run {
     Run {
@@ -353,7 +354,9 @@ fn an_emitted_roller_cam_presses_as_its_law_says_and_lifts_off_with_it() {
                 "{roller_radius} {} {law}",
                 r.contact_force
             );
-            assert!(r.normal_force >= r.contact_force && r.sliding == 0.0);
+            assert!(
+                r.normal_force >= r.contact_force && (r.sliding == 0.0) == (roller_radius > 0.0)
+            );
         }
         assert!((out.liftoff_speed.unwrap() - 23.490690).abs() < 5e-7);
         assert!(
