@@ -67,6 +67,8 @@ pub mod scene;
 
 pub mod synth;
 
+pub mod explain;
+
 pub mod emit;
 
 pub mod sweep;

@@ -5,9 +5,9 @@ use std::path::Path;
 
 /// Lowest floor first: a module may use those before it. The law stands before the drive, because a force
 /// is computed from a law.
-const FLOORS: [&str; 13] = [
-    "error", "units", "poly", "gait", "law", "drive", "cam", "dynamics", "scene", "synth", "emit",
-    "sweep", "cli",
+const FLOORS: [&str; 14] = [
+    "error", "units", "poly", "gait", "law", "drive", "cam", "dynamics", "scene", "synth",
+    "explain", "emit", "sweep", "cli",
 ];
 
 fn floor(module: &str) -> usize {

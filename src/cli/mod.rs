@@ -3,6 +3,7 @@
 
 mod chart;
 mod compare;
+mod explain;
 mod files;
 mod front;
 mod gait;
@@ -82,6 +83,9 @@ struct SynthArgs {
     /// Print every step of a sequence of convex programs with its merit
     #[arg(short, long)]
     verbose: bool,
+    /// Say what decided every choice of model, and what the next richer one would cost and change
+    #[arg(long)]
+    explain: bool,
     /// Rows of law.csv and profile.csv
     #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
     points: u32,

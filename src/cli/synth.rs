@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use super::files::Folder;
-use super::{BUILT, NO_SUCH_CAM, SynthArgs, hand_over, input, say};
+use super::{BUILT, NO_SUCH_CAM, SynthArgs, explain, hand_over, input, say};
 use crate::emit::{self, Timing};
 use crate::error::{Place, Result};
 use crate::synth::{Synthesis, synthesise};
@@ -47,6 +47,17 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             )?);
         }
     }
+    let reasons = if args.explain && design.infeasible.is_none() {
+        let points = args.points as usize;
+        Some(explain::lines(
+            &input.scene,
+            target.as_ref(),
+            &design,
+            points,
+        )?)
+    } else {
+        None
+    };
     let scene = input.resolved();
     folder.write(
         "scene.toml",
@@ -54,6 +65,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     )?;
     let mut summary = emit::json::summary(&design, time);
     summary["scene"] = serde_json::to_value(&scene).unwrap_or_default();
+    if let Some(lines) = &reasons {
+        summary["explain"] = explain::json(lines);
+    }
     let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
     folder.write("summary.json", summary.as_bytes())?;
     if args.json {
@@ -63,6 +77,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             say(&sequence(&design));
         }
         say(&words(&design, time));
+        if let Some(lines) = &reasons {
+            say(&explain::words(&design.name, lines));
+        }
         for remark in remarks {
             say(&format!("  note      {remark}"));
         }
