@@ -17,6 +17,9 @@ fn spectral() -> SolverReport {
         status: "every limit holds on the closed form".into(),
         iterations: 0,
         certified: true,
+        certificate: None,
+        steps: Vec::new(),
+        ended: "",
     }
 }
 
@@ -98,6 +101,7 @@ pub fn footbridge() -> Synthesis {
             Check::at_least("curvature", sharpest, rho, 1e-9),
             Check::at_least("force_min", low, 0.0, 1e-9),
         ],
+        easing: Vec::new(),
         binding: vec![Binding {
             limit: "curvature".into(),
             multiplier: 1.0,
@@ -186,12 +190,16 @@ pub fn heel_tester() -> Synthesis {
             Check::at_most("pressure_angle_fall", falling, limit, 1e-9),
             Check::at_least("curvature", cam.curvature().convex, 0.005, 1e-9),
         ],
+        easing: Vec::new(),
         binding: Vec::new(),
         solver: SolverReport {
             tier: Tier::Equality,
             status: "solved by one factorisation".into(),
             iterations: 1,
             certified: true,
+            certificate: None,
+            steps: Vec::new(),
+            ended: "",
         },
         remarks: Vec::new(),
         cam,
