@@ -1,7 +1,7 @@
 //! Where methods fail: what the naive way does (shown failing) and what gaitcam does, digits counted.
 //! reports/stability.md tells the same in words.
 
-use gaitcam::cam::{Cam, Follower, Verdict, judge, smallest_prime_circle};
+use gaitcam::cam::{Cam, Follower, ProfilePoint, Verdict, judge, smallest_prime_circle};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::rigid::liftoff_speed;
 use gaitcam::dynamics::thesis;
@@ -429,7 +429,14 @@ fn a_cusp_has_finite_points_and_a_plain_verdict() {
                 || p.rho.is_infinite()
         );
     }
-    assert!(cam.curvature().convex.value.abs() < 1e-15);
+    let sharpest = cam.curvature().convex;
+    assert!(sharpest.value.abs() < 1e-15);
+    // The naive way: the circle through three points of the profile 1° apart.
+    let [a, b, c] = [-1.0, 0.0, 1.0].map(|k| cam.point(sharpest.at + k * PI / 180.0));
+    let side = |p: &ProfilePoint, q: &ProfilePoint| (p.x - q.x).hypot(p.y - q.y);
+    let area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).abs();
+    let radius = side(&a, &b) * side(&b, &c) * side(&c, &a) / (2.0 * area);
+    assert!(radius > 1e-8, "{radius:e}");
 }
 
 /// tan φ = v/(s + D) with D → 0: the angle tends to 90° and the closed-form circle keeps its digits.
@@ -439,6 +446,16 @@ fn pressure_angles_near_a_right_angle_keep_their_digits() {
     for short in [1e-2, 1e-4, 1e-6, 1e-8] {
         let angle = 0.5 * PI - short;
         let size = smallest_prime_circle(&law, angle, angle, Some(0.0));
+        // The naive way: the largest |v|/tan φ − s over whole degrees. Its worst angle lies between them.
+        let sampled = (0..360)
+            .map(|i| law.svaj(f64::from(i) * PI / 180.0))
+            .map(|at| at.v.abs() / angle.tan() - at.s)
+            .fold(0.0, f64::max);
+        assert!(
+            short > 1e-3 || sampled < 0.5 * size.radius,
+            "{short:e}: {sampled:e} {:e}",
+            size.radius
+        );
         assert!(size.radius.is_finite() && size.radius >= 0.0);
         let follower = Follower::RollerTranslating {
             prime_radius: size.radius.max(1e-15),
@@ -584,6 +601,9 @@ fn units_may_be_tiny_or_huge() {
 /// Numbers below the normal range, and near its top: an answer or words, never NaN.
 #[test]
 fn denormals_and_giants_are_answered_or_refused_in_words() {
+    // The naive way: divide by the size of the numbers.
+    let tiny = std::hint::black_box(1e-310_f64);
+    assert!((1.0 / tiny).is_infinite() && (0.0 * (1.0 / tiny)).is_nan());
     for change in [
         "gait.body_weight=1e-310 N",
         "gait.body_weight=1e300 N",

@@ -36,7 +36,13 @@ def main():
     order = np.argsort(angle)
     true = np.interp(theta, angle[order], exact(theta)[0][order])
     worst = np.abs(np.asarray(radius) - true).max()
-    words = f"{len(theta)} points, profile off by {worst:.2f} mm (base circle + lift, no roller)"
+    # Both as x and y, the points of the true profile at the same angles.
+    true_x, true_y = true * np.cos(theta), true * np.sin(theta)
+    off = np.hypot(radius * np.cos(theta) - true_x, radius * np.sin(theta) - true_y).max()
+    words = (
+        f"{len(theta)} points, radius off by {worst:.2f} mm, x and y by {off:.2f} mm "
+        "(base circle + lift, no roller)"
+    )
     c.tell("double-dwell roller cam, 3600 points", importlib.metadata.version("mechanism"), seconds, words)
 
 

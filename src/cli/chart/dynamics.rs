@@ -226,7 +226,7 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
         error: "error of the state after one turn, part of the response".to_string(),
         across: Across::Time,
         levels: Vec::new(),
-        advice: "Take the closed form: no step to choose, no stability limit, exact to rounding; a fixed-step RK4 of 100 steps a turn is enough where a quick look will do.".to_string(),
+        advice: "Take the closed form: no step to choose, no stability limit, exact to rounding, and quicker than an adaptive integrator at 1e-7 (benches/ode has a crate's); a fixed-step RK4 of 100 steps a turn is enough where a quick look will do.".to_string(),
         rows,
     })
 }

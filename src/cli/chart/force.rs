@@ -55,7 +55,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force without corners take harmonics, which are both the fastest and the nearest; take a spline where limits or dwells must hold.".to_string(),
+        advice: "For a force without corners and without limits choose law.family = \"harmonic\", the fastest and the nearest; the default, a quintic spline of the fewest spans, costs some 50 µs more and is what limits, dwells and points can bend locally.".to_string(),
         rows,
     })
 }
@@ -136,7 +136,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force with a heel strike take a cubic or quartic spline of 64 to 256 spans, or a quintic where jerk must be continuous (it costs up to twice the time at equal error); one polynomial through critical points overshoots.".to_string(),
+        advice: "For a force with a heel strike choose 64 harmonics where no limit binds, a quartic spline of 64 spans where one does, the default quintic where the jerk itself must be smooth (it costs up to three times the time at equal error); one polynomial through critical points overshoots.".to_string(),
         rows,
     })
 }

@@ -87,7 +87,7 @@ pub fn chart(watch: &Watch) -> Result<Chart> {
         error: "larger of: true excess over the limit, difference of the force error from the exact cones' at 1e-11 (both relative)".to_string(),
         across: Across::Time,
         levels: Vec::new(),
-        advice: "Where the limit is a cone, give all rows at once with a tolerance of 1e-9 and keep the structure between solves; refinement off saves a third at equal error, equilibration off loses digits, and the exchange of rows is the slower way here.".to_string(),
+        advice: "Take the default, the exchange of rows with a dual active set: several times faster than the interior point under any setting and exact to 1e-9; of the settings, refinement off saves a third at equal error, equilibration off loses digits.".to_string(),
         rows,
     })
 }

@@ -1,0 +1,587 @@
+//! Every number that was asked of gaitcam in seconds, bytes or rows, measured: `cargo bench` writes
+//! reports/benchmarks.md. Numbers of accuracy are tests; the table's second half names them.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+use gaitcam::cam::{Cam, Follower, smallest_prime_circle};
+use gaitcam::drive::Drive;
+use gaitcam::dynamics::contact::{self, Limits};
+use gaitcam::dynamics::flexible::{self, Train};
+use gaitcam::dynamics::impact::Restitution;
+use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::surface::Surface;
+use gaitcam::dynamics::{rigid, thesis};
+use gaitcam::error::{Error, Result};
+use gaitcam::gait::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
+use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::scene::{self, Scene};
+use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
+use gaitcam::synth::lab::{Bound, Task, spectral};
+use gaitcam::synth::synthesise;
+use rayon::prelude::*;
+
+/// One line of the table.
+struct Line {
+    issue: u8,
+    what: &'static str,
+    asked: String,
+    measured: String,
+    met: bool,
+}
+
+#[derive(Default)]
+struct Report(Vec<Line>);
+
+impl Report {
+    /// A time that may be at most `asked` seconds.
+    fn time(&mut self, issue: u8, what: &'static str, asked: f64, seconds: f64) {
+        self.0.push(Line {
+            issue,
+            what,
+            asked: format!("≤ {}", duration(asked)),
+            measured: duration(seconds),
+            met: seconds <= asked,
+        });
+    }
+
+    /// A number that must be at least `asked`.
+    fn at_least(&mut self, issue: u8, what: &'static str, asked: f64, found: f64, unit: &str) {
+        let number = |x: f64| {
+            if x >= 1000.0 {
+                format!("{x:.0}{unit}")
+            } else {
+                format!("{x:.2}{unit}")
+            }
+        };
+        self.0.push(Line {
+            issue,
+            what,
+            asked: format!("≥ {}", number(asked)),
+            measured: number(found),
+            met: found >= asked,
+        });
+    }
+}
+
+fn duration(s: f64) -> String {
+    match s {
+        s if s < 1e-3 => format!("{:.1} µs", 1e6 * s),
+        s if s < 1.0 => format!("{:.2} ms", 1e3 * s),
+        s => format!("{s:.2} s"),
+    }
+}
+
+/// Median seconds of `run` after a warm-up: up to 101 runs in about half a second.
+fn median<T>(mut run: impl FnMut() -> T) -> f64 {
+    black_box(run());
+    let start = Instant::now();
+    let mut times = Vec::new();
+    while times.len() < 3 || (times.len() < 101 && start.elapsed().as_secs_f64() < 0.5) {
+        let one = Instant::now();
+        black_box(run());
+        times.push(one.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn main() {
+    let mut report = Report::default();
+    main_job(&mut report);
+    ladder(&mut report);
+    followers(&mut report);
+    recordings(&mut report);
+    dynamics(&mut report);
+    sweeps(&mut report);
+    charts(&mut report);
+    let page = markdown(&report.0);
+    print!("{page}");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/benchmarks.md");
+    std::fs::write(path, page).expect("reports/ can be written");
+}
+
+fn footbridge() -> (ForceCurve, Drive) {
+    let target = model("young", Some(1.85), 700.0, Feet::Both).expect("a known model");
+    let drive = Drive::moving_axis(target.mean_n() / 9.81, 9.81, TAU / target.period_s);
+    (target, drive)
+}
+
+fn scene_with(changes: &[&str]) -> Scene {
+    let mut table = scene::DEFAULT.parse().expect("the built-in scene");
+    for change in changes {
+        scene::set(&mut table, change).expect("a key of the scene");
+    }
+    scene::read(&table).expect("a scene")
+}
+
+fn turn(motion: &str, lift: f64, extent: Extent, length: f64) -> Law {
+    let quarter = |motion: &str, lift: f64| Segment {
+        motion: Rise::from_name(motion).expect("in the catalogue"),
+        lift,
+        angle: 0.25 * length,
+    };
+    let segments = [
+        quarter(motion, lift),
+        quarter("dwell", 0.0),
+        quarter(motion, -lift),
+        quarter("dwell", 0.0),
+    ];
+    program(&segments, extent).expect("a quarter each fills the extent")
+}
+
+fn main_job(report: &mut Report) {
+    let (target, _) = footbridge();
+    let scene = scene_with(&[]);
+    let seconds = median(|| synthesise(&scene, Some(&target)).expect("a law"));
+    report.time(2, "default scene, synthesis without files", 2e-3, seconds);
+    let cam = Cam {
+        law: turn("3-4-5", 0.02, Extent::Turn, TAU),
+        follower: Follower::RollerTranslating {
+            prime_radius: 0.05,
+            offset: 0.005,
+            roller_radius: 0.01,
+        },
+    };
+    let seconds = median(|| black_box(&cam).profile(3600));
+    report.time(
+        2,
+        "roller profile of 3600 points, curvature and pressure angle",
+        1e-4,
+        seconds,
+    );
+    let out = std::env::temp_dir().join(format!("gaitcam-bench-{}", std::process::id()));
+    let seconds = median(|| {
+        let run = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+            .args(["synth", "--json", "--out"])
+            .arg(&out)
+            .output();
+        assert!(run.expect("gaitcam runs").status.success());
+    });
+    let _ = std::fs::remove_dir_all(&out);
+    report.time(
+        2,
+        "whole process, `gaitcam synth --json` with all files",
+        0.5,
+        seconds,
+    );
+}
+
+fn ladder(report: &mut Report) {
+    let (curve, drive) = footbridge();
+    let samples = (0..1000)
+        .map(|i| curve.at(TAU * f64::from(i) / 1000.0))
+        .collect();
+    let thousand = ForceCurve::from_samples("1000", curve.period_s, samples).expect("a curve");
+    let seconds = median(|| spectral(black_box(&thousand), drive, 20).expect("no resonance"));
+    report.time(
+        3,
+        "spectral tier, 1000 samples, 20 harmonics",
+        20e-6,
+        seconds,
+    );
+    let task = |spans: usize| Task {
+        target: &curve,
+        drive,
+        degree: 5,
+        spans,
+        bounds: &[],
+    };
+    let seconds = median(|| black_box(task(32)).free().expect("a law"));
+    report.time(3, "equality tier, quintic of 32 spans", 20e-6, seconds);
+    let [short, long] = [1000, 10_000].map(|n| median(|| task(n).free().expect("a law")));
+    let (asked, ratio) = (12.0, long / short);
+    report.0.push(Line {
+        issue: 3,
+        what: "equality tier: time of 10 000 spans over 1000 (linear: 10)",
+        asked: format!("≤ {asked:.0}"),
+        measured: format!("{ratio:.1}"),
+        met: ratio <= asked,
+    });
+    let free = task(32).free().expect("a law").law;
+    let held = |percent: f64| {
+        let bounds = [2, 3].map(|order| {
+            let (low, high) = free.extremes(order);
+            let most = 0.01 * percent * high.value.max(-low.value);
+            Bound { order, most }
+        });
+        let task = Task {
+            bounds: &bounds,
+            ..task(32)
+        };
+        median(|| black_box(&task).exchange().expect("feasible"))
+    };
+    report.time(
+        3,
+        "certified QP, 32 spans, acceleration and jerk at 95 % of the free law's",
+        3e-4,
+        held(95.0),
+    );
+    let worst = [80.0, 60.0, 45.0, 30.0].map(held).into_iter();
+    report.time(
+        3,
+        "certified QP, 32 spans, the slowest of 80, 60, 45, 30 %",
+        1e-3,
+        worst.fold(0.0, f64::max),
+    );
+    let scene = scene_with(&[
+        "limits.jerk=150 m/s^3",
+        "limits.acceleration=5 m/s^2",
+        "law.spans=32",
+    ]);
+    let seconds = median(|| synthesise(&scene, Some(&curve)).expect("a law"));
+    report.time(
+        3,
+        "whole scene of 32 spans with jerk, acceleration and curvature limits",
+        1e-3,
+        seconds,
+    );
+    let law = turn("3-4-5", 0.02, Extent::Turn, TAU);
+    let seconds = median(|| smallest_prime_circle(black_box(&law), PI / 6.0, PI / 6.0, None));
+    report.time(
+        3,
+        "closed-form prime circle, exact extrema of the law",
+        10e-6,
+        seconds,
+    );
+}
+
+fn followers(report: &mut Report) {
+    let straight = 0.2;
+    let cams = [
+        (
+            turn("3-4-5", 0.3, Extent::Turn, TAU),
+            Follower::RollerOscillating {
+                pivot_distance: 0.08,
+                arm: 0.06,
+                prime_radius: 0.05,
+                roller_radius: 0.01,
+            },
+        ),
+        (
+            turn("3-4-5", 0.2, Extent::Turn, TAU),
+            Follower::FlatOscillating {
+                pivot_distance: 0.1,
+                face_offset: 0.01,
+                base_radius: 0.04,
+            },
+        ),
+        (
+            turn("3-4-5", 0.02, Extent::Turn, TAU),
+            Follower::FlatTranslating { base_radius: 0.04 },
+        ),
+        (
+            turn("3-4-5", 0.02, Extent::Turn, TAU),
+            Follower::MushroomTranslating {
+                prime_radius: 0.14,
+                offset: 0.0,
+                arc_radius: 0.1,
+            },
+        ),
+        (
+            turn("3-4-5", 0.02, Extent::Length(straight), straight),
+            Follower::TranslatingCam {
+                base_height: 0.02,
+                roller_radius: 0.008,
+            },
+        ),
+        (
+            turn("3-4-5", 0.04, Extent::Turn, TAU),
+            Follower::Barrel {
+                radius: 0.03,
+                roller_radius: 0.005,
+            },
+        ),
+    ];
+    let slowest = cams
+        .into_iter()
+        .map(|(law, follower)| {
+            let cam = Cam { law, follower };
+            median(|| black_box(&cam).profile(3600))
+        })
+        .fold(0.0, f64::max);
+    report.time(
+        4,
+        "profile of 3600 points, the slowest of six other followers",
+        150e-6,
+        slowest,
+    );
+}
+
+/// A walk at 1 kHz of so many rows: time, left and right force.
+fn walk(rows: usize) -> Vec<u8> {
+    let foot = |i: usize, lead: usize| {
+        let x = ((i + lead) % 1100) as f64 / 680.0;
+        let a = PI * x;
+        if x < 1.0 {
+            700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
+        } else {
+            0.0
+        }
+    };
+    let mut text = String::from("time,fz_left,fz_right\n");
+    for i in 0..rows {
+        let (left, right) = (foot(i, 100), foot(i, 650));
+        let _ = writeln!(text, "{}.{:03},{left:.3},{right:.3}", i / 1000, i % 1000);
+    }
+    text.into_bytes()
+}
+
+fn recordings(report: &mut Report) {
+    let times = [360_000, 3_600_000].map(|rows| {
+        let bytes = walk(rows);
+        median(|| {
+            let r = read(Path::new("walk.csv"), &bytes, &ReadOptions::default()).expect("a walk");
+            cycle(&r, &stances(&r), Feet::Both).expect("a cycle")
+        })
+    });
+    report.time(5, "one hour at 1 kHz read and averaged", 2.0, times[1]);
+    let ratio = times[1] / times[0];
+    report.0.push(Line {
+        issue: 5,
+        what: "time of one hour over six minutes (linear: 10)",
+        asked: "≤ 12".to_string(),
+        measured: format!("{ratio:.1}"),
+        met: ratio <= 12.0,
+    });
+}
+
+fn dynamics(report: &mut Report) {
+    let cam = thesis::double_harmonic();
+    let emitted = recover(&cam.follower, &cam.profile(1440), 0.0).expect("a curve");
+    let drive = thesis::real(thesis::SPEED);
+    let seconds = median(|| rigid::cycle(black_box(&emitted.nodes), &drive, 0.1, 0.03));
+    report.time(6, "rigid, cycle of 1440 points", 50e-6, seconds);
+    let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
+    let seconds = median(|| flexible::steady(black_box(&emitted.law), &drive, &train));
+    report.time(
+        6,
+        "flexible, exact, from emitted lift to steady state",
+        200e-6,
+        seconds,
+    );
+    let fast = thesis::real(27.0);
+    let surfaces = [Surface::new(emitted.law, &fast)];
+    let bounce = Restitution::Prescribed(0.5);
+    let seconds = median(|| contact::run(&surfaces, &fast, &bounce, &Limits::default()));
+    report.time(
+        6,
+        "contact, about thirty impacts (asked for ten)",
+        2e-3,
+        seconds,
+    );
+}
+
+fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
+    Err(Error::new("no recordings"))
+}
+
+/// Rows a second of the kernel.
+fn rate(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> f64 {
+    let mut table = scene::DEFAULT.parse().expect("the default scene");
+    for change in changes {
+        scene::set(&mut table, change).expect("a change");
+    }
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "footbridge".to_string(),
+            table,
+        }],
+        list: None,
+        axes: vary
+            .iter()
+            .map(|v| Axis::parse(v, true).expect("an axis"))
+            .collect(),
+        design: Design::Sample {
+            method: Method::Latin,
+            count: rows,
+            seed: 1,
+        },
+    };
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);
+    let blocks: Vec<Batch> = (0..16)
+        .map(|b| {
+            let (from, to) = (b * rows / 16, (b + 1) * rows / 16);
+            plan.batch(from, (to - from) as usize)
+        })
+        .collect();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .expect("threads");
+    let run = || {
+        blocks
+            .par_iter()
+            .map(|b| kernel.run(b).len())
+            .sum::<usize>()
+    };
+    rows as f64 / median(|| pool.install(run))
+}
+
+fn sweeps(report: &mut Report) {
+    let both = [
+        "gait.step_frequency=1.5 Hz:2.4 Hz",
+        "gait.body_weight=400 N:1000 N",
+    ];
+    let spectral = |threads| rate(&["law.family=harmonic"], &both, 20_000, threads);
+    let (one, two) = (spectral(1), spectral(2));
+    report.at_least(
+        7,
+        "spectral designs on two cores, each with a speed of its own",
+        100_000.0,
+        two,
+        "/s",
+    );
+    report.at_least(7, "two threads over one", 1.8, two / one, "");
+    let changes = ["law.spans=32", "accuracy.rms=20 %"];
+    let qp = rate(&changes, &["limits.stroke=40 mm:48 mm"], 512, 2);
+    report.at_least(
+        7,
+        "certified QP scenes of 32 spans on two cores, the stroke binding",
+        4000.0,
+        qp,
+        "/s",
+    );
+}
+
+/// What `gaitcam chart` and benches/peers/run.py last wrote.
+fn charts(report: &mut Report) {
+    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    let page = std::fs::read_to_string(reports.join("speed_accuracy.md")).unwrap_or_default();
+    let on = page.matches("The default lies on the front.").count();
+    let off = page
+        .matches("The default does not lie on the front.")
+        .count();
+    report.0.push(Line {
+        issue: 8,
+        what: "charts whose default lies on the Pareto front (last `gaitcam chart`)",
+        asked: format!("{} of {}", on + off, on + off),
+        measured: format!("{on} of {}", on + off),
+        met: off == 0 && on > 0,
+    });
+    let peers = page.split("\n## Peers\n").nth(1).unwrap_or_default();
+    for line in peers.lines().filter(|l| l.starts_with("| ")) {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let what = match cells.get(2) {
+            Some(peer) if peer.starts_with("cvxpy") => "faster than cvxpy on the same fit",
+            Some(peer) if peer.starts_with("scipy") => "faster than scipy's spline least squares",
+            Some(peer) if peer.starts_with("mechanism") => {
+                "faster than `mechanism`, double-dwell roller cam of 3600 points"
+            }
+            _ => continue,
+        };
+        let ratio = cells.get(7).and_then(|c| c.parse().ok());
+        let asked = cells.get(8).and_then(|c| c.parse().ok());
+        if let (Some(ratio), Some(asked)) = (ratio, asked) {
+            report.at_least(8, what, asked, ratio, " times");
+        }
+    }
+}
+
+/// Numbers of accuracy and where they are held.
+const TESTED: [(u8, &str, &str); 21] = [
+    (
+        2,
+        "C3…C8 of the heel tester to 0.001, FACTS §2 to 4 digits",
+        "main_job",
+    ),
+    (
+        2,
+        "peaks of the fitted heel tester to 0.01 lb, none above 110.29 lb",
+        "main_job",
+    ),
+    (
+        2,
+        "footbridge ≤ 0.5 % RMS with ≤ 24 spans, stroke 49.2 ± 0.2 mm",
+        "main_job",
+    ),
+    (
+        2,
+        "envelope to 1e-9 m, gap below 1e-7 m at 1440 points",
+        "put_back",
+    ),
+    (3, "optima of FACTS §8 to 1e-6", "unit tests of synth"),
+    (3, "prime circles of FACTS §6 to 1e-6", "cam_geometry"),
+    (
+        3,
+        "co-designed heel tester: prime radius ≤ 2.05 in",
+        "main_job",
+    ),
+    (
+        3,
+        "no limit exceeded by more than 1e-9 on 100 000 points",
+        "random_scenes",
+    ),
+    (4, "factors of FACTS §7 to 1e-5", "laws"),
+    (4, "§2–§5 recomputed", "reproduce"),
+    (4, "conjugates to 1e-12, breadth to 1e-9 m", "cams"),
+    (
+        5,
+        "stances, mass and peaks of every file",
+        "gait_files, gait_c3d",
+    ),
+    (5, "float and integer copies within 0.1 N", "gait_c3d"),
+    (
+        6,
+        "rigid and contact agree to 1e-6 N below lift-off",
+        "unit tests of dynamics",
+    ),
+    (
+        6,
+        "lift-off speeds to 1e-6, residual vibrations to 1e-6",
+        "unit tests of dynamics",
+    ),
+    (
+        6,
+        "a lossless bounce keeps its energy to 1e-9 over 1000 impacts",
+        "unit tests of dynamics",
+    ),
+    (
+        7,
+        "killed and resumed sweeps end in the same table",
+        "sweep",
+    ),
+    (
+        7,
+        "10 million rows in Parquet ≤ 3 minutes, resumed in ≤ 5 s",
+        "by hand: 20 s, 0.06 s",
+    ),
+    (
+        8,
+        "the richer choice moves the force by less than stated",
+        "explain",
+    ),
+    (
+        8,
+        "integrators break where FACTS §10 says, to 1 %",
+        "stability",
+    ),
+    (8, "profile.dxf within 0.1 µm", "emit"),
+];
+
+fn markdown(lines: &[Line]) -> String {
+    let mut out = String::from(
+        "# Benchmarks\n\nWritten by `cargo bench` (benches/report.rs): medians after a warm-up, release build, \
+         on this machine, whatever else it was doing.\n\n\
+         | issue | what | asked | measured | |\n|---|---|---|---|---|\n",
+    );
+    for l in lines {
+        let mark = if l.met { "met" } else { "**missed**" };
+        let _ = writeln!(
+            out,
+            "| {} | {} | {} | {} | {mark} |",
+            l.issue, l.what, l.asked, l.measured
+        );
+    }
+    out.push_str(
+        "\nNumbers of accuracy hold or a test fails:\n\n| issue | number | held by |\n|---|---|---|\n",
+    );
+    for (issue, number, by) in TESTED {
+        let _ = writeln!(out, "| {issue} | {number} | {by} |");
+    }
+    out
+}
