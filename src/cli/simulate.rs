@@ -7,12 +7,15 @@ use clap::Args;
 
 use super::files::Folder;
 use super::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
+use crate::drive::Drive;
+use crate::dynamics::hertz::STEEL;
 use crate::dynamics::impact::Restitution;
 use crate::dynamics::train::Train;
-use crate::dynamics::{Machine, Model, Run, simulate};
+use crate::dynamics::{Face, Machine, Model, Run, simulate};
 use crate::emit::Timing;
 use crate::emit::report::{Running, html_of_run};
 use crate::error::{Error, Place, Result};
+use crate::scene::Scene;
 use crate::synth::synthesise;
 use crate::units::{Dimension, parse};
 
@@ -35,15 +38,15 @@ pub struct SimulateArgs {
     /// First natural frequency of the follower train: "60 Hz"
     #[arg(long, value_name = "HZ")]
     natural_frequency: Option<String>,
-    /// Damping ratio of the follower train
-    #[arg(long, default_value = "0.05")]
-    damping_ratio: String,
-    /// Coefficient of friction between cam and follower
-    #[arg(long, default_value = "0")]
-    friction: String,
-    /// Coefficient of restitution of a landing, 0 … 1
-    #[arg(long, default_value = "0")]
-    restitution: String,
+    /// Damping ratio of the follower train (0.05 where the scene says nothing)
+    #[arg(long, value_name = "RATIO")]
+    damping_ratio: Option<String>,
+    /// Coefficient of friction where cam and follower rub (0 where the scene says nothing)
+    #[arg(long, value_name = "MU")]
+    friction: Option<String>,
+    /// Coefficient of restitution of a landing, 0 … 1 (0 where the scene says nothing)
+    #[arg(long, value_name = "E")]
+    restitution: Option<String>,
     /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
     #[arg(long, value_name = "ANGLE")]
     second_cam: Option<String>,
@@ -70,7 +73,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
         return Ok(NO_SUCH_CAM);
     }
-    let mut machine = machine(args, &design.drive)?;
+    let mut machine = machine(args, &input.scene, &design.drive)?;
     machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
     let run = Run {
         profile: design.cam.profile(POINTS),
@@ -110,20 +113,33 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(BUILT)
 }
 
-fn machine(args: &SimulateArgs, drive: &crate::drive::Drive) -> Result<Machine> {
-    let number = |flag: &str, text: &str, dimension| {
-        parse(text, dimension).map_err(|e| e.at(Place::Argument(flag.to_string())))
+/// The scene's machine, with what the command line says in its place.
+fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine> {
+    let given = |flag: &str, text: &Option<String>, dimension| -> Result<Option<f64>> {
+        text.as_deref()
+            .map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
+            .transpose()
     };
+    let spec = &scene.machine;
     let mut machine = Machine::default();
-    if let Some(hz) = &args.natural_frequency {
-        let hz = number("--natural-frequency", hz, Dimension::Frequency)?;
-        let ratio = number("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?;
-        let train = Train::from_frequency(drive, hz, ratio)
-            .map_err(|e| e.at(Place::Argument("--natural-frequency".to_string())))?;
-        machine.train = Some(train);
+    let hz = given(
+        "--natural-frequency",
+        &args.natural_frequency,
+        Dimension::Frequency,
+    )?;
+    let ratio = given("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?
+        .unwrap_or(spec.damping_ratio);
+    let place = match hz {
+        Some(_) => Place::Argument("--natural-frequency".to_string()),
+        None => Place::Key("machine.natural_frequency".to_string()),
+    };
+    if let Some(hz) = hz.or(spec.natural_frequency) {
+        machine.train = Some(Train::from_frequency(drive, hz, ratio).map_err(|e| e.at(place))?);
     }
-    machine.friction = number("--friction", &args.friction, Dimension::Ratio)?;
-    let e = number("--restitution", &args.restitution, Dimension::Ratio)?;
+    machine.friction =
+        given("--friction", &args.friction, Dimension::Ratio)?.unwrap_or(spec.friction);
+    let e =
+        given("--restitution", &args.restitution, Dimension::Ratio)?.unwrap_or(spec.restitution);
     if !(0.0..=1.0).contains(&e) {
         return Err(
             Error::argument("--restitution", format!("{e} is outside 0 … 1"))
@@ -131,8 +147,12 @@ fn machine(args: &SimulateArgs, drive: &crate::drive::Drive) -> Result<Machine> 
         );
     }
     machine.restitution = Restitution::Prescribed(e);
-    if let Some(angle) = &args.second_cam {
-        machine.second_cam = Some(number("--second-cam", angle, Dimension::Angle)?);
-    }
+    machine.second_cam =
+        given("--second-cam", &args.second_cam, Dimension::Angle)?.or(spec.second_cam);
+    machine.face = Some(Face {
+        length: scene.cam.thickness,
+        cam: STEEL,
+        follower: STEEL,
+    });
     Ok(machine)
 }

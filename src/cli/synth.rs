@@ -163,7 +163,7 @@ fn in_units(design: &Synthesis, name: &str, value: f64) -> String {
         "velocity" => "rad/s",
         "acceleration" => "rad/s²",
         "jerk" => "rad/s³",
-        "stroke" | "base_circle" if design.cam.follower.is_oscillating() => {
+        "stroke" | "base_circle" | "residual" if design.cam.follower.is_oscillating() => {
             return format!("{:.4}°", value.to_degrees());
         }
         _ => return crate::synth::in_units(name, value),

@@ -246,17 +246,12 @@ fn force_needs_a_sliding_follower(scene: &Scene) -> Result<()> {
         )
         .help("set law.family = \"program\" with segments"));
     }
-    let drive = &scene.drive;
-    let forced = drive.mass.is_some()
-        || drive.spring_rate != 0.0
-        || drive.preload != 0.0
-        || drive.damping != 0.0;
-    if cam.is_oscillating() && (drive.kind != DriveKind::FixedAxis || forced) {
+    if cam.is_oscillating() && scene.drive.kind != DriveKind::FixedAxis {
         return Err(Error::key(
             "drive.kind",
             "an arm's lift is an angle, which no mass or spring in newtons acts on",
         )
-        .help("use kind = \"fixed-axis\" and give the speed only"));
+        .help("use kind = \"fixed-axis\"; inertia, spring_rate and preload then count about the pivot"));
     }
     Ok(())
 }

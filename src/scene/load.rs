@@ -6,8 +6,8 @@ use toml::{Table, Value};
 
 use super::table::Reader;
 use super::{
-    CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, Minimise, Scene,
-    SegmentSpec, Source,
+    CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, MachineSpec, Minimise,
+    Scene, SegmentSpec, Source,
 };
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
@@ -36,7 +36,14 @@ pub fn read(table: &Table) -> Result<Scene> {
     let law = law(root.table("law")?, &cam, gait.is_some())?;
     let limits = limits(root.table("limits")?, cam.is_oscillating())?;
     let rms = accuracy(root.table("accuracy")?)?;
+    let machine = machine(root.table("machine")?)?;
     root.finish()?;
+    if limits.residual.is_some() && machine.natural_frequency.is_none() {
+        return Err(
+            Error::key("machine.natural_frequency", "a limit on vibration needs it")
+                .help("write for example \"60 Hz\" under [machine]"),
+        );
+    }
     let scene = Scene {
         name,
         gait,
@@ -44,6 +51,7 @@ pub fn read(table: &Table) -> Result<Scene> {
         law,
         cam,
         limits,
+        machine,
         rms,
     };
     consistent(&scene)?;
@@ -165,7 +173,18 @@ fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
     ]
     .map(|k| (k.name(), k));
     spec.kind = r.choice("kind", &kinds)?.unwrap_or(usual);
+    let arm = cam.is_oscillating();
     spec.mass = r.positive("mass", Dimension::Mass)?;
+    if arm {
+        if spec.mass.is_some() {
+            return Err(Error::key(
+                "drive.mass",
+                "an arm's lift is an angle, on which no mass acts",
+            )
+            .help("give its moment of inertia about the pivot: inertia = \"0.02 kg m^2\""));
+        }
+        spec.mass = r.positive("inertia", Dimension::Inertia)?;
+    }
     let per_time = if cam.is_straight() {
         Dimension::Speed
     } else {
@@ -177,12 +196,26 @@ fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
         DriveKind::MovingAxis => {}
         DriveKind::FixedAxis => {
             spec.spring_rate = r
-                .not_negative("spring_rate", Dimension::SpringRate)?
+                .not_negative(
+                    "spring_rate",
+                    if arm {
+                        Dimension::AngularRate
+                    } else {
+                        Dimension::SpringRate
+                    },
+                )?
                 .unwrap_or(0.0);
-            spec.preload = r.quantity("preload", Dimension::Force)?.unwrap_or(0.0);
-            spec.damping = r
-                .not_negative("damping", Dimension::Damping)?
-                .unwrap_or(0.0);
+            let preload = if arm {
+                Dimension::Torque
+            } else {
+                Dimension::Force
+            };
+            spec.preload = r.quantity("preload", preload)?.unwrap_or(0.0);
+            if !arm {
+                spec.damping = r
+                    .not_negative("damping", Dimension::Damping)?
+                    .unwrap_or(0.0);
+            }
         }
         DriveKind::Hydraulic => {
             let missing = |key: &str, example: &str| {
@@ -338,6 +371,9 @@ fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
     limits.force_min = r.quantity("force_min", Dimension::Force)?;
     limits.force_max = r.quantity("force_max", Dimension::Force)?;
     limits.face_width = r.positive("face_width", Dimension::Length)?;
+    limits.torque = r.positive("torque", Dimension::Torque)?;
+    limits.hertz_pressure = r.positive("hertz_pressure", Dimension::Pressure)?;
+    limits.residual = r.positive("residual", lift_dimension(oscillating, 0))?;
     r.finish()?;
     if let (Some(low), Some(high)) = (limits.force_min, limits.force_max)
         && low >= high
@@ -349,6 +385,38 @@ fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
         .help("lower force_min or raise force_max"));
     }
     Ok(limits)
+}
+
+/// Damping ratio of a follower train of which nothing is said: steel parts with oiled joints.
+const DAMPING_RATIO: f64 = 0.05;
+
+fn machine(reader: Option<Reader>) -> Result<MachineSpec> {
+    let mut spec = MachineSpec {
+        natural_frequency: None,
+        damping_ratio: DAMPING_RATIO,
+        friction: 0.0,
+        restitution: 0.0,
+        second_cam: None,
+    };
+    let Some(mut r) = reader else { return Ok(spec) };
+    spec.natural_frequency = r.positive("natural_frequency", Dimension::Frequency)?;
+    if let Some(ratio) = r.not_negative("damping_ratio", Dimension::Ratio)? {
+        spec.damping_ratio = ratio;
+    }
+    spec.friction = r.not_negative("friction", Dimension::Ratio)?.unwrap_or(0.0);
+    spec.restitution = r
+        .not_negative("restitution", Dimension::Ratio)?
+        .unwrap_or(0.0);
+    if spec.restitution > 1.0 {
+        return Err(Error::key(
+            "machine.restitution",
+            format!("{} is outside 0 … 1", spec.restitution),
+        )
+        .help("0 lands without a bounce, 1 loses nothing"));
+    }
+    spec.second_cam = r.quantity("second_cam", Dimension::Angle)?;
+    r.finish()?;
+    Ok(spec)
 }
 
 fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {

@@ -27,6 +27,8 @@ pub struct Scene {
     pub cam: CamSpec,
     /// What must not be exceeded.
     pub limits: Limits,
+    /// What is known of the machine beyond its drive.
+    pub machine: MachineSpec,
     /// Asked RMS force error as part of the mean force.
     pub rms: Option<f64>,
 }
@@ -76,7 +78,7 @@ pub struct Gait {
 pub struct DriveSpec {
     /// The machine.
     pub kind: DriveKind,
-    /// Moved mass, kg; `None` = mean force / g.
+    /// Moved mass, kg (an arm's moment of inertia, kg·m²); `None` = mean force / g.
     pub mass: Option<f64>,
     /// Cam speed, rad/s; `None` = one turn per cycle.
     pub speed: Option<f64>,
@@ -86,9 +88,9 @@ pub struct DriveSpec {
     pub pressure_per_volume: f64,
     /// Hydraulic: radius of the piston, m.
     pub piston_radius: f64,
-    /// Fixed axis: N/m.
+    /// Fixed axis: N/m (an arm: N·m/rad).
     pub spring_rate: f64,
-    /// Fixed axis: N on the base circle.
+    /// Fixed axis: N on the base circle (an arm: N·m).
     pub preload: f64,
     /// Fixed axis: N·s/m.
     pub damping: f64,
@@ -195,6 +197,21 @@ pub struct SegmentSpec {
     pub lift: f64,
     /// Angle, rad.
     pub angle: f64,
+}
+
+/// What is known of the machine beyond its drive: `gaitcam simulate` runs with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineSpec {
+    /// First natural frequency of the follower train, Hz.
+    pub natural_frequency: Option<f64>,
+    /// Its damping ratio.
+    pub damping_ratio: f64,
+    /// Coefficient of friction where cam and follower rub.
+    pub friction: f64,
+    /// Coefficient of restitution of a landing, 0 … 1.
+    pub restitution: f64,
+    /// Angle by which a second, equal cam follows on the same shaft, rad.
+    pub second_cam: Option<f64>,
 }
 
 /// What the law may be.
@@ -304,6 +321,12 @@ pub struct Limits {
     pub force_max: Option<f64>,
     /// Longest flat face, m.
     pub face_width: Option<f64>,
+    /// Largest shaft torque without friction, N·m.
+    pub torque: Option<f64>,
+    /// Largest line pressure between cam and follower, steel on steel over the plate's thickness, Pa.
+    pub hertz_pressure: Option<f64>,
+    /// Largest amplitude with which the follower may ring on in a dwell, m.
+    pub residual: Option<f64>,
 }
 
 /// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.

@@ -178,7 +178,11 @@ fn fill(
     let sized = scene.cam.base_radius.is_none() && scene.cam.prime_radius.is_none();
     let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
     // The solver counts a stroke limit from the base circle, the check from the lowest point.
-    let kept = within(lowest + stroke, limits.stroke)
+    // Limits of the running machine are the solver's business.
+    let machine =
+        limits.torque.is_some() || limits.hertz_pressure.is_some() || limits.residual.is_some();
+    let kept = !machine
+        && within(lowest + stroke, limits.stroke)
         && within(peaks[0], limits.velocity)
         && within(peaks[1], limits.acceleration)
         && within(peaks[2], limits.jerk)

@@ -98,6 +98,8 @@ pub fn in_units(limit: &str, value: f64) -> String {
         "acceleration" => ("m/s²", value),
         "jerk" => ("m/s³", value),
         "force_min" | "force_max" | "rms_error" => ("N", value),
+        "torque" => ("N·m", value),
+        "hertz_pressure" => ("MPa", 1e-6 * value),
         _ => ("mm", 1e3 * value),
     };
     // Six places hide what is smaller.

@@ -1,8 +1,8 @@
 //! The optimum without limits: one factorisation, and a small dense system for the demands.
 
 use super::band::{ArrowFactor, ArrowMatrix};
-use super::basis::apply;
-use super::problem::{Failure, Program};
+use super::basis::{Basis, apply};
+use super::problem::{Equality, Failure, Program};
 
 /// Demands whose pivot falls below this part of the first are consequences of (or contradictions to) the
 /// others.
@@ -60,10 +60,23 @@ fn penalty(program: &Program) -> f64 {
     if h > 0.0 { h } else { 1.0 }
 }
 
+/// Demands at one angle: their outer products fit the band. One on an integral over the law does not, and
+/// is left to the small dense system alone.
+fn local(program: &Program) -> impl Iterator<Item = &Equality> {
+    let widest = match &program.basis {
+        Basis::Spline { space, .. } => space.degree() + 1,
+        Basis::Harmonic { .. } => usize::MAX,
+    };
+    program
+        .equalities
+        .iter()
+        .filter(move |e| e.entries.len() <= widest)
+}
+
 fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
     let mut h = program.hessian.clone();
     let rho = penalty(program);
-    for e in &program.equalities {
+    for e in local(program) {
         let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
         let weight = if norm > 0.0 { rho / norm } else { 0.0 };
         for (p, &(i, a)) in e.entries.iter().enumerate() {
@@ -75,8 +88,8 @@ fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
     let mut pin = None;
     if program.level_is_open() {
         let at = match program.basis {
-            super::basis::Basis::Spline { .. } => h.dimension() - 1,
-            super::basis::Basis::Harmonic { .. } => 0,
+            Basis::Spline { .. } => h.dimension() - 1,
+            Basis::Harmonic { .. } => 0,
         };
         let moved = program.limits.iter().any(|l| l.weights[0] != 0.0) || !program.fixed.is_empty();
         let weight = if moved { LIGHT_PIN * rho } else { rho };
@@ -90,7 +103,7 @@ fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
 fn augmented_gradient(program: &Program) -> Vec<f64> {
     let mut g = program.gradient.clone();
     let rho = penalty(program);
-    for e in &program.equalities {
+    for e in local(program) {
         let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
         if norm > 0.0 {
             for &(i, a) in &e.entries {

@@ -30,6 +30,7 @@ mod exchange;
 mod harmonic;
 pub mod lab;
 mod limits;
+mod machine;
 mod objective;
 mod oracle;
 mod polish;
@@ -78,6 +79,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     let conjugate = design::conjugate(scene, &cam)?;
     let groove = design::groove(scene, &cam)?;
     let mut checks = verify::checks(scene, &demand, &cam, &force);
+    checks.extend(machine::checks(scene, &demand, &cam));
     checks.extend(verify::second_cam(scene, conjugate.as_ref()));
     checks.extend(verify::groove(scene, groove.as_ref()));
     let (mut verdict, mut reason) = verify::verdict(scene, &cam, &checks);

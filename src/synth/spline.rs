@@ -185,6 +185,7 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     let degree = scene.law.degree.unwrap_or(5);
     let level = level_is_known(scene, demand);
     let mut rows = limits::linear(scene, demand, level);
+    rows.extend(super::machine::rows(scene, demand));
     let (mut program, _) = program(scene, demand, spans, Vec::new())?;
     if !level && limits::size_is_given(scene) {
         // The base circle is where the law is lowest, and a given size counts from there. Which angle
@@ -192,6 +193,7 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
         if let Ok(unlimited) = super::equality::solve(&program) {
             let lowest = program.basis.law(&unlimited.x).extremes(0).0.at;
             rows = limits::linear(scene, demand, true);
+            rows.extend(super::machine::rows(scene, demand));
             program.equalities.push(Equality {
                 name: "base circle".to_string(),
                 entries: program.basis.row(lowest, &[1.0, 0.0, 0.0, 0.0]),
@@ -218,12 +220,15 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
         limits::with_size(scene, demand, &mut program);
     }
     Ok(match program.solve() {
-        Ok(solution) => Outcome::Law(Box::new(Fitted {
-            program,
-            solution,
-            spans,
-            degree,
-        })),
+        Ok(solution) => {
+            let (program, solution) = super::machine::hold(scene, demand, program, solution);
+            Outcome::Law(Box::new(Fitted {
+                program,
+                solution,
+                spans,
+                degree,
+            }))
+        }
         Err(failure) => Outcome::None(Box::new(program), failure),
     })
 }

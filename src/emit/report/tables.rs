@@ -36,6 +36,9 @@ pub fn shown(limit: &str, value: f64) -> String {
         | "second_interference"
         | "upper_wall"
         | "lower_wall" => (1000.0, " mm"),
+        "residual" => (1000.0, " mm"),
+        "torque" => (1.0, " N·m"),
+        "hertz_pressure" => (1e-6, " MPa"),
         "velocity" => (1.0, " m/s"),
         "acceleration" => (1.0, " m/s²"),
         "jerk" => (1.0, " m/s³"),

@@ -1,0 +1,191 @@
+//! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
+
+use gaitcam::dynamics::flexible::residual_vibration;
+use gaitcam::dynamics::{hertz, touch::touch};
+use gaitcam::gait::ForceCurve;
+use gaitcam::law::Law;
+use gaitcam::scene;
+use gaitcam::synth::{Synthesis, synthesise};
+use std::f64::consts::TAU;
+
+fn design(text: &str, changes: &[&str]) -> Synthesis {
+    let mut table: toml::Table = text.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    let scene = scene::read(&table).unwrap();
+    let target: Option<ForceCurve> = scene
+        .gait
+        .as_ref()
+        .map(|g| gaitcam::gait::model("young", Some(1.85), 700.0, g.feet).unwrap());
+    synthesise(&scene, target.as_ref()).unwrap()
+}
+
+fn fault(text: &str, change: &str) -> String {
+    let mut table: toml::Table = text.parse().unwrap();
+    scene::set(&mut table, change).unwrap();
+    scene::read(&table).unwrap_err().to_string()
+}
+
+fn check<'a>(s: &'a Synthesis, name: &str) -> &'a gaitcam::cam::Check {
+    s.checks.iter().find(|c| c.name == name).unwrap()
+}
+
+fn peak_torque(s: &Synthesis) -> f64 {
+    (0..20_011)
+        .map(|i| s.cam.law.svaj(TAU * f64::from(i) / 20_011.0))
+        .map(|at| (s.drive.force(at) * at.v).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn a_torque_limit_shapes_the_law_and_costs_accuracy() {
+    let free = design(scene::DEFAULT, &[]);
+    let most = peak_torque(&free);
+    let spans = format!("law.spans={}", free.cam.law.poly().pieces());
+    let rms = "accuracy.rms=50 %";
+    let mut last = free.force.rms_error_n;
+    for share in [0.97, 0.9, 0.8] {
+        let limit = share * most;
+        let change = format!("limits.torque={limit} N m");
+        let s = design(scene::DEFAULT, &[&spans, rms, &change]);
+        assert!(check(&s, "torque").pass, "{share}");
+        assert!(peak_torque(&s) <= limit * (1.0 + 1e-6), "{share}");
+        // What is given up is not thrown away: the limit is reached.
+        assert!(peak_torque(&s) > limit * (1.0 - 2e-3), "{share}");
+        assert!(s.force.rms_error_n > last);
+        last = s.force.rms_error_n;
+        assert!(s.binding.iter().any(|b| b.limit == "torque"));
+    }
+    // A limit that is not reached changes nothing.
+    let wide = design(scene::DEFAULT, &["limits.torque=1000 N m"]);
+    assert_eq!(wide.coefficients, free.coefficients);
+}
+
+#[test]
+fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
+    let base = ["cam.base_radius=40 mm", "accuracy.rms=50 %", "law.spans=8"];
+    let free = design(scene::DEFAULT, &base);
+    let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let worst = |s: &Synthesis| {
+        (0..7213)
+            .map(|i| {
+                let at = s.cam.law.svaj(TAU * f64::from(i) / 7213.0);
+                let force = s.drive.force(at);
+                let here = touch(&s.cam.follower, s.drive.speed, 0.0, at, force);
+                hertz::line(here.normal, s.thickness, here.curvature, steel).pressure
+            })
+            .fold(0.0, f64::max)
+    };
+    let most = worst(&free);
+    let limit = 0.95 * most;
+    let change = format!("limits.hertz_pressure={limit} Pa");
+    let mut changes = base.to_vec();
+    changes.push(&change);
+    let s = design(scene::DEFAULT, &changes);
+    assert!(s.infeasible.is_none() && check(&s, "hertz_pressure").pass);
+    let held = worst(&s);
+    assert!(
+        held <= limit * (1.0 + 1e-6) && held > 0.999 * limit,
+        "{held} {limit}"
+    );
+    assert!(s.binding.iter().any(|b| b.limit == "hertz_pressure"));
+    assert!(s.force.rms_error_n > free.force.rms_error_n);
+}
+
+const RISE: &str = r#"
+name = "rise"
+[drive]
+kind = "fixed-axis"
+mass = "1 kg"
+speed = "10 rad/s"
+[machine]
+natural_frequency = "5 Hz"
+[law]
+family = "spline"
+spans = 24
+[[law.dwell]]
+from = "0 deg"
+to = "60 deg"
+lift = "0"
+[[law.dwell]]
+from = "170 deg"
+to = "230 deg"
+lift = "10 mm"
+[cam]
+follower = "flat-translating"
+base_radius = "60 mm"
+"#;
+
+/// Amplitude left after the motion from `from` to `to`, by the closed form for a law of its own.
+fn left_over(law: &Law, from: f64, to: f64, ratio: f64) -> f64 {
+    let mut poly = law.combination([1.0, 0.0, 0.0, 0.0], 0.0);
+    poly = poly.cut_at(&[from, to]);
+    let pieces: Vec<usize> = (0..poly.pieces())
+        .filter(|&i| poly.breaks()[i] >= from - 1e-12 && poly.breaks()[i + 1] <= to + 1e-12)
+        .collect();
+    let mut breaks: Vec<f64> = pieces.iter().map(|&i| poly.breaks()[i]).collect();
+    breaks.push(to);
+    let coef = pieces
+        .iter()
+        .flat_map(|&i| poly.piece(i).to_vec())
+        .collect();
+    let part = gaitcam::poly::PiecewisePoly::new(breaks, poly.degree(), coef);
+    residual_vibration(&Law::from_poly(part, false), ratio)
+}
+
+#[test]
+fn a_dwell_is_left_quiet_where_vibration_is_limited() {
+    let ratio = TAU * 5.0 / 10.0;
+    let motion = (60f64.to_radians(), 170f64.to_radians());
+    let free = design(RISE, &[]);
+    let rings = left_over(&free.cam.law, motion.0, motion.1, ratio);
+    assert!(rings > 1e-4, "{rings}");
+    let s = design(RISE, &["limits.residual=0.001 mm"]);
+    assert!(check(&s, "residual").pass, "{:?}", s.checks);
+    for (from, to) in [motion, (230f64.to_radians(), TAU)] {
+        let quiet = left_over(&s.cam.law, from, to, ratio);
+        assert!(quiet < 1e-9, "{quiet}");
+    }
+    // Asked for more than it leaves anyway, the law stays as it is.
+    let wide = design(RISE, &["limits.residual=50 mm"]);
+    assert_eq!(wide.coefficients, free.coefficients);
+}
+
+#[test]
+fn what_is_said_of_the_machine_must_make_sense() {
+    for (change, words) in [
+        ("machine.restitution=1.2", "outside 0 … 1"),
+        ("machine.friction=-0.1", "negative"),
+        ("machine.natural_frequency=60 mm", "another kind"),
+        ("machine.frictoin=0.1", "did you mean \"friction\""),
+        ("limits.torque=0 N m", "not positive"),
+        ("limits.hertz_pressure=5 N", "another kind"),
+    ] {
+        let got = fault(RISE, change);
+        assert!(got.contains(words), "{change}: {got}");
+    }
+    let got = fault(scene::DEFAULT, "limits.residual=1 mm");
+    assert!(got.contains("machine.natural_frequency"), "{got}");
+}
+
+#[test]
+fn an_arm_has_inertia_not_mass() {
+    let arm = std::fs::read_to_string("scenes/camdas_02_oscillating_roller.toml").unwrap();
+    let s = design(
+        &arm,
+        &[
+            "drive.inertia=0.02 kg m^2",
+            "drive.preload=2 N m",
+            "drive.spring_rate=3 N m/rad",
+        ],
+    );
+    assert_eq!(
+        (s.drive.mass, s.drive.rest_force, s.drive.spring_rate),
+        (0.02, 2.0, 3.0)
+    );
+    assert!(fault(&arm, "drive.mass=1 kg").contains("inertia"));
+    assert!(fault(&arm, "drive.preload=1 N").contains("another kind"));
+    let got = fault(&arm, "gait.model=young");
+    assert!(got.contains("in metres"), "{got}");
+}
