@@ -56,12 +56,15 @@ fn the_mean_of_equal_strides_is_the_stride() {
     let worst = (0..n)
         .map(|i| {
             let t = late + 1.1 * i as f64 / n as f64;
-            let true_n = stance(t / 0.68) + stance((t + 0.55) / 0.68) + stance((t - 0.55) / 0.68);
+            let true_n: f64 = (-1..=2)
+                .map(|k| stance((t - 0.55 * f64::from(k)) / 0.68))
+                .sum();
             (c.curve.force_n[i] - true_n).abs()
         })
         .fold(0.0, f64::max);
-    // What lies below the 20 N threshold is left out at each end.
-    assert!(worst < 21.0, "{worst}");
+    // The force below the 20 N threshold is kept. Heel strike is a corner of 2.05 π 700 N in 0.68 s, 13 N per
+    // sample: a straight line across it errs by a quarter of that at most.
+    assert!(worst < 13.3 / 4.0, "{worst}");
     let mass = 2.0 * 700.0 * std::f64::consts::FRAC_2_PI * (1.0 + 0.35 / 3.0) * 0.68 / 1.1 / 9.81;
     assert!(
         (c.mass_kg / mass - 1.0).abs() < 2e-3,
@@ -98,7 +101,10 @@ fn one_foot_is_zero_in_swing_and_carries_half_the_body() {
     let one = of(12.0, 0.0, Feet::One);
     let both = of(12.0, 0.0, Feet::Both);
     let n = one.curve.force_n.len();
-    assert!(one.curve.force_n[n * 65 / 100..].iter().all(|f| *f == 0.0));
+    // Before the next heel strike comes the little force below its threshold, 0.0095 of a stance.
+    let swing = n * 65 / 100..n * 99 / 100;
+    assert!(one.curve.force_n[swing].iter().all(|f| *f == 0.0));
+    assert!(one.curve.force_n[n - 1] > 0.0 && one.curve.force_n[n - 1] < 20.0);
     assert!((2.0 * one.curve.mean_n() / both.curve.mean_n() - 1.0).abs() < 5e-3);
     assert!((one.mass_kg / both.mass_kg - 1.0).abs() < 5e-3);
 }

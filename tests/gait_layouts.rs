@@ -8,7 +8,7 @@ const RATE: f64 = 200.0;
 const STRIDE_S: f64 = 1.1;
 const STANCE_S: f64 = 0.68;
 
-/// Force of one foot at sample `i`, N, upward; peaks of 756 N, valley of 455 N.
+/// Force of one foot at sample `i`, N, upward; peaks of 668 N, valley of 455 N.
 fn foot(i: usize, lead_s: f64) -> f64 {
     let x = (i as f64 / RATE + lead_s).rem_euclid(STRIDE_S) / STANCE_S;
     if x > 1.0 {

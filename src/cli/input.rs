@@ -142,8 +142,7 @@ fn find(folder: &Path, path: &Path) -> PathBuf {
 
 /// The table of subjects that lies beside a table of stances, if there is one.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
-    let name = gait::metadata_name(path)?;
-    fs::read(path.with_file_name(name)).ok()
+    fs::read(gait::metadata_name(path)?).ok()
 }
 
 /// A whole file.

@@ -3,6 +3,7 @@
 mod average;
 mod catalogue;
 mod clean;
+mod contact;
 mod curve;
 mod cycle;
 mod describe;
@@ -12,15 +13,19 @@ mod overlay;
 mod read;
 mod recording;
 mod shape;
+mod single_foot;
 mod stance;
 mod stride;
+mod stride_time;
 mod total;
+mod verdict;
 
 pub use catalogue::{ModelInfo, Status, catalogue};
 pub use curve::ForceCurve;
 pub use cycle::{Cycle, cycle};
 pub use describe::{csv, json, spread_rms_n, table};
-pub use models::{Feet, SAMPLES, fourier, model};
+pub use feet::Feet;
+pub use models::{SAMPLES, fourier, model};
 pub use overlay::{Overlay, overlay};
 pub use read::{force_curve, metadata_name, read};
 pub use recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row, Strike};

@@ -9,47 +9,12 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::catalogue::{CATALOGUE, ModelInfo};
 use super::curve::ForceCurve;
+use super::feet::Feet;
+use super::single_foot::single_foot;
 use crate::error::{Error, Result, nearest};
 
 /// Samples of one cycle of a model; every sample is the formula's value, not an interpolation.
 pub const SAMPLES: usize = 1024;
-
-/// Whose force a curve is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Feet {
-    /// The sum of both feet, as a floor or footbridge feels it.
-    Both,
-    /// One foot, whichever the source offers (the mean of both where it offers both).
-    One,
-    /// The left foot.
-    Left,
-    /// The right foot.
-    Right,
-}
-
-impl Feet {
-    /// The name used in scenes: `both`, `one`, `left`, `right`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Feet::Both => "both",
-            Feet::One => "one",
-            Feet::Left => "left",
-            Feet::Right => "right",
-        }
-    }
-}
-
-impl std::str::FromStr for Feet {
-    type Err = Error;
-
-    fn from_str(word: &str) -> Result<Self> {
-        let all = [Feet::Both, Feet::One, Feet::Left, Feet::Right];
-        all.into_iter().find(|f| f.name() == word).ok_or_else(|| {
-            Error::new(format!("\"{word}\" does not name feet"))
-                .help("write both, one, left or right")
-        })
-    }
-}
 
 /// What the amplitudes and phases of a model are; one entry per harmonic, phases added, radians.
 type Harmonics = Vec<(f64, f64)>;
@@ -207,64 +172,14 @@ fn continuous(harmonics: &[(f64, f64)]) -> Vec<f64> {
     phases().map(at).collect()
 }
 
-fn phases() -> impl Iterator<Item = f64> {
+pub(super) fn phases() -> impl Iterator<Item = f64> {
     (0..SAMPLES).map(|i| i as f64 / SAMPLES as f64)
-}
-
-/// One stride of one foot, or one step of two feet half a stride apart, in body weights.
-fn single_foot(name: &str, f: f64, feet: Feet) -> Vec<f64> {
-    let stance = |t: f64| match name {
-        "li-2010" => li_2010(f, t),
-        _ => iso_22675(t),
-    };
-    let stride = 2.0 / f;
-    match feet {
-        Feet::Both => phases()
-            .map(|x| stance(x / f) + stance(x / f + 0.5 * stride))
-            .collect(),
-        Feet::One | Feet::Left | Feet::Right => phases().map(|x| stance(x * stride)).collect(),
-    }
-}
-
-/// Li et al. 2010: one stance in body weights at time `t` s after heel strike; zero outside.
-fn li_2010(f: f64, t: f64) -> f64 {
-    let stance = 1.0 / (0.76 * f);
-    if !(0.0..=stance).contains(&t) {
-        return 0.0;
-    }
-    let a = [
-        -0.0698 * f + 1.211,
-        0.1052 * f - 0.1284,
-        0.3002 * f - 0.1534,
-        0.0416 * f - 0.0288,
-        -0.0275 * f + 0.0608,
-    ];
-    let waves = a.iter().zip(1..);
-    waves
-        .map(|(a, n)| a * (f64::from(n) * PI * t / stance).sin())
-        .sum()
-}
-
-/// ISO 22675: load over F1cmax at time `t` s after heel strike; zero outside the 600 ms of stance.
-fn iso_22675(t: f64) -> f64 {
-    if !(0.0..=0.6).contains(&t) {
-        return 0.0;
-    }
-    let t = 1e3 * t; // the standard counts milliseconds
-    let powers = [
-        3624.95690883228,
-        1646.51497111425e-1,
-        -1671.01914899229e-3,
-        5988.82225167948e-6,
-        -9203.7374110419e-9,
-        5123.06842296552e-12,
-    ];
-    1e-6 * t * powers.iter().rev().fold(0.0, |sum, c| sum * t + c)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::catalogue::catalogue;
+    use super::super::single_foot::{iso_22675, li_2010};
     use super::*;
 
     /// Local extrema of a sampled stance: (fraction of the stance, value), in order.

@@ -1,6 +1,6 @@
 //! Stances laid over each other on phase, with their mean and its band, for a picture.
 
-use super::average::{mean_stance, stance_row};
+use super::average::{mean_within, stance_row};
 use super::recording::{Foot, Recording};
 use super::stance::Stances;
 
@@ -28,13 +28,13 @@ pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<
         return None;
     }
     let all: Vec<_> = stances.used.iter().collect();
-    let mean = mean_stance(recording, &all);
+    let mean = mean_within(recording, &all, 0.0);
     let masses: Option<Vec<f64>> = all.iter().map(|s| s.mass_kg).collect();
     let usual = masses.map(|m| m.iter().sum::<f64>() / m.len() as f64);
     let shown = all.iter().step_by(all.len().div_ceil(most.max(1)));
     let curves = shown.map(|s| {
         let mut row = vec![0.0; mean.force.len()];
-        stance_row(recording, s, usual, &mut row);
+        stance_row(recording, s, usual, 0.0, &mut row);
         (s.foot, row)
     });
     Some(Overlay {

@@ -1,6 +1,6 @@
 //! Whole strides of both feet in a recording.
 
-use super::average::at;
+use super::average::{at, periodic, whole_span};
 use super::recording::{Foot, Recording};
 use super::stance::{Rejected, Stance, Stances, Why};
 
@@ -20,9 +20,14 @@ pub(super) struct Stride {
     pub start_s: f64,
     pub end_s: f64,
     pub foot: Option<Foot>,
+    /// Time on record beyond both ends, in which every foot that stands is known, s.
+    beyond_s: f64,
     /// Channel and span of each contact that reaches into the stride.
     contacts: Vec<(usize, f64, f64)>,
 }
+
+/// Part of a stride about its ends over which it is blended with its neighbours.
+const BLEND: f64 = 0.04;
 
 /// Strides in which every footfall is on record.
 ///
@@ -47,7 +52,7 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
                 .map(rejected_fall),
         )
         .collect();
-    falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
+    falls.sort_by(|a, b| (a.start_s.total_cmp(&b.start_s)).then(a.end_s.total_cmp(&b.end_s)));
     let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
     let found = falls.windows(4).filter(|w| {
         let whole = w[1].stance.is_some() && w[2].stance.is_some();
@@ -61,10 +66,8 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
             start_s: w[1].start_s,
             end_s: w[3].start_s,
             foot: w[1].stance.and_then(|s| s.foot),
-            contacts: w[..3]
-                .iter()
-                .map(|f| (f.channel, f.start_s, f.end_s))
-                .collect(),
+            beyond_s: (w[1].start_s - w[0].start_s).min(w[3].end_s - w[3].start_s),
+            contacts: w.iter().map(|f| (f.channel, f.start_s, f.end_s)).collect(),
         })
         .collect()
 }
@@ -93,17 +96,23 @@ pub(super) fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
     kept
 }
 
-/// Sum of the contacts of a stride at equal phases.
+/// Sum of the contacts of a stride at equal phases, closed at its ends.
 pub(super) fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
-    row.fill(0.0);
-    let step = (stride.end_s - stride.start_s) / row.len() as f64;
-    for &(channel, from_s, to_s) in &stride.contacts {
-        let force = &recording.channels[channel].force_n;
-        for (i, x) in row.iter_mut().enumerate() {
-            let t = stride.start_s + i as f64 * step;
-            if t >= from_s && t <= to_s {
-                *x += at(force, t * recording.rate_hz);
-            }
-        }
-    }
+    let rate = recording.rate_hz;
+    let spans: Vec<(&[f64], f64, f64)> = stride
+        .contacts
+        .iter()
+        .map(|&(channel, start_s, end_s)| {
+            let channel = &recording.channels[channel];
+            let (from, to) = whole_span(channel, rate, start_s, end_s);
+            (&channel.force_n[..], from, to)
+        })
+        .collect();
+    let total = |t: f64| -> f64 {
+        let loaded = spans.iter().filter(|s| t >= s.1 && t <= s.2);
+        loaded.map(|s| at(s.0, t * rate)).sum()
+    };
+    let length = stride.end_s - stride.start_s;
+    let half = (BLEND * length).min(stride.beyond_s);
+    periodic(row, stride.start_s, length, half, total);
 }

@@ -1,6 +1,6 @@
 //! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
 
-use super::average::{Mean, at};
+use super::average::{Mean, at, periodic};
 use super::models::SAMPLES;
 use super::recording::Recording;
 use super::stance::{Stances, Why};
@@ -11,6 +11,8 @@ const STEADY: f64 = 0.05;
 const ODD_STEP: f64 = 0.25;
 /// Fewest regular steps that make a walk.
 const FEWEST_STEPS: usize = 6;
+/// Part of a stride about its ends over which it is blended with its neighbours.
+const BLEND: f64 = 0.04;
 /// Durations of a step that a walker can keep, s.
 const STEP_S: std::ops::Range<f64> = 0.3..1.2;
 
@@ -58,10 +60,10 @@ pub(super) fn total_stride(recording: &Recording, stances: &Stances) -> Option<T
         if !pair.iter().all(regular) {
             continue;
         }
-        let step = (ends[2] - ends[0]) / SAMPLES as f64;
-        for (i, x) in row.iter_mut().enumerate() {
-            *x = at(force, ends[0] + i as f64 * step);
-        }
+        // All in samples; the recording goes on beyond both ends.
+        let length = ends[2] - ends[0];
+        let half = (BLEND * length).min(ends[0]).min(n - 1.0 - ends[2]);
+        periodic(&mut row, ends[0], length, half, |t| at(force, t));
         average.add(&row);
         period += pair[0] + pair[1];
         strides += 1;

@@ -13,7 +13,7 @@ pub enum Processor {
 pub struct Build {
     pub processor: Processor,
     pub float: bool,
-    /// FORCE_PLATFORM:TYPE, 1 to 4.
+    /// FORCE_PLATFORM:TYPE, 1 to 7.
     pub kind: i16,
     /// Analog samples per frame.
     pub per_frame: usize,
@@ -113,6 +113,26 @@ fn channels(kind: i16, force: f64) -> Vec<f64> {
         ],
         // TYPE 4: the calibration matrix below doubles the third channel and adds a tenth of the first.
         4 => vec![10.0, 0.0, (force - 1.0) / 2.0, 0.0, 0.0, 0.0],
+        // TYPE 5: the same matrix with two more columns, the eighth channel counted whole.
+        5 => vec![10.0, 0.0, (force - 21.0) / 2.0, 0.0, 0.0, 0.0, 9.0, 20.0],
+        // TYPE 6: Fx, Fy, Fz at each of four corners.
+        6 => (0..12)
+            .map(|k| match k {
+                2 | 5 | 8 | 11 => 0.05 * f64::from(k) * force - 0.075 * force,
+                k => 3.0 * f64::from(k),
+            })
+            .collect(),
+        // TYPE 7: four horizontal and four vertical sensors; the matrix halves the vertical ones.
+        7 => vec![
+            1.0,
+            2.0,
+            3.0,
+            4.0,
+            0.2 * force,
+            0.4 * force,
+            0.6 * force,
+            0.8 * force,
+        ],
         _ => vec![3.0, -4.0, force, 5.0, 6.0, 7.0],
     }
 }
@@ -144,7 +164,7 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
         2,
         "LABELS",
         4,
-        &["a", "b", "c", "d", "e", "f", "g", "h"][..count],
+        &["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"][..count],
     );
     w.group(3, "FORCE_PLATFORM");
     w.ints(3, "USED", &[], &[1]);
@@ -152,13 +172,25 @@ pub fn build(b: &Build, force: impl Fn(usize) -> f64) -> Vec<u8> {
     w.ints(3, "ZERO", &[2], &[1, 5]);
     let numbers: Vec<i16> = (1..=count as i16).collect();
     w.ints(3, "CHANNEL", &[count as u8, 1], &numbers);
-    let mut matrix = [0.0f32; 36];
-    for i in 0..6 {
-        matrix[6 * i + i] = 1.0;
+    // As tall as the forces it gives, as wide as the channels, first index fastest.
+    let (high, across) = match b.kind {
+        5 => (6, 8),
+        6 => (12, 12),
+        7 => (8, 8),
+        _ => (6, 6),
+    };
+    let mut matrix = vec![0.0f32; high * across];
+    for i in 0..high {
+        matrix[high * i + i] = if b.kind == 7 && i >= 4 { 0.5 } else { 1.0 };
     }
-    matrix[2] = 0.1;
-    matrix[14] = 2.0;
-    w.floats(3, "CAL_MATRIX", &[6, 6, 1], &matrix);
+    if b.kind == 4 || b.kind == 5 {
+        matrix[2] = 0.1;
+        matrix[high * 2 + 2] = 2.0;
+    }
+    if b.kind == 5 {
+        matrix[high * 7 + 2] = 1.0;
+    }
+    w.floats(3, "CAL_MATRIX", &[high as u8, across as u8, 1], &matrix);
     w.group(4, "PROCESSING");
     w.floats(4, "Bodymass", &[], &[70.0]);
     w.group(5, "EVENT");

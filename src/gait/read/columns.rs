@@ -3,6 +3,7 @@
 //! Names are taken apart into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
 //! `left total force[N]` all say force, component and owner in some order.
 
+use super::vocabulary::{FORCE, FRAME, LEFT, OTHER, RIGHT, TIME, VERTICAL, VERTICAL_FORCE};
 use crate::gait::recording::Foot;
 
 /// A component of force in the axes of the file.
@@ -69,136 +70,6 @@ pub(super) fn bracketed(name: &str) -> Option<&str> {
     Some(rest[..close].trim())
 }
 
-const LEFT: &[&str] = &[
-    "left",
-    "l",
-    "lf",
-    "lt",
-    "lgr",
-    "links",
-    "linker",
-    "linke",
-    "gauche",
-    "izquierda",
-    "izquierdo",
-    "sinistra",
-    "sinistro",
-    "esquerda",
-    "esquerdo",
-];
-const RIGHT: &[&str] = &[
-    "right", "r", "rf", "rt", "rgr", "rechts", "rechter", "rechte", "droit", "droite", "derecha",
-    "derecho", "destra", "destro", "direita", "direito",
-];
-const FORCE: &[&str] = &[
-    "force",
-    "forces",
-    "for",
-    "f",
-    "grf",
-    "vgrf",
-    "grfs",
-    "reaction",
-    "kraft",
-    "fuerza",
-    "forza",
-    "força",
-    "forca",
-    "bodenreaktionskraft",
-    "load",
-];
-const VERTICAL: &[&str] = &[
-    "vertical",
-    "vert",
-    "vertikal",
-    "verticale",
-    "v",
-    "normal",
-    "up",
-];
-const VERTICAL_FORCE: &[&str] = &["vgrf", "fv", "grfv", "fvert", "vforce"];
-const TIME: &[&str] = &[
-    "time",
-    "zeit",
-    "temps",
-    "tiempo",
-    "tempo",
-    "t",
-    "timestamp",
-    "sec",
-    "secs",
-    "seconds",
-];
-const FRAME: &[&str] = &[
-    "frame",
-    "frames",
-    "sample",
-    "samples",
-    "field",
-    "bild",
-    "index",
-    "nr",
-    "no",
-    "item",
-    "row",
-    "point",
-    "framenumber",
-];
-/// Words that say that a column is something else than a force, whatever other words stand there.
-const OTHER: &[&str] = &[
-    "m",
-    "mx",
-    "my",
-    "mz",
-    "moment",
-    "moments",
-    "mom",
-    "torque",
-    "torques",
-    "tx",
-    "ty",
-    "tz",
-    "free",
-    "cop",
-    "cofp",
-    "copx",
-    "copy",
-    "copz",
-    "px",
-    "py",
-    "pz",
-    "ax",
-    "ay",
-    "az",
-    "cx",
-    "cy",
-    "cz",
-    "center",
-    "centre",
-    "pressure",
-    "position",
-    "pos",
-    "acceleration",
-    "acc",
-    "angular",
-    "gyro",
-    "angle",
-    "velocity",
-    "emg",
-    "power",
-    "temperature",
-    "cadence",
-    "trigger",
-    "sync",
-    "event",
-    "coefficient",
-    "friction",
-    "rate",
-    "impulse",
-    "normalised",
-    "normalized",
-];
-
 /// Reads one column name.
 pub(super) fn role(name: &str) -> Role {
     let words = words(name);
@@ -237,9 +108,9 @@ pub(super) fn foot(words: &[String]) -> Option<Foot> {
 
 fn axis_letter(word: &str) -> Option<Axis> {
     match word {
-        "x" | "fx" | "vx" | "forcex" | "grfx" => Some(Axis::X),
-        "y" | "fy" | "vy" | "forcey" | "grfy" => Some(Axis::Y),
-        "z" | "fz" | "vz" | "forcez" | "grfz" => Some(Axis::Z),
+        "x" | "fx" | "lfx" | "rfx" | "vx" | "forcex" | "grfx" => Some(Axis::X),
+        "y" | "fy" | "lfy" | "rfy" | "vy" | "forcey" | "grfy" => Some(Axis::Y),
+        "z" | "fz" | "lfz" | "rfz" | "vz" | "forcez" | "grfz" => Some(Axis::Z),
         _ => None,
     }
 }
@@ -315,6 +186,7 @@ mod tests {
             ("FP1.ForY", Y, None),
             ("Force_Z", Z, None),
             ("LFz", Z, Some(Foot::Left)),
+            ("RFZ", Z, Some(Foot::Right)),
             ("Left Fz (N)", Z, Some(Foot::Left)),
             ("walk.c3d FP1 FORCE ORIGINAL Z", Z, None),
             ("LGroundReactionForce Z", Z, Some(Foot::Left)),

@@ -7,7 +7,7 @@ use super::layout::Layout;
 use super::table::{Numbers, Table, numbers};
 use super::text::{Raw, RawForce};
 use crate::error::{Error, Result};
-use crate::gait::recording::ReadOptions;
+use crate::gait::recording::{Foot, ReadOptions};
 
 /// Fewest rows that are taken for a recording when nothing names the columns.
 const FEWEST: usize = 10;
@@ -17,6 +17,9 @@ const SAMPLE: usize = 4096;
 
 /// Columns beyond which a table without names is not a recording of forces.
 const WIDEST: usize = 400;
+
+/// Values per row beyond which nameless columns are pressure sensors, not plates (twelve plates of six).
+const MOST_VALUES: usize = 72;
 
 /// Reads a table without column names; `None` where it is too short to be a recording.
 pub(super) fn read(
@@ -80,12 +83,21 @@ pub(super) fn read(
     }
     let counts = time.is_some_and(|t| counts_samples(&columns[t]));
     let times = time.map(|t| std::mem::take(&mut columns[t]));
+    let sides = if options.force.is_empty() {
+        insole_sides(&forces, columns.len(), time)
+    } else {
+        None
+    };
+    let notes: Vec<String> = sides.iter().map(|_| {
+        format!("columns {} and {} are the sums of two like sets of sensors; they are taken for the left and the right insole", forces[0] + 1, forces[1] + 1)
+    }).collect();
     let forces = forces
         .into_iter()
-        .map(|i| RawForce {
+        .enumerate()
+        .map(|(k, i)| RawForce {
             name: format!("column {}", i + 1),
             axis: Axis::Vertical,
-            foot: None,
+            foot: sides.map(|s| s[k]),
             unit: None,
             values: std::mem::take(&mut columns[i]),
         })
@@ -97,7 +109,20 @@ pub(super) fn read(
         forces,
         samples,
         skipped,
+        notes,
     }))
+}
+
+/// Left and right, where the table is time, two like sets of sensors and their two sums, in this order.
+///
+/// So are the insole recordings of PhysioNet's gait database, left foot first.
+fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[Foot; 2]> {
+    let sensors = width.checked_sub(3)?;
+    let is_layout = time == Some(0)
+        && sensors >= 6
+        && sensors.is_multiple_of(2)
+        && forces == [width - 2, width - 1];
+    is_layout.then_some([Foot::Left, Foot::Right])
 }
 
 fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
@@ -151,6 +176,9 @@ fn counts_samples(times: &[f64]) -> bool {
 /// pushes to one side and reaches at least two fifths of the largest.
 fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
+    if data.len() > MOST_VALUES {
+        return Vec::new();
+    }
     let totals = totals(columns, &data);
     if !totals.is_empty() {
         return totals;

@@ -49,7 +49,11 @@ pub(super) fn read(head: &[String], comma: bool) -> Keys {
             continue;
         };
         let says = |words: &[&str]| words.iter().any(|w| key.contains(w));
-        if says(RATE) && !key.contains("heart") && x > 0.0 {
+        let per_frame = ["per_frame", "per frame", "perframe"];
+        if says(&per_frame) && x > 0.0 {
+            // `SECONDS_PER_FRAME 0.01`, `time per frame [secs]: 0.01`.
+            keys.rate_hz.get_or_insert(1.0 / x);
+        } else if says(RATE) && !key.contains("heart") && x > 0.0 {
             keys.rate_hz.get_or_insert(x);
         } else if says(MASS) && x > 0.0 {
             keys.mass_kg = keys.mass_kg.or(mass(key, value, x));
@@ -150,6 +154,7 @@ mod tests {
         assert_eq!(of(&["FREQUENCY\t1200"], false).rate_hz, Some(1200.0));
         assert_eq!(of(&["datarows 9009"], false).rows, Some(9009));
         assert_eq!(of(&["Body weight (N): 686.7"], false).mass_kg, Some(70.0));
+        assert_eq!(of(&["SECONDS_PER_FRAME 0.005"], false).rate_hz, Some(200.0));
         assert_eq!(of(&["Mass: 0 kg"], false).mass_kg, None);
     }
 }

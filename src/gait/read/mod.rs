@@ -6,6 +6,7 @@
 mod c3d;
 mod columns;
 mod cycle_file;
+mod format;
 mod header;
 mod headerless;
 mod keys;
@@ -17,12 +18,13 @@ mod text;
 mod timebase;
 mod times;
 mod vertical;
+mod vocabulary;
 
 use std::path::Path;
 
 use super::curve::ForceCurve;
 use super::cycle::cycle;
-use super::models::Feet;
+use super::feet::Feet;
 use super::recording::{ReadOptions, Recording};
 use super::stance::stances;
 use crate::error::{Error, Place, Result};
@@ -41,10 +43,40 @@ pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recordin
         );
     }
     if c3d::is_c3d(bytes) {
-        c3d::read(path, bytes, options)
-    } else {
-        text::read(path, bytes, options)
+        return c3d::read(path, bytes, options);
     }
+    match foreign(bytes) {
+        Some(kind) => Err(
+            Error::file(path, format!("this is {kind}, which is not read here"))
+                .help("export the trial as C3D or as text (csv, txt, mot)"),
+        ),
+        None => text::read(path, bytes, options),
+    }
+}
+
+/// What a file is that is neither text nor C3D, in words.
+fn foreign(bytes: &[u8]) -> Option<&'static str> {
+    let known: [(&[u8], &str); 9] = [
+        (b"PK\x03\x04", "an Excel workbook or another zipped file"),
+        (b"\xD0\xCF\x11\xE0", "an old Excel or Word file"),
+        (b"MATLAB 5.0", "a MATLAB file"),
+        (b"\x89HDF", "an HDF5 or new MATLAB file"),
+        (b"PAR1", "a Parquet file"),
+        (b"\x1F\x8B", "a gzipped file"),
+        (b"%PDF", "a PDF"),
+        (b"<?xml", "an XML file"),
+        (b"\x93NUMPY", "a NumPy file"),
+    ];
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {
+        return Some(kind);
+    }
+    // UTF-16 has its byte-order mark; other text holds hardly any control characters, binary numbers many.
+    let wide = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
+    let head = &bytes[..bytes.len().min(4096)];
+    let control = |b: &&u8| **b < 9 || (14..32).contains(*b);
+    let controls = head.iter().filter(control).count();
+    (!wide && 20 * controls > head.len()).then_some("a binary file of unknown kind")
 }
 
 /// Reads one cycle of force from any file that [`read`] takes.

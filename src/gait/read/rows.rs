@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use super::columns::{foot, words};
+use super::columns::{Role, foot, role, words};
 use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
 use super::number::{trim, value};
 use super::table::Table;
@@ -24,9 +24,14 @@ const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 const USUAL_STANCE_S: f64 = 0.65;
 
 /// Whether the column names are numbered samples: the same words with 1, 2, 3 … behind.
+///
+/// With a column of times the numbers are sensors, and a row is a moment.
 pub(super) fn is_stance_table(names: &[String]) -> bool {
     names.len() > FEWEST_SAMPLES
-        && numbered(names).is_some_and(|first| names.len() - first >= FEWEST_SAMPLES)
+        && numbered(names).is_some_and(|first| {
+            let timed = names[..first].iter().any(|n| role(n) == Role::Time);
+            !timed && names.len() - first >= FEWEST_SAMPLES
+        })
 }
 
 /// First of the columns that are numbered through to the end.

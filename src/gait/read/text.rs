@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::columns::{Axis, Role, bracketed, foot, role, words};
-use super::layout::{Fields, Layout, Position, Separator, detect, plain, text};
+use super::format::format_name;
+use super::layout::{Fields, Layout, Position, detect, plain, text};
 use super::number::trim;
 use super::table::{Numbers, Table, next_table, numbers, skip};
 use super::times::{time_base, time_unit};
@@ -231,6 +232,8 @@ pub(super) struct Raw {
     pub forces: Vec<RawForce>,
     pub samples: usize,
     pub skipped: Vec<usize>,
+    /// What a person should know about the choice of columns.
+    pub notes: Vec<String>,
 }
 
 fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
@@ -263,6 +266,7 @@ fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan
         forces,
         samples,
         skipped,
+        notes: Vec::new(),
     })
 }
 
@@ -276,7 +280,7 @@ fn finish(
     options: &ReadOptions,
 ) -> Result<Recording> {
     let keys = keys::read(head, layout.comma);
-    let mut notes = Vec::new();
+    let mut notes = raw.notes.clone();
     if let Some(rows) = keys.rows.filter(|r| *r != raw.samples) {
         notes.push(format!(
             "the header announces {rows} rows, the file has {}",
@@ -309,44 +313,4 @@ fn finish(
     };
     recording.format = format_name(path, layout, table, head);
     Ok(recording)
-}
-
-fn format_name(path: &Path, layout: Layout, table: &Table, head: &[String]) -> String {
-    let says = |what: &str| head.iter().any(|l| l.to_lowercase().contains(what));
-    let starts = |what: &str| head.iter().any(|l| l.to_lowercase().starts_with(what));
-    let extension = path
-        .extension()
-        .and_then(|e| e.to_str())
-        .unwrap_or("")
-        .to_lowercase();
-    if starts("endheader") {
-        let age = if starts("datacolumns") || starts("datarows") {
-            "old"
-        } else {
-            "new"
-        };
-        return format!("OpenSim storage, {age} header");
-    }
-    if says("[force data]") {
-        return "force data with key lines (.forces)".to_string();
-    }
-    if starts("devices") && table.names.iter().any(|n| n.to_lowercase().contains("sub")) {
-        return "Nexus device export".to_string();
-    }
-    if says("insoles") {
-        return "insole text export".to_string();
-    }
-    if says("bioware") {
-        return "BioWare text export".to_string();
-    }
-    if starts("no_of_") || starts("force_plate") {
-        return "Qualisys text export".to_string();
-    }
-    if table.names.is_empty() {
-        if extension == "asc" && layout.separator == Separator::Byte(b',') {
-            return "AMTI text without header".to_string();
-        }
-        return format!("{} without header", layout.describe());
-    }
-    layout.describe()
 }

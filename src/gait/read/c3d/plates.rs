@@ -134,8 +134,9 @@ fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
 
 /// Weights of the channels in the force normal to a plate, by the plate's TYPE.
 ///
-/// 1 and 2: the third channel. 3 and 7: four vertical sensors. 4 and 5: third row of the calibration
-/// matrix. 6: the third of each of four corners.
+/// 1 and 2: the third channel. 3: four vertical sensors. 4 (six channels) and 5 (eight): the third row of the
+/// calibration matrix. 6 (twelve) and 7 (eight): the vertical sensors of the four corners, which are the rows of
+/// the matrix that add up; where the file gives no matrix, the channels are forces already.
 fn weights(
     plate: usize,
     analog: &Analog,
@@ -147,8 +148,7 @@ fn weights(
         .copied()
         .unwrap_or(2.0) as i64;
     let numbers = parameters.numbers("FORCE_PLATFORM", "CHANNEL");
-    let dims = parameters.dims("FORCE_PLATFORM", "CHANNEL");
-    let stride = dims.first().copied().unwrap_or(6);
+    let stride = first_dimension(parameters, "CHANNEL").unwrap_or(6);
     let channel = |k: usize| -> std::result::Result<usize, String> {
         let n = (k < stride)
             .then(|| numbers.get(plate * stride + k))
@@ -158,33 +158,52 @@ fn weights(
             .ok_or_else(|| format!("its channel {} is not in the file", k + 1))
     };
     let plain = |ks: &[usize]| ks.iter().map(|&k| Ok((channel(k)?, 1.0))).collect();
+    let calibrated = |columns: usize, rows: &[usize]| {
+        let sums = matrix_sums(plate, columns, rows, parameters)?;
+        let pairs = sums.into_iter().enumerate();
+        Some(pairs.map(|(k, w)| Ok((channel(k)?, w))).collect())
+    };
+    let no_matrix = || Err("its calibration matrix is missing".to_string());
     match kind {
         1 | 2 => plain(&[2]),
-        3 | 7 => plain(&[4, 5, 6, 7]),
-        6 => plain(&[2, 5, 8, 11]),
-        4 | 5 => {
-            let columns = if kind == 4 { 6 } else { 8 };
-            let matrix = parameters.numbers("FORCE_PLATFORM", "CAL_MATRIX");
-            let dims = parameters.dims("FORCE_PLATFORM", "CAL_MATRIX");
-            let rows = dims.first().copied().unwrap_or(6);
-            let across = dims.get(1).copied().unwrap_or(columns);
-            let entry = |k: usize| {
-                matrix
-                    .get(plate * rows * across + k * rows + 2)
-                    .copied()
-                    .filter(|x| x.is_finite())
-            };
-            (0..columns.min(across))
-                .map(|k| {
-                    Ok((
-                        channel(k)?,
-                        entry(k).ok_or("its calibration matrix is missing")?,
-                    ))
-                })
-                .collect()
-        }
-        other => Err(format!("TYPE {other} is not known here")),
+        3 => plain(&[4, 5, 6, 7]),
+        4 => calibrated(6, &[2]).unwrap_or_else(no_matrix),
+        5 => calibrated(8, &[2]).unwrap_or_else(no_matrix),
+        6 => calibrated(12, &[2, 5, 8, 11]).unwrap_or_else(|| plain(&[2, 5, 8, 11])),
+        7 => calibrated(8, &[4, 5, 6, 7]).unwrap_or_else(|| plain(&[4, 5, 6, 7])),
+        other => Err(format!(
+            "TYPE {other} is not known here, only 1 to 7 are; name its force channel with --force"
+        )),
     }
+}
+
+fn first_dimension(parameters: &Parameters, name: &str) -> Option<usize> {
+    parameters.dims("FORCE_PLATFORM", name).first().copied()
+}
+
+/// For each of `columns` channels the sum of some rows of a plate's calibration matrix; `None` where the file
+/// has no such matrix (or only zeros).
+fn matrix_sums(
+    plate: usize,
+    columns: usize,
+    rows: &[usize],
+    parameters: &Parameters,
+) -> Option<Vec<f64>> {
+    let matrix = parameters.numbers("FORCE_PLATFORM", "CAL_MATRIX");
+    let dims = parameters.dims("FORCE_PLATFORM", "CAL_MATRIX");
+    let high = dims.first().copied().unwrap_or(6);
+    let across = dims.get(1).copied().unwrap_or(columns);
+    if across < columns || rows.iter().any(|r| *r >= high) {
+        return None;
+    }
+    let entry = |row: usize, k: usize| {
+        let x = matrix.get(plate * high * across + k * high + row);
+        x.copied().filter(|x| x.is_finite())
+    };
+    let sums: Option<Vec<f64>> = (0..columns)
+        .map(|k| rows.iter().map(|&r| entry(r, k)).sum())
+        .collect();
+    sums.filter(|s| s.iter().any(|w| *w != 0.0))
 }
 
 /// Notes plates whose normal points another way than that of the first, by their corners.
