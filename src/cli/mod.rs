@@ -86,9 +86,12 @@ struct SynthArgs {
     /// Say what decided every choice of model, and what the next richer one would cost and change
     #[arg(long)]
     explain: bool,
-    /// Rows of law.csv and profile.csv
-    #[arg(long, value_name = "N", default_value_t = 1440, value_parser = clap::value_parser!(u32).range(16..=1_000_000))]
-    points: u32,
+    /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    points: Option<u32>,
+    /// The trade-off instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke
+    #[arg(long, value_name = "A:B")]
+    front: Option<String>,
     /// Also write what a workshop takes: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
     #[arg(long)]
     solid: bool,
@@ -100,10 +103,7 @@ struct SynthArgs {
 impl SynthArgs {
     /// What the command line gives when nothing is said.
     fn standard() -> Self {
-        SynthArgs {
-            points: 1440,
-            ..SynthArgs::default()
-        }
+        SynthArgs::default()
     }
 }
 

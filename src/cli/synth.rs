@@ -1,18 +1,24 @@
 //! `gaitcam synth`: the main job.
 
+mod trade;
+
 use std::path::PathBuf;
 use std::time::Instant;
 
 use super::files::Folder;
 use super::{BUILT, NO_SUCH_CAM, SynthArgs, explain, hand_over, input, say};
 use crate::emit::{self, Timing};
-use crate::error::{Place, Result};
+use crate::error::{Error, Place, Result};
 use crate::synth::{Synthesis, synthesise};
 use crate::units::{Dimension, parse};
 
 /// Designs the cam and writes its files; exit code 3 when there is no such cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
+    if let Some(pair) = &args.front {
+        return trade::run(args, pair);
+    }
     let start = Instant::now();
+    let points = rows(args)?;
     let tool = args
         .tool
         .as_deref()
@@ -28,7 +34,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let solving = Instant::now();
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
-    write_files(&folder, &design, args.points as usize, solve_s, start)?;
+    write_files(&folder, &design, points, solve_s, start)?;
     let time = Timing {
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
@@ -39,16 +45,10 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             remarks = hand_over::workshop(&folder, &design, time)?;
         }
         if let Some(radius) = tool {
-            remarks.extend(hand_over::cutter(
-                &folder,
-                &design,
-                radius,
-                args.points as usize,
-            )?);
+            remarks.extend(hand_over::cutter(&folder, &design, radius, points)?);
         }
     }
     let reasons = if args.explain && design.infeasible.is_none() {
-        let points = args.points as usize;
         Some(explain::lines(
             &input.scene,
             target.as_ref(),
@@ -91,6 +91,24 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let good = design.infeasible.is_none() && design.checks.iter().all(|c| c.pass);
     Ok(if good { BUILT } else { NO_SUCH_CAM })
+}
+
+/// Rows of law.csv and profile.csv when nothing is said.
+const ROWS: u32 = 1440;
+/// Fewer rows draw no cam.
+const FEWEST_ROWS: u32 = 16;
+
+fn rows(args: &SynthArgs) -> Result<usize> {
+    let rows = args.points.unwrap_or(ROWS);
+    if rows < FEWEST_ROWS {
+        let place = Place::Argument("--points".into());
+        return Err(Error::new(format!("{rows} rows draw no cam"))
+            .at(place)
+            .help(format!(
+                "give {FEWEST_ROWS} or more; fewer are for --front only"
+            )));
+    }
+    Ok(rows as usize)
 }
 
 /// Everything but summary.json. Without a law that keeps the limits there is no profile to cut, so only

@@ -59,6 +59,8 @@ struct LawSummary<'a> {
     pieces: usize,
     degree: usize,
     coefficients: &'a [f64],
+    /// Phase of the force cycle at cam angle 0.
+    phase_rad: f64,
     stroke_m: f64,
     v_max_m_per_rad: f64,
     v_min_m_per_rad: f64,
@@ -242,6 +244,7 @@ impl<'a> LawSummary<'a> {
             pieces: law.poly().pieces(),
             degree: synthesis.degree,
             coefficients: &synthesis.coefficients,
+            phase_rad: synthesis.phase,
             stroke_m: law.stroke(),
             v_max_m_per_rad: v_max.value,
             v_min_m_per_rad: v_min.value,

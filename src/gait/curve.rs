@@ -95,6 +95,36 @@ impl ForceCurve {
         }
     }
 
+    /// The same cycle begun at another phase, rad: sample 0 of the new curve is the old one at `phase`.
+    #[must_use]
+    pub fn begun_at(&self, phase: f64) -> Self {
+        let n = self.force_n.len();
+        let moved = |curve: &Self| {
+            (0..n)
+                .map(|i| curve.at(phase + TAU * i as f64 / n as f64))
+                .collect()
+        };
+        let spread_n = self
+            .spread_n
+            .as_ref()
+            .map(|s| moved(&self.with_forces(s.clone())));
+        ForceCurve {
+            force_n: moved(self),
+            spread_n,
+            ..self.clone()
+        }
+    }
+
+    /// The same cycle with other forces, N, one for each sample.
+    #[must_use]
+    pub fn with_forces(&self, force_n: Vec<f64>) -> Self {
+        ForceCurve {
+            force_n,
+            spread_n: None,
+            ..self.clone()
+        }
+    }
+
     /// Bernstein coefficients of the cubic between samples i and i + 1.
     fn cubic(&self, i: usize) -> [f64; 4] {
         let n = self.force_n.len();
@@ -145,6 +175,25 @@ mod tests {
         };
         let (coarse, fine) = (worst(128), worst(1024));
         assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
+    }
+
+    #[test]
+    fn a_cycle_begun_elsewhere_is_the_same_cycle() {
+        let samples = (0..200)
+            .map(|i| 700.0 + 250.0 * (TAU * f64::from(i) / 200.0).sin())
+            .collect();
+        let mut curve = ForceCurve::from_samples("test", 0.5, samples).unwrap();
+        curve.spread_n = Some((0..200).map(f64::from).collect());
+        // A quarter turn is fifty samples.
+        let moved = curve.begun_at(TAU / 4.0);
+        for i in 0..200 {
+            assert!((moved.force_n[i] - curve.force_n[(i + 50) % 200]).abs() < 1e-9);
+        }
+        assert!((moved.spread_n.unwrap()[0] - 50.0).abs() < 1e-9);
+        let there_and_back = curve.begun_at(0.3).begun_at(-0.3);
+        for (a, b) in there_and_back.force_n.iter().zip(&curve.force_n) {
+            assert!((a - b).abs() < 1e-4, "{a} {b}");
+        }
     }
 
     #[test]

@@ -6,8 +6,8 @@ use toml::{Table, Value};
 
 use super::table::Reader;
 use super::{
-    CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, MachineSpec, Minimise,
-    Scene, SegmentSpec, Source,
+    Band, CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, MachineSpec,
+    Minimise, Phase, PhaseWeight, Scene, SegmentSpec, Source,
 };
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
@@ -139,12 +139,69 @@ fn gait(mut r: Reader) -> Result<Gait> {
             ));
         }
     };
+    let band = match r.text("band")? {
+        Some("spread") => Some(Band::Spread),
+        Some(_) => r.positive("band", Dimension::Force)?.map(Band::Width),
+        None => None,
+    };
+    let phase = match r.text("phase")? {
+        Some("free") => Phase::Free,
+        _ => Phase::At(r.quantity("phase", Dimension::Angle)?.unwrap_or(0.0)),
+    };
+    let weights = weights(&mut r)?;
     r.finish()?;
     Ok(Gait {
         source,
         feet,
         to_mass,
+        band,
+        weights,
+        phase,
     })
+}
+
+fn weights(r: &mut Reader) -> Result<Vec<PhaseWeight>> {
+    let mut out = Vec::new();
+    for mut w in r.tables("weight")? {
+        let missing = |key: String| {
+            Error::key(&key, "a weight needs it")
+                .help("write from = \"0 deg\", to = \"60 deg\", weight = 4")
+        };
+        let (from_key, to_key, weight_key) = (w.name("from"), w.name("to"), w.name("weight"));
+        let one = PhaseWeight {
+            from: w
+                .quantity("from", Dimension::Angle)?
+                .ok_or_else(|| missing(from_key.clone()))?,
+            to: w
+                .quantity("to", Dimension::Angle)?
+                .ok_or_else(|| missing(to_key))?,
+            weight: w
+                .not_negative("weight", Dimension::Ratio)?
+                .ok_or_else(|| missing(weight_key.clone()))?,
+        };
+        if one.weight > LARGEST_WEIGHT {
+            return Err(Error::key(
+                &weight_key,
+                format!("{} drowns the rest of the cycle", one.weight),
+            )
+            .help("weights from 0 to 1000000; 1 is what all else has"));
+        }
+        let inside = |x: f64| (-1e-9..=std::f64::consts::TAU + 1e-9).contains(&x);
+        if !inside(one.from) || !inside(one.to) || one.from == one.to {
+            return Err(Error::key(
+                &from_key,
+                format!(
+                    "{:.3}° to {:.3}° is no range of one cycle",
+                    one.from.to_degrees(),
+                    one.to.to_degrees()
+                ),
+            )
+            .help("phases run from 0 to 360 deg; a range over the end has to < from"));
+        }
+        out.push(one);
+        w.finish()?;
+    }
+    Ok(out)
 }
 
 fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
@@ -259,7 +316,8 @@ fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec>
     spec.spans = r.count("spans", 1, MOST_SPANS)?;
     spec.harmonics = r.count("harmonics", 1, 400)?;
     spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
-    if !has_gait && matches!(spec.minimise, Some(Minimise::ForceError)) {
+    let of_force = [Minimise::ForceError, Minimise::PeakForceError];
+    if !has_gait && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
         return Err(
             Error::key("law.minimise", "there is no force to come near to")
                 .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),
@@ -368,6 +426,7 @@ fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
         }
     }
     limits.curvature = r.not_negative("curvature", Dimension::Length)?;
+    limits.prime_radius = r.positive("prime_radius", Dimension::Length)?;
     limits.force_min = r.quantity("force_min", Dimension::Force)?;
     limits.force_max = r.quantity("force_max", Dimension::Force)?;
     limits.face_width = r.positive("face_width", Dimension::Length)?;
@@ -426,10 +485,33 @@ fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {
     Ok(rms)
 }
 
+/// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
+const LARGEST_WEIGHT: f64 = 1e6;
+
 /// Demands that only the whole scene can contradict.
 fn consistent(scene: &Scene) -> Result<()> {
     super::cam::consistent(scene)?;
     let law = &scene.law;
+    if let Some(gait) = &scene.gait
+        && law.family != Family::Spline
+    {
+        let only_splines = |key: &str| {
+            let family = law.family.name();
+            Err(
+                Error::key(key, format!("a {family} law is not fitted to it"))
+                    .help("use law.family = \"spline\""),
+            )
+        };
+        if gait.band.is_some() {
+            return only_splines("gait.band");
+        }
+        if !gait.weights.is_empty() {
+            return only_splines("gait.weight");
+        }
+        if law.minimise == Some(Minimise::PeakForceError) {
+            return only_splines("law.minimise");
+        }
+    }
     match law.family {
         Family::Program if law.segments.is_empty() => {
             return Err(Error::key("law.segment", "a program needs its segments").help(

@@ -71,6 +71,41 @@ pub struct Gait {
     pub feet: Feet,
     /// Scale the target so that its mean is M·g.
     pub to_mass: bool,
+    /// Stay inside a band about the target instead of near to it.
+    pub band: Option<Band>,
+    /// Ranges of the cycle whose force error counts more or less than once.
+    pub weights: Vec<PhaseWeight>,
+    /// Where in the cycle the cam's turn begins.
+    pub phase: Phase,
+}
+
+/// Half the width of a band about the target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Band {
+    /// One standard deviation from step to step.
+    Spread,
+    /// So many N all around.
+    Width(f64),
+}
+
+/// A range of the cycle with its weight in the mean square force error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PhaseWeight {
+    /// First phase of the cycle, rad.
+    pub from: f64,
+    /// Last phase, rad; below `from` the range runs over the cycle's end.
+    pub to: f64,
+    /// Weight; 1 is what all else has.
+    pub weight: f64,
+}
+
+/// Phase of the force cycle at cam angle 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Phase {
+    /// rad.
+    At(f64),
+    /// The one with the least force error.
+    Free,
 }
 
 /// How lift becomes force.
@@ -142,14 +177,17 @@ pub enum Minimise {
     Energy(usize),
     /// Largest absolute value of the derivative of this order.
     Peak(usize),
+    /// Largest absolute distance of the force to the target.
+    PeakForceError,
     /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
     Size,
 }
 
 impl Minimise {
     /// Every objective with the name users write.
-    pub const NAMES: [(&'static str, Minimise); 8] = [
+    pub const NAMES: [(&'static str, Minimise); 9] = [
         ("force-error", Minimise::ForceError),
+        ("peak-force-error", Minimise::PeakForceError),
         ("acceleration", Minimise::Energy(2)),
         ("jerk", Minimise::Energy(3)),
         ("snap", Minimise::Energy(4)),
@@ -315,6 +353,8 @@ pub struct Limits {
     pub pressure_angle_fall: Option<f64>,
     /// Smallest convex radius of the finished cam, m.
     pub curvature: Option<f64>,
+    /// Largest prime radius (base radius of a flat-faced cam), m, where the size is not fixed.
+    pub prime_radius: Option<f64>,
     /// Smallest force, N.
     pub force_min: Option<f64>,
     /// Largest force, N.

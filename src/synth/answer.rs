@@ -11,6 +11,8 @@ pub struct Synthesis {
     pub name: String,
     /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub target: Option<ForceCurve>,
+    /// Phase of the force cycle at cam angle 0, rad.
+    pub phase: f64,
     /// How lift becomes force, with every number settled.
     pub drive: Drive,
     /// Family of the law as users name it: `spline`, `polynomial`, `program` …
@@ -89,7 +91,7 @@ pub struct Easing {
     pub from: f64,
     /// The value eased, SI.
     pub to: f64,
-    /// What is minimised: `rms_error_n`, `radius_m`, `rms_derivative_3` (m/rad³), `peak_derivative_2` …
+    /// What is minimised: `rms_error_n`, `max_error_n`, `radius_m`, `rms_derivative_3` (m/rad³), `peak_derivative_2` …
     pub objective: String,
     /// Its value.
     pub before: f64,
@@ -102,6 +104,8 @@ impl Easing {
     pub fn in_words(&self) -> (&'static str, &'static str, f64) {
         match self.objective.as_str() {
             "rms_error_n" => ("force error (RMS)", "N", 1.0),
+            "weighted_rms_error_n" => ("weighted force error (RMS)", "N", 1.0),
+            "max_error_n" => ("force error (largest)", "N", 1.0),
             "radius_m" => ("radius", "mm", 1e3),
             "rms_derivative_2" => ("acceleration (RMS)", "mm/rad²", 1e3),
             "rms_derivative_3" => ("jerk (RMS)", "mm/rad³", 1e3),

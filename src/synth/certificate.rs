@@ -231,6 +231,10 @@ fn spoken(
             let peak = solution.extra[PEAK];
             (format!("peak_derivative_{order}"), peak, peak - gain)
         }
+        Minimise::PeakForceError => {
+            let peak = solution.extra[PEAK];
+            ("max_error_n".to_string(), peak, peak - gain)
+        }
         Minimise::Size => {
             let radius = if program.cone {
                 solution.extra[RADIUS]

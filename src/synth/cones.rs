@@ -106,6 +106,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
     if answer.x.iter().any(|v| !v.is_finite()) {
         return Err(Failure::Solver("not finite".to_string()));
     }
+    let weight = program.multiplier_unit(columns.unit[PEAK]);
     for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
         row.multiplier = z * weight / unit;
     }
@@ -149,7 +150,8 @@ impl Columns {
     }
 }
 
-fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
+/// Size of a row's terms for coefficients of typical size; 1 for a row on the sizes alone.
+pub fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
     let unit = entries
         .iter()
         .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()));

@@ -97,7 +97,7 @@ pub fn in_units(limit: &str, value: f64) -> String {
         "velocity" => ("m/s", value),
         "acceleration" => ("m/s²", value),
         "jerk" => ("m/s³", value),
-        "force_min" | "force_max" | "rms_error" => ("N", value),
+        "force_min" | "force_max" | "rms_error" | "band" => ("N", value),
         "torque" => ("N·m", value),
         "hertz_pressure" => ("MPa", 1e-6 * value),
         _ => ("mm", 1e3 * value),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Error, Result};
 use crate::gait::ForceCurve;
-use crate::scene::Scene;
+use crate::scene::{Band, Phase, PhaseWeight, Scene};
 
 /// The target in step with the cam, and the machine that turns lift into force.
 #[derive(Debug, Clone)]
@@ -14,6 +14,8 @@ pub struct Demand {
     pub target: Option<ForceCurve>,
     /// The machine.
     pub drive: Drive,
+    /// Phase of the force cycle at cam angle 0, rad.
+    pub phase: f64,
     /// The target's cubics between its samples, N: what the fits read thousands of times.
     pub cubics: Vec<[f64; 4]>,
     /// Typical lift, m: the unit in which solvers work.
@@ -32,10 +34,17 @@ impl Demand {
     ///
     /// Fails when the scene wants a force and none is given, when the mean force is not positive on a
     /// moving axis, and when the drive relates no lift to force at all.
+    ///
+    /// A scene whose phase is free begins its cycle at 0 here.
     pub fn settle(scene: &Scene, target: Option<&ForceCurve>) -> Result<Demand> {
+        let phase = match scene.gait.as_ref().map(|g| g.phase) {
+            Some(Phase::At(phase)) => phase,
+            _ => 0.0,
+        };
         let target = match (&scene.gait, target) {
             (Some(_), None) => return Err(Error::key("gait", "the force curve was not read")),
             (None, _) => None,
+            (Some(_), Some(curve)) if phase != 0.0 => Some(curve.begun_at(phase)),
             (Some(_), Some(curve)) => Some(curve.clone()),
         };
         let spec = &scene.drive;
@@ -52,6 +61,7 @@ impl Demand {
         let mut demand = Demand {
             target,
             drive: Drive::moving_axis(0.0, 0.0, speed),
+            phase,
             cubics: Vec::new(),
             length: 0.0,
             remarks: Vec::new(),
@@ -107,6 +117,49 @@ impl Demand {
         let [a, b, c, d] = self.cubics[i];
         let v = 1.0 - u;
         v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
+    }
+
+    /// Weight of the force error at a cam angle, where the scene weighs phases.
+    pub fn weight(&self, scene: &Scene, theta: f64) -> f64 {
+        let Some(gait) = &scene.gait else { return 1.0 };
+        let at = (theta + self.phase).rem_euclid(TAU);
+        let inside = |w: &&PhaseWeight| {
+            if w.from < w.to {
+                at >= w.from && at < w.to
+            } else {
+                at >= w.from || at < w.to
+            }
+        };
+        gait.weights
+            .iter()
+            .rev()
+            .find(inside)
+            .map_or(1.0, |w| w.weight)
+    }
+
+    /// Lowest and highest force of the band that the scene asks for, as cycles like the target.
+    ///
+    /// Fails on a band of one spread where the target carries none.
+    pub fn band(&self, scene: &Scene) -> Result<Option<[ForceCurve; 2]>> {
+        let (Some(band), Some(target)) = (scene.gait.as_ref().and_then(|g| g.band), &self.target)
+        else {
+            return Ok(None);
+        };
+        let half: Vec<f64> = match (band, &target.spread_n) {
+            (Band::Width(width), _) => vec![width; target.force_n.len()],
+            (Band::Spread, Some(spread)) => spread.clone(),
+            (Band::Spread, None) => {
+                return Err(
+                    Error::key("gait.band", "the target is one cycle: nothing spreads")
+                        .help("give a recording of several steps, or a width: band = \"20 N\""),
+                );
+            }
+        };
+        let edge = |sign: f64| {
+            let forces = target.force_n.iter().zip(&half);
+            target.with_forces(forces.map(|(f, h)| f + sign * h).collect())
+        };
+        Ok(Some([edge(-1.0), edge(1.0)]))
     }
 
     fn note_speed(&mut self, given: Option<f64>) {

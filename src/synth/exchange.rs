@@ -42,6 +42,13 @@ impl Program {
         let mut rows: Vec<Row> = self.fixed.clone();
         if !self.seeds.is_empty() {
             rows.extend(self.seeds.iter().cloned());
+            // A limit on a size alone is one row, which no place of the law calls in.
+            let mut own = Vec::new();
+            self.seed_rows(&mut own);
+            rows.extend(
+                own.into_iter()
+                    .filter(|r| r.entries.iter().all(|e| e.1 == 0.0)),
+            );
         } else if self.present().iter().any(|p| *p) {
             self.seed_rows(&mut rows);
         } else {

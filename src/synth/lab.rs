@@ -214,6 +214,7 @@ fn demand(target: &ForceCurve, drive: Drive, cubics: Vec<[f64; 4]>) -> Demand {
     Demand {
         target: Some(target.clone()),
         drive,
+        phase: 0.0,
         cubics,
         length: 1.0,
         remarks: Vec::new(),

@@ -1,8 +1,12 @@
 //! Every limit of a scene as the same thing: a linear row that must hold over a range of angles.
 
+use super::curvature::{Follower, Size};
 use super::demand::Demand;
-use super::problem::{Limit, Meaning, OFFSET, Program, RADIUS, RISE};
-use crate::scene::Scene;
+use super::problem::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
+use crate::error::Result;
+use crate::gait::ForceCurve;
+use crate::poly::PiecewisePoly;
+use crate::scene::{Minimise, Scene};
 
 /// Limits over the whole turn that are linear in the law.
 ///
@@ -89,7 +93,7 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
         }
         return;
     }
-    if let Some(prime) = prime_radius(scene) {
+    if let Some(prime) = prime_radius(scene).filter(|_| cam.follower.ends_with("-translating")) {
         let e = cam.offset.unwrap_or(0.0);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
         if let Some(angle) = limits.pressure_angle_rise {
@@ -119,9 +123,24 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs. Flat face:
 /// −(s + a) − Rb ≤ −ρ. Roller: v − e ≤ tan φ₁·(s + D), −(v − e) ≤ tan φ₂·(s + D), Rp = ‖(D, e)‖ (FACTS §6).
+///
+/// The radius is what is minimised, or it stays below the scene's limit while something else is.
 pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
     let limits = &scene.limits;
     let length = demand.length;
+    let cost = if super::spline::objective(scene) == Minimise::Size {
+        1.0
+    } else {
+        0.0
+    };
+    // A size that no cost holds down is held by its limit: one row, at angle 0.
+    let at_most = |radius: f64, variable: usize| {
+        let mut limit = Limit::new("prime_radius", [0.0; 5], radius, length);
+        limit.extra[variable] = 1.0;
+        limit.domain = (0.0, 0.0);
+        limit.meaning = same(1.0);
+        limit
+    };
     let mut base = Limit::new("base_circle", [-1.0, 0.0, 0.0, 0.0, 0.0], 0.0, length);
     base.meaning = Meaning::Structure;
     program.limits.push(base);
@@ -134,7 +153,10 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
             offset: 0.0,
         };
         program.limits.push(limit);
-        program.cost[RADIUS] = 1.0;
+        program
+            .limits
+            .extend(limits.prime_radius.map(|r| at_most(r, RADIUS)));
+        program.cost[RADIUS] = cost;
         return;
     }
     let usual = super::design::USUAL_PRESSURE_ANGLE;
@@ -161,13 +183,121 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
         }
         program.limits.push(limit);
     }
-    if scene.cam.offset.is_some() {
+    if let Some(offset) = scene.cam.offset {
         // With the offset given, the prime radius grows with D alone.
-        program.cost[RISE] = 1.0;
+        let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
+        program
+            .limits
+            .extend(limits.prime_radius.map(|r| at_most(rise(r), RISE)));
+        program.cost[RISE] = cost;
     } else {
-        program.cost[RADIUS] = 1.0;
+        program
+            .limits
+            .extend(limits.prime_radius.map(|r| at_most(r, RADIUS)));
+        program.cost[RADIUS] = cost;
         program.cone = true;
     }
+}
+
+/// The follower with those of its limits that no row of a convex program can say; `None` where there are
+/// none, or where the size is found after the law.
+pub fn beyond_convex(scene: &Scene) -> Option<Follower> {
+    let (cam, limits) = (&scene.cam, &scene.limits);
+    let rho = limits.curvature.unwrap_or(0.0);
+    let pitch = rho + cam.roller_radius;
+    match cam.follower.as_str() {
+        "roller-translating" | "knife-translating" | "mushroom-translating" => {
+            let offset = cam.offset.unwrap_or(0.0);
+            let rise = match prime_radius(scene) {
+                Some(prime) => (prime * prime - offset * offset).max(0.0).sqrt(),
+                None if size_is_sought(scene) => 0.0,
+                None => return None,
+            };
+            (pitch > 0.0).then_some(Follower::Roller(Size {
+                rise,
+                offset,
+                rho: pitch,
+            }))
+        }
+        "roller-oscillating" | "knife-oscillating" => {
+            let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, prime_radius(scene)?);
+            let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
+            // A sharp edge has no radius of its own; a millionth of the cam's keeps the division finite.
+            Some(Follower::Arm {
+                pivot,
+                arm,
+                rest: cos.clamp(-1.0, 1.0).acos(),
+                rho: pitch.max(1e-6 * prime),
+                tan: [limits.pressure_angle_rise, limits.pressure_angle_fall]
+                    .map(|angle| angle.map(f64::tan)),
+            })
+        }
+        "flat-oscillating" => {
+            let (pivot, base) = (cam.pivot_distance?, cam.base_radius?);
+            Some(Follower::Face {
+                pivot,
+                offset: cam.face_offset,
+                rest: ((base - cam.face_offset) / pivot).clamp(-1.0, 1.0).asin(),
+                rho,
+            })
+        }
+        _ => None,
+    }
+}
+
+/// Whether the size of the cam is found together with the law: it is minimised or limited, and not given.
+pub fn size_is_sought(scene: &Scene) -> bool {
+    let sized = [
+        "flat-translating",
+        "roller-translating",
+        "knife-translating",
+    ];
+    let wanted = super::spline::objective(scene) == Minimise::Size
+        || scene.limits.prime_radius.is_some() && sized.contains(&scene.cam.follower.as_str());
+    wanted && !size_is_given(scene)
+}
+
+/// Limits on the distance of the force to the target: the band that the scene asks for, and the largest
+/// error where that is what is minimised. Their shapes and cost join the program.
+pub fn about_the_target(
+    scene: &Scene,
+    demand: &Demand,
+    program: &mut Program,
+) -> Result<Vec<Limit>> {
+    let Some(target) = &demand.target else {
+        return Ok(Vec::new());
+    };
+    let w = demand.drive.weights();
+    let rest = demand.drive.rest_force;
+    let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
+    let mut out = Vec::new();
+    // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
+    let mut side = |name: &'static str, sign: f64, edge: &ForceCurve| {
+        program.shapes.push(PiecewisePoly::combine(
+            &[(sign, &edge.curve())],
+            -sign * rest,
+        ));
+        Limit {
+            shape: Some(program.shapes.len() - 1),
+            meaning: same(1.0),
+            ..Limit::new(
+                name,
+                [sign * w[0], sign * w[1], sign * w[2], 0.0, 0.0],
+                0.0,
+                scale,
+            )
+        }
+    };
+    if let Some([low, high]) = demand.band(scene)? {
+        out.push(side("band", 1.0, &high));
+        out.push(side("band", -1.0, &low));
+    }
+    if super::spline::objective(scene) == Minimise::PeakForceError {
+        out.push(side("peak", 1.0, target).minimised());
+        out.push(side("peak", -1.0, target).minimised());
+        program.cost[PEAK] = 1.0;
+    }
+    Ok(out)
 }
 
 /// The prime radius where the scene fixes it, directly or through the base radius.

@@ -33,12 +33,14 @@ mod limits;
 mod machine;
 mod objective;
 mod oracle;
+mod phase;
 mod polish;
 mod polynomial;
 mod problem;
 #[cfg(test)]
 mod problem_tests;
 mod spline;
+mod trade;
 mod verify;
 
 pub use answer::{
@@ -46,6 +48,7 @@ pub use answer::{
     Synthesis, Tier,
 };
 pub use conflict::in_units;
+pub use trade::{Against, Trade, trade};
 
 use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
@@ -71,7 +74,14 @@ struct Found {
 /// verdict says so, and the design shown is the best one without the limits that fight. Fails only on
 /// faults of the input.
 pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesis> {
-    let demand = Demand::settle(scene, target)?;
+    let (scene, free_phase) = &phase::settle(scene, target)?;
+    let mut demand = Demand::settle(scene, target)?;
+    if let Some(phase) = free_phase {
+        demand.remarks.push(format!(
+            "The cam's turn begins at {:.3}° of the force cycle: the phase with the least error.",
+            phase.to_degrees()
+        ));
+    }
     let found = find_law(scene, &demand)?;
     let law = on_base_circle(scene, &demand, found.law);
     let cam = design::cam(scene, law)?;
@@ -91,6 +101,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     remarks.extend(spline::stopped_at_noise(scene, &demand));
     Ok(Synthesis {
         name: scene.name.clone(),
+        phase: demand.phase,
         target: demand.target,
         drive: demand.drive,
         family: found.family.name().to_string(),
@@ -150,34 +161,11 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
     }
 }
 
-/// Brings the curvature of a roller cam into the law where the size is among the variables or given, and
-/// the law without it would be undercut or too sharp. Returns the steps taken and why no more were.
-fn roller_curvature(
-    scene: &Scene,
-    fitted: &mut spline::Fitted,
-) -> Option<(Vec<Step>, &'static str)> {
-    if !scene.cam.follower.ends_with("translating") || scene.cam.follower.starts_with("flat") {
-        return None;
-    }
-    let rho = scene.limits.curvature.unwrap_or(0.0) + scene.cam.roller_radius;
-    let offset = scene.cam.offset.unwrap_or(0.0);
-    let size = match limits::prime_radius(scene) {
-        Some(prime) => curvature::Size {
-            rise: (prime * prime - offset * offset).max(0.0).sqrt(),
-            offset,
-            rho,
-        },
-        None if spline::objective(scene) == Minimise::Size => curvature::Size {
-            rise: 0.0,
-            offset,
-            rho,
-        },
-        None => return None,
-    };
-    if rho <= 0.0 {
-        return None;
-    }
-    let (solution, steps, ended) = curvature::refine(&fitted.program, &fitted.solution, size)?;
+/// Brings limits that are not convex into the law, where the size is among the variables or given and the
+/// law without them would break one. Returns the steps taken and why no more were.
+fn beyond_convex(scene: &Scene, fitted: &mut spline::Fitted) -> Option<(Vec<Step>, &'static str)> {
+    let follower = limits::beyond_convex(scene)?;
+    let (solution, steps, ended) = curvature::refine(&fitted.program, &fitted.solution, follower)?;
     if steps.is_empty() && solution.x == fitted.solution.x {
         return None;
     }
@@ -194,14 +182,14 @@ fn gathered(
     let mut out: Vec<Binding> = Vec::new();
     let mut rows: Vec<&problem::Row> = solution.active.iter().collect();
     rows.sort_by(|a, b| {
-        (a.limit, a.peak.at)
-            .partial_cmp(&(b.limit, b.peak.at))
+        (a.limit, a.name, a.peak.at)
+            .partial_cmp(&(b.limit, b.name, b.peak.at))
             .unwrap_or(std::cmp::Ordering::Equal)
     });
     let near = std::f64::consts::PI / pieces as f64;
     for row in rows {
         let limit = row.limit.map(|i| &program.limits[i]);
-        let name = limit.map_or("curvature", |l| l.name);
+        let name = row.name;
         let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope(l.bound));
         match out.last_mut() {
             Some(last) if last.limit == name && (row.peak.at - last.at).abs() < near => {
@@ -408,10 +396,13 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
         spline::Outcome::Law(fitted) => (fitted, None),
         spline::Outcome::None(program, failure) => {
             let infeasible = conflict::explain(&program, &failure);
-            let without = Scene {
+            let mut without = Scene {
                 limits: crate::scene::Limits::default(),
                 ..scene.clone()
             };
+            if let Some(gait) = &mut without.gait {
+                gait.band = None;
+            }
             match spline::fit(&without, demand)? {
                 spline::Outcome::Law(fitted) => (fitted, Some(infeasible)),
                 spline::Outcome::None(..) => return Err(Error::key("law", infeasible.words)),
@@ -420,7 +411,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     };
     let mut fitted = fitted;
     let sequence = if infeasible.is_none() {
-        roller_curvature(scene, &mut fitted)
+        beyond_convex(scene, &mut fitted)
     } else {
         None
     };
@@ -431,7 +422,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     let mut solver = match sequence {
         Some((steps, ended)) => {
             let status = format!(
-                "{} convex programs in sequence for the roller's curvature, ended because {ended}; {holds}",
+                "{} convex programs in sequence for what is not convex, ended because {ended}; {holds}",
                 steps.len() + 1
             );
             SolverReport {
@@ -463,7 +454,13 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     let minimised = spline::objective(scene);
     let easing = if infeasible.is_none() {
         solver.certificate = Some(certificate::certificate(&fitted.program, solution));
-        certificate::easings(&fitted.program, solution, minimised)
+        let mut easing = certificate::easings(&fitted.program, solution, minimised);
+        if scene.gait.as_ref().is_some_and(|g| !g.weights.is_empty()) {
+            for e in easing.iter_mut().filter(|e| e.objective == "rms_error_n") {
+                e.objective = "weighted_rms_error_n".to_string();
+            }
+        }
+        easing
     } else {
         Vec::new()
     };

@@ -58,7 +58,11 @@ impl Program {
             }
             let law = law.get_or_insert_with(|| self.basis.law(x));
             let curve = self.curve(law, limit);
-            for peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
+            for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
+                // A shape cuts the curve finer than the basis: places are told in the basis' pieces.
+                if let Basis::Spline { space, .. } = &self.basis {
+                    (peak.piece, peak.u) = space.locate(peak.at);
+                }
                 visit(index, peak);
             }
         }
@@ -67,8 +71,7 @@ impl Program {
     /// The row of a limit at a place.
     pub fn row(&self, index: usize, peak: Peak) -> Row {
         let limit = &self.limits[index];
-        // With a shape the pieces are cut finer than the basis: only the angle counts then.
-        let by_piece = matches!(self.basis, Basis::Spline { .. }) && limit.shape.is_none();
+        let by_piece = matches!(self.basis, Basis::Spline { .. });
         let entries = if by_piece {
             self.basis.row_on(peak.piece, peak.u, &limit.weights)
         } else {
@@ -77,6 +80,7 @@ impl Program {
         let shape = limit.shape.map_or(0.0, |i| self.shapes[i].eval(peak.at));
         Row {
             limit: Some(index),
+            name: limit.name,
             peak,
             entries,
             extra: limit.extra,

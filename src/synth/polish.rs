@@ -1,6 +1,6 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
-use super::cones::Point;
+use super::cones::{Point, row_unit};
 use super::problem::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 
@@ -61,10 +61,7 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
         .iter()
         .map(|&i| (&rows[i].entries, rows[i].extra, rows[i].bound));
     for (r, (entries, extra, bound)) in demands.chain(touching).enumerate() {
-        let unit = entries
-            .iter()
-            .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()))
-            .max(f64::MIN_POSITIVE);
+        let unit = row_unit(entries, length);
         let mut put = |column: usize, value: f64| {
             kkt[(columns + r, column)] = value / unit;
             kkt[(column, columns + r)] = value / unit;
@@ -109,15 +106,11 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
 
 /// Rows whose multiplier outweighs their slack, both in the solver's scaled units.
 fn active_rows(program: &Program, rows: &[Row], point: &Point) -> Vec<usize> {
-    let objective = program.objective_unit();
+    let objective = program.multiplier_unit(point.extra[PEAK]);
     rows.iter()
         .enumerate()
         .filter(|(_, row)| {
-            let largest = row
-                .entries
-                .iter()
-                .fold(0.0_f64, |m, e| m.max((e.1 * program.length).abs()));
-            let unit = largest.max(f64::MIN_POSITIVE);
+            let unit = row_unit(&row.entries, program.length);
             let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * point.extra[k]).sum();
             let slack = (row.bound - beside - super::basis::apply(&row.entries, &point.x)) / unit;
             row.multiplier * unit / objective > slack.max(0.0)

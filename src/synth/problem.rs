@@ -177,6 +177,8 @@ pub struct Program {
 pub struct Row {
     /// Index of the limit; `None` for a fixed row.
     pub limit: Option<usize>,
+    /// Name of the limit as users know it.
+    pub name: &'static str,
     /// Where on the law.
     pub peak: Peak,
     /// The row.
@@ -356,6 +358,14 @@ impl Program {
         let linear = (1..EXTRAS).fold(0.0_f64, |m, k| m.max(self.cost[k].abs())) * self.length;
         let unit = h.max(g).max(linear);
         if unit > 0.0 { unit } else { 1.0 }
+    }
+
+    /// Unit of the solver's multipliers: that of the objective, or of a peak that stands alone in it.
+    pub fn multiplier_unit(&self, peak: f64) -> f64 {
+        if self.cost[PEAK] == 0.0 {
+            return self.objective_unit();
+        }
+        self.cost[PEAK].abs() * peak.abs().max(f64::MIN_POSITIVE)
     }
 
     /// Value of the quadratic part of the objective.

@@ -25,6 +25,10 @@ const JERK_TERM: f64 = 1e-12;
 /// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
 /// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
+/// Spans tried first inside a band.
+const FEWEST_IN_BAND: usize = 8;
+/// … and last.
+const MOST_IN_BAND: usize = 120;
 /// A limit that is broken may want more spans; they grow by this factor while the error still falls.
 const GROWTH: f64 = 1.5;
 /// … by at least this part.
@@ -62,7 +66,11 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     if let Some(spans) = scene.law.spans {
         return solve(scene, demand, spans);
     }
-    let follows_force = matches!(objective(scene), Minimise::ForceError);
+    if scene.gait.as_ref().is_some_and(|g| g.band.is_some()) {
+        return fewest_in_band(scene, demand);
+    }
+    let of_force = [Minimise::ForceError, Minimise::PeakForceError];
+    let follows_force = of_force.contains(&objective(scene));
     let Some(target) = demand.target.as_ref().filter(|_| follows_force) else {
         return solve(scene, demand, SPANS_WITHOUT_FORCE);
     };
@@ -94,16 +102,27 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
         let hopeless = best
             .as_ref()
             .is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
-        if best.as_ref().is_none_or(|(e, _)| error < *e) {
-            best = Some((error, fitted));
-        }
+        let better = match best {
+            Some(earlier) if earlier.0 <= error => earlier,
+            _ => (error, fitted),
+        };
         if reached || hopeless || spans >= MOST_AUTO_SPANS {
-            return Ok(best.map_or_else(
-                || unreachable!("a fit was just kept"),
-                |(_, f)| Outcome::Law(f),
-            ));
+            return Ok(Outcome::Law(better.1));
         }
+        best = Some(better);
         spans = ((spans as f64 * GROWTH) as usize).min(MOST_AUTO_SPANS);
+    }
+}
+
+/// Inside a band the fewest spans that have a law there; with none, the answer of the most.
+fn fewest_in_band(scene: &Scene, demand: &Demand) -> Result<Outcome> {
+    let mut spans = FEWEST_IN_BAND;
+    loop {
+        let outcome = solve(scene, demand, spans)?;
+        if matches!(outcome, Outcome::Law(_)) || spans >= MOST_IN_BAND {
+            return Ok(outcome);
+        }
+        spans = ((spans as f64 * GROWTH) as usize).min(MOST_IN_BAND);
     }
 }
 
@@ -164,7 +183,8 @@ pub fn harmonic_program(scene: &Scene, demand: &Demand, count: usize, unlimited:
 
 /// What the scene minimises.
 pub fn objective(scene: &Scene) -> Minimise {
-    let default = if scene.gait.is_some() {
+    let follows = |g: &crate::scene::Gait| g.band.is_none();
+    let default = if scene.gait.as_ref().is_some_and(follows) {
         Minimise::ForceError
     } else {
         Minimise::Energy(3)
@@ -187,7 +207,8 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     let mut rows = limits::linear(scene, demand, level);
     rows.extend(super::machine::rows(scene, demand));
     let (mut program, _) = program(scene, demand, spans, Vec::new())?;
-    if !level && limits::size_is_given(scene) {
+    let sought = limits::size_is_sought(scene);
+    if !level && (limits::size_is_given(scene) || sought) {
         // The base circle is where the law is lowest, and a given size counts from there. Which angle
         // that is comes from the law without limits.
         if let Ok(unlimited) = super::equality::solve(&program) {
@@ -204,7 +225,7 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     if scene.law.monotone {
         rows.extend(limits::monotone(scene, demand));
     }
-    if objective(scene) == Minimise::Size {
+    if sought {
         rows.retain(|l| l.name != "base_circle");
     }
     if let Minimise::Peak(order) = objective(scene) {
@@ -215,8 +236,9 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
         }
         program.cost[PEAK] = 1.0;
     }
+    rows.extend(limits::about_the_target(scene, demand, &mut program)?);
     program.limits = rows;
-    if objective(scene) == Minimise::Size {
+    if sought {
         limits::with_size(scene, demand, &mut program);
     }
     Ok(match program.solve() {
@@ -255,11 +277,11 @@ fn program(
     let force = force_distance(scene, demand, &basis);
     let mut quadratic = match objective(scene) {
         Minimise::ForceError => force.clone(),
-        Minimise::Energy(_) | Minimise::Peak(_) | Minimise::Size => Quadratic::zero(&basis),
+        _ => Quadratic::zero(&basis),
     };
     match objective(scene) {
         Minimise::Energy(order) => quadratic.add_energy(&basis, order, 1.0),
-        Minimise::Peak(_) => {}
+        Minimise::Peak(_) | Minimise::PeakForceError => {}
         Minimise::Size => {
             // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
             let unit = SIZE_JERK * demand.length;
@@ -287,7 +309,7 @@ fn program(
     Ok((program, force))
 }
 
-fn force_distance(_scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
+fn force_distance(scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
     if let Some(target) = &demand.target {
         let w = demand.drive.weights();
@@ -296,13 +318,15 @@ fn force_distance(_scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
             Basis::Spline { space, .. } => space.degree(),
             Basis::Harmonic { .. } => 6,
         };
+        let weight = |x: f64| demand.weight(scene, x);
+        let weighed = scene.gait.as_ref().is_some_and(|g| !g.weights.is_empty());
         let nodes = (degree + 2).max(target.force_n.len().div_ceil(pieces));
         force.add_distance(
             basis,
             &w,
             nodes,
             |x| demand.wanted(x) - demand.drive.rest_force,
-            None,
+            weighed.then_some(&weight),
         );
     }
     force

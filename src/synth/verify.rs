@@ -1,9 +1,11 @@
 //! Holding the finished design against the scene: exact extremes, checks, force report.
 
 use super::answer::ForceReport;
+use super::conflict::in_units;
 use super::demand::Demand;
 use super::problem::TOLERANCE;
 use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
+use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use crate::scene::Scene;
 
@@ -20,9 +22,14 @@ const TOUCH: f64 = 1e-6;
 
 /// Distance of the cam's force from the target, exact on the pieces of both.
 pub fn force(demand: &Demand, cam: &Cam) -> ForceReport {
-    let own = demand.drive.force_curve(&cam.law);
+    law_force(demand, &cam.law)
+}
+
+/// The same for a law without its cam.
+pub fn law_force(demand: &Demand, law: &Law) -> ForceReport {
+    let own = demand.drive.force_curve(law);
     let (low, high) = own.extremes();
-    let (start, length) = cam.law.extent();
+    let (start, length) = law.extent();
     let mut report = ForceReport {
         mean_n: own.integral() / length,
         min_n: low.value,
@@ -96,7 +103,19 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, force: &ForceReport) ->
         out.push(Check::at_most("force_max", high, limit, 2.0 * TOLERANCE));
     }
     out.extend(profile_checks(scene, cam));
-    if let (Some(rms), Some(_)) = (scene.rms, &demand.target) {
+    if let Ok(Some([low, high])) = demand.band(scene) {
+        // The band is the accuracy then.
+        let below = difference(&low.curve(), &curve).extremes().1;
+        let above = difference(&curve, &high.curve()).extremes().1;
+        let worst = if below.value > above.value {
+            below
+        } else {
+            above
+        };
+        let mut check = Check::at_most("band", worst, 0.0, 0.0);
+        check.pass = worst.value <= force_slack;
+        out.push(check);
+    } else if let (Some(rms), Some(_)) = (scene.rms, &demand.target) {
         let worst = Extreme {
             at: 0.0,
             value: force.rms_error_n,
@@ -127,6 +146,13 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
             limit,
             2.0 * TOLERANCE,
         ));
+    }
+    if let Some(limit) = limits.prime_radius {
+        let worst = Extreme {
+            at: 0.0,
+            value: cam.follower.prime_radius(),
+        };
+        out.push(Check::at_most("prime_radius", worst, limit, GEOMETRY));
     }
     if let Some(bore) = scene.cam.bore {
         let worst = Extreme {
@@ -352,8 +378,18 @@ fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
             "The law dips {:.3} mm below its base circle at {at:.1}°.",
             -1e3 * worst
         ),
-        name => {
-            format!("The limit \"{name}\" is broken at {at:.1}°: {worst:.6} against {limit:.6}.")
-        }
+        "prime_radius" => format!(
+            "The cam needs a prime radius of {:.3} mm, more than the {:.3} mm allowed. Allow a larger pressure angle or more force error.",
+            1e3 * worst,
+            1e3 * limit
+        ),
+        "band" => format!(
+            "The force leaves the band by {worst:.4} N at {at:.1}°. Widen the band, or allow more spans."
+        ),
+        name => format!(
+            "The limit \"{name}\" is broken at {at:.1}°: {} against {}.",
+            in_units(name, worst),
+            in_units(name, limit)
+        ),
     }
 }

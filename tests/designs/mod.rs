@@ -87,6 +87,8 @@ pub fn footbridge() -> Synthesis {
         },
         infeasible: None,
         verdict: Verdict::Acceptable,
+        easing: Vec::new(),
+        phase: 0.0,
         reason: "Lift, velocity and acceleration are continuous and every limit holds.".into(),
         checks: vec![
             Check::at_most(
@@ -184,6 +186,8 @@ pub fn heel_tester() -> Synthesis {
         },
         infeasible: None,
         verdict: Verdict::NotForHighSpeed,
+        easing: Vec::new(),
+        phase: 0.0,
         reason: "Every limit holds, but the jerk jumps where the dwell begins.".into(),
         checks: vec![
             Check::at_most("pressure_angle_rise", phi_high, limit, 1e-9),

@@ -42,7 +42,7 @@ pub fn shown(limit: &str, value: f64) -> String {
         "velocity" => (1.0, " m/s"),
         "acceleration" => (1.0, " m/s²"),
         "jerk" => (1.0, " m/s³"),
-        "force_min" | "force_max" | "rms_error" => (1.0, " N"),
+        "force_min" | "force_max" | "rms_error" | "band" => (1.0, " N"),
         name if name.contains("pressure_angle") => (1f64.to_degrees(), "°"),
         _ => (1.0, ""),
     };

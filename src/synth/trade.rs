@@ -1,0 +1,191 @@
+//! What one good costs in another: the least force error at each size of cam, jerk, acceleration or stroke.
+//!
+//! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
+//! point of the front, and no point of the front is missed.
+
+use super::{Synthesis, synthesise};
+use crate::error::{Error, Place, Result};
+use crate::gait::ForceCurve;
+use crate::scene::{Family, Scene};
+
+/// What the force error is traded against.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Against {
+    /// Prime radius of a roller cam, base radius of a flat-faced one.
+    PrimeRadius,
+    /// Largest |d³s/dt³|.
+    Jerk,
+    /// Largest |d²s/dt²|.
+    Acceleration,
+    /// Largest |ds/dt|.
+    Velocity,
+    /// Stroke.
+    Stroke,
+}
+
+/// A point of the front.
+#[derive(Debug, Clone)]
+pub struct Trade {
+    /// The value that was allowed, SI.
+    pub allowed: f64,
+    /// The design of least force error under it.
+    pub design: Synthesis,
+}
+
+/// The front ends where the force error reaches this part of the mean force.
+const WORST: f64 = 0.1;
+/// Halvings that look for that end.
+const HALVINGS: usize = 14;
+/// The other end stays this far inside what the unlimited law needs, so that the limit takes part.
+const INSIDE: f64 = 1.0 - 1e-6;
+/// Spans of the laws on the front when the scene leaves them open: twice what the unlimited law needs.
+const MORE_SPANS: usize = 2;
+/// … but no more than this.
+const MOST_SPANS: usize = 64;
+
+impl Against {
+    /// Every quantity with the name users write and its column with unit.
+    pub const NAMES: [(&'static str, Against, &'static str); 5] = [
+        ("prime_radius", Against::PrimeRadius, "prime_radius_m"),
+        ("jerk", Against::Jerk, "jerk_m_per_s3"),
+        (
+            "acceleration",
+            Against::Acceleration,
+            "acceleration_m_per_s2",
+        ),
+        ("velocity", Against::Velocity, "velocity_m_per_s"),
+        ("stroke", Against::Stroke, "stroke_m"),
+    ];
+
+    /// Reads `force_error:prime_radius`, in either order.
+    ///
+    /// Fails on other words, saying which are known.
+    pub fn from_pair(pair: &str) -> Result<Self> {
+        let known = || Self::NAMES.map(|n| n.0).join(", ");
+        let fault = |what: String| {
+            Error::new(what)
+                .at(Place::Argument("--front".to_string()))
+                .help(format!(
+                    "write force_error:prime_radius; in place of prime_radius also {}",
+                    known()
+                ))
+        };
+        let (a, b) = pair
+            .split_once(':')
+            .ok_or_else(|| fault(format!("\"{pair}\" names no two quantities")))?;
+        let other = match (a, b) {
+            ("force_error", other) | (other, "force_error") => other,
+            _ => return Err(fault("one of the two must be force_error".to_string())),
+        };
+        (Self::NAMES
+            .iter()
+            .find(|n| n.0 == other || (n.0 == "prime_radius" && other == "base_radius")))
+        .map(|n| n.1)
+        .ok_or_else(|| fault(format!("\"{other}\" is not known here")))
+    }
+
+    /// Its column with the unit.
+    pub fn column(self) -> &'static str {
+        Self::NAMES.iter().find(|n| n.1 == self).map_or("", |n| n.2)
+    }
+
+    /// Its value in a design, SI.
+    pub fn of(self, design: &Synthesis) -> f64 {
+        let peak = |order: usize| {
+            let (low, high) = design.cam.law.extremes(order);
+            high.value.max(-low.value) * design.drive.speed.powi(order as i32)
+        };
+        match self {
+            Against::PrimeRadius => design.cam.follower.prime_radius(),
+            Against::Jerk => peak(3),
+            Against::Acceleration => peak(2),
+            Against::Velocity => peak(1),
+            Against::Stroke => design.cam.law.stroke(),
+        }
+    }
+
+    /// The scene with the quantity held at or below a value.
+    fn held(self, scene: &Scene, value: f64) -> Scene {
+        let mut out = scene.clone();
+        let limits = &mut out.limits;
+        let at = match self {
+            Against::PrimeRadius => &mut limits.prime_radius,
+            Against::Jerk => &mut limits.jerk,
+            Against::Acceleration => &mut limits.acceleration,
+            Against::Velocity => &mut limits.velocity,
+            Against::Stroke => &mut limits.stroke,
+        };
+        *at = Some(at.map_or(value, |own| own.min(value)));
+        out
+    }
+}
+
+/// The front between force error and another quantity, from the tightest value to what the unlimited law
+/// needs, in even steps.
+///
+/// Fails on a scene without a force, on a family other than splines, on a size that the scene fixes, and
+/// where the law without the limit cannot be built.
+pub fn trade(
+    scene: &Scene,
+    target: Option<&ForceCurve>,
+    against: Against,
+    points: usize,
+) -> Result<Vec<Trade>> {
+    if scene.gait.is_none() {
+        return Err(Error::key(
+            "gait",
+            "no force is wanted, so no force error can be traded",
+        ));
+    }
+    if scene.law.family != Family::Spline {
+        return Err(
+            Error::key("law.family", "only splines are traded point by point")
+                .help("use law.family = \"spline\", or gaitcam sweep and gaitcam front"),
+        );
+    }
+    let fixed = scene.cam.base_radius.is_some() || scene.cam.prime_radius.is_some();
+    if against == Against::PrimeRadius && fixed {
+        return Err(Error::key("cam", "the scene fixes the size of the cam")
+            .help("leave out base_radius and prime_radius"));
+    }
+    // The accuracy would raise the number of spans and fail what the front is there to show.
+    let mut open = Scene {
+        rms: None,
+        ..scene.clone()
+    };
+    let first = synthesise(scene, target)?;
+    if scene.law.spans.is_none() && scene.law.dwells.is_empty() {
+        let own = first.cam.law.poly().pieces();
+        open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
+    }
+    let free = synthesise(&open, target)?;
+    if let Some(why) = &free.infeasible {
+        return Err(Error::key("limits", why.words.clone()));
+    }
+    let most = against.of(&free) * INSIDE;
+    let worst = WORST * free.force.target_mean_n.abs();
+    let good = |design: &Synthesis| {
+        let held = |c: &crate::cam::Check| c.pass || c.name == "rms_error";
+        design.infeasible.is_none()
+            && design.checks.iter().all(held)
+            && design.force.rms_error_n <= worst
+    };
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        match synthesise(&against.held(&open, middle), target) {
+            Ok(design) if good(&design) => high = middle,
+            _ => low = middle,
+        }
+    }
+    let mut out = Vec::with_capacity(points);
+    for i in 0..points {
+        let share = i as f64 / (points - 1).max(1) as f64;
+        let allowed = high + share * (most - high);
+        let design = synthesise(&against.held(&open, allowed), target)?;
+        if design.infeasible.is_none() {
+            out.push(Trade { allowed, design });
+        }
+    }
+    Ok(out)
+}

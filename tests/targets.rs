@@ -1,0 +1,317 @@
+//! The target seen as it is: bands, weights, the largest error, a free phase; and what one good costs in
+//! another. Every claim is held against a dense scan or a second solve.
+
+use std::f64::consts::TAU;
+
+use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::scene;
+use gaitcam::synth::{Against, Synthesis, synthesise, trade};
+
+fn young() -> ForceCurve {
+    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
+}
+
+fn read(changes: &[&str]) -> gaitcam::scene::Scene {
+    let mut table: toml::Table = scene::DEFAULT.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    scene::read(&table).unwrap()
+}
+
+fn solved(changes: &[&str], target: &ForceCurve) -> Synthesis {
+    synthesise(&read(changes), Some(target)).unwrap()
+}
+
+/// Force less target at many angles, N.
+fn errors(design: &Synthesis) -> Vec<f64> {
+    let target = design.target.as_ref().unwrap();
+    (0..100_000)
+        .map(|i| TAU * f64::from(i) / 100_000.0)
+        .map(|x| design.drive.force(design.cam.law.svaj(x)) - target.at(x))
+        .collect()
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0_f64, |m, v| m.max(v.abs()))
+}
+
+fn mean_square_jerk(design: &Synthesis) -> f64 {
+    (0..20_000)
+        .map(|i| design.cam.law.svaj(TAU * f64::from(i) / 20_000.0).j.powi(2))
+        .sum::<f64>()
+        / 20_000.0
+}
+
+#[test]
+fn inside_a_band_the_law_is_smoother_than_the_nearest_one() {
+    let target = young();
+    let near = solved(&["law.spans=16"], &target);
+    let inside = solved(&["law.spans=16", "gait.band=20 N"], &target);
+    assert!(
+        inside.infeasible.is_none() && inside.checks.iter().all(|c| c.pass),
+        "{:?}",
+        inside.checks
+    );
+    let worst = largest(&errors(&inside));
+    assert!(
+        worst <= 20.0 + 1e-6 && worst > 19.99,
+        "the band binds and holds: {worst}"
+    );
+    assert!(mean_square_jerk(&inside) < 0.95 * mean_square_jerk(&near));
+    assert!(inside.binding.iter().any(|b| b.limit == "band"));
+}
+
+#[test]
+fn the_band_of_a_recording_is_its_spread() {
+    let mut target = young();
+    let n = target.force_n.len();
+    let spread: Vec<f64> = (0..n)
+        .map(|i| 12.0 + 6.0 * (TAU * i as f64 / n as f64).sin())
+        .collect();
+    target.spread_n = Some(spread.clone());
+    let design = solved(&["gait.band=spread"], &target);
+    assert!(design.infeasible.is_none());
+    let errors = errors(&design);
+    for (i, e) in errors.iter().enumerate() {
+        let half = 12.0 + 6.0 * (TAU * i as f64 / errors.len() as f64).sin();
+        assert!(e.abs() <= half + 1e-3, "{i}: {e} of {half}");
+    }
+    // Without a spread there is nothing to stay inside of.
+    let error = synthesise(&read(&["gait.band=spread"]), Some(&young())).unwrap_err();
+    assert!(error.to_string().contains("gait.band"), "{error}");
+}
+
+#[test]
+fn a_band_too_narrow_says_how_much_wider() {
+    let target = young();
+    let narrow = solved(&["law.spans=6", "gait.band=0.5 N"], &target);
+    let conflict = narrow
+        .infeasible
+        .expect("six spans cannot follow within half a newton");
+    let wider = conflict
+        .relaxations
+        .iter()
+        .find(|r| r.limit == "band")
+        .unwrap();
+    let to = 0.5 + wider.to.unwrap();
+    let enough = format!("gait.band={} N", to * (1.0 + 1e-6));
+    let less = format!("gait.band={} N", to * (1.0 - 1e-3));
+    assert!(
+        solved(&["law.spans=6", &enough], &target)
+            .infeasible
+            .is_none(),
+        "{to}"
+    );
+    assert!(
+        solved(&["law.spans=6", &less], &target)
+            .infeasible
+            .is_some(),
+        "{to}"
+    );
+}
+
+#[test]
+fn the_least_largest_error_is_below_that_of_least_squares_and_touches_often() {
+    let target = young();
+    let squares = solved(&["law.spans=10"], &target);
+    let peak = solved(&["law.spans=10", "law.minimise=peak-force-error"], &target);
+    let (a, b) = (errors(&squares), errors(&peak));
+    assert!(largest(&b) < largest(&a), "{} {}", largest(&b), largest(&a));
+    assert!(peak.force.rms_error_n >= squares.force.rms_error_n);
+    // The largest error is a convex function of the law: where no line through it leads down, it is least.
+    let top = largest(&b);
+    for k in 0..20 {
+        let other = solved(&["law.spans=10"], &target.begun_at(0.3 * f64::from(k)));
+        let forces =
+            |d: &Synthesis, i: usize| d.drive.force(d.cam.law.svaj(TAU * i as f64 / 10_000.0));
+        for step in [-0.02, -1e-3, 1e-3, 0.02] {
+            let beside = (0..10_000).fold(0.0_f64, |m, i| {
+                m.max((b[10 * i] + step * (forces(&other, i) - forces(&peak, i))).abs())
+            });
+            assert!(
+                beside > top * (1.0 - 1e-5),
+                "{k} {step}: {beside} below {top}"
+            );
+        }
+    }
+    let proof = peak.solver.certificate.unwrap();
+    assert!(proof.relative_gap < 1e-5, "{proof:?}");
+    assert!((peak.force.max_error_n / top - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_heavier_phase_is_followed_more_closely() {
+    let target = young();
+    let square = |d: &Synthesis, from: usize, to: usize| {
+        errors(d)[from..to].iter().map(|e| e * e).sum::<f64>()
+    };
+    let plain = solved(&["law.spans=8"], &target);
+    let weight = r#"gait.weight=[{from="0 deg", to="60 deg", weight=20.0}]"#;
+    let heavy = solved(&["law.spans=8", weight], &target);
+    let end = 100_000 / 6;
+    assert!(square(&heavy, 0, end) < 0.7 * square(&plain, 0, end));
+    assert!(heavy.force.rms_error_n > plain.force.rms_error_n);
+    // A weight on the whole cycle changes nothing but the unit.
+    let all = r#"gait.weight=[{from="0 deg", to="360 deg", weight=3.0}]"#;
+    let same = solved(&["law.spans=8", all], &target);
+    for (a, b) in plain.coefficients.iter().zip(&same.coefficients) {
+        assert!((a - b).abs() < 1e-9 * plain.cam.law.stroke(), "{a} {b}");
+    }
+}
+
+#[test]
+fn a_free_phase_finds_the_shift_of_the_force() {
+    // A rest of 40° ties the law to the cam's angles.
+    let dwell = r#"law.dwell=[{from="0 deg", to="40 deg"}]"#;
+    let base = ["law.spans=16", dwell, "accuracy.rms=50 %"];
+    let target = young();
+    let free = solved(&[base[0], base[1], base[2], "gait.phase=free"], &target);
+    for degrees in (0..360).step_by(15) {
+        let phase = format!("gait.phase={degrees} deg");
+        let fixed = solved(&[base[0], base[1], base[2], &phase], &target);
+        assert!(
+            free.force.rms_error_n <= fixed.force.rms_error_n * (1.0 + 1e-9),
+            "{degrees}: {} {}",
+            free.force.rms_error_n,
+            fixed.force.rms_error_n
+        );
+    }
+    let shifted = target.begun_at(1.0);
+    let again = solved(&[base[0], base[1], base[2], "gait.phase=free"], &shifted);
+    let turn = (free.phase - again.phase - 1.0).rem_euclid(TAU);
+    // Two humps of equal shape leave two phases of nearly one error.
+    assert!((again.force.rms_error_n / free.force.rms_error_n - 1.0).abs() < 1e-3);
+    assert!(
+        turn.min(TAU - turn) < 1e-3 || (turn - TAU / 2.0).abs() < 0.1,
+        "{turn}"
+    );
+}
+
+#[test]
+fn the_front_falls_and_ends_at_the_unlimited_law() {
+    let target = young();
+    for (pair, spans) in [
+        ("force_error:jerk", 16),
+        ("stroke:force_error", 16),
+        ("force_error:prime_radius", 12),
+    ] {
+        let spans = format!("law.spans={spans}");
+        let roller = [
+            spans.as_str(),
+            "cam.follower=roller-translating",
+            "cam.roller_radius=6 mm",
+            "cam.bore=auto",
+            "limits.curvature=2 mm",
+            "limits.stroke=auto",
+        ];
+        let changes: &[&str] = if pair.contains("radius") {
+            &roller
+        } else {
+            &roller[..1]
+        };
+        let scene = read(changes);
+        let against = Against::from_pair(pair).unwrap();
+        let front = trade(&scene, Some(&target), against, 8).unwrap();
+        assert!(front.len() >= 6, "{pair}: {}", front.len());
+        for t in &front {
+            assert!(
+                against.of(&t.design) <= t.allowed * (1.0 + 1e-6),
+                "{pair}: {} of {}",
+                against.of(&t.design),
+                t.allowed
+            );
+        }
+        for pair_of in front.windows(2) {
+            assert!(pair_of[1].allowed > pair_of[0].allowed);
+            assert!(
+                pair_of[1].design.force.rms_error_n
+                    <= pair_of[0].design.force.rms_error_n * (1.0 + 1e-6),
+                "{pair}: {} after {}",
+                pair_of[1].design.force.rms_error_n,
+                pair_of[0].design.force.rms_error_n
+            );
+        }
+        let free = synthesise(&scene, Some(&target)).unwrap();
+        let last = &front[front.len() - 1].design;
+        assert!(
+            (last.force.rms_error_n / free.force.rms_error_n - 1.0).abs() < 1e-2,
+            "{pair}"
+        );
+    }
+}
+
+#[test]
+fn words_that_name_no_front_are_refused() {
+    for pair in ["force_error", "jerk:stroke", "force_error:beauty"] {
+        let error = Against::from_pair(pair).unwrap_err().to_string();
+        assert!(error.contains("prime_radius"), "{error}");
+    }
+}
+
+/// An arm on a given base circle: without help the law breaks its pressure angle or its curvature.
+#[test]
+fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
+    let scene = |follower: &str, limits: &str, rest: &str| {
+        let text = format!(
+            r#"
+            name = "arm"
+            [drive]
+            kind = "fixed-axis"
+            speed = "10 rad/s"
+            [law]
+            family = "spline"
+            spans = 40
+            minimise = "jerk"
+            [[law.point]]
+            angle = "130 deg"
+            lift = "16 deg"
+            [[law.dwell]]
+            from = "260 deg"
+            to = "360 deg"
+            lift = "0 deg"
+            [cam]
+            follower = "{follower}"
+            pivot_distance = "80 mm"
+            {rest}
+            [limits]
+            {limits}
+            "#
+        );
+        let table: toml::Table = text.parse().unwrap();
+        synthesise(&scene::read(&table).unwrap(), None).unwrap()
+    };
+    let arm = "arm = \"65 mm\"\nroller_radius = \"8 mm\"\nbase_radius = \"32 mm\"";
+    let free = scene("roller-oscillating", "", arm);
+    let (low, high) = free.cam.pressure_angle_extremes();
+    let limit = 0.9 * high.value.max(-low.value);
+    let limits = format!("pressure_angle = \"{limit} rad\"");
+    let held = scene("roller-oscillating", &limits, arm);
+    assert_eq!(held.solver.tier.name(), "scp", "{}", held.solver.status);
+    assert!(held.checks.iter().all(|c| c.pass), "{:?}", held.checks);
+    let (low, high) = held.cam.pressure_angle_extremes();
+    assert!(high.value.max(-low.value) <= limit * (1.0 + 1e-6));
+    assert!(
+        high.value.max(-low.value) > limit * 0.999,
+        "the limit binds"
+    );
+    assert!(
+        held.solver
+            .steps
+            .windows(2)
+            .all(|s| s[1].merit <= s[0].merit)
+    );
+
+    let face = "face_offset = \"5 mm\"\nbase_radius = \"30 mm\"";
+    let free = scene("flat-oscillating", "", face);
+    let sharp = free.cam.curvature().convex.value;
+    let wanted = if sharp > 0.0 { 1.15 * sharp } else { 2e-3 };
+    let limits = format!("curvature = \"{} mm\"", 1e3 * wanted);
+    let held = scene("flat-oscillating", &limits, face);
+    assert!(held.checks.iter().all(|c| c.pass), "{:?}", held.checks);
+    assert!(held.cam.curvature().convex.value >= wanted * (1.0 - 1e-6));
+    assert!(
+        held.cam.curvature().convex.value <= wanted * 1.01,
+        "the limit binds"
+    );
+}
