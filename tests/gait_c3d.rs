@@ -55,6 +55,22 @@ fn every_processor_storage_and_plate_type_gives_the_same_force() {
 }
 
 #[test]
+fn a_plate_of_unknown_type_is_refused_by_its_number() {
+    let bytes = build(&plain(Processor::Intel, true, 21), |i| one_stance(i, RATE));
+    let e = read(Path::new("odd.c3d"), &bytes, &ReadOptions::default()).unwrap_err();
+    let e = e.to_string();
+    assert!(e.starts_with("odd.c3d") && e.contains("TYPE 21"), "{e}");
+    assert!(e.contains("--force"), "{e}");
+    // Its vertical channel can still be named.
+    let options = ReadOptions {
+        force: vec!["c".to_string()],
+        ..ReadOptions::default()
+    };
+    let r = read(Path::new("odd.c3d"), &bytes, &options).unwrap();
+    assert_eq!(stances(&r).used.len(), 1);
+}
+
+#[test]
 fn a_file_cut_short_keeps_its_whole_frames_and_says_so() {
     let b = plain(Processor::Intel, true, 2);
     let whole = build(&b, |i| one_stance(i, RATE));

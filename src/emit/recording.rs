@@ -10,6 +10,9 @@ use super::sheet::{Canvas, Drawn};
 use crate::gait::{Cycle, Foot, Overlay};
 use crate::units::G;
 
+/// A curve as it is drawn.
+type Curve = Vec<(f64, f64)>;
+
 /// Points drawn of a curve: one for every other pixel of a wide picture.
 const POINTS: usize = 512;
 /// Opacity of one stance; many together still show the band below them.
@@ -48,7 +51,7 @@ fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64) -> Dra
         };
         (on_phase(&edge(1.0)), on_phase(&edge(-1.0)))
     });
-    let singles: Vec<(Option<Foot>, Vec<(f64, f64)>)> = overlay
+    let singles: Vec<(Option<Foot>, Curve)> = overlay
         .stances
         .iter()
         .map(|(foot, force)| (*foot, on_phase(force)))
@@ -98,7 +101,7 @@ fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64) -> Dra
 fn draw_cycle(canvas: &Canvas, frame: Frame, cycle: &Cycle, e: f64) -> Drawn {
     let curve = &cycle.curve;
     // The cycle closes: its first sample is drawn again at the end.
-    let closed = |v: &[f64]| -> Vec<(f64, f64)> {
+    let closed = |v: &[f64]| -> Curve {
         let around: Vec<f64> = v.iter().chain(v.first()).copied().collect();
         thinned(&around, |i, n| curve.period_s * i as f64 / (n - 1) as f64)
     };
@@ -141,7 +144,7 @@ fn colour(foot: Option<Foot>) -> RGBAColor {
 }
 
 /// Every n-th sample and the last, over what `across` makes of their places.
-fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Vec<(f64, f64)> {
+fn thinned(force: &[f64], across: impl Fn(usize, usize) -> f64) -> Curve {
     let n = force.len();
     if n < 2 {
         return Vec::new();

@@ -103,7 +103,6 @@ pub fn footbridge() -> Synthesis {
             Check::at_least("curvature", sharpest, rho, 1e-9),
             Check::at_least("force_min", low, 0.0, 1e-9),
         ],
-        easing: Vec::new(),
         binding: vec![Binding {
             limit: "curvature".into(),
             multiplier: 1.0,
@@ -194,7 +193,6 @@ pub fn heel_tester() -> Synthesis {
             Check::at_most("pressure_angle_fall", falling, limit, 1e-9),
             Check::at_least("curvature", cam.curvature().convex, 0.005, 1e-9),
         ],
-        easing: Vec::new(),
         binding: Vec::new(),
         solver: SolverReport {
             tier: Tier::Equality,
