@@ -6,6 +6,7 @@ use super::files::Folder;
 use super::{BUILT, say};
 use crate::dynamics::experiment;
 use crate::emit::reproduce::{Class, reproduce};
+use crate::emit::thesis_run;
 use crate::error::Result;
 
 /// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
@@ -15,6 +16,10 @@ pub fn run(out: &Path) -> Result<u8> {
     folder.write("reproduction.md", result.markdown().as_bytes())?;
     folder.write("reproduction.csv", result.csv().as_bytes())?;
     folder.write("dynamics.md", experiment::report()?.as_bytes())?;
+    for (name, picture) in thesis_run::all()? {
+        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{name}.png"), &picture.png())?;
+    }
     for (name, picture) in &result.pictures {
         folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         folder.write(&format!("{name}.png"), &picture.png())?;

@@ -421,3 +421,7 @@ fn bisect(own: &Surface, other: &Surface, mut low: f64, mut high: f64) -> f64 {
 #[cfg(test)]
 #[path = "contact_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "contact_edge_tests.rs"]
+mod edge_tests;

@@ -35,6 +35,7 @@ pub struct Picture {
 /// The pictures that go with [`report`](super::experiment::report).
 pub fn pictures() -> Result<Vec<Picture>> {
     let mut forces = Vec::new();
+    let mut torques = Vec::new();
     let mut lifted = Vec::new();
     for (name, cam, fast) in cams() {
         for (machine, drive) in [
@@ -42,6 +43,14 @@ pub fn pictures() -> Result<Vec<Picture>> {
             ("ideal", thesis::ideal(thesis::SPEED)),
         ] {
             let out = simulate(&scene(&cam, drive), Model::Rigid)?;
+            torques.push(Curve {
+                name: format!("{name}, {machine}"),
+                points: out
+                    .rows
+                    .iter()
+                    .map(|r| (r.theta.to_degrees(), r.torque))
+                    .collect(),
+            });
             forces.push(Curve {
                 name: format!("{name}, {machine}"),
                 points: out
@@ -89,15 +98,23 @@ pub fn pictures() -> Result<Vec<Picture>> {
             "dynamics_force",
             "Contact force at 11.624 rad/s",
             "cam angle (degrees)",
-            "force (N)",
+            "force, N",
             false,
             forces,
+        ),
+        picture(
+            "dynamics_torque",
+            "Shaft torque at 11.624 rad/s",
+            "cam angle (degrees)",
+            "torque, N·m",
+            false,
+            torques,
         ),
         picture(
             "dynamics_gap",
             "Gap above the lift-off speed",
             "cam angle (degrees)",
-            "gap (mm)",
+            "gap, mm",
             false,
             lifted,
         ),

@@ -27,6 +27,7 @@ pub mod solid;
 pub mod svg;
 pub mod sweep_plots;
 pub mod sweep_report;
+pub mod thesis_run;
 mod threemf;
 pub mod xlsx;
 
