@@ -75,13 +75,22 @@ impl ForceCurve {
             .map(|i| TAU * i as f64 / n as f64)
             .chain([TAU])
             .collect();
-        let coef = (0..n).flat_map(|i| self.cubic(i)).collect();
+        let coef = self.cubics().into_iter().flatten().collect();
         PiecewisePoly::new(breaks, 3, coef)
     }
 
     /// Bernstein coefficients of the cubic between each sample and the next, N.
     pub fn cubics(&self) -> Vec<[f64; 4]> {
-        (0..self.force_n.len()).map(|i| self.cubic(i)).collect()
+        let f = &self.force_n;
+        let n = f.len();
+        // Two samples before the first and three after the last, so that nothing wraps in the loops.
+        let around: Vec<f64> = f.iter().cycle().skip(n - 2).take(n + 5).copied().collect();
+        let slopes: Vec<f64> = (around.windows(5))
+            .map(|w| slope([w[0], w[1], w[2], w[3], w[4]]))
+            .collect();
+        (around[2..].windows(2).zip(slopes.windows(2)))
+            .map(|(f, s)| [f[0], f[0] + s[0] / 3.0, f[1] - s[1] / 3.0, f[1]])
+            .collect()
     }
 
     /// The curve with every force multiplied by `factor`.
@@ -137,26 +146,30 @@ impl ForceCurve {
         ]
     }
 
-    /// Slope per sample at sample `i`: the fourth-order centred difference, held within three times the
-    /// smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's
-    /// bound). At a local extreme of the samples half that bound applies to either sign, so that a
-    /// smooth peak between two samples is not flattened.
+    /// Slope per sample at sample `i`.
     fn slope(&self, i: usize) -> f64 {
         let n = self.force_n.len();
-        let f = |k: usize| self.force_n[k % n];
-        let (before, after) = (f(i) - f(i + n - 1), f(i + 1) - f(i));
-        let centred = (8.0 * (f(i + 1) - f(i + n - 1)) - (f(i + 2) - f(i + n - 2))) / 12.0;
-        let smaller = before.abs().min(after.abs());
-        let bound = if before * after > 0.0 {
-            3.0 * smaller
-        } else {
-            1.5 * smaller
-        };
-        if before * after > 0.0 && centred * before < 0.0 {
-            return 0.0;
-        }
-        centred.clamp(-bound, bound)
+        slope([n - 2, n - 1, 0, 1, 2].map(|k| self.force_n[(i + k) % n]))
     }
+}
+
+/// Slope per sample at the middle of five samples: the fourth-order centred difference, held within three
+/// times the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's
+/// bound). At a local extreme of the samples half that bound applies to either sign, so that a smooth peak
+/// between two samples is not flattened.
+fn slope(f: [f64; 5]) -> f64 {
+    let (before, after) = (f[2] - f[1], f[3] - f[2]);
+    let centred = (8.0 * (f[3] - f[1]) - (f[4] - f[0])) / 12.0;
+    let smaller = before.abs().min(after.abs());
+    let bound = if before * after > 0.0 {
+        3.0 * smaller
+    } else {
+        1.5 * smaller
+    };
+    if before * after > 0.0 && centred * before < 0.0 {
+        return 0.0;
+    }
+    centred.clamp(-bound, bound)
 }
 
 #[cfg(test)]

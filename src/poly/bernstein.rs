@@ -63,15 +63,26 @@ pub fn elevate(b: &[f64], to: usize) -> Vec<f64> {
 pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     let (m, n) = (a.len() - 1, b.len() - 1);
     let mut out = vec![0.0; m + n + 1];
-    for (i, &ai) in a.iter().enumerate() {
-        for (j, &bj) in b.iter().enumerate() {
-            out[i + j] += binomial(m, i) * binomial(n, j) * ai * bj;
+    let second: Vec<f64> = b.iter().zip(binomials(n)).map(|(b, c)| b * c).collect();
+    for (i, (ai, c)) in a.iter().zip(binomials(m)).enumerate() {
+        let ai = ai * c;
+        for (o, bj) in out[i..].iter_mut().zip(&second) {
+            *o += ai * bj;
         }
     }
-    for (k, value) in out.iter_mut().enumerate() {
-        *value /= binomial(m + n, k);
+    for (value, c) in out.iter_mut().zip(binomials(m + n)) {
+        *value /= c;
     }
     out
+}
+
+/// C(n, k) for k = 0 … n, each from the one before; exact up to 2⁵³.
+fn binomials(n: usize) -> impl Iterator<Item = f64> {
+    (0..=n).scan(1.0, move |c, k| {
+        let this = *c;
+        *c = this * (n - k) as f64 / (k + 1) as f64;
+        Some(this)
+    })
 }
 
 /// Binomial coefficient as a float; exact up to 2⁵³.
