@@ -116,9 +116,9 @@ impl Walk<'_> {
         let mut u = [0.0; BATCH];
         let shift = inside - theta - from;
         let inverse = 1.0 / (to - from);
-        for k in 0..BATCH {
-            batch.theta[k] = self.start + step * (self.done + k) as f64;
-            u[k] = (batch.theta[k] + shift) * inverse;
+        for (k, (t, u)) in batch.theta.iter_mut().zip(&mut u).enumerate() {
+            *t = self.start + step * (self.done + k) as f64;
+            *u = (*t + shift) * inverse;
         }
         let coefficients = law.coefficients(self.piece);
         if batch.at_rest {

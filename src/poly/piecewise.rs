@@ -89,11 +89,20 @@ impl PiecewisePoly {
     /// The derivative, piece by piece; jumps at breaks stay jumps.
     #[must_use]
     pub fn derivative(&self) -> Self {
-        self.map(self.degree.saturating_sub(1), |b, width| {
-            let mut d = bernstein::derivative(b);
-            d.iter_mut().for_each(|x| *x /= width);
-            d
-        })
+        let n = self.degree;
+        if n == 0 {
+            return self.map(0, |_, _| vec![0.0]);
+        }
+        let mut coef = Vec::with_capacity(self.pieces() * n);
+        for (b, ends) in self.coef.chunks_exact(n + 1).zip(self.breaks.windows(2)) {
+            let width = ends[1] - ends[0];
+            coef.extend(b.windows(2).map(|w| (w[1] - w[0]) * n as f64 / width));
+        }
+        PiecewisePoly {
+            breaks: self.breaks.clone(),
+            degree: n - 1,
+            coef,
+        }
     }
 
     /// Integral over the whole range.
@@ -106,8 +115,16 @@ impl PiecewisePoly {
 
     /// Integral of the square over the whole range, exact.
     pub fn integral_of_square(&self) -> f64 {
-        self.map(2 * self.degree, |b, _| bernstein::product(b, b))
-            .integral()
+        let n = self.degree + 1;
+        let gram = bernstein::gram(self.degree);
+        (self.coef.chunks_exact(n).zip(self.breaks.windows(2)))
+            .map(|(b, ends)| {
+                let square: f64 = (b.iter().zip(gram.chunks_exact(n)))
+                    .map(|(x, row)| x * row.iter().zip(b).map(|(g, y)| g * y).sum::<f64>())
+                    .sum();
+                square * (ends[1] - ends[0])
+            })
+            .sum()
     }
 
     /// Applies `f(coefficients, width)` to every piece; the result is written at `degree`.
@@ -135,6 +152,12 @@ impl PiecewisePoly {
         for (weight, p) in terms {
             assert_eq!(p.breaks, first.breaks, "sums need equal breaks");
             if *weight == 0.0 {
+                continue;
+            }
+            if p.degree == degree {
+                coef.iter_mut()
+                    .zip(&p.coef)
+                    .for_each(|(c, x)| *c += weight * x);
                 continue;
             }
             for i in 0..p.pieces() {
