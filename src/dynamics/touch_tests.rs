@@ -141,14 +141,8 @@ fn the_normal_force_does_the_work_that_the_shaft_gives() {
             };
             let (sin, cos) = turn.sin_cos();
             let fixed = [cos * a[0] - sin * a[1], sin * a[0] + cos * a[1]];
-<<<<<<< HEAD
             let off = (fixed[0] - place.normal[0]).hypot(fixed[1] - place.normal[1]);
             assert!(off < 1e-12, "{}", name(&cam, theta));
-=======
-            for (x, y) in fixed.iter().zip(place.normal) {
-                assert!((x - y).abs() < 1e-12, "{}", name(&cam, theta));
-            }
->>>>>>> eb9b263 (wip4)
         }
     }
 }
