@@ -161,6 +161,9 @@ impl Law {
     /// Force, flat-face curvature and every limit that is linear in the law take this form, so their
     /// extremes come from roots.
     pub fn combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
+        if self.waves.is_empty() {
+            return self.polynomial_combination(weights, constant);
+        }
         let (poly, waves) = wave::subdivide(&self.poly, &self.waves);
         let mut order = poly;
         let mut sum = PiecewisePoly::combine(&[(weights[0], &order)], constant);
@@ -171,6 +174,25 @@ impl Law {
             }
         }
         wave::add_taylor(sum, &waves, weights)
+    }
+
+    /// The same without waves: only the derivatives that take part, in the degree that they need.
+    fn polynomial_combination(&self, weights: [f64; 4], constant: f64) -> PiecewisePoly {
+        let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
+        let mut orders: Vec<PiecewisePoly> = Vec::with_capacity(last + 1);
+        for k in 0..=last {
+            let next = match orders.last() {
+                None => self.poly.clone(),
+                Some(before) => before.derivative(),
+            };
+            orders.push(next);
+            debug_assert_eq!(orders.len(), k + 1);
+        }
+        let mut terms: Vec<(f64, &PiecewisePoly)> = weights.into_iter().zip(&orders).collect();
+        if weights[last] != 0.0 {
+            terms.retain(|t| t.0 != 0.0);
+        }
+        PiecewisePoly::combine(&terms, constant)
     }
 
     /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), true ones of

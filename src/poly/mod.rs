@@ -5,11 +5,13 @@
 
 pub mod bernstein;
 mod bspline;
+mod distance;
 mod gauss;
 mod piecewise;
 mod proxy;
 
 pub use bspline::{Span, SplineSpace};
+pub use distance::{Distance, distance};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
 pub use proxy::stand_in;

@@ -16,7 +16,7 @@ use super::spectral::Shape;
 use super::{NamedScene, closed};
 use crate::error::{Error, Place, Result};
 use crate::gait::{self, ForceCurve};
-use crate::scene::{self, Scene, Source};
+use crate::scene::{self, Gait, Scene, Source};
 use crate::synth::synthesise;
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
@@ -51,6 +51,8 @@ struct Base {
     closed: bool,
     /// Step frequency and shape of the row before.
     last: Option<(u64, Option<Arc<Shape>>)>,
+    /// The force wanted in the row before, and its curve.
+    curve: Option<(Gait, ForceCurve)>,
 }
 
 impl<'a> Kernel<'a> {
@@ -129,6 +131,7 @@ impl<'a> Kernel<'a> {
             scene,
             source,
             last: None,
+            curve: None,
         }
     }
 
@@ -174,11 +177,11 @@ impl<'a> Kernel<'a> {
                 return answer;
             }
             if let Some(scene) = &base.scene {
-                return self.answer(index, scene);
+                return self.answer(index, scene, &mut base.curve);
             }
         }
         match self.read(batch, row) {
-            Ok(scene) => self.answer(index, &scene),
+            Ok(scene) => self.answer(index, &scene, &mut base.curve),
             Err(e) => Row::error(e.to_string()),
         }
     }
@@ -196,11 +199,18 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The synthesis of one scene.
-    fn answer(&self, index: usize, scene: &Scene) -> Row {
-        let design = self
-            .target(index, scene)
-            .and_then(|target| synthesise(scene, target.as_ref()));
+    /// The synthesis of one scene. `known` is the force of the row before; a row that wants the same one
+    /// does not make it again.
+    fn answer(&self, index: usize, scene: &Scene, known: &mut Option<(Gait, ForceCurve)>) -> Row {
+        let same = matches!((&*known, &scene.gait), (Some(k), Some(gait)) if k.0 == *gait);
+        if !same {
+            *known = match (self.target(index, scene), &scene.gait) {
+                (Ok(curve), Some(gait)) => curve.map(|c| (gait.clone(), c)),
+                (Ok(_), None) => None,
+                (Err(e), _) => return Row::error(e.to_string()),
+            };
+        }
+        let design = synthesise(scene, known.as_ref().map(|k| &k.1));
         match design {
             Ok(design) => Row::of(&design),
             Err(e) => Row::error(e.to_string()),

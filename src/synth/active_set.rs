@@ -50,6 +50,9 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         program.add_neighbours(&mut rows, &set.x);
         add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
     }
+    if rows.len() > MOST_ACTIVE {
+        return Err(rows);
+    }
     let mut best: Option<Solution> = None;
     let mut since_best = 0;
     let mut attempts = 0;

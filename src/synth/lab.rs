@@ -165,6 +165,16 @@ impl Task<'_> {
         })
     }
 
+    /// The same with an interior-point method on the rows of every round.
+    pub fn interior_point(&self) -> Result<Answer> {
+        let program = self.program();
+        let solution = program.solve_by_interior_point().map_err(|f| refused(&f))?;
+        Ok(Answer {
+            law: program.basis.law(&solution.x),
+            iterations: solution.iterations,
+        })
+    }
+
     /// The same with all rows written down beforehand.
     ///
     /// Fails where a cone is asked for a derivative that is not quadratic on a span.

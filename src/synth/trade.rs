@@ -6,7 +6,7 @@
 use super::{Synthesis, synthesise};
 use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
-use crate::scene::{Family, Scene};
+use crate::scene::{Family, Minimise, Scene};
 
 /// What the force error is traded against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub struct Trade {
     pub design: Synthesis,
 }
 
-/// The front ends where the force error reaches this part of the mean force.
+/// The front ends where the force error reaches this part of the mean force, or twice what it is at best.
 const WORST: f64 = 0.1;
 /// Halvings that look for that end.
 const HALVINGS: usize = 14;
@@ -153,6 +153,7 @@ pub fn trade(
         rms: None,
         ..scene.clone()
     };
+    open.law.minimise = Some(Minimise::ForceError);
     let first = synthesise(scene, target)?;
     if scene.law.spans.is_none() && scene.law.dwells.is_empty() {
         let own = first.cam.law.poly().pieces();
@@ -163,7 +164,9 @@ pub fn trade(
         return Err(Error::key("limits", why.words.clone()));
     }
     let most = against.of(&free) * INSIDE;
-    let worst = WORST * free.force.target_mean_n.abs();
+    // Demands may keep even the unlimited law farther away than that.
+    let own = free.force.rms_error_n;
+    let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
     let good = |design: &Synthesis| {
         let held = |c: &crate::cam::Check| c.pass || c.name == "rms_error";
         design.infeasible.is_none()

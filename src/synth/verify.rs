@@ -6,7 +6,7 @@ use super::demand::Demand;
 use super::problem::TOLERANCE;
 use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
 use crate::law::Law;
-use crate::poly::{Extreme, PiecewisePoly};
+use crate::poly::{Extreme, PiecewisePoly, distance};
 use crate::scene::Scene;
 
 /// A sized quantity (prime circle by bisection or root) may miss its limit by this part: rounding of the
@@ -37,11 +37,10 @@ pub fn law_force(demand: &Demand, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &demand.target {
-        let difference = difference(&own, &target.curve());
-        let (least, most) = difference.extremes();
+        let apart = distance(&own, &target.curve());
         report.target_mean_n = target.mean_n();
-        report.rms_error_n = (difference.integral_of_square() / length).max(0.0).sqrt();
-        report.max_error_n = most.value.max(-least.value);
+        report.rms_error_n = (apart.square / length).max(0.0).sqrt();
+        report.max_error_n = apart.largest;
         report.rms_error_percent_of_mean = 100.0 * report.rms_error_n / report.target_mean_n.abs();
         debug_assert!(start == 0.0);
     }

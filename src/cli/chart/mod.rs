@@ -4,6 +4,7 @@ mod dynamics;
 mod export;
 mod force;
 mod geometry;
+mod ladder;
 mod limits;
 mod reference;
 mod solver;
@@ -55,6 +56,7 @@ pub fn run(args: &ChartArgs) -> Result<u8> {
     }
     folder.write("speed_accuracy.csv", chart::csv(&charts).as_bytes())?;
     let machine = machine(args.quick);
+    ladder::write(&watch, &folder, &machine)?;
     let page = folder.path().join("speed_accuracy.md");
     let peers = std::fs::read_to_string(&page).map_or(String::new(), |old| peers(&old));
     folder.write(

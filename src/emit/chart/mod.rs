@@ -38,6 +38,8 @@ pub enum Across {
     Time,
     /// Points written.
     Points,
+    /// Spans of the law; what is drawn upwards is the time, s, and there is no front.
+    Spans,
 }
 
 /// Methods for one task.
@@ -66,7 +68,7 @@ impl Row {
     pub fn across(&self, across: Across) -> f64 {
         match across {
             Across::Time => self.seconds,
-            Across::Points => self.points.unwrap_or(0) as f64,
+            Across::Points | Across::Spans => self.points.unwrap_or(0) as f64,
         }
     }
 }
@@ -75,11 +77,14 @@ impl Chart {
     /// Indices of the rows that no other row beats in both time and error, cheapest first. Times within
     /// the quartiles of each other count as equal.
     pub fn front(&self) -> Vec<usize> {
+        if self.across == Across::Spans {
+            return Vec::new();
+        }
         let cost = |r: &Row| r.across(self.across);
         let beats = |a: &Row, b: &Row| {
             let surely_cheaper = match self.across {
                 Across::Time => a.quartiles.1 < b.quartiles.0,
-                Across::Points => cost(a) < cost(b),
+                Across::Points | Across::Spans => cost(a) < cost(b),
             };
             let no_dearer = cost(a) <= cost(b);
             (surely_cheaper && a.error <= b.error) || (no_dearer && a.error < b.error)

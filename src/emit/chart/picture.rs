@@ -100,7 +100,7 @@ fn draw(canvas: &Canvas, chart: &Chart) -> Drawn {
             circle(canvas, at, 9.0, palette::INK, Some(1.8))?;
         }
     }
-    legend(canvas, &methods)
+    legend(canvas, &methods, chart.across == Across::Spans)
 }
 
 fn front(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
@@ -141,7 +141,7 @@ fn frame(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
         let style = Lettering::new(11.0, palette::INK).anchored(HPos::Center, VPos::Top);
         let text = match chart.across {
             Across::Time => time_name(decade),
-            Across::Points => format!("{}", 10f64.powi(decade)),
+            Across::Points | Across::Spans => format!("{}", 10f64.powi(decade)),
         };
         write(canvas, &text, [at, bottom + 8.0], style)?;
     }
@@ -167,6 +167,7 @@ fn frame(canvas: &Canvas, chart: &Chart, x: &Axis, y: &Axis) -> Drawn {
     let across = match chart.across {
         Across::Time => "time of one run, median",
         Across::Points => "points written",
+        Across::Spans => "spans",
     };
     let style = Lettering::new(12.0, palette::INK).anchored(HPos::Center, VPos::Top);
     write(canvas, across, [0.5 * (left + right), bottom + 30.0], style)
@@ -205,7 +206,7 @@ fn mark(canvas: &Canvas, at: [f64; 2], kind: usize) -> Drawn {
     }
 }
 
-fn legend(canvas: &Canvas, methods: &[&str]) -> Drawn {
+fn legend(canvas: &Canvas, methods: &[&str], marks_only: bool) -> Drawn {
     let left = FIELD[1] + 24.0;
     let mut at = FIELD[2] + 4.0;
     let style = Lettering::new(11.0, palette::INK);
@@ -213,6 +214,9 @@ fn legend(canvas: &Canvas, methods: &[&str]) -> Drawn {
         mark(canvas, [left, at], kind)?;
         write(canvas, method, [left + 13.0, at], style)?;
         at += 20.0;
+    }
+    if marks_only {
+        return Ok(());
     }
     at += 8.0;
     circle(canvas, [left, at], 7.0, palette::INK, Some(1.8))?;

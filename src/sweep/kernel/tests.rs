@@ -38,7 +38,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
                 .or_insert_with(|| kernel.base(&batch, row));
             let fast = kernel.row(&batch, row, base);
             let alone = match kernel.read(&batch, row) {
-                Ok(scene) => kernel.answer(0, &scene),
+                Ok(scene) => kernel.answer(0, &scene, &mut None),
                 Err(e) => Row::error(e.to_string()),
             };
             (fast, alone)
