@@ -205,7 +205,8 @@ mod tests {
         assert!((moved.spread_n.unwrap()[0] - 50.0).abs() < 1e-9);
         let there_and_back = curve.begun_at(0.3).begun_at(-0.3);
         for (a, b) in there_and_back.force_n.iter().zip(&curve.force_n) {
-            assert!((a - b).abs() < 1e-4, "{a} {b}");
+            // Third order at a crest: 2e-4 N at 1024 samples (above) are 0.027 N at 200.
+            assert!((a - b).abs() < 0.03, "{a} {b}");
         }
     }
 
