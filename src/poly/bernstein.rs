@@ -193,6 +193,11 @@ fn crossing_of_quadratic(p: f64, q: f64, r: f64) -> f64 {
     t / (1.0 + t)
 }
 
+/// Difference of neighbouring coefficients that may be rounding.
+pub fn rounding(b: &[f64]) -> f64 {
+    64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
+}
+
 /// Visits every local maximum on [0, 1] above `level` as (u, value), the ends included where the
 /// polynomial rises towards them.
 pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
@@ -203,7 +208,7 @@ pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
         }
     };
     // A crest on the end itself may seem to lie beyond it on both sides of a break, by rounding.
-    let flat = 64.0 * f64::EPSILON * b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let flat = rounding(b);
     if n == 0 || b[1] <= b[0] + flat {
         push(0.0, b[0]);
     }

@@ -237,7 +237,9 @@ impl Pieces {
             // of two such ends the left one counts.
             let climbs_on = piece + 1 < space.spans().len() && n > 1 && {
                 let next = on(piece + 1);
-                joins(b[n - 1], next[0], level) && next[1] > next[0]
+                // A crest on the break itself may seem to climb on, by rounding.
+                let flat = bernstein::rounding(next);
+                joins(b[n - 1], next[0], level) && next[1] > next[0] + flat
             };
             let came_down = piece > 0 && n > 1 && {
                 let last = on(piece - 1);

@@ -223,8 +223,9 @@ pub enum Failure {
     Solver(String),
 }
 
-/// Tolerance of a finished law.
-pub const TOLERANCE: f64 = 1e-9;
+/// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
+pub const TOLERANCE: f64 = 4e-10;
+
 impl Program {
     /// A program without limits.
     pub fn new(

@@ -277,3 +277,31 @@ fn the_gradient_of_the_objective_is_the_push_of_the_active_rows() {
     let left = rest.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
     assert!(left < 1e-7 * size, "{left:.2e} of {size:.2e}");
 }
+
+#[test]
+fn a_crest_on_a_break_is_held_like_any_other() {
+    // Symmetric about a break: the highest lift stands on it, to rounding on either side.
+    for (degree, spans) in [(3, 8), (4, 8), (5, 8), (3, 16), (5, 12)] {
+        let space = SplineSpace::periodic_uniform(degree, spans, 2.0 * PI);
+        let basis = Basis::Spline {
+            space,
+            closed: true,
+        };
+        let mut q = Quadratic::zero(&basis);
+        q.add_distance(
+            &basis,
+            &[1.0],
+            24,
+            |x| -x.sin() - 0.1 * (3.0 * x).sin(),
+            None,
+        );
+        let mut program = Program::new(basis, q.hessian, q.gradient, Vec::new(), 1.0);
+        let mut limit = Limit::new("stroke", [1.0, 0.0, 0.0, 0.0, 0.0], 0.7, 0.7);
+        limit.domain = (0.0, 2.0 * PI);
+        program.limits.push(limit);
+        let solution = program.solve().unwrap();
+        let law = program.basis.law(&solution.x);
+        let highest = law.extremes(0).1.value;
+        assert!((highest - 0.7).abs() < 1e-8, "{degree} {spans}: {highest}");
+    }
+}
