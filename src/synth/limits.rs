@@ -20,7 +20,9 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
     let limits = &scene.limits;
     let speed = demand.drive.speed;
     if level || limits.stroke.is_some() {
-        let scale = limits.stroke.map_or(demand.length, |h| h.min(demand.length));
+        let scale = limits
+            .stroke
+            .map_or(demand.length, |h| h.min(demand.length));
         list.push_scaled(
             "base_circle",
             [-1.0, 0.0, 0.0, 0.0, 0.0],
