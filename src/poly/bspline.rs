@@ -80,12 +80,18 @@ impl SplineSpace {
 
     /// Periodic splines on `n` equal spans of [0, period], as smooth as the degree allows.
     pub fn periodic_uniform(degree: usize, n: usize, period: f64) -> Self {
+        // Knots in whole numbers: every span has the same pattern to the last bit, so all share a matrix.
+        let unit: Vec<f64> = (0..=n).map(|i| i as f64).collect();
+        let mut space = SplineSpace::periodic(degree, &unit, &vec![1; n]);
+        let place = |i: f64| period * i / n as f64;
+        for span in &mut space.spans {
+            (span.start, span.width) = (place(span.start), period / n as f64);
+        }
         // period·n/n need not be the period: the last break is set, not computed.
-        let breaks: Vec<f64> = (0..n)
-            .map(|i| period * i as f64 / n as f64)
-            .chain([period])
-            .collect();
-        SplineSpace::periodic(degree, &breaks, &vec![1; n])
+        if let Some(last) = space.spans.last_mut() {
+            last.width = period - last.start;
+        }
+        space
     }
 
     /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.

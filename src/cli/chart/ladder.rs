@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use super::super::files::Folder;
 use super::limits::violation;
@@ -9,7 +10,7 @@ use super::{Watch, footbridge, force_error};
 use crate::cam::smallest_prime_circle;
 use crate::emit::chart::{self, Across, Chart, Row};
 use crate::error::{Error, Result};
-use crate::gait::ForceCurve;
+use crate::gait::{self, Feet, ForceCurve, ReadOptions};
 use crate::law::{Extent, Law, Rise, Segment, program};
 use crate::scene;
 use crate::synth::lab::{self, Bound, Task};
@@ -156,6 +157,9 @@ fn programs(watch: &Watch) -> Result<Vec<Line>> {
 /// Whole syntheses whose tier is a cone program or a sequence of programs.
 fn scenes(watch: &Watch) -> Result<Vec<Line>> {
     let text = include_str!("../../../scenes/heel_tester_fitted.toml");
+    let points = include_bytes!("../../../data/gait_curves/heel_tester_critical_points.csv");
+    let name = Path::new("heel_tester_critical_points.csv");
+    let target = gait::force_curve(name, points, &ReadOptions::default(), Feet::One)?;
     let mut out = Vec::new();
     let cases: [(&'static str, &[&str]); 2] = [
         (
@@ -172,7 +176,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Line>> {
             scene::set(&mut table, change)?;
         }
         let scene = scene::read(&table)?;
-        let (design, timing) = watch.time(|| synthesise(&scene, None));
+        let (design, timing) = watch.time(|| synthesise(&scene, Some(&target)));
         let design = design?;
         let gap = design
             .solver
