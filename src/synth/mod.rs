@@ -9,9 +9,45 @@
 //!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
 //! ```
 //!
-//! is convex. The ladder solves it with the least that is enough: the spectral inverse when harmonics may
-//! be used and every limit holds; one factorisation when no limit is broken; a quadratic program on the
-//! rows that are, found by exact extrema and exchanged until none is broken on the whole circle.
+//! is convex. The ladder solves it with the least that is enough; a rung is climbed only when the one below
+//! breaks a limit or cannot say what is asked. Below, T is the turn, W = (k, cω, mω²) the force's weights.
+//!
+//! **Spectral.** With harmonics n = 1 … N as the family and no limit broken, the least squares fall apart:
+//! ŝₙ = F̂ₙ / (k − mω²n² + i cωn), one division each.
+//!
+//! **Equality.** B-splines of degree p on N spans, coefficients x:
+//!
+//! ```text
+//! minimise  ½ xᵀHx + gᵀx      H = (1/T) ∫ φφᵀ,  g = −(1/T) ∫ φ (F* − F₀),  φ = W·(B, B′, B″)
+//! such that E x = e           demands at points, dwells
+//! ```
+//!
+//! H is banded with a border (the turn closes); one Cholesky factor, cost linear in N. Where nothing fixes the
+//! level (moving axis) one coefficient is pinned and the lowest point put on the base circle afterwards.
+//!
+//! **QP.** The same with a(θ)ᵀx ≤ b(θ) for every θ: acceleration, jerk, stroke, force, flat-face curvature, a band
+//! about the target. From the optimum without limits the exact worst points of the law (roots in Bernstein
+//! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
+//! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
+//! of its size.
+//!
+//! **SOCP.** Prime radius R, height D and offset e join x (FACTS §6):
+//!
+//! ```text
+//! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
+//! ```
+//!
+//! with R minimised or bounded; under a flat face R + s + a ≥ ρ instead. Clarabel, on exchanged rows.
+//!
+//! **SCP.** What is not convex: h(s, v, a, D, e) ≥ 0 for a roller's curvature, and curvature and pressure angle
+//! of followers on an arm. Linearised at its low points, solved, the step halved until the true h holds all
+//! around; every iterate is feasible and every step improves the objective.
+//!
+//! **Certificate.** The multipliers λ of the active rows prove a lower bound; objective less bound is
+//! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.
+//!
+//! **Conflict.** Without a solution, limits are dropped one by one to a smallest set that fights; for each of
+//! them the program with its bound minimised gives the least relaxation.
 
 mod active_set;
 mod answer;

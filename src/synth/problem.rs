@@ -1,10 +1,9 @@
 //! The convex program over the coefficients of a law, and its solution by exchange of rows.
 //!
 //! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
-//! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; the exchange starts from the optimum
-//! without it, finds its exact worst points by roots, adds rows there and solves again until nothing is
-//! broken. What is active at the end is then solved once more as equalities, which gives back the digits
-//! an interior-point method leaves out.
+//! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `oracle` finds its exact worst points,
+//! `exchange` brings rows in, `active_set` and `contacts` solve over the coefficients alone, `cones` with sizes and
+//! peaks beside them.
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
