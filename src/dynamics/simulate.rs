@@ -113,7 +113,7 @@ pub(super) struct Prepared {
 
 /// Runs the emitted cam under `model`.
 ///
-/// Fails on profiles that are no curve for their follower (see [`recover`]), on machine data out of
+/// Fails on profiles that are no curve for their follower (see `profile_curve`), on machine data out of
 /// range, on an undamped resonance, and on `flexible` without a [`Train`].
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     let prepared = prepare(input)?;
