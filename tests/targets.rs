@@ -94,7 +94,8 @@ fn a_band_too_narrow_says_how_much_wider() {
         .iter()
         .find(|r| r.limit == "band")
         .unwrap();
-    let to = 0.5 + wider.to.unwrap();
+    assert!((wider.from - 0.5).abs() < 1e-9, "{wider:?}");
+    let to = wider.to.unwrap();
     let enough = format!("gait.band={} N", to * (1.0 + 1e-6));
     let less = format!("gait.band={} N", to * (1.0 - 1e-3));
     assert!(

@@ -1,5 +1,7 @@
 //! Gauss–Legendre quadrature on [0, 1].
 
+use std::sync::OnceLock;
+
 /// Largest rule used in one block; longer requests repeat it on equal parts.
 const LARGEST: usize = 16;
 
@@ -8,7 +10,7 @@ const LARGEST: usize = 16;
 pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let parts = n.max(1).div_ceil(LARGEST);
     let m = n.max(1).div_ceil(parts);
-    let rule = single_rule(m);
+    let rule = known_rule(m);
     let width = 1.0 / parts as f64;
     (0..parts)
         .flat_map(|p| {
@@ -16,6 +18,13 @@ pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
                 .map(move |&(x, w)| ((p as f64 + x) * width, w * width))
         })
         .collect()
+}
+
+/// The rule of m ≤ 16 nodes; each is worked out once, because every fit asks for the same few.
+fn known_rule(m: usize) -> &'static [(f64, f64)] {
+    static RULES: [OnceLock<Vec<(f64, f64)>>; LARGEST + 1] =
+        [const { OnceLock::new() }; LARGEST + 1];
+    RULES[m].get_or_init(|| single_rule(m))
 }
 
 /// Nodes by Newton's method on the Legendre polynomial, from the usual cosine estimate.

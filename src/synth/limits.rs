@@ -276,14 +276,17 @@ pub fn about_the_target(
     let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
     let mut out = Vec::new();
     // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
-    let mut side = |name: &'static str, sign: f64, edge: &ForceCurve| {
+    let mut side = |name: &'static str, sign: f64, edge: &ForceCurve, half: f64| {
         program.shapes.push(PiecewisePoly::combine(
             &[(sign, &edge.curve())],
             -sign * rest,
         ));
         Limit {
             shape: Some(program.shapes.len() - 1),
-            meaning: same(1.0),
+            meaning: Meaning::Value {
+                factor: 1.0,
+                offset: half,
+            },
             ..Limit::new(
                 name,
                 [sign * w[0], sign * w[1], sign * w[2], 0.0, 0.0],
@@ -293,12 +296,14 @@ pub fn about_the_target(
         }
     };
     if let Some([low, high]) = demand.band(scene)? {
-        out.push(side("band", 1.0, &high));
-        out.push(side("band", -1.0, &low));
+        // Told as the band's mean half width.
+        let half = 0.5 * (high.mean_n() - low.mean_n());
+        out.push(side("band", 1.0, &high, half));
+        out.push(side("band", -1.0, &low, half));
     }
     if super::spline::objective(scene) == Minimise::PeakForceError {
-        out.push(side("peak", 1.0, target).minimised());
-        out.push(side("peak", -1.0, target).minimised());
+        out.push(side("peak", 1.0, target, 0.0).minimised());
+        out.push(side("peak", -1.0, target, 0.0).minimised());
         program.cost[PEAK] = 1.0;
     }
     Ok(out)
