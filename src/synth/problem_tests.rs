@@ -305,3 +305,31 @@ fn a_crest_on_a_break_is_held_like_any_other() {
         assert!((highest - 0.7).abs() < 1e-8, "{degree} {spans}: {highest}");
     }
 }
+
+#[test]
+fn best_single_polynomials_of_least_peak_acceleration_are_found() {
+    // FACTS §8, to the digits printed there; an even degree adds nothing to the odd one below.
+    let table = [
+        (5, 5.7735, 1e-4),
+        (6, 5.7735, 1e-4),
+        (7, 5.6113, 1e-4),
+        (8, 5.6113, 1e-4),
+        (9, 4.6575, 1e-4),
+        (10, 4.6575, 1e-4),
+        (11, 4.627, 1e-3),
+        (12, 4.627, 1e-3),
+        (13, 4.353, 1e-3),
+        (15, 4.342, 1e-3),
+        (17, 4.222, 1e-3),
+        (21, 4.153, 1e-3),
+    ];
+    for (degree, printed, digit) in table {
+        let mut program = rest_to_rest(3, degree, &[0.0, 1.0]);
+        minimise_peak(&mut program, 2);
+        let peak = program.solve().unwrap().extra[PEAK];
+        assert!(
+            (peak - printed).abs() < 0.6 * digit,
+            "{degree}: {peak} {printed}"
+        );
+    }
+}
