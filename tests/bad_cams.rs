@@ -156,7 +156,7 @@ fn keys_that_a_follower_does_not_have_are_refused() {
     says(
         synth(&text, &["drive.mass=3 kg"]),
         2,
-        &["drive.kind", "angle"],
+        &["drive.mass", "angle", "inertia"],
     );
     says(
         synth(&text, &["cam.folower=barrel"]),

@@ -70,6 +70,8 @@ pub(super) fn forces(
             .collect();
     }
     let mut raw = Vec::new();
+    // Channels of a plate that nobody here can read are no forces because their names look like it.
+    let mut unknown = false;
     // Every plate needs channels of its own, so their number is bounded by the file.
     for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
         match weights(plate, analog, parameters) {
@@ -78,11 +80,14 @@ pub(super) fn forces(
                 Axis::Vertical,
                 &weights,
             )),
-            Err(why) => notes.push(format!("plate {} is left out: {why}", plate + 1)),
+            Err(why) => {
+                unknown |= why.starts_with("TYPE");
+                notes.push(format!("plate {} is left out: {why}", plate + 1));
+            }
         }
     }
     tilted(parameters, used, notes);
-    if raw.is_empty() {
+    if raw.is_empty() && !unknown {
         for (i, label) in labels
             .iter()
             .enumerate()
