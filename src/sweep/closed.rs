@@ -189,6 +189,7 @@ fn fill(
         && within(force.1, limits.force_max)
         && limits.force_min.is_none_or(|l| force.0 >= l)
         && within(face, limits.face_width)
+        && within(base, limits.prime_radius)
         // A base circle made for the curvature meets it to rounding.
         && rho >= wanted - if sized { 1e-12 * base } else { 0.0 }
         && base >= 0.5 * bore

@@ -287,6 +287,14 @@ pub const QUANTITIES: &[Quantity] = &[
         Some(|s, x| s.limits.face_width = Some(x)),
     ),
     quantity(
+        "limits.prime_radius",
+        D::Length,
+        "m",
+        "_m",
+        Positive,
+        Some(|s, x| s.limits.prime_radius = Some(x)),
+    ),
+    quantity(
         "accuracy.rms",
         D::Ratio,
         "",

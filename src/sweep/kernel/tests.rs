@@ -106,6 +106,15 @@ fn closed_rows_equal_single_syntheses_of_a_moving_axis() {
 
 #[test]
 fn closed_rows_equal_single_syntheses_under_limits_sizes_and_counts() {
+    // A cam larger than its limit fails its check in a sweep, too.
+    equal(&compared(
+        &["law.family=harmonic"],
+        &[
+            "limits.prime_radius=5 mm:60 mm",
+            "limits.curvature=1 mm:60 mm",
+        ],
+        60,
+    ));
     equal(&compared(
         &[
             "law.family=harmonic",
