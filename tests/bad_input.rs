@@ -254,3 +254,33 @@ fn a_roller_larger_than_the_pitch_curve_allows_is_an_undercut() {
     let rho = summary["cam"]["rho_min_m"].as_f64().unwrap() / 0.0254;
     assert!((rho + 0.1976).abs() < 1e-4, "{rho}");
 }
+
+#[test]
+fn bands_weights_phases_and_fronts_are_refused_with_their_cure() {
+    refused(&["gait.band=spread"], &["gait.band", "20 N"]);
+    refused(&["gait.band=-5 N"], &["gait.band", "not positive"]);
+    refused(&["gait.phase=sideways"], &["gait.phase", "90 deg"]);
+    refused(
+        &[r#"gait.weight=[{from="0 deg", to="400 deg", weight=2.0}]"#],
+        &["gait.weight[1].from", "0 to 360 deg"],
+    );
+    refused(
+        &[r#"gait.weight=[{from="0 deg", to="360 deg", weight=0.0}]"#],
+        &["gait.weight", "no phase of the cycle counts"],
+    );
+    refused(
+        &["law.family=harmonic", "gait.band=20 N"],
+        &["gait.band", "spline"],
+    );
+    refused(
+        &[
+            "law.family=double-harmonic",
+            "law.minimise=peak-force-error",
+        ],
+        &["law.minimise", "spline"],
+    );
+    refused(
+        &["limits.prime_radius=-3 mm"],
+        &["limits.prime_radius", "not positive"],
+    );
+}

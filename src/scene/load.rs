@@ -201,6 +201,17 @@ fn weights(r: &mut Reader) -> Result<Vec<PhaseWeight>> {
         out.push(one);
         w.finish()?;
     }
+    let turn = std::f64::consts::TAU;
+    let covered: f64 = (out.iter())
+        .map(|w: &PhaseWeight| (w.to - w.from).rem_euclid(turn))
+        .map(|length| if length < 1e-9 { turn } else { length })
+        .sum();
+    if covered >= turn - 1e-9 && out.iter().all(|w| w.weight == 0.0) {
+        return Err(
+            Error::key(&r.name("weight"), "no phase of the cycle counts")
+                .help("give one range a weight above 0"),
+        );
+    }
     Ok(out)
 }
 

@@ -61,13 +61,19 @@ impl Against {
     ///
     /// Fails on other words, saying which are known.
     pub fn from_pair(pair: &str) -> Result<Self> {
-        let known = || Self::NAMES.map(|n| n.0).join(", ");
+        let others = || {
+            Self::NAMES[1..]
+                .iter()
+                .map(|n| n.0)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
         let fault = |what: String| {
             Error::new(what)
                 .at(Place::Argument("--front".to_string()))
                 .help(format!(
                     "write force_error:prime_radius; in place of prime_radius also {}",
-                    known()
+                    others()
                 ))
         };
         let (a, b) = pair
