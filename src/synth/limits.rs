@@ -1,7 +1,7 @@
 //! Every limit of a scene as the same thing: a linear row that must hold over a range of angles.
 
-use super::curvature::{Follower, Size};
 use super::demand::Demand;
+use super::nonconvex::{Follower, Size};
 use super::problem::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
 use crate::error::Result;
 use crate::gait::ForceCurve;

@@ -57,7 +57,6 @@ mod certificate;
 mod cones;
 mod conflict;
 mod contacts;
-mod curvature;
 mod demand;
 mod design;
 mod double_harmonic;
@@ -67,6 +66,7 @@ mod harmonic;
 pub mod lab;
 mod limits;
 mod machine;
+mod nonconvex;
 mod objective;
 mod oracle;
 mod phase;
@@ -75,6 +75,7 @@ mod polynomial;
 mod problem;
 #[cfg(test)]
 mod problem_tests;
+mod sequence;
 mod spline;
 mod trade;
 mod verify;
@@ -201,7 +202,7 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
 /// law without them would break one. Returns the steps taken and why no more were.
 fn beyond_convex(scene: &Scene, fitted: &mut spline::Fitted) -> Option<(Vec<Step>, &'static str)> {
     let follower = limits::beyond_convex(scene)?;
-    let (solution, steps, ended) = curvature::refine(&fitted.program, &fitted.solution, follower)?;
+    let (solution, steps, ended) = sequence::refine(&fitted.program, &fitted.solution, follower)?;
     if steps.is_empty() && solution.x == fitted.solution.x {
         return None;
     }

@@ -1,0 +1,339 @@
+//! Limits that are not convex in the law, as h(s, v, a, D, e) ≥ 0 with its derivatives: a roller's curvature,
+//! and curvature and pressure angle of followers on an arm (FACTS §6).
+
+use crate::law::{Law, Svaj};
+use crate::poly::{PiecewisePoly, stand_in};
+
+/// A follower whose limits are not convex in the law, with all that fixes them.
+#[derive(Debug, Clone, Copy)]
+pub enum Follower {
+    /// A roller that slides along +y.
+    Roller(Size),
+    /// A roller on an arm: pivot at distance c, arm A, ξ = rest + s.
+    Arm {
+        /// c.
+        pivot: f64,
+        /// A.
+        arm: f64,
+        /// ξ on the base circle, rad.
+        rest: f64,
+        /// Smallest pitch radius allowed.
+        rho: f64,
+        /// Tangents of the pressure angles allowed on the rise and on the fall.
+        tan: [Option<f64>; 2],
+    },
+    /// A flat face that swings: c + face offset, ξ = rest + s.
+    Face {
+        /// c.
+        pivot: f64,
+        /// Distance of the face from the pivot.
+        offset: f64,
+        /// ξ on the base circle, rad.
+        rest: f64,
+        /// Smallest convex radius allowed.
+        rho: f64,
+    },
+}
+
+/// Size of a roller cam.
+#[derive(Debug, Clone, Copy)]
+pub struct Size {
+    /// D.
+    pub rise: f64,
+    /// e.
+    pub offset: f64,
+    /// Smallest pitch radius allowed: smallest convex radius of the cam plus the roller's.
+    pub rho: f64,
+}
+
+/// h and its derivatives by s, v, a, e; by D as by s.
+pub struct Slack {
+    /// Name of the limit.
+    pub name: &'static str,
+    pub h: f64,
+    /// Size of which h is a part: what the clearance is counted in.
+    pub w: f64,
+    /// Largest term in h.
+    pub largest: f64,
+    pub by_lift: f64,
+    pub by_velocity: f64,
+    pub by_acceleration: f64,
+    pub by_offset: f64,
+}
+
+impl Follower {
+    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
+        match *self {
+            Follower::Roller(size) => vec![roller(at, size)],
+            Follower::Arm {
+                pivot,
+                arm,
+                rest,
+                rho,
+                tan,
+            } => {
+                let mut out = vec![arm_curvature(at, pivot, arm, rest, rho)];
+                for (tan, side) in tan.into_iter().zip([1.0, -1.0]) {
+                    out.extend(tan.map(|t| arm_pressure(at, pivot, arm, rest, t, side)));
+                }
+                out
+            }
+            Follower::Face {
+                pivot,
+                offset,
+                rest,
+                rho,
+            } => vec![face_curvature(at, pivot, offset, rest, rho)],
+        }
+    }
+
+    /// The size where it may be among the variables.
+    pub fn size(&self) -> Size {
+        match *self {
+            Follower::Roller(size) => size,
+            _ => Size {
+                rise: 0.0,
+                offset: 0.0,
+                rho: 0.0,
+            },
+        }
+    }
+
+    /// The same follower at another size.
+    pub fn at_size(&self, size: Size) -> Self {
+        match self {
+            Follower::Roller(_) => Follower::Roller(size),
+            other => *other,
+        }
+    }
+}
+
+/// w^{3/2}/ρ − (w + vY − aX).
+fn roller(at: Svaj, size: Size) -> Slack {
+    let (x, y) = (size.rise + at.s, at.v - size.offset);
+    let w = x * x + y * y;
+    let root = w.sqrt();
+    let by_x = 3.0 * x * root / size.rho - (2.0 * x - at.a);
+    let by_y = 3.0 * y * root / size.rho - (2.0 * y + at.v);
+    Slack {
+        name: "curvature",
+        h: w * root / size.rho - (w + at.v * y - at.a * x),
+        w,
+        largest: w * root / size.rho,
+        by_lift: by_x,
+        by_velocity: by_y - y,
+        by_acceleration: x,
+        by_offset: -by_y,
+    }
+}
+
+/// W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′: the tangent in the fixed frame is
+/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (FACTS §6
+/// in other letters).
+fn arm_curvature(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
+    let w = arm * arm * q * q - 2.0 * c * p * q + c * c;
+    let k = arm * arm * q.powi(3) - c * p * q * (1.0 + q) - c * s * at.a + c * c;
+    let root = w.sqrt();
+    let by_w = 1.5 * root / rho;
+    Slack {
+        name: "curvature",
+        h: w * root / rho - k,
+        w,
+        largest: w * root / rho,
+        by_lift: by_w * 2.0 * c * s * q - (c * s * q * (1.0 + q) - c * p * at.a),
+        by_velocity: by_w * (2.0 * arm * arm * q - 2.0 * c * p)
+            - (3.0 * arm * arm * q * q - c * p * (1.0 + 2.0 * q)),
+        by_acceleration: c * s,
+        by_offset: 0.0,
+    }
+}
+
+/// t c sin ξ ∓ (A(1 + ξ′) − c cos ξ): the pressure angle on one side, tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
+fn arm_pressure(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    Slack {
+        name: if side > 0.0 {
+            "pressure_angle_rise"
+        } else {
+            "pressure_angle_fall"
+        },
+        h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
+        w: c,
+        largest: tan * c + arm,
+        by_lift: tan * c * cos - side * c * sin,
+        by_velocity: -side * arm,
+        by_acceleration: 0.0,
+        by_offset: 0.0,
+    }
+}
+
+/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of FACTS §6, the face's offset added.
+fn face_curvature(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    let q = 1.0 + at.v;
+    let twice = 2.0 * q - 1.0;
+    let room = offset - rho;
+    Slack {
+        name: "curvature",
+        h: c * sin * twice * q + c * cos * at.a + room * q.powi(3),
+        w: c,
+        largest: c * sin * (twice * q).abs() + (room * q.powi(3)).abs(),
+        by_lift: c * cos * twice * q - c * sin * at.a,
+        by_velocity: c * sin * (4.0 * q - 1.0) + 3.0 * room * q * q,
+        by_acceleration: c * cos,
+        by_offset: 0.0,
+    }
+}
+
+/// h/w over the law, for each of the follower's limits.
+pub fn relative(law: &Law, follower: &Follower) -> Vec<PiecewisePoly> {
+    let breaks = law.breaks();
+    let place = |i: usize, x: f64| law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
+    let count = follower.slacks(place(0, breaks[0])).len();
+    (0..count)
+        .map(|k| {
+            stand_in(breaks, 1e-11, |i, x| {
+                let s = &follower.slacks(place(i, x))[k];
+                s.h / s.w
+            })
+        })
+        .collect()
+}
+
+/// Smallest h/w over the law.
+pub fn clearance(law: &Law, follower: &Follower) -> f64 {
+    relative(law, follower)
+        .iter()
+        .fold(f64::INFINITY, |m, curve| m.min(curve.extremes().0.value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cam::{Cam, Follower as Kind};
+    use crate::law::{Extent, Rise, Segment, program};
+
+    fn law(lift: f64) -> Law {
+        let segment = |lift: f64, angle: f64| Segment {
+            motion: Rise::Cycloidal,
+            lift,
+            angle,
+        };
+        let pi = std::f64::consts::PI;
+        program(&[segment(lift, pi), segment(-lift, pi)], Extent::Turns(1)).unwrap()
+    }
+
+    /// Central differences of h against the derivatives stated, at places of many kinds.
+    #[test]
+    fn derivatives_of_every_limit_agree_with_differences() {
+        let followers = [
+            Follower::Roller(Size {
+                rise: 0.04,
+                offset: 0.007,
+                rho: 0.02,
+            }),
+            Follower::Arm {
+                pivot: 0.1,
+                arm: 0.08,
+                rest: 0.6,
+                rho: 0.02,
+                tan: [Some(0.6), Some(0.7)],
+            },
+            Follower::Face {
+                pivot: 0.1,
+                offset: 0.01,
+                rest: 0.5,
+                rho: 0.005,
+            },
+        ];
+        for follower in followers {
+            let unit = if matches!(follower, Follower::Roller(_)) {
+                0.01
+            } else {
+                0.1
+            };
+            for i in 0..20 {
+                let x = f64::from(i);
+                let at = Svaj {
+                    s: unit * (1.0 + (1.3 * x).sin()),
+                    v: unit * (0.7 * x).cos(),
+                    a: unit * (0.3 * x + 1.0).sin(),
+                    j: 0.0,
+                };
+                for k in 0..follower.slacks(at).len() {
+                    let h = |at: Svaj| follower.slacks(at)[k].h;
+                    let d = 1e-6 * unit;
+                    let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
+                    let found = [
+                        by(Svaj { s: at.s + d, ..at }, Svaj { s: at.s - d, ..at }),
+                        by(Svaj { v: at.v + d, ..at }, Svaj { v: at.v - d, ..at }),
+                        by(Svaj { a: at.a + d, ..at }, Svaj { a: at.a - d, ..at }),
+                    ];
+                    let own = &follower.slacks(at)[k];
+                    let stated = [own.by_lift, own.by_velocity, own.by_acceleration];
+                    let size = stated.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+                    for (f, s) in found.iter().zip(stated) {
+                        assert!(
+                            (f - s).abs() < 1e-6 * size,
+                            "{follower:?} {k}: {found:?} {stated:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// h is zero exactly where the finished cam has the radius or the pressure angle asked for.
+    #[test]
+    fn limits_of_arms_are_those_of_the_cam() {
+        let law = law(0.3);
+        let (pivot, arm, prime, roller) = (0.1, 0.08, 0.05, 0.01);
+        let cam = Cam {
+            law: law.clone(),
+            follower: Kind::RollerOscillating {
+                pivot_distance: pivot,
+                arm,
+                prime_radius: prime,
+                roller_radius: roller,
+            },
+        };
+        let rest = ((arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot)).acos();
+        let (fall, rise) = cam.pressure_angle_extremes();
+        let arms = |rho: f64, tan: [Option<f64>; 2]| Follower::Arm {
+            pivot,
+            arm,
+            rest,
+            rho,
+            tan,
+        };
+        let sharpest = cam.curvature().convex.value + roller;
+        let exact = clearance(&law, &arms(sharpest, [None, None]));
+        assert!(exact.abs() < 1e-7, "{exact}");
+        for (k, angle) in [(0, rise.value), (1, -fall.value)] {
+            let mut tan = [None, None];
+            tan[k] = Some(angle.tan());
+            let exact = clearance(&law, &arms(1e-4, tan));
+            assert!(exact.abs() < 1e-7, "{k}: {exact}");
+        }
+        let (base, offset) = (0.05, 0.004);
+        let cam = Cam {
+            law: law.clone(),
+            follower: Kind::FlatOscillating {
+                pivot_distance: pivot,
+                face_offset: offset,
+                base_radius: base,
+            },
+        };
+        let face = Follower::Face {
+            pivot,
+            offset,
+            rest: ((base - offset) / pivot).asin(),
+            rho: cam.curvature().convex.value,
+        };
+        let exact = clearance(&law, &face);
+        assert!(exact.abs() < 1e-7, "{exact}");
+    }
+}
