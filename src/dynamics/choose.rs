@@ -1,7 +1,8 @@
 //! `--model auto`: the least model that is enough, and the numbers that say so.
 
+use super::contact_model::contact_run;
 use super::flexible::Train;
-use super::models::{contact_run, flexible_run, rigid_run};
+use super::models::{flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
 use super::profile_curve::Cycle;
 use super::simulate::{Prepared, Run};

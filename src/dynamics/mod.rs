@@ -10,8 +10,10 @@
 //! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis;
 //! [`experiment`] runs the thesis's cams again.
 
+mod backwards;
 pub mod choose;
 pub mod contact;
+mod contact_model;
 pub mod design;
 mod events;
 pub mod experiment;
@@ -28,8 +30,11 @@ pub mod pictures;
 pub mod piecewise_force;
 pub mod profile_curve;
 pub mod rigid;
+mod rows;
 pub mod shaft;
 pub mod simulate;
+mod slopes;
+mod smoothing;
 pub mod stance;
 pub mod surface;
 pub mod thesis;

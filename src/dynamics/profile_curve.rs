@@ -8,13 +8,14 @@
 //! step of the angle once, not twice, and there is no facet anywhere (FACTS §10). Where each follower
 //! stands over a contact point is [`super::stance`]'s business.
 
+use super::slopes::spline_slopes;
+use super::smoothing::fewest_harmonics;
 use super::stance::{height_and_slope, slopes_known};
 use super::touch::touch;
 use crate::cam::{Follower, ProfilePoint};
 use crate::error::{Error, Result};
-use crate::law::{Law, Svaj, Wave};
+use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
-use realfft::RealFftPlanner;
 use std::f64::consts::TAU;
 
 /// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
@@ -156,39 +157,6 @@ pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -
     Ok(emitted)
 }
 
-/// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
-pub fn mirrored(law: &Law) -> Law {
-    let poly = law.poly();
-    let breaks: Vec<f64> = poly.breaks().iter().rev().map(|b| -b).collect();
-    let pieces = poly.pieces();
-    let mut coef = Vec::with_capacity(pieces * (poly.degree() + 1));
-    let mut waves = Vec::new();
-    for i in (0..pieces).rev() {
-        coef.extend(poly.piece(i).iter().rev());
-        let width = poly.breaks()[i + 1] - poly.breaks()[i];
-        waves.push(
-            law.waves(i)
-                .iter()
-                .map(|w| backwards(w, width))
-                .collect::<Vec<_>>(),
-        );
-    }
-    if waves.iter().all(Vec::is_empty) {
-        waves.clear();
-    }
-    let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
-    Law::with_waves(poly, waves, law.is_closed())
-}
-
-fn backwards(wave: &Wave, width: f64) -> Wave {
-    let (sin, cos) = (wave.rate * width).sin_cos();
-    Wave {
-        rate: wave.rate,
-        cos: wave.cos * cos + wave.sin * sin,
-        sin: wave.cos * sin - wave.sin * cos,
-    }
-}
-
 fn equal_step(points: &[ProfilePoint], cycle: Cycle) -> Result<f64> {
     let n = points.len();
     if n < 8 {
@@ -302,151 +270,6 @@ fn from_heights(
         mismatch,
         harmonics,
     }
-}
-
-/// Slopes at the nodes of the C² cubic spline through equally spaced values.
-fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
-    if closed {
-        periodic_slopes(values, step)
-    } else {
-        open_slopes(values, step)
-    }
-}
-
-/// The same of values that end: the slopes at both ends are those of the quartics through the five
-/// values next to them, so the order of the spline is kept.
-fn open_slopes(values: &[f64], step: f64) -> Vec<f64> {
-    const ONE_SIDED: [f64; 5] = [-25.0, 48.0, -36.0, 16.0, -3.0];
-    let n = values.len();
-    let end = |at: &dyn Fn(usize) -> f64| -> f64 {
-        let sum: f64 = ONE_SIDED.iter().enumerate().map(|(k, w)| w * at(k)).sum();
-        sum / (12.0 * step)
-    };
-    let mut slopes = vec![0.0; n];
-    slopes[0] = end(&|k| values[k]);
-    slopes[n - 1] = -end(&|k| values[n - 1 - k]);
-    // mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step between the ends, by elimination.
-    let mut ratio = vec![0.0; n];
-    let mut pivot = 1.0;
-    for i in 1..n - 1 {
-        ratio[i - 1] = if i == 1 { 0.0 } else { 1.0 / pivot };
-        pivot = 4.0 - ratio[i - 1];
-        let right = 3.0 * (values[i + 1] - values[i - 1]) / step;
-        let known = if i + 2 == n { slopes[n - 1] } else { 0.0 };
-        slopes[i] = (right - slopes[i - 1] - known) / pivot;
-    }
-    for i in (1..n - 2).rev() {
-        slopes[i] -= ratio[i] * slopes[i + 1];
-    }
-    slopes
-}
-
-/// Slopes at the nodes of the periodic C² cubic spline through equally spaced values:
-/// mᵢ₋₁ + 4mᵢ + mᵢ₊₁ = 3(yᵢ₊₁ − yᵢ₋₁)/step, by elimination with one cyclic correction.
-pub fn periodic_slopes(values: &[f64], step: f64) -> Vec<f64> {
-    let n = values.len();
-    let right = |i: usize| 3.0 * (values[(i + 1) % n] - values[(i + n - 1) % n]) / step;
-    // Sherman and Morrison: the corners 1 are taken out by u = (−4, 0 … 1), v = (1, 0 … −1/4).
-    let mut ratio = vec![0.0; n];
-    let mut x = vec![0.0; n];
-    let mut z = vec![0.0; n];
-    let (mut pivot, mut below) = (8.0, (0.0, 0.0));
-    for i in 0..n {
-        let diagonal = match i {
-            0 => 8.0,
-            _ if i + 1 == n => 4.25,
-            _ => 4.0,
-        };
-        if i > 0 {
-            ratio[i - 1] = 1.0 / pivot;
-            pivot = diagonal - ratio[i - 1];
-        }
-        let corner = match i {
-            0 => -4.0,
-            _ if i + 1 == n => 1.0,
-            _ => 0.0,
-        };
-        let before = if i > 0 { below } else { (0.0, 0.0) };
-        below = ((right(i) - before.0) / pivot, (corner - before.1) / pivot);
-        (x[i], z[i]) = below;
-    }
-    for i in (0..n - 1).rev() {
-        x[i] -= ratio[i] * x[i + 1];
-        z[i] -= ratio[i] * z[i + 1];
-    }
-    let weight = |y: &[f64]| y[0] - 0.25 * y[n - 1];
-    let factor = weight(&x) / (1.0 + weight(&z));
-    x.iter().zip(&z).map(|(a, b)| a - factor * b).collect()
-}
-
-/// A truncated Fourier series, c₀ + Σ (cₙ cos nθ + sₙ sin nθ).
-struct Series {
-    mean: f64,
-    terms: Vec<(f64, f64)>,
-}
-
-impl Series {
-    /// Values and derivatives by the angle at `n` equal steps of one turn.
-    fn sample(&self, n: usize) -> (Vec<f64>, Vec<f64>) {
-        let at = |i: usize| {
-            let (mut value, mut slope) = (self.mean, 0.0);
-            for (k, (c, s)) in self.terms.iter().enumerate() {
-                let order = (k + 1) as f64;
-                // The index is reduced first so that high harmonics keep their phase.
-                let (sin, cos) = (TAU * (((k + 1) * i) % n) as f64 / n as f64).sin_cos();
-                value += c * cos + s * sin;
-                slope += order * (s * cos - c * sin);
-            }
-            (value, slope)
-        };
-        (0..n).map(at).unzip()
-    }
-}
-
-/// The fewest leading harmonics (at most `most`) that stay within `tolerance` of every value.
-fn fewest_harmonics(values: &[f64], tolerance: f64, most: usize) -> Option<Series> {
-    let n = values.len();
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(n);
-    let mut input = values.to_vec();
-    let mut spectrum = forward.make_output_vec();
-    forward.process(&mut input, &mut spectrum).ok()?;
-    let scale = 2.0 / n as f64;
-    let all: Vec<(f64, f64)> = spectrum[1..]
-        .iter()
-        .map(|c| (scale * c.re, -scale * c.im))
-        .collect();
-    let mean = spectrum[0].re / n as f64;
-    let series = |k: usize| Series {
-        mean,
-        terms: all[..k].to_vec(),
-    };
-    let fits = |s: &Series| {
-        let (smooth, _) = s.sample(n);
-        values
-            .iter()
-            .zip(&smooth)
-            .all(|(a, b)| (a - b).abs() <= tolerance)
-    };
-    let most = most.min(all.len().saturating_sub(1));
-    let mut low = 0;
-    let mut high = 1;
-    while high < most && !fits(&series(high)) {
-        low = high;
-        high = (2 * high).min(most);
-    }
-    if !fits(&series(high)) {
-        return None;
-    }
-    while high - low > 1 {
-        let middle = (low + high) / 2;
-        if fits(&series(middle)) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    Some(series(high))
 }
 
 #[cfg(test)]

@@ -43,18 +43,6 @@ fn a_knife_edge_finds_its_slopes_from_heights_alone() {
 }
 
 #[test]
-fn a_mirrored_law_runs_backwards() {
-    let law = thesis::double_harmonic().law;
-    let back = mirrored(&law);
-    for i in 0..100 {
-        let t = 0.0628 * f64::from(i) + 0.01;
-        let (a, b) = (law.svaj(t), back.svaj(-t));
-        assert!((a.s - b.s).abs() < 1e-15 && (a.v + b.v).abs() < 1e-15);
-        assert!((a.a - b.a).abs() < 1e-14 && (a.j + b.j).abs() < 1e-13);
-    }
-}
-
-#[test]
 fn rows_that_are_not_equal_steps_are_refused_by_row() {
     let cam = thesis::eccentric();
     let mut points = cam.profile(360);

@@ -1,13 +1,15 @@
 //! Runs an emitted cam under one model.
 
+use super::backwards::backwards;
 use super::contact::Limits;
+use super::contact_model::contact_run;
 use super::flexible::Train;
 use super::hertz::Material;
 use super::impact::Restitution;
 use super::load_cell::LoadCell;
-use super::models::{contact_run, flexible_run, rigid_run};
+use super::models::{flexible_run, rigid_run};
 use super::outcome::{Model, Outcome};
-use super::profile_curve::{Cycle, mirrored, recover_over};
+use super::profile_curve::{Cycle, recover_over};
 use super::touch::{held, rubs, touch};
 use super::two_cams::{envelope, shifted};
 use super::{choose, rigid};
@@ -182,7 +184,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         ..*drive
     };
     let one = if reversed {
-        mirrored(&emitted.law)
+        backwards(&emitted.law)
     } else {
         emitted.law
     };
@@ -275,7 +277,7 @@ fn conjugate_nodes(
     let cycle = Cycle::of(&cam.law);
     let emitted = recover_over(&cam.follower, &cam.profile(n), cycle, 0.0)?;
     let nodes: Vec<Svaj> = if reversed {
-        let law = mirrored(&emitted.law);
+        let law = backwards(&emitted.law);
         let (start, step) = (law.extent().0, cycle.step(n));
         (0..n).map(|i| law.svaj(start + step * i as f64)).collect()
     } else {

@@ -1,0 +1,163 @@
+//! What the rows of a run share: forces at equal angles with torque, pressure and load cell made of them.
+
+use super::hertz;
+use super::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
+use super::rigid;
+use super::simulate::{Prepared, Run};
+use super::touch::{Touch, touch};
+use crate::law::Svaj;
+
+impl Prepared {
+    pub fn rms_error(&self, forces: &[f64]) -> Option<f64> {
+        let target = self.target.as_ref()?;
+        let sum: f64 = forces
+            .iter()
+            .enumerate()
+            .map(|(i, f)| (f - target[i % target.len()]).powi(2))
+            .sum();
+        Some((sum / forces.len() as f64).sqrt())
+    }
+
+    /// Rows from forces (and heights over the profile's lift) at equal angles over whole turns.
+    pub fn rows(
+        &self,
+        input: &Run,
+        forces: &[f64],
+        heights: &[f64],
+        blows: &[(f64, f64)],
+    ) -> Vec<Row> {
+        let n = self.nodes.len();
+        let total = forces.len();
+        let length = self.step * total as f64;
+        let cell = input.machine.load_cell.map_or_else(
+            || forces.to_vec(),
+            |c| c.reading(forces, blows, length, self.drive.speed),
+        );
+        let sign = if self.reversed { -1.0 } else { 1.0 };
+        let first = if self.reversed {
+            -(self.start + self.cycle.length)
+        } else {
+            self.start
+        };
+        let mut rows = vec![Row::default(); total];
+        for i in 0..total {
+            let at = self.nodes[i % n];
+            let touch = self.touch(input, i % n, at, forces[i]);
+            let torque = self.torque(input, forces[i], at);
+            let place = if self.reversed {
+                (total - i) % total
+            } else {
+                i
+            };
+            rows[place] = Row {
+                theta: first + self.step * place as f64,
+                contact_force: forces[i],
+                torque: sign * torque,
+                power: torque * self.drive.speed,
+                lift: at.s + heights[i],
+                gap: if forces[i] == 0.0 {
+                    heights[i].max(0.0)
+                } else {
+                    0.0
+                },
+                normal_force: touch.normal,
+                sliding: sign * touch.sliding,
+                entraining: sign * touch.entraining,
+                side_thrust: touch.side_thrust,
+                load_cell: cell[i],
+            };
+        }
+        rows
+    }
+
+    /// The contact that bears: the second cam's where a conjugate pair's first one would have to pull.
+    pub fn touch(&self, input: &Run, row: usize, at: Svaj, force: f64) -> Touch {
+        let (speed, friction) = (self.drive.speed, input.machine.friction);
+        match (&input.machine.conjugate, &self.second) {
+            (Some(cam), Some(nodes)) if force < 0.0 => {
+                touch(&cam.follower, speed, friction, nodes[row], -force)
+            }
+            _ => touch(&input.cam.follower, speed, friction, at, force),
+        }
+    }
+
+    pub fn signed(&self, t: Torque) -> Torque {
+        if !self.reversed {
+            return t;
+        }
+        Torque {
+            min: -t.max,
+            max: -t.min,
+            mean: -t.mean,
+            rms: t.rms,
+        }
+    }
+
+    pub fn sampled_torque(&self, input: &Run, forces: &[f64]) -> Torque {
+        let n = self.nodes.len();
+        let values: Vec<f64> = forces
+            .iter()
+            .enumerate()
+            .map(|(i, f)| self.torque(input, *f, self.nodes[i % n]))
+            .collect();
+        let count = values.len() as f64;
+        Torque {
+            min: values.iter().copied().fold(f64::INFINITY, f64::min),
+            max: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            mean: values.iter().sum::<f64>() / count,
+            rms: (values.iter().map(|t| t * t).sum::<f64>() / count).sqrt(),
+        }
+    }
+
+    /// Highest line pressure over the rows; curvatures of both bodies added, the flat face has none.
+    pub fn hertz(&self, input: &Run, rows: &[Row]) -> Option<Pressure> {
+        let face = input.machine.face?;
+        let modulus = hertz::modulus(face.cam, face.follower);
+        let n = self.nodes.len();
+        rows.iter()
+            .enumerate()
+            .map(|(i, row)| {
+                let place = if self.reversed {
+                    (rows.len() - i) % n
+                } else {
+                    i % n
+                };
+                // A positive normal force, whichever cam bears it.
+                let bearing = self.touch(input, place, self.nodes[place], row.contact_force);
+                let press = bearing.normal.abs();
+                Pressure {
+                    theta: row.theta,
+                    contact: hertz::line(press, face.length, bearing.curvature.abs(), modulus),
+                }
+            })
+            .max_by(|a, b| a.contact.pressure.total_cmp(&b.contact.pressure))
+    }
+
+    pub fn liftoff(&self) -> Option<f64> {
+        if self.held {
+            return None;
+        }
+        rigid::liftoff_speed(&self.lift, &self.drive)
+    }
+
+    pub fn outcome(&self, model: Model, why: &str) -> Outcome {
+        Outcome {
+            model,
+            why: why.to_string(),
+            contact_lost: false,
+            lost_fraction: 0.0,
+            force: Force::default(),
+            torque: Torque::default(),
+            liftoff_speed: self.liftoff(),
+            settle_cycles: Some(0),
+            period_turns: 1,
+            impacts: Vec::new(),
+            hertz: None,
+            next: None,
+            profile_mismatch: self.mismatch,
+            law_mismatch: self.law_mismatch,
+            notes: self.notes.clone(),
+            rows: Vec::new(),
+        }
+    }
+}
