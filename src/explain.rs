@@ -56,13 +56,11 @@ fn accuracy(scene: &Scene, design: &Synthesis) -> String {
 
 fn family(scene: &Scene, design: &Synthesis) -> Choice {
     let asked = scene.law.family;
-    let because = if asked == Family::Auto {
-        format!(
-            "the simplest that passes every check: {}",
-            design.solver.status
-        )
-    } else {
-        format!("the scene asks for it; it {}", accuracy(scene, design))
+    let status = &design.solver.status;
+    let because = match asked {
+        Family::Auto => format!("the simplest that passes every check: {status}"),
+        Family::Ladder => format!("the lowest rung that passes every check: {status}"),
+        _ => format!("the scene asks for it; it {}", accuracy(scene, design)),
     };
     let (next, richer) = match design.family.as_str() {
         "double-harmonic" => ("harmonics", Some(Family::Harmonic)),

@@ -1,4 +1,4 @@
-//! Piecewise polynomials: Bernstein form, exact derivatives, roots and extrema; B-splines.
+//! Piecewise polynomials: Bernstein form, exact derivatives, roots and extrema; B-splines. Sums of harmonics.
 //!
 //! Nothing here knows of cams. A polynomial of degree n on an interval is kept by its n + 1 Bernstein
 //! coefficients, whose hull bounds it and which do not lose digits as monomials do (FACTS §9).
@@ -6,12 +6,14 @@
 pub mod bernstein;
 mod bspline;
 mod distance;
+mod fourier;
 mod gauss;
 mod piecewise;
 mod proxy;
 
 pub use bspline::{Span, SplineSpace};
 pub use distance::{Distance, distance};
+pub use fourier::{amplitudes, sums};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
 pub use proxy::stand_in;

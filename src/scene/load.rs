@@ -33,7 +33,7 @@ pub fn read(table: &Table) -> Result<Scene> {
     // The follower decides what lift and angle are measured in.
     let cam = super::cam::read(root.table("cam")?)?;
     let drive = drive(root.table("drive")?, &cam)?;
-    let law = law(root.table("law")?, &cam, gait.is_some())?;
+    let law = law(root.table("law")?, &cam, gait.as_ref())?;
     let limits = limits(root.table("limits")?, cam.is_oscillating())?;
     let rms = accuracy(root.table("accuracy")?)?;
     let machine = machine(root.table("machine")?)?;
@@ -302,7 +302,7 @@ fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
     Ok(spec)
 }
 
-fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec> {
+fn law(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Result<LawSpec> {
     let mut spec = LawSpec {
         family: Family::Spline,
         degree: None,
@@ -314,11 +314,12 @@ fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec>
         dwells: Vec::new(),
         segments: Vec::new(),
     };
-    let Some(mut r) = reader else { return Ok(spec) };
-    spec.family = r
-        .choice("family", &Family::NAMES)?
-        .unwrap_or(Family::Spline);
-    let degrees = if spec.family == Family::Polynomial {
+    let Some(mut r) = reader else {
+        spec.family = unnamed(&spec, gait);
+        return Ok(spec);
+    };
+    let family = r.choice("family", &Family::NAMES)?;
+    let degrees = if family == Some(Family::Polynomial) {
         (1, 30)
     } else {
         (3, 9)
@@ -328,7 +329,7 @@ fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec>
     spec.harmonics = r.count("harmonics", 1, 400)?;
     spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
     let of_force = [Minimise::ForceError, Minimise::PeakForceError];
-    if !has_gait && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
+    if gait.is_none() && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
         return Err(
             Error::key("law.minimise", "there is no force to come near to")
                 .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),
@@ -388,7 +389,23 @@ fn law(reader: Option<Reader>, cam: &CamSpec, has_gait: bool) -> Result<LawSpec>
         s.finish()?;
     }
     r.finish()?;
+    spec.family = family.unwrap_or_else(|| unnamed(&spec, gait));
     Ok(spec)
+}
+
+/// The family of a scene that names none: the ladder, unless something is asked that only splines have.
+fn unnamed(law: &LawSpec, gait: Option<&Gait>) -> Family {
+    let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
+    let of_splines = law.degree.is_some()
+        || law.spans.is_some()
+        || law.monotone
+        || matches!(law.minimise, Some(m) if m != Minimise::ForceError)
+        || !(law.points.is_empty() && law.dwells.is_empty() && law.segments.is_empty());
+    match (follows_a_plain_force && !of_splines, law.harmonics) {
+        (true, None) => Family::Ladder,
+        (true, Some(_)) => Family::Harmonic,
+        (false, _) => Family::Spline,
+    }
 }
 
 fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
@@ -504,7 +521,7 @@ fn consistent(scene: &Scene) -> Result<()> {
     super::cam::consistent(scene)?;
     let law = &scene.law;
     if let Some(gait) = &scene.gait
-        && law.family != Family::Spline
+        && !matches!(law.family, Family::Spline | Family::Ladder)
     {
         let only_splines = |key: &str| {
             let family = law.family.name();

@@ -136,6 +136,9 @@ pub struct DriveSpec {
 pub enum Family {
     /// The simplest of the others that meets accuracy and limits.
     Auto,
+    /// Harmonics in closed form where accuracy and limits hold with them, a spline otherwise: what a scene
+    /// gets that names no family and asks for nothing that only one family has.
+    Ladder,
     /// Splines.
     Spline,
     /// One polynomial through given points, dwell elsewhere.
@@ -150,8 +153,9 @@ pub enum Family {
 
 impl Family {
     /// Every family with the name users write.
-    pub const NAMES: [(&'static str, Family); 6] = [
+    pub const NAMES: [(&'static str, Family); 7] = [
         ("auto", Family::Auto),
+        ("ladder", Family::Ladder),
         ("spline", Family::Spline),
         ("polynomial", Family::Polynomial),
         ("harmonic", Family::Harmonic),

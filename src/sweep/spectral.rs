@@ -10,7 +10,7 @@ use super::interpolant::Bumps;
 use super::trig;
 use crate::gait::ForceCurve;
 use crate::law::Law;
-use crate::poly::PiecewisePoly;
+use crate::poly::{PiecewisePoly, amplitudes};
 
 /// Most harmonics that an automatic count takes.
 const MOST_AUTO: usize = 60;
@@ -69,16 +69,8 @@ pub struct Fit {
 impl Shape {
     /// Takes the curve apart; `None` for a curve whose spectrum cannot be had.
     pub fn of_curve(curve: ForceCurve) -> Option<Shape> {
-        let n = curve.force_n.len();
-        let fft = realfft::RealFftPlanner::<f64>::new().plan_fft_forward(n);
-        let mut output = fft.make_output_vec();
-        fft.process(&mut curve.force_n.clone(), &mut output).ok()?;
-        let scale = 2.0 / n as f64;
-        let most = (n - 1) / 2;
-        let spectrum: Vec<(f64, f64)> = output[1..=most]
-            .iter()
-            .map(|c| (c.re * scale, -c.im * scale))
-            .collect();
+        let most = (curve.force_n.len() - 1) / 2;
+        let spectrum = amplitudes(&curve.force_n)[1..=most].to_vec();
         Some(Shape {
             mean: curve.mean_n(),
             period_s: curve.period_s,

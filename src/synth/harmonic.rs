@@ -1,10 +1,9 @@
 //! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (FACTS §1).
 
-use realfft::RealFftPlanner;
-
 use super::demand::Demand;
 use crate::error::{Error, Result};
 use crate::law::Law;
+use crate::poly::amplitudes;
 
 /// Most harmonics that "auto" takes.
 const MOST_AUTO: usize = 60;
@@ -46,18 +45,21 @@ pub fn invert(demand: &Demand, count: Option<usize>, wanted: f64) -> Result<Spec
             format!("{n} samples hold no more than {most} harmonics"),
         ));
     }
-    let spectrum = spectrum(&target.force_n)?;
+    let spectrum = amplitudes(&target.force_n);
     let power = |k: usize| 0.5 * (spectrum[k].0.powi(2) + spectrum[k].1.powi(2));
-    let count = count.unwrap_or_else(|| {
-        let mut left: f64 = (1..=most).map(power).sum();
-        let mut c = 0;
-        while c < most.min(MOST_AUTO) && left.max(0.0).sqrt() > wanted {
-            c += 1;
-            left -= power(c);
-        }
-        c.max(1)
-    });
-    let left_over = (count + 1..=most).map(power).sum::<f64>().sqrt();
+    // From the highest down, so that small remainders keep their digits.
+    let mut left = 0.0;
+    let mut fewest = most;
+    let stop = count.unwrap_or(1);
+    while fewest > stop && (count.is_some() || left + power(fewest) <= wanted * wanted) {
+        left += power(fewest);
+        fewest -= 1;
+    }
+    if count.is_none() && fewest > MOST_AUTO {
+        left += (MOST_AUTO + 1..=fewest).map(power).sum::<f64>();
+        fewest = MOST_AUTO;
+    }
+    let (count, left_over) = (fewest, left.sqrt());
     let mut x = Vec::with_capacity(2 * count + 1);
     let k0 = demand.drive.spring_rate;
     x.push(if k0 != 0.0 {
@@ -95,28 +97,6 @@ pub fn invert(demand: &Demand, count: Option<usize>, wanted: f64) -> Result<Spec
         count,
         left_over,
     })
-}
-
-/// (mean, 0), then (cosine, sine) amplitudes of each harmonic.
-fn spectrum(samples: &[f64]) -> Result<Vec<(f64, f64)>> {
-    let n = samples.len();
-    let fft = RealFftPlanner::<f64>::new().plan_fft_forward(n);
-    let mut input = samples.to_vec();
-    let mut output = fft.make_output_vec();
-    fft.process(&mut input, &mut output)
-        .map_err(|e| Error::new(e.to_string()))?;
-    let scale = 2.0 / n as f64;
-    Ok(output
-        .iter()
-        .enumerate()
-        .map(|(k, c)| {
-            if k == 0 {
-                (c.re / n as f64, 0.0)
-            } else {
-                (c.re * scale, -c.im * scale)
-            }
-        })
-        .collect())
 }
 
 /// The refusal of families that follow a force where there is none.

@@ -220,6 +220,13 @@ pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> 
     Ok(harmonic::invert(&demand, Some(count), 0.0)?.law())
 }
 
+/// As many harmonics, inverted one by one, as leave no more than `wanted` newtons RMS: what a scene gets
+/// that names no family and breaks no limit.
+pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law> {
+    let demand = demand(target, drive, Vec::new());
+    Ok(harmonic::invert(&demand, None, wanted)?.law())
+}
+
 fn demand(target: &ForceCurve, drive: Drive, cubics: Vec<[f64; 4]>) -> Demand {
     Demand {
         target: Some(target.clone()),

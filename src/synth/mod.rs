@@ -62,6 +62,7 @@ mod design;
 mod double_harmonic;
 mod equality;
 mod exchange;
+mod family;
 mod harmonic;
 pub mod lab;
 mod limits;
@@ -135,7 +136,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         reason = infeasible.words.clone();
     }
     let mut remarks = demand.remarks.clone();
-    remarks.extend(spline::stopped_at_noise(scene, &demand));
+    remarks.extend(spline::stopped_at_noise(scene, &demand, found.family));
     Ok(Synthesis {
         name: scene.name.clone(),
         phase: demand.phase,
@@ -173,7 +174,8 @@ fn on_base_circle(scene: &Scene, demand: &Demand, law: Law) -> Law {
 fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
     match scene.law.family {
         Family::Spline => from_spline(scene, demand),
-        Family::Auto => simplest(scene, demand),
+        Family::Auto => family::simplest(scene, demand),
+        Family::Ladder => family::ladder(scene, demand),
         Family::Polynomial => {
             let p = polynomial::through_points(scene, demand)?;
             Ok(Found {
@@ -305,41 +307,44 @@ fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> Solve
     }
 }
 
-fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
-    let mean = demand.target.as_ref().map_or(0.0, |t| t.mean_n().abs());
-    let wanted = scene.rms.unwrap_or(0.005) * mean;
-    let spectral = harmonic::invert(demand, scene.law.harmonics, wanted)?;
-    let law = spectral.law();
-    let mut found = Found {
+/// The force's harmonics inverted, without a look at the limits, and what lies in the rest, N RMS: `count`
+/// of them, or the fewest that leave no more than `wanted`.
+fn inverted(demand: &Demand, count: Option<usize>, wanted: f64) -> Result<(Found, f64)> {
+    let spectral = harmonic::invert(demand, count, wanted)?;
+    let status = format!(
+        "{} harmonics inverted one by one; {:.4} N RMS lie in the rest",
+        spectral.count, spectral.left_over
+    );
+    let found = Found {
         family: Family::Harmonic,
         degree: 0,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(
-            Tier::Spectral,
-            &format!(
-                "{} harmonics inverted one by one; {:.4} N RMS lie in the rest",
-                spectral.count, spectral.left_over
-            ),
-            0,
-            true,
-        ),
+        solver: report(Tier::Spectral, &status, 0, true),
+        law: spectral.law(),
         coefficients: spectral.x,
-        law,
         infeasible: None,
     };
+    Ok((found, spectral.left_over))
+}
+
+fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
+    let mean = demand.target.as_ref().map_or(0.0, |t| t.mean_n().abs());
+    let wanted = scene.rms.unwrap_or(0.005) * mean;
+    let (mut found, _) = inverted(demand, scene.law.harmonics, wanted)?;
+    let count = found.law.waves(0).len();
     // When every limit holds the spectral inverse is already the optimum (FACTS §1).
-    let program = spline::harmonic_program(scene, demand, spectral.count, &found.law);
+    let program = spline::harmonic_program(scene, demand, count, &found.law);
     if program.limits.is_empty() || !breaks_a_limit(&program, &found) {
         return Ok(found);
     }
     match program.solve() {
         Ok(solution) => {
             found.law = program.basis.law(&solution.x);
-            found.binding = gathered(&program, &solution, 2 * spectral.count);
+            found.binding = gathered(&program, &solution, 2 * count);
             let status = format!(
-                "{} harmonics, {} rounds of exchange; limits hold to {:.1e}",
-                spectral.count, solution.rounds, solution.violation
+                "{count} harmonics, {} rounds of exchange; limits hold to {:.1e}",
+                solution.rounds, solution.violation
             );
             let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
             found.solver = report(Tier::Qp, &status, solution.iterations, certified);
@@ -378,54 +383,6 @@ fn from_double_harmonic(scene: &Scene, demand: &Demand) -> Result<Found> {
         solver: report(Tier::Equality, &status, hump.evaluations, true),
         infeasible: None,
     })
-}
-
-/// The simplest family whose cam passes every check: a double harmonic, a few harmonics, a spline. The
-/// families that were passed over say what they missed by.
-fn simplest(scene: &Scene, demand: &Demand) -> Result<Found> {
-    let free_of_demands = scene.law.points.is_empty() && scene.law.dwells.is_empty();
-    let mut passed_over = Vec::new();
-    if demand.target.is_some()
-        && free_of_demands
-        && spline::objective(scene) == Minimise::ForceError
-    {
-        for family in [Family::DoubleHarmonic, Family::Harmonic] {
-            let found = match family {
-                Family::DoubleHarmonic => from_double_harmonic(scene, demand),
-                _ => from_harmonics(scene, demand),
-            };
-            let Ok(mut found) = found else { continue };
-            match missed_by(scene, demand, &found)? {
-                None => {
-                    found.solver.status.push_str(&passed_over.join(""));
-                    return Ok(found);
-                }
-                Some(miss) => passed_over.push(format!("; {} misses {miss}", family.name())),
-            }
-        }
-    }
-    let mut found = from_spline(scene, demand)?;
-    found.solver.status.push_str(&passed_over.join(""));
-    Ok(found)
-}
-
-/// What the cam of a law breaks first, in words; `None` when it passes.
-fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<String>> {
-    if let Some(infeasible) = &found.infeasible {
-        return Ok(Some(infeasible.conflict.join(", ")));
-    }
-    let cam = design::cam(scene, on_base_circle(scene, demand, found.law.clone()))?;
-    let force = verify::force(demand, &cam);
-    let checks = verify::checks(scene, demand, &cam, &force);
-    let broken = checks.iter().find(|c| !c.pass);
-    Ok(broken.map(|c| {
-        format!(
-            "{} ({} against {})",
-            c.name,
-            in_units(&c.name, c.worst),
-            in_units(&c.name, c.limit)
-        )
-    }))
 }
 
 fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {

@@ -74,10 +74,7 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     let Some(target) = demand.target.as_ref().filter(|_| follows_force) else {
         return solve(scene, demand, SPANS_WITHOUT_FORCE);
     };
-    let wanted = match scene.rms {
-        Some(rms) => rms * target.mean_n().abs(),
-        None => noise(target).max(finest(target)),
-    };
+    let wanted = accuracy(scene, target);
     // The unlimited fit is the cheaper lower bound: spans that miss the accuracy without limits miss it
     // with them.
     let mut spans = 3;
@@ -126,6 +123,14 @@ fn fewest_in_band(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     }
 }
 
+/// Force error, N RMS, at which an automatic size is large enough.
+pub fn accuracy(scene: &Scene, target: &ForceCurve) -> f64 {
+    match scene.rms {
+        Some(rms) => rms * target.mean_n().abs(),
+        None => noise(target).max(finest(target)),
+    }
+}
+
 /// Error, N, that is small enough where the scene asks for none and no spread is known.
 fn finest(target: &ForceCurve) -> f64 {
     DEFAULT_ACCURACY * target.mean_n().abs()
@@ -138,15 +143,23 @@ fn noise(target: &ForceCurve) -> f64 {
     0.2 * spread_rms_n(target).unwrap_or(0.0)
 }
 
-/// Says so where the spread, not the accuracy, ended the choice of spans.
-pub fn stopped_at_noise(scene: &Scene, demand: &Demand) -> Option<String> {
+/// Says so where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).
+pub fn stopped_at_noise(scene: &Scene, demand: &Demand, family: Family) -> Option<String> {
     let target = demand.target.as_ref()?;
     let by_force = matches!(objective(scene), Minimise::ForceError);
-    let auto = scene.law.family == Family::Spline && scene.law.spans.is_none();
+    let auto = match scene.law.family {
+        Family::Spline => scene.law.spans.is_none(),
+        asked => asked == Family::Ladder,
+    };
+    let size = if family == Family::Spline {
+        "spans"
+    } else {
+        "harmonics"
+    };
     let (noise, finest) = (noise(target), finest(target));
     (auto && by_force && scene.rms.is_none() && noise > finest).then(|| {
         format!(
-            "The spans stop at an error of {noise:.1} N RMS, a fifth of the walker's step-to-step spread: \
+            "The {size} stop at an error of {noise:.1} N RMS, a fifth of the walker's step-to-step spread: \
              more would follow its noise. accuracy.rms asks for another."
         )
     })

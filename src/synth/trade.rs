@@ -143,7 +143,7 @@ pub fn trade(
             "no force is wanted, so no force error can be traded",
         ));
     }
-    if scene.law.family != Family::Spline {
+    if !matches!(scene.law.family, Family::Spline | Family::Ladder) {
         return Err(
             Error::key("law.family", "only splines are traded point by point")
                 .help("use law.family = \"spline\", or gaitcam sweep and gaitcam front"),
@@ -154,13 +154,15 @@ pub fn trade(
         return Err(Error::key("cam", "the scene fixes the size of the cam")
             .help("leave out base_radius and prime_radius"));
     }
+    let mut scene = scene.clone();
+    scene.law.family = Family::Spline;
     // The accuracy would raise the number of spans and fail what the front is there to show.
     let mut open = Scene {
         rms: None,
         ..scene.clone()
     };
     open.law.minimise = Some(Minimise::ForceError);
-    let first = synthesise(scene, target)?;
+    let first = synthesise(&scene, target)?;
     if scene.law.spans.is_none() && scene.law.dwells.is_empty() {
         let own = first.cam.law.poly().pieces();
         open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));

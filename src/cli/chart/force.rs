@@ -11,7 +11,7 @@ use crate::emit::chart::{Across, Chart, Row};
 use crate::error::{Error, Result};
 use crate::gait::{Feet, ForceCurve, model};
 use crate::law::{Condition, Law, hermite_birkhoff};
-use crate::synth::lab::{Task, spectral};
+use crate::synth::lab::{Task, first_rung, spectral};
 
 const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 
@@ -55,7 +55,7 @@ pub fn smooth(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force without corners and without limits choose law.family = \"harmonic\", the fastest and the nearest; the default, a quintic spline of the fewest spans, costs some 50 µs more and is what limits, dwells and points can bend locally.".to_string(),
+        advice: "Take the default: without a family named, harmonics in closed form as far as the accuracy asks, the fastest and the nearest; limits, dwells and points that harmonics break hand over to a spline, which they can bend locally.".to_string(),
         rows,
     })
 }
@@ -136,7 +136,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         error: ERROR.to_string(),
         across: Across::Time,
         levels: levels(),
-        advice: "For a force with a heel strike choose 64 harmonics where no limit binds, a quartic spline of 64 spans where one does, the default quintic where the jerk itself must be smooth (it costs up to three times the time at equal error); one polynomial through critical points overshoots.".to_string(),
+        advice: "Take the default here too: harmonics in closed form, as many as the accuracy asks, cost less than any spline of equal error; where a limit binds take a quartic spline of 64 spans, or a quintic where the jerk itself must be smooth; one polynomial through critical points overshoots.".to_string(),
         rows,
     })
 }
@@ -148,7 +148,6 @@ fn splines(watch: &Watch, target: &ForceCurve, drive: Drive, rows: &mut Vec<Row>
         &[4, 8, 16, 24, 32, 48, 64, 96, 128, 256, 512]
     };
     for degree in 3..=7 {
-        let mut reached = false;
         for &spans in spans {
             let task = Task {
                 target,
@@ -160,11 +159,7 @@ fn splines(watch: &Watch, target: &ForceCurve, drive: Drive, rows: &mut Vec<Row>
             let (answer, timing) = watch.time(|| task.free().map(|a| with_profile(a.law)));
             let error = force_error(&drive, &answer?.0, target);
             let method = format!("spline of degree {degree}");
-            let mut row = timing.row(&method, format!("{spans} spans"), error);
-            // "auto" takes the fewest spans that reach the accuracy.
-            row.default = degree == 5 && !reached && error <= DEFAULT_ACCURACY;
-            reached |= error <= DEFAULT_ACCURACY;
-            rows.push(row);
+            rows.push(timing.row(&method, format!("{spans} spans"), error));
         }
     }
     Ok(())
@@ -182,6 +177,14 @@ fn harmonics(
         let error = force_error(&drive, &law?.0, target);
         rows.push(timing.row("harmonics", format!("{count}"), error));
     }
+    // The default chooses the count as well, and pays for it.
+    let wanted = DEFAULT_ACCURACY * target.mean_n().abs();
+    let (law, timing) = watch.time(|| first_rung(target, drive, wanted).map(with_profile));
+    let law = law?.0;
+    let size = format!("{}, chosen", law.waves(0).len());
+    let mut row = timing.row("harmonics", size, force_error(&drive, &law, target));
+    row.default = true;
+    rows.push(row);
     Ok(())
 }
 

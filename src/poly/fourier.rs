@@ -1,0 +1,102 @@
+//! Sums of harmonics and their samples at equal steps of one turn.
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use realfft::num_complex::Complex64;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+
+thread_local! {
+    /// Planning a transform takes longer than a transform of usual length: each length is planned once.
+    static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
+}
+
+fn forward(n: usize) -> Arc<dyn RealToComplex<f64>> {
+    PLANNER.with_borrow_mut(|p| p.plan_fft_forward(n))
+}
+
+fn inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
+    PLANNER.with_borrow_mut(|p| p.plan_fft_inverse(n))
+}
+
+/// Mean, then (cosine, sine) amplitudes of harmonics 1 … n/2 of n ≥ 1 samples at equal steps of a turn:
+/// the sample at θ is the mean plus Σ aₕ cos hθ + bₕ sin hθ. The mean stands as (mean, 0); for even n the
+/// last cosine is counted twice, as samples cannot tell it from its mirror.
+pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
+    let n = samples.len();
+    let fft = forward(n);
+    let mut input = samples.to_vec();
+    let mut output = fft.make_output_vec();
+    if fft.process(&mut input, &mut output).is_err() {
+        unreachable!("both buffers are of the transform's own length");
+    }
+    let scale = 2.0 / n as f64;
+    let mut out: Vec<(f64, f64)> = (output.iter())
+        .map(|c| (c.re * scale, -c.im * scale))
+        .collect();
+    out[0] = (0.5 * out[0].0, 0.0);
+    out
+}
+
+/// Σ aₕ cos hθ + bₕ sin hθ and its first two derivatives at θ = 2πi/n, i = 0 … n − 1, from
+/// (h, aₕ, bₕ) with 1 ≤ h < n/2. Exact to rounding of the largest value.
+pub fn sums(terms: impl Iterator<Item = (usize, f64, f64)>, n: usize) -> [Vec<f64>; 3] {
+    let fft = inverse(n);
+    let mut spectra = [(); 3].map(|()| fft.make_input_vec());
+    for (h, a, b) in terms {
+        debug_assert!(h >= 1 && 2 * h < n);
+        // a cos + b sin = Re((a − ib) e^{ihθ}); the transform adds the conjugate by itself.
+        let first = Complex64::new(0.5 * a, -0.5 * b);
+        let rate = h as f64;
+        spectra[0][h] += first;
+        spectra[1][h] += Complex64::new(-rate * first.im, rate * first.re);
+        spectra[2][h] -= first * (rate * rate);
+    }
+    let mut scratch = fft.make_scratch_vec();
+    spectra.map(|mut spectrum| {
+        let mut out = fft.make_output_vec();
+        if fft
+            .process_with_scratch(&mut spectrum, &mut out, &mut scratch)
+            .is_err()
+        {
+            unreachable!("the buffers are the transform's own, the mean is real");
+        }
+        out
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn sums_and_amplitudes_are_inverse_to_each_other() {
+        for n in [9, 64, 1440, 1001] {
+            let terms: Vec<(usize, f64, f64)> = (1..=(n - 1) / 2)
+                .map(|h| (h, (h % 7) as f64 - 3.0, 1.0 / h as f64))
+                .collect();
+            let [s, v, a] = sums(terms.iter().copied(), n);
+            for i in [0, 1, n / 3, n - 1] {
+                let theta = TAU * i as f64 / n as f64;
+                let mut direct = [0.0; 3];
+                for &(h, p, q) in &terms {
+                    let rate = h as f64;
+                    let (sin, cos) = (rate * theta).sin_cos();
+                    direct[0] += p * cos + q * sin;
+                    direct[1] += rate * (q * cos - p * sin);
+                    direct[2] -= rate * rate * (p * cos + q * sin);
+                }
+                let size = n as f64;
+                assert!((s[i] - direct[0]).abs() < 1e-14 * 3.0 * size);
+                assert!((v[i] - direct[1]).abs() < 1e-14 * 3.0 * size.powi(2));
+                assert!((a[i] - direct[2]).abs() < 1e-14 * 3.0 * size.powi(3));
+            }
+            let back = amplitudes(&s);
+            assert!(back[0].0.abs() < 1e-13);
+            for &(h, p, q) in &terms {
+                assert!((back[h].0 - p).abs() < 1e-12 && (back[h].1 - q).abs() < 1e-12);
+            }
+        }
+    }
+}

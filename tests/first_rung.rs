@@ -1,0 +1,85 @@
+//! What a scene gets that names no family: harmonics in closed form while they pass, a spline otherwise.
+
+use gaitcam::gait::{Feet, model};
+use gaitcam::scene::{self, Family, Scene};
+use gaitcam::synth::{Synthesis, synthesise};
+
+const SCENE: &str = r#"
+[gait]
+model = "young"
+step_frequency = "1.85 Hz"
+body_weight = "700 N"
+feet = "both"
+
+[drive]
+kind = "moving-axis"
+"#;
+
+fn read(more: &str) -> Scene {
+    let table = format!("{SCENE}{more}").parse().unwrap();
+    scene::read(&table).unwrap()
+}
+
+fn built(more: &str) -> Synthesis {
+    let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    synthesise(&read(more), Some(&target)).unwrap()
+}
+
+#[test]
+fn four_harmonics_of_youngs_load_are_its_law() {
+    let design = built("");
+    assert_eq!(
+        (design.family.as_str(), design.solver.tier.name()),
+        ("harmonic", "spectral")
+    );
+    // Young's model has the mean and four harmonics (FACTS §3): the inverse leaves nothing.
+    assert_eq!(design.coefficients.len(), 9);
+    assert!(design.force.rms_error_percent_of_mean < 1e-4);
+    assert!(design.infeasible.is_none() && design.checks.iter().all(|c| c.pass));
+}
+
+#[test]
+fn a_lower_accuracy_takes_fewer_harmonics() {
+    let design = built("[accuracy]\nrms = \"4 %\"\n");
+    assert_eq!(design.coefficients.len(), 7);
+    assert!(design.force.rms_error_percent_of_mean <= 4.0);
+}
+
+#[test]
+fn a_limit_that_harmonics_break_hands_over_to_a_spline_and_says_so() {
+    let free = built("");
+    let (low, high) = free.cam.law.extremes(3);
+    let peak = high.value.max(-low.value) * free.drive.speed.powi(3);
+    let design = built(&format!("[limits]\njerk = \"{} m/s^3\"\n", 0.8 * peak));
+    assert_eq!(design.family, "spline");
+    assert!(
+        design
+            .checks
+            .iter()
+            .all(|c| c.pass || c.name == "rms_error")
+    );
+    assert!(
+        design.solver.status.contains("harmonics misses jerk"),
+        "{}",
+        design.solver.status
+    );
+    // Held where it does not bind, the limit changes nothing.
+    let loose = built(&format!("[limits]\njerk = \"{} m/s^3\"\n", 1.01 * peak));
+    assert_eq!(loose.coefficients, free.coefficients);
+}
+
+#[test]
+fn what_only_splines_have_asks_for_a_spline() {
+    for asked in [
+        "[law]\ndegree = 4\n",
+        "[law]\nspans = 24\n",
+        "[law]\nminimise = \"jerk\"\n",
+        "[[law.dwell]]\nfrom = \"10 deg\"\nto = \"40 deg\"\n",
+    ] {
+        assert_eq!(read(asked).law.family, Family::Spline, "{asked}");
+    }
+    assert_eq!(read("[law]\nharmonics = 3\n").law.family, Family::Harmonic);
+    assert_eq!(read("[law]\nfamily = \"ladder\"\n"), read(""));
+    let dwell = "[law]\nfamily = \"ladder\"\n[[law.dwell]]\nfrom = \"10 deg\"\nto = \"40 deg\"\n";
+    assert_eq!(built(dwell).family, "spline");
+}
