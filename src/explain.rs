@@ -147,7 +147,7 @@ fn with(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Scene {
 
 /// RMS difference of the forces of two designs over a turn, N.
 pub fn force_change(one: &Synthesis, other: &Synthesis) -> f64 {
-    rms_difference(one, &one.cam.law, &other.cam.law)
+    rms_difference(one, one.pressing(), other.pressing())
 }
 
 fn rms_difference(design: &Synthesis, one: &Law, other: &Law) -> f64 {

@@ -15,7 +15,7 @@ use crate::dynamics::{Face, Machine, Model, Run, simulate};
 use crate::emit::Timing;
 use crate::emit::report::{Running, html_of_run};
 use crate::error::{Error, Place, Result};
-use crate::scene::Scene;
+use crate::scene::{MachineSpec, Scene};
 use crate::synth::synthesise;
 use crate::units::{Dimension, parse};
 
@@ -129,13 +129,17 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
     )?;
     let ratio = given("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?
         .unwrap_or(spec.damping_ratio);
-    let place = match hz {
-        Some(_) => Place::Argument("--natural-frequency".to_string()),
-        None => Place::Key("machine.natural_frequency".to_string()),
+    machine.train = match hz {
+        Some(hz) => {
+            let place = Place::Argument("--natural-frequency".to_string());
+            Some(Train::from_frequency(drive, hz, ratio).map_err(|e| e.at(place))?)
+        }
+        None => MachineSpec {
+            damping_ratio: ratio,
+            ..spec.clone()
+        }
+        .train(drive)?,
     };
-    if let Some(hz) = hz.or(spec.natural_frequency) {
-        machine.train = Some(Train::from_frequency(drive, hz, ratio).map_err(|e| e.at(place))?);
-    }
     machine.friction =
         given("--friction", &args.friction, Dimension::Ratio)?.unwrap_or(spec.friction);
     let e =

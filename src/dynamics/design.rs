@@ -1,9 +1,7 @@
-//! Dynamics handed back to the design: limits that are linear in the law, and laws that make a flexible
-//! follower's end move as wanted.
+//! Dynamics handed back to the design: limits that are linear in the law, and tangents of those that are not.
 
 use crate::cam::Follower;
 use crate::drive::Drive;
-use crate::error::{Error, Result};
 use crate::law::{Law, Svaj};
 use std::f64::consts::PI;
 
@@ -117,23 +115,6 @@ pub fn residual_parts(law: &Law, ratio: f64) -> (f64, f64) {
     (cos, sin)
 }
 
-/// Polydyne (splinedyne) cam: the law under which the end of a flexible one-mass follower moves exactly
-/// as `wanted`, at the drive's speed.
-///
-/// m ÿ + c ẏ + k y + F₀ = k₁(s − y) gives s = y + (F₀ + k y + c ω y′ + m ω² y″)/k₁; the constant F₀/k₁ is
-/// static give. `wanted` must be C⁴ for the cam to be C². Fails when `stiffness` is not positive.
-pub fn polydyne(wanted: &Law, drive: &Drive, stiffness: f64) -> Result<Law> {
-    if !(stiffness > 0.0 && stiffness.is_finite()) {
-        return Err(Error::new(format!(
-            "a follower's stiffness cannot be {stiffness} N/m"
-        )));
-    }
-    let mut weights = drive.weights().map(|w| w / stiffness);
-    weights[0] += 1.0;
-    let poly = wanted.combination(weights, drive.rest_force / stiffness);
-    Ok(Law::from_poly(poly, wanted.is_closed()))
-}
-
 fn dot(w: [f64; 4], at: Svaj) -> f64 {
     w[0] * at.s + w[1] * at.v + w[2] * at.a + w[3] * at.j
 }
@@ -149,23 +130,6 @@ mod tests {
             damping: 6.0,
             ..thesis::real(20.0)
         }
-    }
-
-    #[test]
-    fn a_polydyne_cam_moves_the_end_as_wanted() {
-        let wanted = Law::harmonic(0.0, &[(0.0, 0.01), (0.002, 0.0)]);
-        let drive = machine();
-        let cam = polydyne(&wanted, &drive, 9000.0).unwrap();
-        let train = flexible::Train::OneMass {
-            stiffness: 9000.0,
-            damping: 0.0,
-        };
-        let steady = flexible::steady(&cam, &drive, &train).unwrap();
-        for (t, x) in steady.theta.iter().zip(&steady.deflection) {
-            let end = cam.svaj(*t).s + x;
-            assert!((end - wanted.svaj(*t).s).abs() < 1e-12, "{t}");
-        }
-        assert!(polydyne(&wanted, &drive, 0.0).is_err());
     }
 
     #[test]

@@ -7,7 +7,8 @@
 //! - [`flexible`]: what vibrates, in exact steady state ([`linear`], [`train`], [`shaft`]);
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other ([`flight`], [`impact`]).
 //!
-//! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis;
+//! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis,
+//! [`polydyne`] shapes the cam so that a follower that gives ends where it should;
 //! [`experiment`] runs the thesis's cams again.
 
 mod backwards;
@@ -28,6 +29,7 @@ pub mod motor;
 pub mod outcome;
 pub mod pictures;
 pub mod piecewise_force;
+pub mod polydyne;
 pub mod profile_curve;
 pub mod rigid;
 mod rows;

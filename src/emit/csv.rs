@@ -17,6 +17,7 @@ const WIDTH: usize = 24;
 
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
 ///
+/// The force is the one that is handed on: of a polydyne cam, that of the follower's end.
 /// Numbers are the shortest that read back to the same 64 bits. `target_n` stays empty for a classical
 /// programme, which has no target.
 pub fn law(synthesis: &Synthesis, points: usize) -> String {
@@ -30,7 +31,7 @@ pub fn law(synthesis: &Synthesis, points: usize) -> String {
     out.push('\n');
     for theta in angles(&cam.law, points) {
         let at = cam.law.svaj(theta);
-        let force = synthesis.drive.force(at);
+        let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
         numbers(&mut out, &[theta, at.s, at.v, at.a, at.j, force]);
         out.push(',');
         if let Some(target) = &synthesis.target {

@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Timing;
-use crate::synth::{ForceReport, Infeasible, Synthesis};
+use crate::synth::{End, ForceReport, Infeasible, Synthesis};
 
 /// The summary of a design.
 ///
@@ -68,6 +68,36 @@ struct LawSummary<'a> {
     a_min_m_per_rad2: f64,
     j_max_m_per_rad3: f64,
     j_min_m_per_rad3: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polydyne: Option<PolydyneSummary>,
+}
+
+/// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
+/// acceleration and jerk above are the cam's. Misses are those of the flexible run: of this cam, and of one
+/// cut to the end's own law.
+#[derive(Serialize)]
+struct PolydyneSummary {
+    stiffness_n_per_m: f64,
+    damping_n_s_per_m: f64,
+    end_stroke_m: f64,
+    end_miss_m: Option<f64>,
+    force_miss_rms_n: Option<f64>,
+    force_miss_max_n: Option<f64>,
+    plain_force_miss_rms_n: Option<f64>,
+}
+
+impl PolydyneSummary {
+    fn new(end: &End) -> Self {
+        PolydyneSummary {
+            stiffness_n_per_m: end.stiffness,
+            damping_n_s_per_m: end.damping,
+            end_stroke_m: end.law.stroke(),
+            end_miss_m: end.miss.map(|m| m.lift.value),
+            force_miss_rms_n: end.miss.map(|m| m.force_rms),
+            force_miss_max_n: end.miss.map(|m| m.force_max),
+            plain_force_miss_rms_n: end.plain_miss.map(|m| m.force_rms),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -252,6 +282,7 @@ impl<'a> LawSummary<'a> {
             a_min_m_per_rad2: a_min.value,
             j_max_m_per_rad3: j_max.value,
             j_min_m_per_rad3: j_min.value,
+            polydyne: synthesis.end.as_ref().map(PolydyneSummary::new),
         }
     }
 }

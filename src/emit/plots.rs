@@ -116,7 +116,7 @@ pub fn force(synthesis: &Synthesis) -> Picture {
 
 pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let law = &synthesis.cam.law;
+        let law = synthesis.pressing();
         let e = layout.letters;
         let achieved: Vec<(f64, f64)> = motion(law)
             .iter()

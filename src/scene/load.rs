@@ -6,8 +6,8 @@ use toml::{Table, Value};
 
 use super::table::Reader;
 use super::{
-    Band, CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Limits, MachineSpec,
-    Minimise, Phase, PhaseWeight, Scene, SegmentSpec, Source,
+    Band, CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, Phase, PhaseWeight,
+    Scene, SegmentSpec, Source,
 };
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
@@ -34,9 +34,9 @@ pub fn read(table: &Table) -> Result<Scene> {
     let cam = super::cam::read(root.table("cam")?)?;
     let drive = drive(root.table("drive")?, &cam)?;
     let law = law(root.table("law")?, &cam, gait.as_ref())?;
-    let limits = limits(root.table("limits")?, cam.is_oscillating())?;
-    let rms = accuracy(root.table("accuracy")?)?;
-    let machine = machine(root.table("machine")?)?;
+    let limits = super::limits::limits(root.table("limits")?, cam.is_oscillating())?;
+    let rms = super::limits::accuracy(root.table("accuracy")?)?;
+    let machine = super::limits::machine(root.table("machine")?, cam.is_oscillating())?;
     root.finish()?;
     if limits.residual.is_some() && machine.natural_frequency.is_none() {
         return Err(
@@ -310,6 +310,7 @@ fn law(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Result<Law
         harmonics: None,
         minimise: None,
         monotone: false,
+        polydyne: false,
         points: Vec::new(),
         dwells: Vec::new(),
         segments: Vec::new(),
@@ -336,6 +337,7 @@ fn law(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Result<Law
         );
     }
     spec.monotone = r.flag("monotone")?.unwrap_or(false);
+    spec.polydyne = r.flag("polydyne")?.unwrap_or(false);
     let length = |order| lift_dimension(cam.is_oscillating(), order);
     for mut p in r.tables("point")? {
         let key = p.name("angle");
@@ -408,109 +410,13 @@ fn unnamed(law: &LawSpec, gait: Option<&Gait>) -> Family {
     }
 }
 
-fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
+pub(super) fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
     match (oscillating, order) {
         (true, 0) => Dimension::Angle,
         (true, n) => Dimension::AnglePerAngle(n),
         (false, 0) => Dimension::Length,
         (false, n) => Dimension::LengthPerAngle(n),
     }
-}
-
-fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
-    let mut limits = Limits::default();
-    let Some(mut r) = reader else {
-        return Ok(limits);
-    };
-    limits.stroke = r.positive("stroke", lift_dimension(oscillating, 0))?;
-    let timed = if oscillating {
-        [
-            Dimension::AngularSpeed,
-            Dimension::AngularAcceleration,
-            Dimension::AngularJerk,
-        ]
-    } else {
-        [Dimension::Speed, Dimension::Acceleration, Dimension::Jerk]
-    };
-    limits.velocity = r.positive("velocity", timed[0])?;
-    limits.acceleration = r.positive("acceleration", timed[1])?;
-    limits.jerk = r.positive("jerk", timed[2])?;
-    let both = r.positive("pressure_angle", Dimension::Angle)?;
-    limits.pressure_angle_rise = r
-        .positive("pressure_angle_rise", Dimension::Angle)?
-        .or(both);
-    limits.pressure_angle_fall = r
-        .positive("pressure_angle_fall", Dimension::Angle)?
-        .or(both);
-    for (key, angle) in [
-        ("limits.pressure_angle_rise", limits.pressure_angle_rise),
-        ("limits.pressure_angle_fall", limits.pressure_angle_fall),
-    ] {
-        if angle.is_some_and(|a| a >= std::f64::consts::FRAC_PI_2) {
-            return Err(
-                Error::key(key, "a pressure angle of 90° pushes sideways only")
-                    .help("30° to 45° are usual"),
-            );
-        }
-    }
-    limits.curvature = r.not_negative("curvature", Dimension::Length)?;
-    limits.prime_radius = r.positive("prime_radius", Dimension::Length)?;
-    limits.force_min = r.quantity("force_min", Dimension::Force)?;
-    limits.force_max = r.quantity("force_max", Dimension::Force)?;
-    limits.face_width = r.positive("face_width", Dimension::Length)?;
-    limits.torque = r.positive("torque", Dimension::Torque)?;
-    limits.hertz_pressure = r.positive("hertz_pressure", Dimension::Pressure)?;
-    limits.residual = r.positive("residual", lift_dimension(oscillating, 0))?;
-    r.finish()?;
-    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max)
-        && low >= high
-    {
-        return Err(Error::key(
-            "limits.force_min",
-            format!("{low} N is not below force_max = {high} N"),
-        )
-        .help("lower force_min or raise force_max"));
-    }
-    Ok(limits)
-}
-
-/// Damping ratio of a follower train of which nothing is said: steel parts with oiled joints.
-const DAMPING_RATIO: f64 = 0.05;
-
-fn machine(reader: Option<Reader>) -> Result<MachineSpec> {
-    let mut spec = MachineSpec {
-        natural_frequency: None,
-        damping_ratio: DAMPING_RATIO,
-        friction: 0.0,
-        restitution: 0.0,
-        second_cam: None,
-    };
-    let Some(mut r) = reader else { return Ok(spec) };
-    spec.natural_frequency = r.positive("natural_frequency", Dimension::Frequency)?;
-    if let Some(ratio) = r.not_negative("damping_ratio", Dimension::Ratio)? {
-        spec.damping_ratio = ratio;
-    }
-    spec.friction = r.not_negative("friction", Dimension::Ratio)?.unwrap_or(0.0);
-    spec.restitution = r
-        .not_negative("restitution", Dimension::Ratio)?
-        .unwrap_or(0.0);
-    if spec.restitution > 1.0 {
-        return Err(Error::key(
-            "machine.restitution",
-            format!("{} is outside 0 … 1", spec.restitution),
-        )
-        .help("0 lands without a bounce, 1 loses nothing"));
-    }
-    spec.second_cam = r.quantity("second_cam", Dimension::Angle)?;
-    r.finish()?;
-    Ok(spec)
-}
-
-fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {
-    let Some(mut r) = reader else { return Ok(None) };
-    let rms = r.positive("rms", Dimension::Ratio)?;
-    r.finish()?;
-    Ok(rms)
 }
 
 /// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
@@ -540,6 +446,7 @@ fn consistent(scene: &Scene) -> Result<()> {
             return only_splines("law.minimise");
         }
     }
+    polydyne(scene)?;
     match law.family {
         Family::Program if law.segments.is_empty() => {
             return Err(Error::key("law.segment", "a program needs its segments").help(
@@ -580,3 +487,53 @@ fn consistent(scene: &Scene) -> Result<()> {
     }
     Ok(())
 }
+
+/// What a polydyne cam needs of the scene.
+fn polydyne(scene: &Scene) -> Result<()> {
+    let (law, machine) = (&scene.law, &scene.machine);
+    if !law.polydyne {
+        return Ok(());
+    }
+    if machine.natural_frequency.is_none() && machine.stiffness.is_none() {
+        return Err(Error::key(
+            "machine.stiffness",
+            "a polydyne cam needs to know how the follower gives",
+        )
+        .help("write stiffness = \"9 kN/m\" or natural_frequency = \"60 Hz\" under [machine]"));
+    }
+    if matches!(law.family, Family::Auto | Family::DoubleHarmonic) {
+        return Err(Error::key(
+            "law.family",
+            format!(
+                "a polydyne cam needs a law with four continuous derivatives, which {} does not promise",
+                law.family.name()
+            ),
+        )
+        .help("use family = \"spline\" or \"harmonic\", or a program of 5-6-7-8-9 segments"));
+    }
+    if law.family == Family::Spline && law.degree.is_some_and(|d| d < POLYDYNE_DEGREE) {
+        return Err(Error::key(
+            "law.degree",
+            "a polydyne cam has the force in its lift: below degree 5 its acceleration would jump",
+        )
+        .help("use degree 5 to 9; each degree above 5 also takes in one term of the damping"));
+    }
+    if scene.cam.is_straight() {
+        return Err(Error::key(
+            "cam.follower",
+            "a polydyne cam has to turn: a slide that ends has no steady motion",
+        )
+        .help("leave law.polydyne out, or use another follower"));
+    }
+    if scene.cam.breadth.is_some() {
+        return Err(Error::key(
+            "cam.breadth",
+            "a polydyne cam keeps no breadth: the follower gives differently half a turn later",
+        )
+        .help("leave law.polydyne or cam.breadth out"));
+    }
+    Ok(())
+}
+
+/// Least degree of a spline whose polydyne cam has a continuous acceleration.
+const POLYDYNE_DEGREE: usize = 5;

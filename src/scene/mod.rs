@@ -1,6 +1,7 @@
 //! A scene: the whole problem as a user writes it down, validated key by key.
 
 mod cam;
+mod limits;
 mod load;
 mod table;
 
@@ -9,7 +10,9 @@ pub use load::{read, set};
 use std::path::PathBuf;
 
 use crate::cam::Closure;
-use crate::drive::DriveKind;
+use crate::drive::{Drive, DriveKind};
+use crate::dynamics::train::Train;
+use crate::error::{Place, Result};
 use crate::gait::Feet;
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
@@ -246,6 +249,8 @@ pub struct SegmentSpec {
 pub struct MachineSpec {
     /// First natural frequency of the follower train, Hz.
     pub natural_frequency: Option<f64>,
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad), in place of the frequency.
+    pub stiffness: Option<f64>,
     /// Its damping ratio.
     pub damping_ratio: f64,
     /// Coefficient of friction where cam and follower rub.
@@ -254,6 +259,21 @@ pub struct MachineSpec {
     pub restitution: f64,
     /// Angle by which a second, equal cam follows on the same shaft, rad.
     pub second_cam: Option<f64>,
+}
+
+impl MachineSpec {
+    /// What gives between cam and mass, where it is known. Fails on a natural frequency without a mass.
+    pub fn train(&self, drive: &Drive) -> Result<Option<Train>> {
+        if let Some(hz) = self.natural_frequency {
+            return Train::from_frequency(drive, hz, self.damping_ratio)
+                .map(Some)
+                .map_err(|e| e.at(Place::Key("machine.natural_frequency".to_string())));
+        }
+        Ok(self.stiffness.map(|stiffness| Train::OneMass {
+            stiffness,
+            damping: 2.0 * self.damping_ratio * (stiffness * drive.mass).sqrt(),
+        }))
+    }
 }
 
 /// What the law may be.
@@ -271,6 +291,8 @@ pub struct LawSpec {
     pub minimise: Option<Minimise>,
     /// Rise or fall steadily between neighbouring points.
     pub monotone: bool,
+    /// The law is that of a flexible follower's end; the cam is cut so that the end follows it.
+    pub polydyne: bool,
     /// Exact demands.
     pub points: Vec<LawPoint>,
     /// Rests.
@@ -367,6 +389,8 @@ pub struct Limits {
     pub face_width: Option<f64>,
     /// Largest shaft torque without friction, N·m.
     pub torque: Option<f64>,
+    /// Largest rate of that torque by the cam angle, N·m/rad.
+    pub torque_rate: Option<f64>,
     /// Largest line pressure between cam and follower, steel on steel over the plate's thickness, Pa.
     pub hertz_pressure: Option<f64>,
     /// Largest amplitude with which the follower may ring on in a dwell, m.

@@ -26,6 +26,7 @@ pub fn suits(scene: &Scene) -> bool {
         && law.dwells.is_empty()
         && law.segments.is_empty()
         && !law.monotone
+        && !law.polydyne
 }
 
 /// The law as a factor times a curve plus a constant.
@@ -179,8 +180,10 @@ fn fill(
     let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
     // The solver counts a stroke limit from the base circle, the check from the lowest point.
     // Limits of the running machine are the solver's business.
-    let machine =
-        limits.torque.is_some() || limits.hertz_pressure.is_some() || limits.residual.is_some();
+    let machine = limits.torque.is_some()
+        || limits.torque_rate.is_some()
+        || limits.hertz_pressure.is_some()
+        || limits.residual.is_some();
     let kept = !machine
         && within(lowest + stroke, limits.stroke)
         && within(peaks[0], limits.velocity)

@@ -2,7 +2,9 @@
 
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Verdict};
 use crate::drive::Drive;
+use crate::dynamics::polydyne::Miss;
 use crate::gait::ForceCurve;
+use crate::law::Law;
 
 /// Everything known about a finished design.
 #[derive(Debug, Clone)]
@@ -24,6 +26,8 @@ pub struct Synthesis {
     pub degree: usize,
     /// The cam with its law.
     pub cam: Cam,
+    /// The end of the flexible follower that the cam is cut for.
+    pub end: Option<End>,
     /// The pair with its second cam, where the scene asks for one.
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel cam with both walls.
@@ -50,6 +54,29 @@ pub struct Synthesis {
     pub solver: SolverReport,
     /// Remarks on the problem found before and during solving, in words.
     pub remarks: Vec<String>,
+}
+
+/// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
+#[derive(Debug, Clone)]
+pub struct End {
+    /// Law of the end; the cam's own differs from it by the follower's give.
+    pub law: Law,
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad).
+    pub stiffness: f64,
+    /// Its damping, N·s/m.
+    pub damping: f64,
+    /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
+    /// nothing is steady.
+    pub miss: Option<Miss>,
+    /// The same for a cam cut to the law itself.
+    pub plain_miss: Option<Miss>,
+}
+
+impl Synthesis {
+    /// The law that makes the force: a polydyne cam's end, the cam's own otherwise.
+    pub fn pressing(&self) -> &Law {
+        self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
+    }
 }
 
 /// Force of the cam against the target, N; all values belong to the continuous law.

@@ -74,9 +74,9 @@ fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<Str
         return Ok(Some(infeasible.conflict.join(", ")));
     }
     let cam = design::cam(scene, on_base_circle(scene, demand, found.law.clone()))?;
-    let force = verify::force(demand, &cam);
-    let mut checks = verify::checks(scene, demand, &cam, &force);
-    checks.extend(machine::checks(scene, demand, &cam));
+    let force = verify::law_force(demand, &cam.law);
+    let mut checks = verify::checks(scene, demand, &cam, &cam.law, &force);
+    checks.extend(machine::checks(scene, demand, &cam, &cam.law));
     let broken = checks.iter().find(|c| !c.pass);
     Ok(broken.map(|c| {
         format!(

@@ -13,9 +13,10 @@ use crate::drive::Drive;
 use crate::dynamics::design::hertz_at_most;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::linear::gauss_points;
+use crate::dynamics::polydyne::end_error;
 use crate::dynamics::touch::touch;
 use crate::law::Law;
-use crate::poly::{Extreme, stand_in};
+use crate::poly::{Extreme, PiecewisePoly, stand_in};
 use crate::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
@@ -67,9 +68,11 @@ pub fn hold(
     let (mut quiet, mut braked) = (false, false);
     for _ in 0..ROUNDS {
         let law = first.basis.law(&last.1.x);
-        let peak = peak_torque(&demand.drive, &law).value;
+        let peak = largest(&torque_curve(&demand.drive, &law, &law)).value;
         let above = |limit: f64| scene.limits.torque.is_some_and(|t| peak > t * limit);
-        let rings = scene.limits.residual.is_some_and(|r| {
+        // A polydyne follower's end rests where its law does, whatever the natural frequency.
+        let silenced = scene.limits.residual.filter(|_| !scene.law.polydyne);
+        let rings = silenced.is_some_and(|r| {
             left_over(scene, demand, &law).is_some_and(|x| x.value > r * (1.0 + SLACK))
         });
         let strained = above(1.0 + SLACK);
@@ -116,10 +119,17 @@ fn hold_torque(program: &mut Program, drive: &Drive, law: &Law, torque: f64) {
     }
 }
 
-/// Largest |F·v| over the law, N·m, by roots.
-fn peak_torque(drive: &Drive, law: &Law) -> Extreme {
+/// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
+fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
+    let force = drive.force_curve(pressing);
     let velocity = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
-    let (low, high) = drive.force_curve(law).times(&velocity).extremes();
+    let force = force.cut_at(velocity.breaks());
+    velocity.cut_at(force.breaks()).times(&force)
+}
+
+/// Largest absolute value, by roots.
+fn largest(curve: &PiecewisePoly) -> Extreme {
+    let (low, high) = curve.extremes();
     if high.value >= -low.value {
         return high;
     }
@@ -243,25 +253,37 @@ fn silence(scene: &Scene, demand: &Demand, basis: &Basis) -> Vec<Equality> {
 }
 
 /// Pressure, torque and vibration of the finished cam against the scene's limits.
-pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam) -> Vec<Check> {
+pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Vec<Check> {
     let limits = &scene.limits;
     let mut out = Vec::new();
+    let torque = || torque_curve(&demand.drive, pressing, &cam.law);
     if let Some(limit) = limits.torque {
-        let worst = peak_torque(&demand.drive, &cam.law);
-        out.push(Check::at_most("torque", worst, limit, SLACK));
+        out.push(Check::at_most("torque", largest(&torque()), limit, SLACK));
+    }
+    if let Some(limit) = limits.torque_rate {
+        let worst = largest(&torque().derivative());
+        out.push(Check::at_most("torque_rate", worst, limit, SLACK));
     }
     if let Some(limit) = limits.hertz_pressure {
-        let worst = pressure(scene, demand, cam);
+        let worst = pressure(scene, demand, cam, pressing);
         out.push(Check::at_most("hertz_pressure", worst, limit, SLACK));
     }
-    if let (Some(limit), Some(worst)) = (limits.residual, left_over(scene, demand, &cam.law)) {
+    let ringing = match scene.machine.train(&demand.drive) {
+        _ if limits.residual.is_none() => None,
+        Ok(Some(train)) if scene.law.polydyne => {
+            let miss = end_error(&cam.law, pressing, &demand.drive, &train);
+            miss.ok().map(|m| m.lift)
+        }
+        _ => left_over(scene, demand, &cam.law),
+    };
+    if let (Some(limit), Some(worst)) = (limits.residual, ringing) {
         out.push(Check::at_most("residual", worst, limit, SLACK));
     }
     out
 }
 
 /// Highest line pressure, Pa, steel on steel over the plate's thickness: p₀² = N κ E*/(π L).
-fn pressure(scene: &Scene, demand: &Demand, cam: &Cam) -> Extreme {
+fn pressure(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Extreme {
     let start = cam.law.extent().0;
     if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
         // A knife edge presses on a line without width.
@@ -275,7 +297,7 @@ fn pressure(scene: &Scene, demand: &Demand, cam: &Cam) -> Extreme {
     let square = stand_in(breaks, 1e-12, |i, x| {
         let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         let at = cam.law.svaj_on(i, u);
-        let force = demand.drive.force(at);
+        let force = demand.drive.force(pressing.svaj_on(i, u));
         let here = touch(&cam.follower, demand.drive.speed, 0.0, at, force);
         factor * here.normal * here.curvature
     })

@@ -72,6 +72,7 @@ mod objective;
 mod oracle;
 mod phase;
 mod polish;
+mod polydyne;
 mod polynomial;
 mod problem;
 #[cfg(test)]
@@ -82,12 +83,13 @@ mod trade;
 mod verify;
 
 pub use answer::{
-    Binding, Certificate, Easing, ForceReport, Infeasible, Relaxation, SolverReport, Step,
+    Binding, Certificate, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step,
     Synthesis, Tier,
 };
 pub use conflict::in_units;
 pub use trade::{Against, Trade, trade};
 
+use crate::cam::Cam;
 use crate::error::{Error, Place, Result};
 use crate::gait::ForceCurve;
 use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -95,6 +97,7 @@ use crate::scene::{Family, Minimise, Scene};
 use demand::Demand;
 
 /// A law with how it was found, before it has a cam.
+#[derive(Clone)]
 struct Found {
     law: Law,
     family: Family,
@@ -120,14 +123,13 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
             phase.to_degrees()
         ));
     }
-    let found = find_law(scene, &demand)?;
-    let law = on_base_circle(scene, &demand, found.law);
-    let cam = design::cam(scene, law)?;
-    let force = verify::force(&demand, &cam);
+    let (found, cam, end) = designed(scene, &demand)?;
+    let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
+    let force = verify::law_force(&demand, pressing);
     let conjugate = design::conjugate(scene, &cam)?;
     let groove = design::groove(scene, &cam)?;
-    let mut checks = verify::checks(scene, &demand, &cam, &force);
-    checks.extend(machine::checks(scene, &demand, &cam));
+    let mut checks = verify::checks(scene, &demand, &cam, pressing, &force);
+    checks.extend(machine::checks(scene, &demand, &cam, pressing));
     checks.extend(verify::second_cam(scene, conjugate.as_ref()));
     checks.extend(verify::groove(scene, groove.as_ref()));
     let (mut verdict, mut reason) = verify::verdict(scene, &cam, &checks);
@@ -137,6 +139,12 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     }
     let mut remarks = demand.remarks.clone();
     remarks.extend(spline::stopped_at_noise(scene, &demand, found.family));
+    let splines = if found.family == Family::Spline {
+        found.degree
+    } else {
+        usize::MAX
+    };
+    remarks.extend(end.as_ref().map(|e| e.remark(demand.drive.speed, splines)));
     Ok(Synthesis {
         name: scene.name.clone(),
         phase: demand.phase,
@@ -146,6 +154,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         coefficients: found.coefficients,
         degree: found.degree,
         cam,
+        end,
         conjugate,
         groove,
         bore: scene.cam.bore,
@@ -160,6 +169,20 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         solver: found.solver,
         remarks,
     })
+}
+
+/// The law with its cam, and with the follower's end where the cam is cut for one that gives.
+fn designed(scene: &Scene, demand: &Demand) -> Result<(Found, Cam, Option<End>)> {
+    if scene.law.polydyne
+        && let Some(train) = scene.machine.train(&demand.drive)?
+    {
+        let (found, cam, end) = polydyne::design(scene, demand, &train)?;
+        return Ok((found, cam, Some(end)));
+    }
+    let found = find_law(scene, demand)?;
+    let law = on_base_circle(scene, demand, found.law.clone());
+    let cam = design::cam(scene, law)?;
+    Ok((found, cam, None))
 }
 
 /// Where nothing fixes the lift, the lowest point of the law stands on the base circle.

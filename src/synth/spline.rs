@@ -215,7 +215,7 @@ fn force_error(scene: &Scene, demand: &Demand, fitted: &Fitted) -> f64 {
 }
 
 fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
-    let degree = scene.law.degree.unwrap_or(5);
+    let degree = degree(scene);
     let level = level_is_known(scene, demand);
     let mut rows = limits::linear(scene, demand, level);
     rows.extend(super::machine::rows(scene, demand));
@@ -283,8 +283,9 @@ fn program(
     spans: usize,
     limits: Vec<Limit>,
 ) -> Result<(Program, Quadratic)> {
-    let degree = scene.law.degree.unwrap_or(5);
-    let basis = spline_basis(degree, spans, &scene.law.dwells)?;
+    let degree = degree(scene);
+    let corners = if scene.law.polydyne { degree - 1 } else { 2 };
+    let basis = spline_basis(degree, spans, &scene.law.dwells, corners)?;
     let mut equalities = point_demands(scene, demand, &basis)?;
     equalities.extend(dwell_demands(&scene.law.dwells, &basis));
     let force = force_distance(scene, demand, &basis);
@@ -345,8 +346,15 @@ fn force_distance(scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
     force
 }
 
-/// Periodic splines over the turn with `spans` spans outside the dwells, C² at the dwells' ends.
-fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell]) -> Result<Basis> {
+/// Degree of the scene's splines: 5, or two more for the first terms of a polydyne follower's damping.
+fn degree(scene: &Scene) -> usize {
+    let damped = scene.law.polydyne && scene.machine.damping_ratio > 0.0;
+    scene.law.degree.unwrap_or(if damped { 7 } else { 5 })
+}
+
+/// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
+/// derivatives at the dwells' ends.
+fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell], smooth: usize) -> Result<Basis> {
     if dwells.is_empty() {
         let space = SplineSpace::periodic_uniform(degree, spans, TAU);
         return Ok(Basis::Spline {
@@ -374,8 +382,8 @@ fn spline_basis(degree: usize, spans: usize, dwells: &[Dwell]) -> Result<Basis> 
         .sum();
     let mut breaks = vec![0.0];
     let mut multiplicity = Vec::new();
-    // C² where rest and motion meet; as smooth as the degree allows elsewhere.
-    let corner = degree.saturating_sub(2).max(1);
+    // As smooth as the degree allows where rest and motion do not meet.
+    let corner = degree.saturating_sub(smooth).max(1);
     for w in ends.windows(2) {
         let rests_here = resting(0.5 * (w[0] + w[1]));
         let parts = if rests_here {

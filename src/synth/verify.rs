@@ -20,12 +20,7 @@ const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference below this share of the prime radius is rounding.
 const TOUCH: f64 = 1e-6;
 
-/// Distance of the cam's force from the target, exact on the pieces of both.
-pub fn force(demand: &Demand, cam: &Cam) -> ForceReport {
-    law_force(demand, &cam.law)
-}
-
-/// The same for a law without its cam.
+/// Distance of the force of a law from the target, exact on the pieces of both.
 pub fn law_force(demand: &Demand, law: &Law) -> ForceReport {
     let own = demand.drive.force_curve(law);
     let (low, high) = own.extremes();
@@ -53,8 +48,15 @@ fn difference(own: &PiecewisePoly, target: &PiecewisePoly) -> PiecewisePoly {
     PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], 0.0)
 }
 
-/// Every limit of the scene, and what no cam may lack, held against the design.
-pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, force: &ForceReport) -> Vec<Check> {
+/// Every limit of the scene, and what no cam may lack, held against the design. The force is that of the
+/// law that presses: a polydyne follower's end, the cam's own otherwise.
+pub fn checks(
+    scene: &Scene,
+    demand: &Demand,
+    cam: &Cam,
+    pressing: &Law,
+    force: &ForceReport,
+) -> Vec<Check> {
     let limits = &scene.limits;
     let speed = demand.drive.speed;
     let mut out = Vec::new();
@@ -89,7 +91,7 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, force: &ForceReport) ->
             out.push(Check::at_most(name, timed, limit, 2.0 * TOLERANCE));
         }
     }
-    let curve = demand.drive.force_curve(&cam.law);
+    let curve = demand.drive.force_curve(pressing);
     let (low, high) = curve.extremes();
     let force_slack =
         2.0 * TOLERANCE * force.target_mean_n.abs().max(demand.drive.rest_force.abs());

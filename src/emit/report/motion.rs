@@ -190,7 +190,7 @@ pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
                 let step = length * r.outcome.period_turns as f64 / rows.len() as f64;
                 row_at(rows, theta, step)
             }
-            _ => still(synthesis, at),
+            _ => still(synthesis, within, at),
         };
         force = force.max(row.contact_force.abs());
         torque = torque.max(row.torque.abs());
@@ -207,8 +207,8 @@ pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
 }
 
 /// The rigid machine at one point of the law.
-fn still(synthesis: &Synthesis, at: Svaj) -> Row {
-    let force = synthesis.drive.force(at);
+fn still(synthesis: &Synthesis, theta: f64, at: Svaj) -> Row {
+    let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
     Row {
         contact_force: force,
         torque: force * at.v,

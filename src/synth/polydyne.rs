@@ -1,0 +1,169 @@
+//! The cam of a follower that gives: the law is found for the follower's end, the cam is cut so that the end
+//! follows it, and every limit of the cam is held on the cam's own law.
+
+use super::answer::End;
+use super::demand::Demand;
+use super::{Found, design, find_law, machine, on_base_circle, verify};
+use crate::cam::{Cam, Check};
+use crate::dynamics::polydyne::{end_error, polydyne};
+use crate::dynamics::train::Train;
+use crate::error::{Place, Result};
+use crate::law::Law;
+use crate::scene::{Limits, Scene};
+
+/// Times that the end's limits are moved so that the cam keeps its own.
+const ROUNDS: usize = 12;
+/// The end's limit aims at this part of it inside what the cam needs, so that the rounds end.
+const AIM: f64 = 1e-6;
+/// A limit that binds the end is reached by the cam when it is this near to its own.
+const NEAR: f64 = 1e-4;
+/// A share of the plain cam's miss that is worth saying how to lower it.
+const WORTH_A_DEGREE: f64 = 0.01;
+/// Splines go no higher.
+const MOST_DEGREE: usize = 9;
+
+/// The law of the end, the cam that gives it, and what is known of both.
+///
+/// Limits of the program hold for the end; the cam's law differs from it by the follower's give. Where the
+/// cam breaks a limit, or keeps away from one that binds the end, the end's limit moves by as much and the
+/// law is found again.
+pub fn design(scene: &Scene, demand: &Demand, train: &Train) -> Result<(Found, Cam, End)> {
+    let mut moved = scene.clone();
+    let mut best = one(scene, &moved, demand, train)?;
+    let mut last = best.clone();
+    for _ in 0..ROUNDS {
+        if last.found.infeasible.is_some() || !last.move_limits(&mut moved.limits) {
+            break;
+        }
+        last = one(scene, &moved, demand, train)?;
+        // With limits drawn in there may be no law: then the check of the one before says what is broken.
+        if last.found.infeasible.is_none() && (last.passes() || !best.passes()) {
+            best = last.clone();
+        }
+    }
+    let end = known(demand, train, &best.cam, best.wanted);
+    Ok((best.found, best.cam, end))
+}
+
+/// One round: the law under the limits as they stand, its cam, and that cam's checks against the scene.
+fn one(scene: &Scene, moved: &Scene, demand: &Demand, train: &Train) -> Result<Round> {
+    let found = find_law(moved, demand)?;
+    let (cam, wanted) = cut(scene, demand, train, &found.law)?;
+    let force = verify::law_force(demand, &wanted);
+    let mut checks = verify::checks(scene, demand, &cam, &wanted, &force);
+    checks.extend(machine::checks(scene, demand, &cam, &wanted));
+    Ok(Round {
+        found,
+        cam,
+        wanted,
+        checks,
+    })
+}
+
+#[derive(Clone)]
+struct Round {
+    found: Found,
+    cam: Cam,
+    wanted: Law,
+    checks: Vec<Check>,
+}
+
+impl Round {
+    fn passes(&self) -> bool {
+        self.checks.iter().all(|c| c.pass)
+    }
+
+    /// Moves the end's limits by what the cam lacks or leaves of its own; `false` where none had to be.
+    fn move_limits(&self, limits: &mut Limits) -> bool {
+        let mut any = false;
+        for check in &self.checks {
+            let binds = self.found.binding.iter().any(|b| b.limit == check.name);
+            let apart = check.worst - check.limit;
+            let idle = binds && apart.abs() > NEAR * check.limit.abs();
+            if check.pass && !idle {
+                continue;
+            }
+            let Some(limit) = own_limit(limits, &check.name) else {
+                continue;
+            };
+            // A radius has to be large enough, all others small enough.
+            let inside = if check.name == "curvature" { 1.0 } else { -1.0 };
+            let next = *limit - apart + inside * AIM * check.limit.abs();
+            if next.is_finite() && next > 0.0 {
+                *limit = next;
+                any = true;
+            }
+        }
+        any
+    }
+}
+
+/// The cam for a wanted end, and that end with the zero of its lift moved as the cam's was.
+fn cut(scene: &Scene, demand: &Demand, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
+    let key = |e: crate::error::Error| e.at(Place::Key("law.polydyne".to_string()));
+    let whole = polydyne(wanted, &demand.drive, train).map_err(key)?;
+    let law = on_base_circle(scene, demand, whole.clone());
+    let (start, _) = whole.extent();
+    let moved = law.svaj(start).s - whole.svaj(start).s;
+    let cam = design::cam(scene, law)?;
+    Ok((cam, wanted.raised(moved)))
+}
+
+/// The scene's number behind a check, where rows of the program can hold it.
+fn own_limit<'a>(limits: &'a mut Limits, check: &str) -> Option<&'a mut f64> {
+    match check {
+        "stroke" => &mut limits.stroke,
+        "velocity" => &mut limits.velocity,
+        "acceleration" => &mut limits.acceleration,
+        "jerk" => &mut limits.jerk,
+        "pressure_angle_rise" => &mut limits.pressure_angle_rise,
+        "pressure_angle_fall" => &mut limits.pressure_angle_fall,
+        "curvature" => &mut limits.curvature,
+        "prime_radius" => &mut limits.prime_radius,
+        "torque" => &mut limits.torque,
+        "torque_rate" => &mut limits.torque_rate,
+        "hertz_pressure" => &mut limits.hertz_pressure,
+        _ => return None,
+    }
+    .as_mut()
+}
+
+/// What the flexible machine makes of the cam, and of one cut to the wanted law itself.
+fn known(demand: &Demand, train: &Train, cam: &Cam, wanted: Law) -> End {
+    let (stiffness, damping) = match *train {
+        Train::OneMass { stiffness, damping }
+        | Train::TwoMass {
+            stiffness, damping, ..
+        } => (stiffness, damping),
+    };
+    // Undamped and on a harmonic nothing is steady: then there is nothing to tell.
+    let miss = |law: &Law| end_error(law, &wanted, &demand.drive, train).ok();
+    End {
+        stiffness,
+        damping,
+        miss: miss(&cam.law),
+        plain_miss: miss(&wanted),
+        law: wanted,
+    }
+}
+
+impl End {
+    /// The design in words.
+    pub fn remark(&self, speed: f64, degree: usize) -> String {
+        let mut out = format!(
+            "The cam is polydyne: at {speed:.4} rad/s the end of a follower of stiffness {:.6e} N/m moves as the law asks. \
+             Lift, velocity, acceleration, jerk and the limits on them are the cam's; the force is the end's.",
+            self.stiffness
+        );
+        if let (Some(own), Some(plain)) = (self.miss, self.plain_miss) {
+            out.push_str(&format!(
+                " Run flexibly, this cam misses that force by {:.3e} N RMS; one cut to the law itself would miss it by {:.3e} N.",
+                own.force_rms, plain.force_rms
+            ));
+            if own.force_rms > WORTH_A_DEGREE * plain.force_rms && degree < MOST_DEGREE {
+                out.push_str(" A higher law.degree takes in more of the follower's damping.");
+            }
+        }
+        out
+    }
+}
