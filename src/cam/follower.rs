@@ -184,6 +184,15 @@ impl Follower {
         )
     }
 
+    /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. It has ends then, even
+    /// where the law closes.
+    pub fn is_unrolled(&self) -> bool {
+        matches!(
+            self,
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
+        )
+    }
+
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. Not a number when the arm
     /// cannot reach ([`Cam::check`](super::Cam::check) says so).
     pub fn start_angle(&self) -> Option<f64> {

@@ -16,7 +16,9 @@ mod sweep;
 mod synth;
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Parser, Subcommand};
 
@@ -178,13 +180,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Err(e) => {
             // Help and version are answers, not faults.
             let code = if e.use_stderr() { BAD_INPUT } else { BUILT };
-            let _ = e.print();
-            return code;
+            heard(e.print());
+            return spoken(code);
         }
     };
     let outcome = std::panic::catch_unwind(|| dispatch(cli));
     match outcome {
-        Ok(Ok(code)) => code,
+        Ok(Ok(code)) => spoken(code),
         Ok(Err(error)) => {
             eprintln!("gaitcam: {error}");
             BAD_INPUT
@@ -195,6 +197,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
             );
             OUR_FAULT
         }
+    }
+}
+
+/// The exit code, unless the answer never reached its reader.
+fn spoken(code: u8) -> u8 {
+    if UNSAID.load(Ordering::Relaxed) {
+        OUR_FAULT
+    } else {
+        code
     }
 }
 
@@ -213,9 +224,21 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
     }
 }
 
+/// Whether an answer could not be written to standard output.
+static UNSAID: AtomicBool = AtomicBool::new(false);
+
 /// Prints a line, or stops quietly when nobody reads any more (`gaitcam … | head`).
 fn say(text: &str) {
-    use std::io::Write;
     let mut out = std::io::stdout().lock();
-    let _ = writeln!(out, "{text}");
+    heard(writeln!(out, "{text}").and_then(|()| out.flush()));
+}
+
+/// Remembers a failure to write, so that the exit code tells it: a full disk must not look like success.
+fn heard(written: std::io::Result<()>) {
+    if let Err(e) = written
+        && e.kind() != std::io::ErrorKind::BrokenPipe
+        && !UNSAID.swap(true, Ordering::Relaxed)
+    {
+        eprintln!("gaitcam: the answer cannot be written to standard output ({e})");
+    }
 }

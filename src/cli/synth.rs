@@ -1,5 +1,6 @@
 //! `gaitcam synth`: the main job.
 
+mod results;
 mod trade;
 
 use std::path::PathBuf;
@@ -34,6 +35,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let solving = Instant::now();
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
+    let scene = input.resolved();
+    let scene_text = toml::to_string(&scene).unwrap_or_default();
+    let earlier = results::earlier(folder.path(), &scene_text);
     write_files(&folder, &design, points, solve_s, start)?;
     let time = Timing {
         solve_s,
@@ -58,11 +62,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     } else {
         None
     };
-    let scene = input.resolved();
-    folder.write(
-        "scene.toml",
-        toml::to_string(&scene).unwrap_or_default().as_bytes(),
-    )?;
+    folder.write("scene.toml", scene_text.as_bytes())?;
     let mut summary = emit::json::summary(&design, time);
     summary["scene"] = serde_json::to_value(&scene).unwrap_or_default();
     if let Some(lines) = &reasons {
@@ -70,6 +70,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     }
     let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
     folder.write("summary.json", summary.as_bytes())?;
+    results::clear(&folder, earlier);
     if args.json {
         say(&summary);
     } else {

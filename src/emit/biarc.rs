@@ -3,6 +3,7 @@
 //! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
 //! biarc). Where they stray too far the interval is halved.
 
+use super::outline::{Edge, EdgePoint};
 use crate::cam::Cam;
 
 /// Widest interval that one biarc is tried on, rad.
@@ -27,13 +28,6 @@ pub struct Arcs {
     pub deviation: f64,
 }
 
-#[derive(Clone, Copy)]
-struct End {
-    theta: f64,
-    p: [f64; 2],
-    t: [f64; 2],
-}
-
 /// Two arcs: start, joint, end, and their bulges.
 struct Biarc {
     points: [[f64; 2]; 3],
@@ -47,47 +41,40 @@ struct Biarc {
 /// `None` where no chain of arcs does it: an undercut profile (its tangent turns back in cusps), a law
 /// whose velocity jumps, a tolerance that is not positive or lies below rounding.
 pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
+    along(&Edge::of(cam), tolerance)
+}
+
+/// The same for any edge that is cut.
+pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
     let sensible = tolerance.is_finite() && tolerance > 0.0;
-    if !sensible || cam.curvature().undercut {
+    if !sensible || edge.is_undercut() {
         return None;
     }
-    let closed = cam.law.is_closed();
     let mut out = Arcs {
         vertices: Vec::new(),
-        closed,
+        closed: edge.is_closed(),
         deviation: 0.0,
     };
-    for w in cam.law.breaks().windows(2) {
+    let mut last = None;
+    for w in edge.breaks().windows(2) {
         let parts = ((w[1] - w[0]) / WIDEST).ceil().max(1.0) as usize;
-        let at = |k: usize| w[0] + (w[1] - w[0]) * k as f64 / parts as f64;
+        let at = |k: usize| edge.at(w[0] + (w[1] - w[0]) * k as f64 / parts as f64);
         for k in 0..parts {
-            let (from, to) = (end(cam, at(k)), end(cam, at(k + 1)));
-            follow(cam, from, to, tolerance, DEEPEST, &mut out)?;
+            let (from, to) = (at(k), at(k + 1));
+            follow(edge, from, to, tolerance, DEEPEST, &mut out)?;
+            last = Some(to);
         }
     }
-    if !closed {
-        let (start, length) = cam.law.extent();
-        let last = end(cam, start + length).p;
-        out.vertices.push([last[0], last[1], 0.0]);
+    if let Some(EdgePoint { p: [x, y], .. }) = last.filter(|_| !out.closed) {
+        out.vertices.push([x, y, 0.0]);
     }
     (out.deviation <= tolerance).then_some(out)
 }
 
-fn end(cam: &Cam, theta: f64) -> End {
-    let point = cam.point(theta);
-    let [nx, ny] = cam.normal(&point);
-    // The profile runs clockwise: its tangent is the outward normal turned to the right.
-    End {
-        theta,
-        p: [point.x, point.y],
-        t: [ny, -nx],
-    }
-}
-
 fn follow(
-    cam: &Cam,
-    from: End,
-    to: End,
+    edge: &Edge,
+    from: EdgePoint,
+    to: EdgePoint,
     tolerance: f64,
     depth: usize,
     out: &mut Arcs,
@@ -97,8 +84,7 @@ fn follow(
         (1..count)
             .map(|k| {
                 let theta = from.theta + (to.theta - from.theta) * k as f64 / count as f64;
-                let p = cam.point(theta);
-                biarc.distance([p.x, p.y])
+                biarc.distance(edge.at(theta).p)
             })
             .fold(0.0, f64::max)
     };
@@ -113,14 +99,14 @@ fn follow(
         return Some(());
     }
     let depth = depth.checked_sub(1)?;
-    let middle = end(cam, 0.5 * (from.theta + to.theta));
-    follow(cam, from, middle, tolerance, depth, out)?;
-    follow(cam, middle, to, tolerance, depth, out)
+    let middle = edge.at(0.5 * (from.theta + to.theta));
+    follow(edge, from, middle, tolerance, depth, out)?;
+    follow(edge, middle, to, tolerance, depth, out)
 }
 
 impl Biarc {
     /// The biarc whose arms at both ends have one length d: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
-    fn between(from: End, to: End) -> Self {
+    fn between(from: EdgePoint, to: EdgePoint) -> Self {
         let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
         let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
         let vv = dot(v, v);
@@ -164,8 +150,18 @@ fn from_arc(q: [f64; 2], a: [f64; 2], b: [f64; 2], bulge: f64) -> f64 {
     if length == 0.0 {
         return (q[0] - a[0]).hypot(q[1] - a[1]);
     }
-    if bulge.abs() < FLAT {
+    let Some((centre, radius)) = circle(a, b, bulge) else {
         return (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs();
+    };
+    ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).abs()
+}
+
+/// Centre and radius of the arc from `a` to `b`; `None` where it is flat.
+fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<([f64; 2], f64)> {
+    let c = [b[0] - a[0], b[1] - a[1]];
+    let length = c[0].hypot(c[1]);
+    if length == 0.0 || bulge.abs() < FLAT {
+        return None;
     }
     let radius = length * (1.0 + bulge * bulge) / (4.0 * bulge);
     let rise = length * (1.0 - bulge * bulge) / (4.0 * bulge);
@@ -173,7 +169,21 @@ fn from_arc(q: [f64; 2], a: [f64; 2], b: [f64; 2], bulge: f64) -> f64 {
         0.5 * (a[0] + b[0]) - rise * c[1] / length,
         0.5 * (a[1] + b[1]) + rise * c[0] / length,
     ];
-    ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius.abs()).abs()
+    Some((centre, radius.abs()))
+}
+
+/// Where an arc of less than half a circle reaches farthest to ±x and ±y beyond its ends.
+pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
+    let Some(([x, y], r)) = circle(a, b, bulge) else {
+        return Vec::new();
+    };
+    let c = [b[0] - a[0], b[1] - a[1]];
+    // A counter-clockwise arc lies to the right of its chord.
+    let on_arc = |q: &[f64; 2]| bulge * cross(c, [q[0] - a[0], q[1] - a[1]]) < 0.0;
+    [[x + r, y], [x - r, y], [x, y + r], [x, y - r]]
+        .into_iter()
+        .filter(on_arc)
+        .collect()
 }
 
 fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {

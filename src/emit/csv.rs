@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::geometry::{angles, oscillates, target_at};
-use crate::cam::ProfilePoint;
+use crate::cam::{ProfilePoint, Wall};
 use crate::synth::Synthesis;
 
 /// Columns of `law.csv` for a translating follower.
@@ -45,9 +45,18 @@ pub fn law(synthesis: &Synthesis, points: usize) -> String {
 /// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
 ///
 /// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the
-/// profile has `rho_m` = `inf`.
+/// profile has `rho_m` = `inf`. Of a barrel it is the lower wall with the centre of the roller that
+/// touches it, which a stud with two rollers holds below its own height.
 pub fn profile(synthesis: &Synthesis, rows: usize) -> String {
-    points(&synthesis.cam.profile(rows))
+    let mut all = synthesis.cam.profile(rows);
+    if let Some(groove) = &synthesis.groove {
+        let up = groove.axis_offset(Wall::Lower);
+        for row in &mut all {
+            row.y += up;
+            row.pitch_y += up;
+        }
+    }
+    points(&all)
 }
 
 /// Any profile in the columns of `profile.csv`, as the second one of a conjugate pair.

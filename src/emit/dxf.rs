@@ -7,20 +7,24 @@ use ::dxf::tables::Layer;
 use ::dxf::{Color, LwPolylineVertex, Point};
 
 use super::biarc;
+use super::outline::{Edge, marks};
 use crate::synth::Synthesis;
 
 const MM: f64 = 1000.0;
-/// Half the length of the centre mark's strokes, mm.
-const MARK: f64 = 3.0;
 
-/// Layers with their AutoCAD colour indices.
-const LAYERS: [(&str, u8); 6] = [
+/// Layers with their AutoCAD colour indices; a drawing has those it uses.
+const LAYERS: [(&str, u8); 11] = [
     ("PROFILE", 7),
+    ("UPPER_WALL", 4),
+    ("SECOND_PROFILE", 4),
     ("PITCH_CURVE", 30),
+    ("SECOND_PITCH_CURVE", 40),
     ("BASE_CIRCLE", 3),
     ("PRIME_CIRCLE", 6),
     ("BORE", 5),
     ("CENTRE", 1),
+    ("FOOT", 1),
+    ("SEAM", 1),
 ];
 
 /// Group 440 for "by value, fully opaque": the writer's own 0 is not a value of that group.
@@ -29,7 +33,8 @@ const OPAQUE: i32 = 0x0200_00ff;
 /// The oldest program that must read the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
-    /// Heavy polylines, no units in the header: everything reads it.
+    /// Heavy polylines: everything reads it. Its header has no place for units, so millimetres are declared
+    /// in the later dialects' variable, which readers look for in R12 as well.
     R12,
     /// Lightweight polylines, millimetres declared in the header.
     R2000,
@@ -67,17 +72,22 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> Vec<u8> {
     }
 }
 
-/// The finished profile (closed for a closed law) with pitch curve, base and prime circle, bore and
-/// centre mark.
+/// Every edge that is cut (a disc's profile, both cams of a pair, both walls of an unrolled groove) as
+/// chords, with pitch curve, base and prime circle, bore and centre mark.
 pub fn drawing(synthesis: &Synthesis, options: Options) -> Vec<u8> {
-    let cam = &synthesis.cam;
-    let rows = cam.profile(options.points);
-    let closed = cam.law.is_closed();
     let mut sheet = Sheet::new(options.version);
-    let profile: Vec<[f64; 3]> = rows.iter().map(|p| [MM * p.x, MM * p.y, 0.0]).collect();
-    sheet.polyline("PROFILE", &profile, closed);
+    for edge in Edge::all(synthesis) {
+        let points = edge.points(options.points);
+        let vertices: Vec<[f64; 3]> = points.iter().map(|e| chord(e.p)).collect();
+        sheet.polyline(edge.layer, &vertices, edge.is_closed());
+    }
     sheet.construction(synthesis, options);
     sheet.bytes()
+}
+
+/// A vertex in mm from which a chord goes on.
+fn chord([x, y]: [f64; 2]) -> [f64; 3] {
+    [MM * x, MM * y, 0.0]
 }
 
 /// A profile drawn in arcs.
@@ -87,27 +97,32 @@ pub struct ArcDrawing {
     pub bytes: Vec<u8>,
     /// Number of arcs.
     pub arcs: usize,
-    /// Largest distance between the true profile and the arcs, m.
+    /// Largest distance between the true edges and the arcs, m.
     pub deviation: f64,
 }
 
-/// As [`drawing`], with the profile as a polyline of circular arcs (bulges) within `tolerance` m of the
-/// true profile; `options.points` counts for the pitch curve only. `None` where no arcs can follow it
+/// As [`drawing`], with the edges as polylines of circular arcs (bulges) within `tolerance` m of the
+/// true ones; `options.points` counts for the pitch curve only. `None` where no arcs can follow one
 /// ([`biarc::fit`]).
 pub fn arcs(synthesis: &Synthesis, tolerance: f64, options: Options) -> Option<ArcDrawing> {
-    let fit = biarc::fit(&synthesis.cam, tolerance)?;
     let mut sheet = Sheet::new(options.version);
-    let vertices: Vec<[f64; 3]> = fit
-        .vertices
-        .iter()
-        .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
-        .collect();
-    sheet.polyline("PROFILE", &vertices, fit.closed);
+    let (mut arcs, mut deviation) = (0, 0.0_f64);
+    for edge in Edge::all(synthesis) {
+        let fit = biarc::along(&edge, tolerance)?;
+        let vertices: Vec<[f64; 3]> = fit
+            .vertices
+            .iter()
+            .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
+            .collect();
+        sheet.polyline(edge.layer, &vertices, fit.closed);
+        arcs += vertices.len() - usize::from(!fit.closed);
+        deviation = deviation.max(fit.deviation);
+    }
     sheet.construction(synthesis, options);
     Some(ArcDrawing {
         bytes: sheet.bytes(),
-        arcs: vertices.len() - usize::from(!fit.closed),
-        deviation: fit.deviation,
+        arcs,
+        deviation,
     })
 }
 
@@ -115,6 +130,8 @@ pub fn arcs(synthesis: &Synthesis, tolerance: f64, options: Options) -> Option<A
 struct Sheet {
     drawing: Drawing,
     version: Version,
+    /// Left, bottom and right, top of what is drawn, mm.
+    extent: [[f64; 2]; 2],
 }
 
 impl Sheet {
@@ -137,17 +154,29 @@ impl Sheet {
         header.update_date_universal = Default::default();
         header.fingerprint_guid = Default::default();
         header.version_guid = Default::default();
-        for (name, colour) in LAYERS {
-            drawing.add_layer(Layer {
-                name: name.to_string(),
+        Sheet {
+            drawing,
+            version,
+            extent: [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]],
+        }
+    }
+
+    fn hold(&mut self, p: [f64; 2]) {
+        for k in 0..2 {
+            self.extent[0][k] = self.extent[0][k].min(p[k]);
+            self.extent[1][k] = self.extent[1][k].max(p[k]);
+        }
+    }
+
+    fn add(&mut self, layer: &str, specific: EntityType) {
+        if self.drawing.layers().all(|l| l.name != layer) {
+            let colour = LAYERS.iter().find(|l| l.0 == layer).map_or(7, |l| l.1);
+            self.drawing.add_layer(Layer {
+                name: layer.to_string(),
                 color: Color::from_index(colour),
                 ..Default::default()
             });
         }
-        Sheet { drawing, version }
-    }
-
-    fn add(&mut self, layer: &str, specific: EntityType) {
         let mut entity = Entity::new(specific);
         entity.common.layer = layer.to_string();
         entity.common.transparency = OPAQUE;
@@ -156,6 +185,13 @@ impl Sheet {
 
     /// Vertices x, y (mm) and the bulge of the edge that follows: tan(¼ of its arc), 0 for a chord.
     fn polyline(&mut self, layer: &str, vertices: &[[f64; 3]], closed: bool) {
+        for (i, &[x, y, bulge]) in vertices.iter().enumerate() {
+            self.hold([x, y]);
+            let [u, v, _] = vertices[(i + 1) % vertices.len()];
+            for crest in biarc::crests([x, y], [u, v], bulge) {
+                self.hold(crest);
+            }
+        }
         if self.version == Version::R12 {
             let mut polyline = Polyline::default();
             polyline.set_is_closed(closed);
@@ -183,28 +219,33 @@ impl Sheet {
         self.add(layer, EntityType::LwPolyline(polyline));
     }
 
-    /// Everything but the profile.
+    /// Everything but the edges.
     fn construction(&mut self, synthesis: &Synthesis, options: Options) {
         let cam = &synthesis.cam;
+        for edge in Edge::pitch_curves(synthesis) {
+            let points = edge.points(options.points);
+            let vertices: Vec<[f64; 3]> = points.iter().map(|e| chord(e.pitch)).collect();
+            self.polyline(edge.layer, &vertices, edge.is_closed());
+        }
+        for (layer, [p, q]) in marks(synthesis) {
+            self.line(layer, p.map(|x| MM * x), q.map(|x| MM * x));
+        }
+        if cam.follower.is_unrolled() {
+            return;
+        }
         let (base, prime) = (cam.follower.base_radius(), cam.follower.prime_radius());
         if prime != base {
-            let pitch: Vec<[f64; 3]> = cam
-                .profile(options.points)
-                .iter()
-                .map(|p| [MM * p.pitch_x, MM * p.pitch_y, 0.0])
-                .collect();
-            self.polyline("PITCH_CURVE", &pitch, cam.law.is_closed());
             self.circle("PRIME_CIRCLE", MM * prime);
         }
         self.circle("BASE_CIRCLE", MM * base);
         if let Some(bore) = options.bore {
             self.circle("BORE", MM * bore / 2.0);
         }
-        self.line("CENTRE", [-MARK, 0.0], [MARK, 0.0]);
-        self.line("CENTRE", [0.0, -MARK], [0.0, MARK]);
     }
 
     fn circle(&mut self, layer: &str, radius: f64) {
+        self.hold([-radius; 2]);
+        self.hold([radius; 2]);
         self.add(
             layer,
             EntityType::Circle(Circle::new(Point::origin(), radius)),
@@ -212,28 +253,42 @@ impl Sheet {
     }
 
     fn line(&mut self, layer: &str, from: [f64; 2], to: [f64; 2]) {
+        self.hold(from);
+        self.hold(to);
         let [p, q] = [from, to].map(|[x, y]| Point::new(x, y, 0.0));
         self.add(layer, EntityType::Line(Line::new(p, q)));
     }
 
-    fn bytes(&self) -> Vec<u8> {
+    fn bytes(&mut self) -> Vec<u8> {
         let mut out = Vec::new();
+        let [low, high] = self.extent.map(|[x, y]| Point::new(x, y, 0.0));
+        self.drawing.header.minimum_drawing_extents = low;
+        self.drawing.header.maximum_drawing_extents = high;
         // Writing to memory cannot fail, and every entity here exists in every dialect offered.
         if self.drawing.save(&mut out).is_err() {
             out.clear();
         }
         if self.version == Version::R12 {
-            out = without_subclasses(&out);
+            out = for_r12(&out);
         }
         out
     }
 }
 
-/// R12 knows no subclass markers (group 100), and strict readers stop at the ones the writer leaves.
-fn without_subclasses(text: &[u8]) -> Vec<u8> {
-    let mut out = Vec::with_capacity(text.len());
+/// Millimetres, as a header variable.
+const MILLIMETRES: &[u8] = b"  9\r\n$INSUNITS\r\n 70\r\n     4\r\n";
+
+/// R12 knows no subclass markers (group 100), and strict readers stop at the ones the writer leaves; the
+/// header's end takes the units that the writer keeps for later dialects.
+fn for_r12(text: &[u8]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(text.len() + MILLIMETRES.len());
     let mut lines = text.split_inclusive(|&b| b == b'\n');
+    let mut header = true;
     while let (Some(code), Some(value)) = (lines.next(), lines.next()) {
+        if header && value.trim_ascii() == b"ENDSEC" {
+            out.extend_from_slice(MILLIMETRES);
+            header = false;
+        }
         if code.trim_ascii() != b"100" {
             out.extend_from_slice(code);
             out.extend_from_slice(value);

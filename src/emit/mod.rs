@@ -13,6 +13,7 @@ pub mod dxf;
 mod geometry;
 pub mod groove;
 pub mod json;
+mod outline;
 pub mod overlay;
 mod panel;
 pub mod picture;

@@ -1,0 +1,124 @@
+//! A folder holds one design: what an earlier one left there goes, and nothing else.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+fn run(arguments: &[&str]) -> i32 {
+    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .unwrap()
+        .code()
+        .unwrap()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut all: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    all.sort();
+    all
+}
+
+/// 10 mm up and down in one second with less than the 16 h/T² of acceleration that it takes.
+const IMPOSSIBLE: &str = r#"
+name = "impossible"
+drive = { kind = "moving-axis", mass = "1 kg", speed = "60 rpm" }
+law = { spans = 24, minimise = "jerk", point = [
+    { angle = "0 deg", lift = "0 mm" },
+    { angle = "90 deg", lift = "10 mm" },
+    { angle = "180 deg", lift = "0 mm" } ] }
+cam = { base_radius = "20 mm" }
+limits = { acceleration = "0.4 m/s^2" }
+"#;
+const OTHER: &str = "scenes/camdas_03_flat.toml";
+
+#[test]
+fn an_infeasible_design_leaves_no_law_of_an_earlier_one_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    assert_eq!(
+        run(&["synth", "--out", out, "--solid", "--tool", "5 mm"]),
+        0
+    );
+    assert!(names(folder.path()).contains(&"cutter.csv".to_string()));
+    // Files of others stay, whatever they are called.
+    fs::write(folder.path().join("notes.txt"), "mine").unwrap();
+    fs::write(folder.path().join("law_of_mine.csv"), "mine").unwrap();
+    // Half a file of a run that is no more; process numbers stay below 2²².
+    fs::write(folder.path().join("law.csv.4194999.partial"), "half").unwrap();
+    fs::write(folder.path().join("mine.csv.4194999.partial"), "mine").unwrap();
+
+    // Bad input costs nothing that is there.
+    let before = names(folder.path());
+    assert_eq!(
+        run(&["synth", "--out", out, "--set", "limits.stroke=3 kg"]),
+        2
+    );
+    assert_eq!(names(folder.path()), before);
+
+    let beside = tempfile::tempdir().unwrap();
+    let scene = beside.path().join("impossible.toml");
+    fs::write(&scene, IMPOSSIBLE).unwrap();
+    assert_eq!(run(&["synth", scene.to_str().unwrap(), "--out", out]), 3);
+    let known = [
+        "law_of_mine.csv",
+        "mine.csv.4194999.partial",
+        "notes.txt",
+        "report.html",
+        "scene.toml",
+        "summary.json",
+    ];
+    assert_eq!(names(folder.path()), known);
+}
+
+#[test]
+fn the_run_of_a_design_stays_beside_it_and_goes_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    assert_eq!(run(&["synth", "--out", out]), 0);
+    assert_eq!(run(&["simulate", "--out", out]), 0);
+    let ran = |folder: &Path| folder.join("dynamics.csv").exists();
+    assert_eq!(run(&["synth", "--out", out]), 0);
+    assert!(ran(folder.path()));
+    assert_eq!(run(&["synth", OTHER, "--out", out]), 0);
+    assert!(!ran(folder.path()) && !folder.path().join("simulation.json").exists());
+}
+
+#[test]
+fn a_folder_that_holds_no_result_loses_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    fs::write(folder.path().join("cam.png"), "a photograph").unwrap();
+    fs::write(folder.path().join("dynamics.csv"), "a measurement").unwrap();
+    fs::write(folder.path().join("scene.toml"), IMPOSSIBLE).unwrap();
+    let scene = folder.path().join("scene.toml");
+    assert_eq!(run(&["synth", scene.to_str().unwrap(), "--out", out]), 3);
+    let names = names(folder.path());
+    assert!(names.contains(&"cam.png".to_string()) && names.contains(&"dynamics.csv".to_string()));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_answer_that_cannot_be_written_is_no_success() {
+    for arguments in [&["laws"][..], &["laws", "--json"], &["--help"]] {
+        let full = fs::OpenOptions::new()
+            .write(true)
+            .open("/dev/full")
+            .unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+            .args(arguments)
+            .stdout(full)
+            .stderr(Stdio::piped())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        let words = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(words.contains("standard output"), "{words}");
+    }
+}
