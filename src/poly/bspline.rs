@@ -35,6 +35,11 @@ pub struct SplineSpace {
     /// Extraction matrices, (degree+1)² each, entry [k*(degree+1) + i]: Bernstein coefficient k of local
     /// basis function i. Uniform spans share one.
     matrices: Vec<Vec<f64>>,
+    /// Knots of one turn of a periodic space, and its length; empty for a clamped one.
+    turn: Vec<f64>,
+    period: f64,
+    /// Length of the knots' own unit.
+    unit: f64,
 }
 
 impl SplineSpace {
@@ -47,10 +52,13 @@ impl SplineSpace {
     pub fn periodic(degree: usize, breaks: &[f64], multiplicity: &[usize]) -> Self {
         let n = breaks.len() - 1;
         assert!(n >= 1 && multiplicity.len() == n);
-        let period = breaks[n] - breaks[0];
         let one_turn: Vec<f64> = (0..n)
             .flat_map(|i| std::iter::repeat_n(breaks[i], multiplicity[i]))
             .collect();
+        SplineSpace::around(degree, one_turn, breaks[n] - breaks[0])
+    }
+
+    fn around(degree: usize, one_turn: Vec<f64>, period: f64) -> Self {
         let dimension = one_turn.len();
         // Enough copies of the turn on both sides for the widest support.
         let turns = degree / dimension + 2;
@@ -66,6 +74,9 @@ impl SplineSpace {
             dimension,
             spans: Vec::new(),
             matrices: Vec::new(),
+            turn: one_turn,
+            period,
+            unit: 1.0,
         };
         for j in 0..dimension {
             let at = offset + j;
@@ -83,15 +94,44 @@ impl SplineSpace {
         // Knots in whole numbers: every span has the same pattern to the last bit, so all share a matrix.
         let unit: Vec<f64> = (0..=n).map(|i| i as f64).collect();
         let mut space = SplineSpace::periodic(degree, &unit, &vec![1; n]);
-        let place = |i: f64| period * i / n as f64;
-        for span in &mut space.spans {
-            (span.start, span.width) = (place(span.start), period / n as f64);
-        }
-        // period·n/n need not be the period: the last break is set, not computed.
-        if let Some(last) = space.spans.last_mut() {
-            last.width = period - last.start;
-        }
+        space.stretch(period);
         space
+    }
+
+    /// Gives a uniform space in whole numbers its length.
+    fn stretch(&mut self, length: f64) {
+        let n = self.dimension as f64;
+        for span in &mut self.spans {
+            (span.start, span.width) = (length * span.start / n, length / n);
+        }
+        // length·n/n need not be the length: the last break is set, not computed.
+        if let Some(last) = self.spans.last_mut() {
+            last.width = length - last.start;
+        }
+        self.unit = length / n;
+    }
+
+    /// The space of the derivatives of a periodic space, on the same knots, with the factors f of
+    /// c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), indices counted round.
+    ///
+    /// `None` for a clamped space, for degree 0 and where a break of full multiplicity lets splines jump.
+    pub fn derivative(&self) -> Option<(SplineSpace, Vec<f64>)> {
+        let (n, q) = (self.dimension, self.degree);
+        if self.turn.is_empty() || q == 0 {
+            return None;
+        }
+        let knot = |i: usize| self.turn[i % n] + self.period * (i / n) as f64;
+        let factors: Vec<f64> = (0..n)
+            .map(|i| q as f64 / ((knot(i + q) - knot(i)) * self.unit))
+            .collect();
+        if factors.iter().any(|f| !f.is_finite()) {
+            return None;
+        }
+        let mut space = SplineSpace::around(q - 1, self.turn.clone(), self.period);
+        if self.unit != 1.0 {
+            space.stretch(self.period * self.unit);
+        }
+        Some((space, factors))
     }
 
     /// Splines on an open interval: full freedom at both ends, `multiplicity[i]` at inner break i + 1.
@@ -112,6 +152,9 @@ impl SplineSpace {
             dimension,
             spans: Vec::new(),
             matrices: Vec::new(),
+            turn: Vec::new(),
+            period: 0.0,
+            unit: 1.0,
         };
         for at in degree..dimension {
             if knots[at + 1] > knots[at] {
@@ -362,6 +405,47 @@ mod tests {
                 f = f.derivative();
             }
         }
+    }
+
+    #[test]
+    fn differences_of_coefficients_are_those_of_the_derivative() {
+        let breaks = [0.0, 0.1, 0.35, 0.5, 0.52, 1.0];
+        for space in [
+            SplineSpace::periodic_uniform(5, 9, 2.0),
+            SplineSpace::periodic_uniform(3, 2, 1.0),
+            SplineSpace::periodic(5, &breaks, &[1, 3, 1, 2, 3]),
+        ] {
+            let mut c: Vec<f64> = (0..space.dimension())
+                .map(|i| ((i * i) % 7) as f64 - 2.0)
+                .collect();
+            let mut f = space.spline(&c);
+            let mut own = space.clone();
+            for _ in 0..3 {
+                let (next, factors) = own.derivative().unwrap();
+                let n = c.len();
+                c = (0..n)
+                    .map(|i| factors[i] * (c[i] - c[(i + n - 1) % n]))
+                    .collect();
+                f = f.derivative();
+                let spline = next.spline(&c);
+                let size = f.extremes().1.value.abs();
+                for k in 0..200 {
+                    let x = 0.005 * f64::from(k) + 0.0013;
+                    assert!((spline.eval(x) - f.eval(x)).abs() < 1e-11 * size, "{x}");
+                }
+                own = next;
+            }
+        }
+        assert!(
+            SplineSpace::periodic(3, &[0.0, 1.0, 2.0], &[1, 4])
+                .derivative()
+                .is_none()
+        );
+        assert!(
+            SplineSpace::clamped(3, &[0.0, 1.0], &[])
+                .derivative()
+                .is_none()
+        );
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::gait::Feet;
 use crate::units::{Dimension, G};
 
 /// Most spans of a spline: beyond this the law is a table, not a law.
-const MOST_SPANS: usize = 20_000;
+const MOST_SPANS: usize = 10_000;
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
 

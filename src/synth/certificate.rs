@@ -32,6 +32,11 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     for (r, g) in residual.iter_mut().zip(&program.gradient) {
         *r += g;
     }
+    // With many spans the same sum is taken over the derivatives' coefficients, which keep its digits.
+    let mut lifted = program
+        .lifted
+        .as_ref()
+        .map(|l| (l, l.pull(&l.derivatives(x))));
     let mut beside = program.cost;
     let mut slack = 0.0;
     let mut pushed = size;
@@ -42,9 +47,17 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             residual[i] += row.multiplier * a;
             pushed = pushed.max((row.multiplier * a).abs());
         }
+        if let Some((l, pull)) = &mut lifted {
+            for (i, a) in l.row(row.peak.piece, row.peak.u, &row.weights) {
+                pull[i] += row.multiplier * a;
+            }
+        }
         for (b, e) in beside.iter_mut().zip(&row.extra) {
             *b += row.multiplier * e;
         }
+    }
+    if let Some((l, pull)) = lifted {
+        residual = l.folded(pull);
     }
     off_the_demands(program, &mut residual);
     let present = program.present();

@@ -1,10 +1,14 @@
 //! The one place that speaks to Clarabel.
 
+use std::borrow::Cow;
+
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
 };
 
+use super::basis::Entries;
+use super::lifted::Lifted;
 use super::problem::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row};
 
 /// What the interior-point method returns, in the program's own units.
@@ -20,18 +24,24 @@ pub struct Point {
 /// Clarabel's gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits,
 /// and the polishing step restores the digits.
 const SOLVER_TOLERANCE: f64 = 1e-9;
+/// Sums of so many roundings are kept free inside limits on laws of many spans.
+const ROUNDINGS: f64 = 256.0;
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
 /// limit's scale) is kept free inside every limit.
 pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
-    let n = program.basis.columns();
     let length = program.length;
     let weight = program.objective_unit();
-    let columns = Columns::new(program, rows, n);
+    let law = Unknowns::new(program, rows);
+    let columns = Columns::new(program, rows, law.count);
 
-    let p = upper_triangle(program, columns.total, length * length / weight);
-    let mut q: Vec<f64> = program
-        .gradient
+    let p = upper_triangle(
+        &law.hessian(program),
+        columns.total,
+        length * length / weight,
+    );
+    let mut q: Vec<f64> = law
+        .gradient(program)
         .iter()
         .map(|g| g * length / weight)
         .collect();
@@ -55,18 +65,20 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         triplets.extend(r, e.entries.iter().map(|&(i, v)| (i, v * length / unit)));
         b.push(e.value / unit);
     }
+    law.tie(&mut triplets, &mut b);
     let equalities = b.len();
     let mut units = Vec::with_capacity(rows.len());
     for row in rows.iter() {
-        let unit = row_unit(&row.entries, length);
+        let entries = law.entries(row);
+        let unit = row_unit(&entries, length);
         let r = b.len();
-        triplets.extend(r, row.entries.iter().map(|&(i, v)| (i, v * length / unit)));
+        triplets.extend(r, entries.iter().map(|&(i, v)| (i, v * length / unit)));
         for k in 0..EXTRAS {
             if let (Some(column), true) = (columns.of[k], row.extra[k] != 0.0) {
                 triplets.push(r, column, row.extra[k] * columns.unit[k] / unit);
             }
         }
-        b.push((row.bound - margin * row.scale) / unit);
+        b.push((row.bound - margin * row.scale - law.rounding(row, length)) / unit);
         units.push(unit);
     }
     let mut cones = vec![
@@ -117,10 +129,100 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         }
     }
     Ok(Point {
-        x: answer.x[..n].iter().map(|y| y * length).collect(),
+        x: law.coefficients(&answer.x, length),
         extra,
         iterations: answer.iterations as usize,
     })
+}
+
+/// The unknowns that stand for the law: its coefficients, or for many spans those of its derivatives too.
+struct Unknowns<'a> {
+    lifted: Option<&'a Lifted>,
+    /// Highest derivative among them.
+    order: usize,
+    count: usize,
+}
+
+impl<'a> Unknowns<'a> {
+    fn new(program: &'a Program, rows: &[Row]) -> Self {
+        let lifted = program.lifted.as_ref();
+        let lifted = lifted.filter(|l| rows.iter().all(|r| l.carries(&r.weights)));
+        let Some(lifted) = lifted else {
+            return Unknowns {
+                lifted,
+                order: 0,
+                count: program.basis.columns(),
+            };
+        };
+        let needed = rows.iter().map(|r| lifted.highest(&r.weights)).max();
+        let order = lifted.used().max(needed.unwrap_or(0));
+        Unknowns {
+            lifted: Some(lifted),
+            order,
+            count: (order + 1) * lifted.dimension(),
+        }
+    }
+
+    fn hessian(&self, program: &Program) -> Vec<(usize, usize, f64)> {
+        match self.lifted {
+            Some(lifted) => lifted.blocks().to_vec(),
+            None => program.hessian.lower_entries(),
+        }
+    }
+
+    fn gradient(&self, program: &'a Program) -> &'a [f64] {
+        match self.lifted {
+            Some(lifted) => &lifted.gradient()[..self.count],
+            None => &program.gradient,
+        }
+    }
+
+    /// c′ᵢ = fᵢ (cᵢ − cᵢ₋₁) from each order to the next.
+    fn tie(&self, triplets: &mut Triplets, b: &mut Vec<f64>) {
+        let Some(lifted) = self.lifted else {
+            return;
+        };
+        let n = lifted.dimension();
+        for (order, factors) in lifted.factors()[..self.order].iter().enumerate() {
+            for (i, &f) in factors.iter().enumerate() {
+                let (own, before) = (order * n + i, order * n + (i + n - 1) % n);
+                let r = b.len();
+                triplets.push(r, own, f);
+                triplets.push(r, before, -f);
+                triplets.push(r, own + n, -1.0);
+                b.push(0.0);
+            }
+        }
+    }
+
+    fn entries<'r>(&self, row: &'r Row) -> Cow<'r, Entries> {
+        match self.lifted {
+            Some(lifted) => Cow::Owned(lifted.row(row.peak.piece, row.peak.u, &row.weights)),
+            None => Cow::Borrowed(&row.entries),
+        }
+    }
+
+    /// What differences of the lift's coefficients will leave uncertain of a limit, where room can be kept.
+    fn rounding(&self, row: &Row, length: f64) -> f64 {
+        if self.lifted.is_none() || row.scale == 0.0 {
+            return 0.0;
+        }
+        let size: f64 = row.entries.iter().map(|e| e.1.abs()).sum();
+        ROUNDINGS * f64::EPSILON * size * length
+    }
+
+    fn coefficients(&self, y: &[f64], length: f64) -> Vec<f64> {
+        let Some(lifted) = self.lifted else {
+            return y[..self.count].iter().map(|y| y * length).collect();
+        };
+        let n = lifted.dimension();
+        let highest: Vec<f64> = y[self.order * n..self.count]
+            .iter()
+            .map(|y| y * length)
+            .collect();
+        let level = length * y[..n].iter().sum::<f64>() / n as f64;
+        lifted.integrated(&highest, self.order, level)
+    }
 }
 
 /// Where the variables beside the law stand among the columns, and their units.
@@ -158,9 +260,9 @@ pub fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
     if unit > 0.0 { unit } else { 1.0 }
 }
 
-fn upper_triangle(program: &Program, columns: usize, factor: f64) -> CscMatrix<f64> {
+fn upper_triangle(lower: &[(usize, usize, f64)], columns: usize, factor: f64) -> CscMatrix<f64> {
     let mut t = Triplets::default();
-    for (i, j, value) in program.hessian.lower_entries() {
+    for &(i, j, value) in lower {
         t.push(j, i, value * factor);
     }
     t.matrix(columns, columns)

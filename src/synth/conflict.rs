@@ -1,7 +1,7 @@
 //! Why there is no law: the smallest set of limits that fight, and the least relaxation of each.
 
 use super::answer::{Infeasible, Relaxation};
-use super::band::ArrowMatrix;
+use super::objective::Quadratic;
 use super::problem::{Failure, PEAK, Program};
 
 /// Explains a program without solution.
@@ -114,9 +114,10 @@ pub fn in_units(limit: &str, value: f64) -> String {
 /// `None` for what is no number of the scene.
 fn relax(program: &Program, name: &str) -> Option<Relaxation> {
     let mut elastic = program.clone();
-    let (band, border) = elastic.basis.pattern();
-    elastic.hessian = ArrowMatrix::zero(elastic.basis.columns(), band, border);
-    elastic.gradient.iter_mut().for_each(|g| *g = 0.0);
+    let nothing = Quadratic::zero(&elastic.basis);
+    elastic.hessian = nothing.hessian;
+    elastic.gradient = nothing.gradient;
+    elastic.lifted = nothing.lifted;
     elastic.limits.retain(|l| !l.is_peak());
     elastic.cost = [0.0; super::problem::EXTRAS];
     elastic.cost[PEAK] = 1.0;

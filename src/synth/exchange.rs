@@ -12,8 +12,14 @@ const WORTH_POLISHING: f64 = 1e-5;
 const MAX_ROUNDS: usize = 60;
 /// Room inside a limit never exceeds this part of its scale.
 const LARGEST_MARGIN: f64 = 1e-6;
+/// … and on laws of many spans.
+const LARGEST_LIFTED_MARGIN: f64 = 1e-3;
 /// What the solver leaves unresolved on a second-order cone program.
 const CONE_MARGIN: f64 = 1e-7;
+/// … and on laws of many spans, which are not polished either.
+const LIFTED_MARGIN: f64 = 1e-8;
+/// After the first round on many spans only rows with less slack than this part of their scale stay.
+const NEAR: f64 = 0.2;
 /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
 const COINCIDENT: f64 = 1e-4;
 
@@ -30,6 +36,9 @@ impl Program {
         unlimited.x = self.on_base_circle(unlimited.x);
         if let Some(solution) = self.without_rows(&unlimited.x) {
             return Ok(solution);
+        }
+        if self.lifted.is_some() {
+            return self.solve_by_interior_point();
         }
         match active_set::solve(self, &unlimited) {
             Ok(solution) => Ok(solution),
@@ -56,8 +65,12 @@ impl Program {
             if let Some(solution) = self.without_rows(&x) {
                 return Ok(solution);
             }
-            self.add_rows(&mut rows, self.broken(&x, &[0.0; EXTRAS]));
-            self.add_neighbours(&mut rows, &x);
+            if self.lifted.is_some() {
+                self.add_everywhere(&mut rows);
+            } else {
+                self.add_rows(&mut rows, self.broken(&x, &[0.0; EXTRAS]));
+                self.add_neighbours(&mut rows, &x);
+            }
         }
         self.exchange(rows)
     }
@@ -83,7 +96,19 @@ impl Program {
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
-        let mut margin = if self.cone { CONE_MARGIN } else { 0.0 };
+        let mut margin = if self.cone {
+            CONE_MARGIN
+        } else if self.lifted.is_some() {
+            LIFTED_MARGIN
+        } else {
+            0.0
+        };
+        // Differences of many coefficients leave a jerk uncertain by more.
+        let most = if self.lifted.is_some() {
+            LARGEST_LIFTED_MARGIN
+        } else {
+            LARGEST_MARGIN
+        };
         for round in 1..=MAX_ROUNDS {
             let point = match (cones::solve(self, &mut rows, margin), &best) {
                 (Ok(point), _) => point,
@@ -100,6 +125,9 @@ impl Program {
                 super::polish::polish(self, &mut rows, &point)
             };
             let broken = self.broken(&x, &extra);
+            if self.lifted.is_some() && round == 1 {
+                rows.retain(|r| self.is_near(r, &x, &extra));
+            }
             let violation = self.violation(&x, &extra);
             let active = rows
                 .iter()
@@ -122,12 +150,22 @@ impl Program {
             if best.as_ref().is_none_or(|b| violation < b.violation) {
                 best = Some(solution);
             }
-            if stalled && violation < 1e-6 {
-                margin = (2.0 * violation).max(2.0 * margin).min(LARGEST_MARGIN);
+            if stalled && violation < most {
+                margin = (2.0 * violation).max(2.0 * margin).min(most);
             }
             self.add_rows(&mut rows, broken);
         }
         best.ok_or_else(|| Failure::Solver("no progress".to_string()))
+    }
+
+    /// Whether a row is worth keeping beside a law that all but keeps its limits. Rows on sizes alone are.
+    fn is_near(&self, row: &Row, x: &[f64], extra: &[f64; EXTRAS]) -> bool {
+        let Some(limit) = row.limit.map(|i| &self.limits[i]) else {
+            return true;
+        };
+        let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * extra[k]).sum();
+        let slack = row.bound - beside - apply(&row.entries, x);
+        slack < NEAR * limit.scale.max(limit.bound.abs()) || row.weights == [0.0; 5]
     }
 
     /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a

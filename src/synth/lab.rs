@@ -127,13 +127,7 @@ impl Task<'_> {
     fn program(&self) -> Program {
         let basis = self.basis();
         let force = self.distance(&basis);
-        let mut program = Program::new(
-            basis,
-            force.hessian,
-            force.gradient,
-            Vec::new(),
-            self.length(),
-        );
+        let mut program = Program::new(basis, force, Vec::new(), self.length());
         for bound in self.bounds {
             for sign in [1.0, -1.0] {
                 let mut weights = [0.0; 5];

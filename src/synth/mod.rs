@@ -65,6 +65,7 @@ mod exchange;
 mod family;
 mod harmonic;
 pub mod lab;
+mod lifted;
 mod limits;
 mod machine;
 mod nonconvex;

@@ -2,6 +2,7 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
+use super::lifted::Lifted;
 use crate::poly::{SplineSpace, gauss_legendre};
 
 /// ½xᵀHx + gᵀx + constant.
@@ -13,6 +14,8 @@ pub struct Quadratic {
     pub gradient: Vec<f64>,
     /// The constant, so that the value means something.
     pub constant: f64,
+    /// The same over the coefficients of the derivatives too, where the spans are many.
+    pub lifted: Option<Lifted>,
 }
 
 impl Quadratic {
@@ -24,6 +27,7 @@ impl Quadratic {
             hessian: ArrowMatrix::zero(n, band, border),
             gradient: vec![0.0; n],
             constant: 0.0,
+            lifted: Lifted::new(basis),
         }
     }
 
@@ -86,6 +90,10 @@ impl Quadratic {
             }
             self.add_span(space, i, &gram, &pull);
         }
+        self.lifted = self.lifted.take().filter(|l| l.carries(weights));
+        if let Some(lifted) = &mut self.lifted {
+            lifted.add_distance(weights, &rule, asked);
+        }
     }
 
     /// Adds ½xᵀGx + pᵀx of the local functions of one span; G by its lower triangle.
@@ -126,6 +134,9 @@ impl Quadratic {
 
     /// The value at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
+        if let Some(lifted) = &self.lifted {
+            return lifted.value(x) + self.constant;
+        }
         let hx = self.hessian.times(x);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()

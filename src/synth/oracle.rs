@@ -82,6 +82,7 @@ impl Program {
             limit: Some(index),
             name: limit.name,
             peak,
+            weights: limit.weights,
             entries,
             extra: limit.extra,
             bound: limit.bound + shape,
@@ -118,6 +119,19 @@ impl Program {
                 let w = limit.weights;
                 let value = w[0] * at.s + w[1] * at.v + w[2] * at.a + w[3] * at.j;
                 if value > limit.bound {
+                    rows.push(self.row(index, peak));
+                }
+            });
+        }
+    }
+
+    /// Starts and middles of all pieces, for laws of many spans: what is not written down there escapes as a
+    /// spike into the next piece, round after round.
+    pub fn add_everywhere(&self, rows: &mut Vec<Row>) {
+        let breaks = self.basis.breaks();
+        for (index, limit) in self.limits.iter().enumerate() {
+            ends_and_middles(&breaks, limit, |peak| {
+                if peak.u < 1.0 {
                     rows.push(self.row(index, peak));
                 }
             });

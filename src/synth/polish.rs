@@ -12,8 +12,10 @@ const LARGEST: usize = 500;
 pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, [f64; EXTRAS]) {
     let as_given = (point.x.clone(), point.extra);
     let active = active_rows(program, rows, point);
-    for (i, row) in rows.iter_mut().enumerate() {
-        if !active.contains(&i) {
+    let mut inactive = vec![true; rows.len()];
+    active.iter().for_each(|&i| inactive[i] = false);
+    for (row, inactive) in rows.iter_mut().zip(inactive) {
+        if inactive {
             row.multiplier = 0.0;
         }
     }

@@ -7,6 +7,8 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
+use super::lifted::Lifted;
+use super::objective::Quadratic;
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
@@ -151,6 +153,8 @@ pub struct Program {
     pub gradient: Vec<f64>,
     /// What the quadratic leaves out of the whole objective.
     pub constant: f64,
+    /// The quadratic over the coefficients of the derivatives too, where the spans are many.
+    pub lifted: Option<Lifted>,
     /// Exact demands.
     pub equalities: Vec<Equality>,
     /// Limits over ranges.
@@ -180,6 +184,8 @@ pub struct Row {
     pub name: &'static str,
     /// Where on the law.
     pub peak: Peak,
+    /// Weights of s, v, a, j and the fourth derivative there.
+    pub weights: [f64; 5],
     /// The row.
     pub entries: Entries,
     /// Weights of the variables beside the law.
@@ -227,18 +233,13 @@ pub const TOLERANCE: f64 = 4e-10;
 
 impl Program {
     /// A program without limits.
-    pub fn new(
-        basis: Basis,
-        hessian: ArrowMatrix,
-        gradient: Vec<f64>,
-        equalities: Vec<Equality>,
-        length: f64,
-    ) -> Self {
+    pub fn new(basis: Basis, objective: Quadratic, equalities: Vec<Equality>, length: f64) -> Self {
         Program {
             basis,
-            hessian,
-            gradient,
-            constant: 0.0,
+            hessian: objective.hessian,
+            gradient: objective.gradient,
+            constant: objective.constant,
+            lifted: objective.lifted,
             equalities,
             limits: Vec::new(),
             shapes: Vec::new(),
@@ -353,8 +354,12 @@ impl Program {
 
     /// Size by which solvers divide the objective: its value for coefficients of typical size.
     pub fn objective_unit(&self) -> f64 {
-        let h = self.hessian.largest_diagonal() * self.length * self.length;
-        let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
+        let (h, gradient) = match &self.lifted {
+            Some(lifted) => (lifted.largest_diagonal(), lifted.gradient()),
+            None => (self.hessian.largest_diagonal(), &self.gradient[..]),
+        };
+        let h = h * self.length * self.length;
+        let g = gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
         let linear = (1..EXTRAS).fold(0.0_f64, |m, k| m.max(self.cost[k].abs())) * self.length;
         let unit = h.max(g).max(linear);
         if unit > 0.0 { unit } else { 1.0 }
@@ -370,6 +375,9 @@ impl Program {
 
     /// Value of the quadratic part of the objective.
     pub fn objective(&self, x: &[f64]) -> f64 {
+        if let Some(lifted) = &self.lifted {
+            return lifted.value(x);
+        }
         let hx = self.hessian.times(&x[..self.basis.columns()]);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()

@@ -2,7 +2,7 @@
 
 use super::basis::Basis;
 use super::objective::Quadratic;
-use super::problem::{Equality, Failure, Limit, PEAK, Program};
+use super::problem::{Equality, Failure, Limit, Meaning, PEAK, Program};
 use crate::poly::SplineSpace;
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ fn rest_to_rest(n: usize, degree: usize, breaks: &[f64]) -> Program {
         equalities.push(demand(last, 1.0, if order == 0 { 1.0 } else { 0.0 }));
     }
     let zero = Quadratic::zero(&basis);
-    Program::new(basis, zero.hessian, zero.gradient, equalities, 1.0)
+    Program::new(basis, zero, equalities, 1.0)
 }
 
 fn uniform(n: usize) -> Vec<f64> {
@@ -39,6 +39,7 @@ fn with_energy(mut p: Program, order: usize) -> Program {
     let mut q = Quadratic::zero(&p.basis);
     q.add_energy(&p.basis, order, 2.0);
     p.hessian = q.hessian;
+    p.lifted = q.lifted;
     p
 }
 
@@ -202,7 +203,7 @@ fn humps(degree: usize, spans: usize, parts: &[(usize, f64)]) -> Program {
     let mut q = Quadratic::zero(&basis);
     let hump = |x: f64| (2.0 * x).sin() + 0.6 * (4.0 * x).cos() + 0.2 * (6.0 * x + 0.4).sin();
     q.add_distance(&basis, &[0.0, 0.0, 1.0], 24, hump, None);
-    let mut program = Program::new(basis, q.hessian, q.gradient, Vec::new(), 0.3);
+    let mut program = Program::new(basis, q, Vec::new(), 0.3);
     let free = program.solve().unwrap();
     let law = program.basis.law(&free.x);
     for &(order, part) in parts {
@@ -210,6 +211,10 @@ fn humps(degree: usize, spans: usize, parts: &[(usize, f64)]) -> Program {
         let bound = part * high.value.max(-low.value);
         for mut limit in two_sided(order, bound) {
             limit.domain = (0.0, 2.0 * PI);
+            limit.meaning = Meaning::Value {
+                factor: 1.0,
+                offset: 0.0,
+            };
             program.limits.push(limit);
         }
     }
@@ -295,7 +300,7 @@ fn a_crest_on_a_break_is_held_like_any_other() {
             |x| -x.sin() - 0.1 * (3.0 * x).sin(),
             None,
         );
-        let mut program = Program::new(basis, q.hessian, q.gradient, Vec::new(), 1.0);
+        let mut program = Program::new(basis, q, Vec::new(), 1.0);
         let mut limit = Limit::new("stroke", [1.0, 0.0, 0.0, 0.0, 0.0], 0.7, 0.7);
         limit.domain = (0.0, 2.0 * PI);
         program.limits.push(limit);
@@ -331,5 +336,50 @@ fn best_single_polynomials_of_least_peak_acceleration_are_found() {
             (peak - printed).abs() < 0.6 * digit,
             "{degree}: {peak} {printed}"
         );
+    }
+}
+
+/// Laws of many spans keep what laws of few have: a finer space can only come nearer to the force, the
+/// multipliers prove it, and a dense scan finds the limit kept.
+#[test]
+fn thousands_of_spans_keep_their_digits() {
+    let few = humps(5, 100, &[(2, 0.7), (3, 0.7)]).solve().unwrap();
+    let coarse = humps(5, 100, &[]);
+    let best = coarse.objective(&few.x);
+    for spans in [300, 1000, 4000] {
+        let program = humps(5, spans, &[]);
+        let free = program.solve().unwrap();
+        assert!(program.objective(&free.x) <= coarse.objective(&coarse.solve().unwrap().x) + 1e-12);
+        let law = program.basis.law(&free.x);
+        // The free law is the force itself: its second derivative is known.
+        for i in 0..1000 {
+            let x = 0.00628 * f64::from(i);
+            let wanted = (2.0 * x).sin() + 0.6 * (4.0 * x).cos() + 0.2 * (6.0 * x + 0.4).sin();
+            assert!((law.svaj(x).a - wanted).abs() < 3e-7, "{spans} {x}");
+        }
+        let program = humps(5, spans, &[(2, 0.7), (3, 0.7)]);
+        let solution = program.solve().unwrap();
+        assert!(solution.rounds < 12, "{spans}: {} rounds", solution.rounds);
+        let value = program.objective(&solution.x);
+        assert!(value <= best + 1e-7 * best.abs(), "{spans}: {value} {best}");
+        let proof = super::certificate::certificate(&program, &solution);
+        assert!(
+            proof.relative_gap < 1e-6,
+            "{spans}: {:e}",
+            proof.relative_gap
+        );
+        let law = program.basis.law(&solution.x);
+        for limit in program.limits.iter().step_by(2) {
+            let order = limit.weights.iter().position(|w| *w != 0.0).unwrap();
+            let worst = (0..100_000)
+                .map(|i| law.svaj(2.0 * PI * f64::from(i) / 1e5))
+                .map(|at| [at.s, at.v, at.a, at.j][order].abs())
+                .fold(0.0, f64::max);
+            assert!(
+                worst <= limit.bound * (1.0 + 1e-9),
+                "{spans} {order}: {:e}",
+                worst / limit.bound - 1.0
+            );
+        }
     }
 }

@@ -151,6 +151,7 @@ fn held(program: &Program, current: &Solution, follower: Follower) -> Option<Sol
         last.fixed = linearised(program, &about, &enlarged, &[false; EXTRAS], 2.0 * ROOM);
         // Nearest to the law at hand, so that the linearised curvature stays true.
         last.gradient.clone_from(&gradient);
+        last.lifted = None;
         let mut exact = last.with_sizes_held(current, room).solve().ok()?;
         let violation = exact.violation;
         if clearance(&program.basis.law(&exact.x), &enlarged) >= 0.0 {
@@ -317,10 +318,13 @@ fn row(
     scale: f64,
 ) -> Row {
     let entries = program.basis.row_on(peak.piece, peak.u, weights);
+    let mut all = [0.0; 5];
+    all[..weights.len()].copy_from_slice(weights);
     Row {
         limit: None,
         name: "curvature",
         peak,
+        weights: all,
         entries,
         extra,
         bound,

@@ -170,14 +170,7 @@ pub fn stopped_at_noise(scene: &Scene, demand: &Demand, family: Family) -> Optio
 pub fn harmonic_program(scene: &Scene, demand: &Demand, count: usize, unlimited: &Law) -> Program {
     let basis = Basis::Harmonic { count };
     let force = force_distance(scene, demand, &basis);
-    let mut program = Program::new(
-        basis,
-        force.hessian,
-        force.gradient,
-        Vec::new(),
-        demand.length,
-    );
-    program.constant = force.constant;
+    let mut program = Program::new(basis, force, Vec::new(), demand.length);
     let level = level_is_known(scene, demand);
     let on_the_cam = limits::size_is_given(scene);
     program.limits = limits::linear(scene, demand, level || on_the_cam);
@@ -311,14 +304,7 @@ fn program(
             }
         }
     }
-    let mut program = Program::new(
-        basis,
-        quadratic.hessian,
-        quadratic.gradient,
-        equalities,
-        demand.length,
-    );
-    program.constant = quadratic.constant;
+    let mut program = Program::new(basis, quadratic, equalities, demand.length);
     program.limits = limits;
     Ok((program, force))
 }

@@ -1,0 +1,306 @@
+//! A law's derivatives as unknowns of their own, for laws of many spans.
+//!
+//! In the coefficients of the lift alone an acceleration on N spans is N² times a difference of nearly
+//! equal numbers, and the condition of the objective's matrix grows like N⁴: from a few hundred spans on a
+//! solver has no digits left. Here the coefficients of s, v, a and j all are unknowns, tied by
+//! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁) as the stages of a control problem are (Betts, Practical Methods for Optimal
+//! Control, ch. 4). Every row is short, its entries are near one, and the cost of a factorisation stays in
+//! proportion to the spans.
+
+use super::basis::{Basis, Entries};
+use crate::poly::SplineSpace;
+
+/// Spans from which on derivatives are unknowns of their own.
+pub const MANY: usize = 250;
+/// Highest derivative that limits or objectives ask for.
+const HIGHEST: usize = 4;
+
+/// ½dᵀHd + gᵀd over the coefficients d of s and its derivatives, one order after the other.
+#[derive(Debug, Clone)]
+pub struct Lifted {
+    /// Splines of the derivatives, by order.
+    spaces: Vec<SplineSpace>,
+    /// f of the step from each order to the next.
+    factors: Vec<Vec<f64>>,
+    /// Highest order that the objective has seen.
+    used: usize,
+    /// Lower triangle of H.
+    blocks: Vec<(usize, usize, f64)>,
+    /// g.
+    gradient: Vec<f64>,
+}
+
+impl Lifted {
+    /// With a zero objective; `None` for laws of few spans, and where splines have no such derivatives.
+    pub fn new(basis: &Basis) -> Option<Self> {
+        let Basis::Spline { space, closed } = basis else {
+            return None;
+        };
+        if !closed || space.spans().len() < MANY {
+            return None;
+        }
+        Some(Lifted::of(space))
+    }
+
+    fn of(space: &SplineSpace) -> Self {
+        let mut spaces = vec![space.clone()];
+        let mut factors = Vec::new();
+        while spaces.len() <= HIGHEST {
+            let Some((next, f)) = spaces[spaces.len() - 1].derivative() else {
+                break;
+            };
+            spaces.push(next);
+            factors.push(f);
+        }
+        let gradient = vec![0.0; spaces.len() * space.dimension()];
+        Lifted {
+            spaces,
+            factors,
+            used: 0,
+            blocks: Vec::new(),
+            gradient,
+        }
+    }
+
+    /// Coefficients of one order.
+    pub fn dimension(&self) -> usize {
+        self.spaces[0].dimension()
+    }
+
+    /// Whether derivatives of these weights have coefficients here, or vanish.
+    pub fn carries(&self, weights: &[f64]) -> bool {
+        let known = |order: usize| order < self.spaces.len() || order > self.spaces[0].degree();
+        weights
+            .iter()
+            .enumerate()
+            .all(|(order, w)| *w == 0.0 || known(order))
+    }
+
+    /// Highest order among weights that a row of them needs.
+    pub fn highest(&self, weights: &[f64]) -> usize {
+        let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
+        last.min(self.spaces.len() - 1)
+    }
+
+    /// Highest order that the objective needs.
+    pub fn used(&self) -> usize {
+        self.used
+    }
+
+    /// Row of Σ wₖ s⁽ᵏ⁾ at u ∈ [0, 1] of a piece over the coefficients of all orders.
+    pub fn row(&self, piece: usize, u: f64, weights: &[f64]) -> Entries {
+        let n = self.dimension();
+        let mut out = Entries::new();
+        for (order, &w) in weights.iter().enumerate().take(self.spaces.len()) {
+            if w == 0.0 {
+                continue;
+            }
+            let space = &self.spaces[order];
+            let values = space.row(piece, u, &[w]);
+            let own = values.iter().enumerate();
+            out.extend(own.map(|(k, &v)| (order * n + space.index(piece, k), v)));
+        }
+        out
+    }
+
+    /// Adds Σ over pieces and nodes of ½·share·(w·svaj − wanted)²; `asked` gives (share, wanted) at node u of
+    /// quadrature weight w of a piece.
+    pub fn add_distance(
+        &mut self,
+        weights: &[f64],
+        rule: &[(f64, f64)],
+        asked: impl Fn(usize, f64, f64) -> (f64, f64),
+    ) {
+        self.used = self.used.max(self.highest(weights));
+        let mut gram: Vec<f64> = Vec::new();
+        for piece in 0..self.spaces[0].spans().len() {
+            let mut columns: Vec<usize> = Vec::new();
+            for &(u, w) in rule {
+                let (share, wanted) = asked(piece, u, w);
+                let row = self.row(piece, u, weights);
+                if columns.is_empty() {
+                    columns.extend(row.iter().map(|e| e.0));
+                    gram.clear();
+                    gram.resize(row.len() * row.len(), 0.0);
+                }
+                for (k, &(i, a)) in row.iter().enumerate() {
+                    self.gradient[i] -= share * wanted * a;
+                    for (l, &(_, b)) in row[..=k].iter().enumerate() {
+                        gram[k * row.len() + l] += share * a * b;
+                    }
+                }
+            }
+            for (k, &i) in columns.iter().enumerate() {
+                for (l, &j) in columns[..=k].iter().enumerate() {
+                    let (i, j) = (i.max(j), i.min(j));
+                    self.blocks.push((i, j, gram[k * columns.len() + l]));
+                }
+            }
+        }
+    }
+
+    /// Lower triangle of H; an entry may come in several parts.
+    pub fn blocks(&self) -> &[(usize, usize, f64)] {
+        &self.blocks
+    }
+
+    /// g.
+    pub fn gradient(&self) -> &[f64] {
+        &self.gradient
+    }
+
+    /// f of the step from each order to the next.
+    pub fn factors(&self) -> &[Vec<f64>] {
+        &self.factors
+    }
+
+    /// Largest diagonal entry of H.
+    pub fn largest_diagonal(&self) -> f64 {
+        let mut diagonal = vec![0.0; self.gradient.len()];
+        for &(i, j, v) in &self.blocks {
+            if i == j {
+                diagonal[i] += v;
+            }
+        }
+        diagonal.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Coefficients of all orders from those of the lift.
+    pub fn derivatives(&self, x: &[f64]) -> Vec<f64> {
+        let n = self.dimension();
+        let mut out = x[..n].to_vec();
+        for (order, factors) in self.factors.iter().enumerate() {
+            let own = &out[order * n..];
+            let next: Vec<f64> = (0..n)
+                .map(|i| factors[i] * (own[i] - own[(i + n - 1) % n]))
+                .collect();
+            out.extend(next);
+        }
+        out
+    }
+
+    /// ½dᵀHd + gᵀd at a law.
+    pub fn value(&self, x: &[f64]) -> f64 {
+        let d = self.derivatives(x);
+        let pull = self.pull(&d);
+        let g = &self.gradient;
+        (0..d.len()).map(|i| 0.5 * d[i] * (pull[i] + g[i])).sum()
+    }
+
+    /// Hd + g.
+    pub fn pull(&self, d: &[f64]) -> Vec<f64> {
+        let mut out = self.gradient.clone();
+        for &(i, j, v) in &self.blocks {
+            out[i] += v * d[j];
+            if i != j {
+                out[j] += v * d[i];
+            }
+        }
+        out
+    }
+
+    /// A row over all orders as one over the coefficients of the lift.
+    pub fn folded(&self, mut y: Vec<f64>) -> Vec<f64> {
+        let n = self.dimension();
+        for (order, f) in self.factors.iter().enumerate().rev() {
+            let (below, above) = y.split_at_mut((order + 1) * n);
+            let own = &mut below[order * n..];
+            for i in 0..n {
+                let next = (i + 1) % n;
+                own[i] += f[i] * above[i] - f[next] * above[next];
+            }
+        }
+        y.truncate(n);
+        y
+    }
+
+    /// Coefficients of the lift from those of its derivative of one order: sums, which keep the digits that
+    /// differences lose. Its mean is put right so that the law closes; `level` is the lift's mean.
+    pub fn integrated(&self, highest: &[f64], order: usize, level: f64) -> Vec<f64> {
+        let n = self.dimension();
+        let mut own = highest.to_vec();
+        for f in self.factors[..order].iter().rev() {
+            let (ends, length) =
+                (0..n).fold((0.0, 0.0), |(e, l), i| (e + own[i] / f[i], l + 1.0 / f[i]));
+            let excess = ends / length;
+            let mut sum = 0.0;
+            own = (0..n)
+                .map(|i| {
+                    sum += (own[i] - excess) / f[i];
+                    sum
+                })
+                .collect();
+        }
+        let mean = own.iter().sum::<f64>() / n as f64;
+        own.iter_mut().for_each(|c| *c += level - mean);
+        own
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::poly::gauss_legendre;
+    use crate::synth::basis::apply;
+    use crate::synth::objective::Quadratic;
+    use std::f64::consts::TAU;
+
+    fn space(spans: usize) -> SplineSpace {
+        SplineSpace::periodic_uniform(5, spans, TAU)
+    }
+
+    fn wave(n: usize) -> Vec<f64> {
+        (0..n)
+            .map(|i| TAU * i as f64 / n as f64)
+            .map(|x| (2.0 * x).sin() + 0.3 * (3.0 * x).cos() + 0.5)
+            .collect()
+    }
+
+    #[test]
+    fn rows_values_and_gradients_are_those_of_the_lift_alone() {
+        let n = 40;
+        let basis = Basis::Spline {
+            space: space(n),
+            closed: true,
+        };
+        let x = wave(n);
+        let weights = [2.0, -0.3, 1.0, 0.1];
+        let mut plain = Quadratic::zero(&basis);
+        plain.add_distance(&basis, &weights, 7, f64::cos, None);
+        let mut lifted = Lifted::of(&space(n));
+        let width = TAU / n as f64;
+        lifted.add_distance(&weights, &gauss_legendre(7), |piece, u, w| {
+            (w / n as f64, ((piece as f64 + u) * width).cos())
+        });
+        let d = lifted.derivatives(&x);
+        for (piece, u) in [(0, 0.2), (17, 0.5), (39, 1.0)] {
+            let own = apply(&lifted.row(piece, u, &weights), &d);
+            let row = apply(&basis.row_on(piece, u, &weights), &x);
+            assert!((own - row).abs() < 1e-9, "{own} {row}");
+        }
+        let hx = plain.hessian.times(&x);
+        let value: f64 = (0..n)
+            .map(|i| x[i] * (0.5 * hx[i] + plain.gradient[i]))
+            .sum();
+        assert!((lifted.value(&x) / value - 1.0).abs() < 1e-9);
+        let gradient = lifted.folded(lifted.pull(&d));
+        let size = hx.iter().fold(0.0_f64, |m, h| m.max(h.abs()));
+        for i in 0..n {
+            assert!((gradient[i] - hx[i] - plain.gradient[i]).abs() < 1e-9 * size);
+        }
+    }
+
+    #[test]
+    fn sums_undo_differences() {
+        let n = 4000;
+        let lifted = Lifted::of(&space(n));
+        let x = wave(n);
+        let d = lifted.derivatives(&x);
+        let level = x.iter().sum::<f64>() / n as f64;
+        for order in 1..=3 {
+            let back = lifted.integrated(&d[order * n..(order + 1) * n], order, level);
+            let worst = (0..n).fold(0.0_f64, |m, i| m.max((back[i] - x[i]).abs()));
+            assert!(worst < 1e-11, "{order}: {worst:e}");
+        }
+    }
+}
