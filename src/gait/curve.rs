@@ -5,6 +5,9 @@ use std::f64::consts::TAU;
 use crate::error::{Error, Result};
 use crate::poly::{PiecewisePoly, bernstein};
 
+/// Of a slope per sample, in the Bernstein coefficients of a cubic.
+const THIRD: f64 = 1.0 / 3.0;
+
 /// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
 ///
 /// Sample `i` of `n` stands at cam angle θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
@@ -53,11 +56,37 @@ impl ForceCurve {
 
     /// Mean force over the cycle, N.
     pub fn mean_n(&self) -> f64 {
-        self.force_n.iter().sum::<f64>() / self.force_n.len() as f64
+        // Eight sums side by side: one alone waits for every addition.
+        let mut sums = [0.0; 8];
+        let eights = self.force_n.chunks_exact(8);
+        let rest: f64 = eights.remainder().iter().sum();
+        for eight in eights {
+            for (sum, f) in sums.iter_mut().zip(eight) {
+                *sum += f;
+            }
+        }
+        (sums.iter().sum::<f64>() + rest) / self.force_n.len() as f64
     }
 }
 
 impl ForceCurve {
+    /// Smallest and largest sample, N.
+    pub fn range_n(&self) -> (f64, f64) {
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 8];
+        for eight in self.force_n.chunks(8) {
+            for ([low, high], &f) in ranges.iter_mut().zip(eight) {
+                // Samples are finite: plain comparisons do.
+                *low = if f < *low { f } else { *low };
+                *high = if f > *high { f } else { *high };
+            }
+        }
+        ranges
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, [low, high]| {
+                (r.0.min(*low), r.1.max(*high))
+            })
+    }
+
     /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.
     pub fn at(&self, theta: f64) -> f64 {
         let n = self.force_n.len();
@@ -84,12 +113,15 @@ impl ForceCurve {
         let f = &self.force_n;
         let n = f.len();
         // Two samples before the first and three after the last, so that nothing wraps in the loops.
-        let around: Vec<f64> = f.iter().cycle().skip(n - 2).take(n + 5).copied().collect();
-        let slopes: Vec<f64> = (around.windows(5))
-            .map(|w| slope([w[0], w[1], w[2], w[3], w[4]]))
-            .collect();
-        (around[2..].windows(2).zip(slopes.windows(2)))
-            .map(|(f, s)| [f[0], f[0] + s[0] / 3.0, f[1] - s[1] / 3.0, f[1]])
+        let mut around = Vec::with_capacity(n + 5);
+        around.extend_from_slice(&f[n - 2..]);
+        around.extend_from_slice(f);
+        around.extend_from_slice(&f[..3]);
+        let slopes = slopes(&around);
+        let ends = f.iter().zip(&around[3..]);
+        let thirds = slopes.iter().zip(&slopes[1..]);
+        (ends.zip(thirds))
+            .map(|((f0, f1), (s0, s1))| [*f0, f0 + THIRD * s0, f1 - THIRD * s1, *f1])
             .collect()
     }
 
@@ -140,8 +172,8 @@ impl ForceCurve {
         let (f0, f1) = (self.force_n[i], self.force_n[(i + 1) % n]);
         [
             f0,
-            f0 + self.slope(i) / 3.0,
-            f1 - self.slope(i + 1) / 3.0,
+            f0 + THIRD * self.slope(i),
+            f1 - THIRD * self.slope(i + 1),
             f1,
         ]
     }
@@ -153,23 +185,31 @@ impl ForceCurve {
     }
 }
 
+/// Slopes at all samples but the first two and the last two.
+fn slopes(f: &[f64]) -> Vec<f64> {
+    let n = f.len() - 4;
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + n]);
+    (0..n)
+        .map(|i| slope([a[i], b[i], c[i], d[i], e[i]]))
+        .collect()
+}
+
 /// Slope per sample at the middle of five samples: the fourth-order centred difference, held within three
 /// times the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's
 /// bound). At a local extreme of the samples half that bound applies to either sign, so that a smooth peak
 /// between two samples is not flattened.
 fn slope(f: [f64; 5]) -> f64 {
     let (before, after) = (f[2] - f[1], f[3] - f[2]);
-    let centred = (8.0 * (f[3] - f[1]) - (f[4] - f[0])) / 12.0;
-    let smaller = before.abs().min(after.abs());
-    let bound = if before * after > 0.0 {
-        3.0 * smaller
-    } else {
-        1.5 * smaller
-    };
-    if before * after > 0.0 && centred * before < 0.0 {
-        return 0.0;
-    }
-    centred.clamp(-bound, bound)
+    let centred = (2.0 * THIRD) * (f[3] - f[1]) - (0.25 * THIRD) * (f[4] - f[0]);
+    let (own, next) = (before.abs(), after.abs());
+    let smaller = if own < next { own } else { next };
+    let steady = before * after > 0.0;
+    let bound = if steady { 3.0 } else { 1.5 } * smaller;
+    // Without branches, so that several slopes are worked out at once.
+    let held = if centred > bound { bound } else { centred };
+    let held = if held < -bound { -bound } else { held };
+    let backwards = steady & (centred * before < 0.0);
+    if backwards { 0.0 } else { held }
 }
 
 #[cfg(test)]

@@ -259,9 +259,13 @@ impl Law {
 fn scale_by_binomials(p: &PiecewisePoly) -> Vec<f64> {
     let n = p.degree();
     let row: Vec<f64> = (0..=n).map(|k| bernstein::binomial(n, k)).collect();
-    (0..p.pieces())
-        .flat_map(|i| p.piece(i).iter().zip(&row).map(|(b, c)| b * c))
-        .collect()
+    let mut out = p.coefficients().to_vec();
+    for piece in out.chunks_exact_mut(n + 1) {
+        for (b, c) in piece.iter_mut().zip(&row) {
+            *b *= c;
+        }
+    }
+    out
 }
 
 /// Value of Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ (binomials already in cₖ).

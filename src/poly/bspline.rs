@@ -91,11 +91,30 @@ impl SplineSpace {
 
     /// Periodic splines on `n` equal spans of [0, period], as smooth as the degree allows.
     pub fn periodic_uniform(degree: usize, n: usize, period: f64) -> Self {
-        // Knots in whole numbers: every span has the same pattern to the last bit, so all share a matrix.
-        let unit: Vec<f64> = (0..=n).map(|i| i as f64).collect();
-        let mut space = SplineSpace::periodic(degree, &unit, &vec![1; n]);
+        let mut space = SplineSpace::in_whole_numbers(degree, n);
         space.stretch(period);
         space
+    }
+
+    /// Periodic splines with a knot at 0, 1 … n − 1: every span sees the same pattern, so all share a matrix.
+    fn in_whole_numbers(degree: usize, n: usize) -> Self {
+        let around: Vec<f64> = (0..2 * degree).map(|k| k as f64).collect();
+        let turns = degree / n + 1;
+        let spans = (0..n).map(|i| Span {
+            start: i as f64,
+            width: 1.0,
+            first: (i + turns * n - degree) % n,
+            matrix: 0,
+        });
+        SplineSpace {
+            degree,
+            dimension: n,
+            spans: spans.collect(),
+            matrices: vec![extraction(degree, &around)],
+            turn: (0..n).map(|i| i as f64).collect(),
+            period: n as f64,
+            unit: 1.0,
+        }
     }
 
     /// Gives a uniform space in whole numbers its length.
@@ -127,10 +146,12 @@ impl SplineSpace {
         if factors.iter().any(|f| !f.is_finite()) {
             return None;
         }
-        let mut space = SplineSpace::around(q - 1, self.turn.clone(), self.period);
-        if self.unit != 1.0 {
-            space.stretch(self.period * self.unit);
+        if self.unit == 1.0 {
+            let space = SplineSpace::around(q - 1, self.turn.clone(), self.period);
+            return Some((space, factors));
         }
+        let mut space = SplineSpace::in_whole_numbers(q - 1, n);
+        space.stretch(self.period * self.unit);
         Some((space, factors))
     }
 
@@ -224,26 +245,57 @@ impl SplineSpace {
 
     /// Turns weights on a span's Bernstein coefficients into weights on its local basis functions.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
-        let n = self.degree + 1;
-        let e = self.extraction(span);
-        for (i, value) in out.iter_mut().enumerate().take(n) {
-            *value = (0..n).map(|k| bernstein_weights[k] * e[k * n + i]).sum();
+        out.fill(0.0);
+        let rows = self.extraction(span).chunks_exact(self.degree + 1);
+        for (row, weight) in rows.zip(bernstein_weights) {
+            for (value, e) in out.iter_mut().zip(row) {
+                *value += weight * e;
+            }
         }
     }
 
     /// Weights on a span's local basis functions of Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
     pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
-        let mut bernstein = vec![0.0; self.degree + 1];
-        derivative_weights(
-            self.degree,
-            self.spans[span].width,
-            u,
-            weights,
-            &mut bernstein,
-        );
         let mut out = vec![0.0; self.degree + 1];
-        self.pull_back(span, &bernstein, &mut out);
+        self.values(span, &[u], weights, &mut out);
         out
+    }
+
+    /// The same at many `places`: each local function's values there, one function after the other, into
+    /// `out`.
+    pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
+        let (n, count) = (self.degree + 1, places.len());
+        let width = self.spans[span].width;
+        let extraction = self.extraction(span);
+        out.fill(0.0);
+        let mut basis = vec![0.0; n * count];
+        let mut coefficients = vec![0.0; n];
+        for (order, &weight) in weights.iter().enumerate().take(n) {
+            if weight == 0.0 {
+                continue;
+            }
+            let m = self.degree - order;
+            bernstein_basis(m, places, &mut basis);
+            let scale: f64 = (m + 1..n).map(|d| d as f64 / width).product();
+            for (i, own) in out.chunks_exact_mut(count).enumerate() {
+                for (c, e) in coefficients
+                    .iter_mut()
+                    .zip(extraction[i..].iter().step_by(n))
+                {
+                    *c = weight * scale * e;
+                }
+                for left in (m + 1..n).rev() {
+                    for k in 0..left {
+                        coefficients[k] = coefficients[k + 1] - coefficients[k];
+                    }
+                }
+                for (c, values) in coefficients[..=m].iter().zip(basis.chunks_exact(count)) {
+                    for (o, b) in own.iter_mut().zip(values) {
+                        *o += c * b;
+                    }
+                }
+            }
+        }
     }
 
     /// The spline with the given coefficients as a piecewise polynomial.
@@ -256,47 +308,37 @@ impl SplineSpace {
         let mut breaks: Vec<f64> = self.spans.iter().map(|s| s.start).collect();
         breaks.push(self.spans.last().map_or(0.0, |s| s.start + s.width));
         let mut coef = Vec::with_capacity(self.spans.len() * n);
-        for span in 0..self.spans.len() {
-            let e = self.extraction(span);
-            for k in 0..n {
-                coef.push(
-                    (0..n)
-                        .map(|i| e[k * n + i] * coefficients[self.index(span, i)])
-                        .sum(),
-                );
+        let mut local = vec![0.0; n];
+        for (i, span) in self.spans.iter().enumerate() {
+            let mut at = span.first;
+            for c in &mut local {
+                *c = coefficients[at];
+                at = if at + 1 == self.dimension { 0 } else { at + 1 };
             }
+            let rows = self.extraction(i).chunks_exact(n);
+            coef.extend(
+                rows.map(|row| -> f64 { row.iter().zip(&local).map(|(e, c)| e * c).sum() }),
+            );
         }
         PiecewisePoly::new(breaks, self.degree, coef)
     }
 }
 
-/// Adds to `out` the weights on Bernstein coefficients of Σ wₖ dᵏ/dxᵏ at `u` of a piece of given width.
-pub fn derivative_weights(degree: usize, width: f64, u: f64, weights: &[f64], out: &mut [f64]) {
-    for (order, &w) in weights.iter().enumerate() {
-        if w == 0.0 || order > degree {
-            continue;
-        }
-        let m = degree - order;
-        // Basis of degree m at u, then differences raise it back to the full degree.
-        let mut basis = vec![0.0; degree + 1];
-        basis[0] = 1.0;
-        for r in 1..=m {
-            for k in (0..=r).rev() {
-                let left = if k > 0 { basis[k - 1] * u } else { 0.0 };
-                basis[k] = left + if k < r { basis[k] * (1.0 - u) } else { 0.0 };
+/// The m + 1 Bernstein polynomials of degree m at `places`, one polynomial after the other.
+fn bernstein_basis(m: usize, places: &[f64], out: &mut [f64]) {
+    let count = places.len();
+    out[..count].fill(1.0);
+    for r in 1..=m {
+        out[r * count..(r + 1) * count].fill(0.0);
+        for k in (1..=r).rev() {
+            let (below, own) = out.split_at_mut(k * count);
+            let below = &below[(k - 1) * count..];
+            for ((b, left), u) in own.iter_mut().zip(below).zip(places) {
+                *b = left * u + *b * (1.0 - u);
             }
         }
-        let mut scale = w;
-        for r in 0..order {
-            scale *= (degree - r) as f64 / width;
-            for k in (0..=m + r + 1).rev() {
-                let left = if k > 0 { basis[k - 1] } else { 0.0 };
-                let own = if k <= m + r { basis[k] } else { 0.0 };
-                basis[k] = left - own;
-            }
-        }
-        for (o, b) in out.iter_mut().zip(&basis) {
-            *o += scale * b;
+        for (b, u) in out.iter_mut().zip(places) {
+            *b *= 1.0 - u;
         }
     }
 }
@@ -311,21 +353,24 @@ fn extraction(degree: usize, local: &[f64]) -> Vec<f64> {
         return matrix;
     }
     let (left, right) = (local[degree - 1], local[degree]);
+    // Row j holds what entry j of the de Boor triangle takes of each basis function.
+    let mut triangle = vec![0.0; n * n];
     for k in 0..n {
-        for i in 0..n {
-            let mut d = vec![0.0; n];
-            d[i] = 1.0;
-            for r in 1..n {
-                let x = if r <= k { right } else { left };
-                for j in (r..n).rev() {
-                    // Knots of the de Boor triangle: t_{j} and t_{j + degree − r + 1} of the full vector.
-                    let (a, b) = (local[j - 1], local[j + degree - r]);
-                    let t = (x - a) / (b - a);
-                    d[j] = (1.0 - t) * d[j - 1] + t * d[j];
+        triangle.fill(0.0);
+        triangle.iter_mut().step_by(n + 1).for_each(|d| *d = 1.0);
+        for r in 1..n {
+            let x = if r <= k { right } else { left };
+            for j in (r..n).rev() {
+                // Knots of the de Boor triangle: t_{j} and t_{j + degree − r + 1} of the full vector.
+                let (a, b) = (local[j - 1], local[j + degree - r]);
+                let t = (x - a) / (b - a);
+                let (before, own) = triangle.split_at_mut(j * n);
+                for (d, e) in own[..n].iter_mut().zip(&before[(j - 1) * n..]) {
+                    *d = (1.0 - t) * e + t * *d;
                 }
             }
-            matrix[k * n + i] = d[degree];
         }
+        matrix[k * n..(k + 1) * n].copy_from_slice(&triangle[degree * n..]);
     }
     matrix
 }

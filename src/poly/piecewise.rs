@@ -73,6 +73,11 @@ impl PiecewisePoly {
         &self.coef[i * (self.degree + 1)..(i + 1) * (self.degree + 1)]
     }
 
+    /// Bernstein coefficients of all pieces, one piece after the other.
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coef
+    }
+
     /// Index of the piece that holds `x` (the first or last one outside) and u ∈ [0, 1] within it.
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
@@ -95,8 +100,8 @@ impl PiecewisePoly {
         }
         let mut coef = Vec::with_capacity(self.pieces() * n);
         for (b, ends) in self.coef.chunks_exact(n + 1).zip(self.breaks.windows(2)) {
-            let width = ends[1] - ends[0];
-            coef.extend(b.windows(2).map(|w| (w[1] - w[0]) * n as f64 / width));
+            let scale = n as f64 / (ends[1] - ends[0]);
+            coef.extend(b.windows(2).map(|w| (w[1] - w[0]) * scale));
         }
         PiecewisePoly {
             breaks: self.breaks.clone(),

@@ -55,6 +55,20 @@ impl ArrowMatrix {
         }
     }
 
+    /// Adds the symmetric block of band + 1 unknowns from `first` on, laid out as the band itself: entry
+    /// (k, l), l ≤ k, at `block[k*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
+    /// band, as it must; otherwise nothing is added.
+    pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
+        let w = self.band + 1;
+        if block.len() != w * w || first + w > self.n - self.border {
+            return false;
+        }
+        for (entry, value) in self.core[first * w..].iter_mut().zip(block) {
+            *entry += value;
+        }
+        true
+    }
+
     /// Entry (i, j).
     pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
@@ -119,49 +133,54 @@ impl ArrowMatrix {
     pub fn factor(mut self) -> Option<ArrowFactor> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
-        for i in 0..m {
-            let first = i.saturating_sub(self.band);
-            for j in first..=i {
-                let low = first.max(j.saturating_sub(self.band));
-                let mut sum = self.core[i * w + (i - j)];
-                for k in low..j {
-                    sum -= self.core[i * w + (i - k)] * self.core[j * w + (j - k)];
+        // Column of the factor under the pivot, inside the band.
+        let mut column = vec![0.0; self.band];
+        for j in 0..m {
+            let pivot = positive_root(self.core[j * w])?;
+            self.core[j * w] = pivot;
+            let inverse = 1.0 / pivot;
+            let below = self.band.min(m - 1 - j);
+            for p in 1..=below {
+                // Entry (j + p, j + q) stands at (j + p)·w + p − q: rows run backwards.
+                let row = &mut self.core[(j + p) * w..][..=p];
+                let l = row[p] * inverse;
+                row[p] = l;
+                column[p - 1] = l;
+                for (entry, c) in row[..p].iter_mut().zip(column[..p].iter().rev()) {
+                    *entry -= l * c;
                 }
-                if i == j {
-                    if sum <= 0.0 || !sum.is_finite() {
-                        return None;
-                    }
-                    self.core[i * w] = sum.sqrt();
-                } else {
-                    self.core[i * w + (i - j)] = sum / self.core[j * w];
+            }
+            for r in 0..self.border {
+                let (above, own) = self.rows.split_at_mut(r * n);
+                let l = own[j] * inverse;
+                own[j] = l;
+                for (entry, c) in own[j + 1..].iter_mut().zip(&column[..below]) {
+                    *entry -= l * c;
                 }
+                for (q, other) in above.chunks_exact(n).enumerate() {
+                    own[m + q] -= l * other[j];
+                }
+                own[m + r] -= l * l;
             }
         }
         for r in 0..self.border {
-            for j in 0..=m + r {
-                let mut sum = self.rows[r * n + j];
-                if j < m {
-                    for k in j.saturating_sub(self.band)..j {
-                        sum -= self.rows[r * n + k] * self.core[j * w + (j - k)];
-                    }
-                    self.rows[r * n + j] = sum / self.core[j * w];
-                    continue;
-                }
-                let q = j - m;
-                let (own, other) = (&self.rows[r * n..r * n + j], &self.rows[q * n..q * n + j]);
-                sum -= own.iter().zip(other).map(|(a, b)| a * b).sum::<f64>();
-                if q == r {
-                    if sum <= 0.0 || !sum.is_finite() {
-                        return None;
-                    }
-                    self.rows[r * n + j] = sum.sqrt();
-                } else {
-                    self.rows[r * n + j] = sum / self.rows[q * n + j];
-                }
+            for q in 0..r {
+                let (above, own) = self.rows.split_at_mut(r * n);
+                let other = &above[q * n + m..][..=q];
+                let done: f64 = own[m..m + q].iter().zip(other).map(|(a, b)| a * b).sum();
+                own[m + q] = (own[m + q] - done) / other[q];
             }
+            let own = &mut self.rows[r * n + m..][..=r];
+            let square: f64 = own[..r].iter().map(|a| a * a).sum();
+            own[r] = positive_root(own[r] - square)?;
         }
         Some(ArrowFactor(self))
     }
+}
+
+/// The root of a pivot, if it has one.
+fn positive_root(pivot: f64) -> Option<f64> {
+    (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
 
 impl ArrowFactor {

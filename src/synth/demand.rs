@@ -107,16 +107,27 @@ impl Demand {
 
     /// Wanted force at an angle of the first turn, N; 0 where none is wanted.
     pub fn wanted(&self, theta: f64) -> f64 {
+        let mut out = [0.0];
+        self.wanted_on(theta, 0.0, &[(0.0, 0.0)], &mut out);
+        out[0]
+    }
+
+    /// The same at places u ∈ [0, 1] of a range of the first turn, given with their weights.
+    pub fn wanted_on(&self, start: f64, width: f64, places: &[(f64, f64)], out: &mut [f64]) {
         let n = self.cubics.len();
         if n == 0 {
-            return 0.0;
+            return out.fill(0.0);
         }
-        let x = theta / TAU * n as f64;
-        let i = (x as usize).min(n - 1);
-        let u = x - i as f64;
-        let [a, b, c, d] = self.cubics[i];
-        let v = 1.0 - u;
-        v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
+        let per_angle = n as f64 / TAU;
+        let (first, step) = (start * per_angle, width * per_angle);
+        for (f, (place, _)) in out.iter_mut().zip(places) {
+            let x = first + place * step;
+            let i = (x as u32 as usize).min(n - 1);
+            let u = x - i as f64;
+            let [a, b, c, d] = self.cubics[i];
+            let v = 1.0 - u;
+            *f = v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d);
+        }
     }
 
     /// Weight of the force error at a cam angle, where the scene weighs phases.

@@ -100,7 +100,8 @@ impl Task<'_> {
     /// A typical lift: what the force's swing takes.
     fn length(&self) -> f64 {
         let mean = self.target.mean_n();
-        let swing = (self.target.force_n.iter()).fold(0.0_f64, |m, f| m.max((f - mean).abs()));
+        let (low, high) = self.target.range_n();
+        let swing = (high - mean).max(mean - low);
         let w = self.drive.weights();
         let gain = w[0].abs().max(w[1].abs()).max(w[2].abs());
         if swing > 0.0 && gain > 0.0 {
@@ -118,7 +119,10 @@ impl Task<'_> {
             basis,
             &self.drive.weights(),
             nodes,
-            |x| demand.wanted(x) - self.drive.rest_force,
+            |start, width, places, out| {
+                demand.wanted_on(start, width, places, out);
+                out.iter_mut().for_each(|f| *f -= self.drive.rest_force);
+            },
             None,
         );
         force

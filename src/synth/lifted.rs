@@ -242,7 +242,7 @@ mod tests {
     use super::*;
     use crate::poly::gauss_legendre;
     use crate::synth::basis::apply;
-    use crate::synth::objective::Quadratic;
+    use crate::synth::objective::{Quadratic, pointwise};
     use std::f64::consts::TAU;
 
     fn space(spans: usize) -> SplineSpace {
@@ -266,7 +266,7 @@ mod tests {
         let x = wave(n);
         let weights = [2.0, -0.3, 1.0, 0.1];
         let mut plain = Quadratic::zero(&basis);
-        plain.add_distance(&basis, &weights, 7, f64::cos, None);
+        plain.add_distance(&basis, &weights, 7, pointwise(f64::cos), None);
         let mut lifted = Lifted::of(&space(n));
         let width = TAU / n as f64;
         lifted.add_distance(&weights, &gauss_legendre(7), |piece, u, w| {

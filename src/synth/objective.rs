@@ -32,81 +32,75 @@ impl Quadratic {
     }
 
     /// Adds ½·mean over the law of weight(θ)·(w·svaj − wanted(θ))², with at least `nodes` quadrature
-    /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative.
+    /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative; `wanted`
+    /// fills in the values at the nodes of a piece given by its start and width ([`pointwise`] makes one
+    /// of a function of θ).
     pub fn add_distance(
         &mut self,
         basis: &Basis,
         weights: &[f64],
         nodes: usize,
-        wanted: impl Fn(f64) -> f64,
+        wanted: impl Fn(f64, f64, &[(f64, f64)], &mut [f64]),
         weight: Option<&dyn Fn(f64) -> f64>,
     ) {
         let breaks = basis.breaks();
         let total = breaks[breaks.len() - 1] - breaks[0];
         let rule = gauss_legendre(nodes);
-        // (share of the mean, wanted value) at a node of a piece.
-        let asked = |i: usize, u: f64, w: f64| {
-            let width = breaks[i + 1] - breaks[i];
-            let theta = breaks[i] + u * width;
-            (
-                w * width / total * weight.map_or(1.0, |f| f(theta)),
-                wanted(theta),
-            )
-        };
-        let Basis::Spline { space, .. } = basis else {
-            for i in 0..breaks.len() - 1 {
-                for &(u, w) in &rule {
-                    let (factor, b) = asked(i, u, w);
-                    self.add_row(&basis.row_on(i, u, weights), factor, b);
+        let mut values = vec![0.0; rule.len()];
+        let mut table = Table::default();
+        for (i, ends) in breaks.windows(2).enumerate() {
+            let (start, width) = (ends[0], ends[1] - ends[0]);
+            wanted(start, width, &rule, &mut values);
+            match basis {
+                Basis::Spline { space, .. } => {
+                    let as_before = table.fit(space, i, &rule, weights);
+                    // Equal spans under one weight differ only in what is wanted.
+                    if let Some(weight) = weight {
+                        table.weigh(&rule, |u| width / total * weight(start + u * width));
+                    } else if !as_before {
+                        table.weigh(&rule, |_| width / total);
+                    }
+                    self.constant += table.pull(&values);
+                    self.add_span(space, i, &table);
                 }
-            }
-            return;
-        };
-        let n = space.degree() + 1;
-        let mut table = RowTable::default();
-        let mut gram = vec![0.0; n * n];
-        let mut pull = vec![0.0; n];
-        for i in 0..breaks.len() - 1 {
-            let (rows, as_before) = table.rows(space, i, &rule, weights);
-            // Equal spans under one weight differ only in what is wanted.
-            let known = as_before && weight.is_none();
-            if !known {
-                gram.fill(0.0);
-            }
-            pull.fill(0.0);
-            for (row, &(u, w)) in rows.chunks_exact(n).zip(&rule) {
-                let (factor, b) = asked(i, u, w);
-                self.constant += 0.5 * factor * b * b;
-                for (p, a) in pull.iter_mut().zip(row) {
-                    *p -= factor * b * a;
-                }
-                if !known {
-                    for (k, &a) in row.iter().enumerate() {
-                        for (g, c) in gram[k * n..=k * n + k].iter_mut().zip(row) {
-                            *g += factor * a * c;
-                        }
+                Basis::Harmonic { .. } => {
+                    for (&(u, w), &b) in rule.iter().zip(&values) {
+                        let own = weight.map_or(1.0, |f| f(start + u * width));
+                        let factor = w * width / total * own;
+                        self.add_row(&basis.row_on(i, u, weights), factor, b);
                     }
                 }
             }
-            self.add_span(space, i, &gram, &pull);
         }
         self.lifted = self.lifted.take().filter(|l| l.carries(weights));
         if let Some(lifted) = &mut self.lifted {
-            lifted.add_distance(weights, &rule, asked);
+            lifted.add_distance(weights, &rule, |i, u, w| {
+                let (start, width) = (breaks[i], breaks[i + 1] - breaks[i]);
+                let mut value = [0.0];
+                wanted(start, width, &[(u, w)], &mut value);
+                let own = weight.map_or(1.0, |f| f(start + u * width));
+                (w * width / total * own, value[0])
+            });
         }
     }
 
-    /// Adds ½xᵀGx + pᵀx of the local functions of one span; G by its lower triangle.
-    fn add_span(&mut self, space: &SplineSpace, span: usize, gram: &[f64], pull: &[f64]) {
+    /// Adds ½xᵀGx + pᵀx of the local functions of one span.
+    fn add_span(&mut self, space: &SplineSpace, span: usize, table: &Table) {
         let n = space.degree() + 1;
-        for k in 0..n {
-            let i = space.index(span, k);
-            self.gradient[i] += pull[k];
-            for l in 0..=k {
-                let j = space.index(span, l);
+        let first = space.index(span, 0);
+        if self.hessian.add_block(first, &table.gram) {
+            for (g, p) in self.gradient[first..].iter_mut().zip(&table.pull) {
+                *g += p;
+            }
+            return;
+        }
+        let index: Vec<usize> = (0..n).map(|k| space.index(span, k)).collect();
+        for (k, &i) in index.iter().enumerate() {
+            self.gradient[i] += table.pull[k];
+            for (l, &j) in index[..=k].iter().enumerate() {
                 // On few spans two functions of a span are one coefficient: both halves meet on the diagonal.
                 let twice = if i == j && k != l { 2.0 } else { 1.0 };
-                self.hessian.add(i, j, twice * gram[k * n + l]);
+                self.hessian.add(i, j, twice * table.gram[k * n + k - l]);
             }
         }
     }
@@ -129,7 +123,13 @@ impl Quadratic {
             Basis::Spline { space, .. } => space.degree(),
             Basis::Harmonic { .. } => 8,
         };
-        self.add_distance(basis, &weights, degree + 1, |_| 0.0, None);
+        self.add_distance(
+            basis,
+            &weights,
+            degree + 1,
+            |_, _, _, out| out.fill(0.0),
+            None,
+        );
     }
 
     /// The value at `x`.
@@ -144,33 +144,104 @@ impl Quadratic {
     }
 }
 
-/// Rows at the quadrature nodes of one span, one after another; spans that look alike share them.
-#[derive(Default)]
-struct RowTable {
-    rows: Vec<f64>,
-    width: f64,
-    matrix: Option<usize>,
+/// The filling-in of values by a function of θ.
+#[cfg(test)]
+pub fn pointwise(f: impl Fn(f64) -> f64) -> impl Fn(f64, f64, &[(f64, f64)], &mut [f64]) {
+    move |start, width, rule, out| {
+        for (value, (u, _)) in out.iter_mut().zip(rule) {
+            *value = f(start + u * width);
+        }
+    }
 }
 
-impl RowTable {
-    fn rows(
+/// The local functions of one span at the quadrature nodes; spans that look alike share them.
+#[derive(Default)]
+struct Table {
+    matrix: Option<usize>,
+    width: f64,
+    /// Each function's values at all nodes, one function after the other.
+    values: Vec<f64>,
+    /// The same times the nodes' weights.
+    weighed: Vec<f64>,
+    /// The nodes' weights.
+    factors: Vec<f64>,
+    /// Products of the functions k and l ≤ k at k·n + k − l, as [`ArrowMatrix::add_block`] takes them.
+    gram: Vec<f64>,
+    /// Products of the functions with what is wanted, negative.
+    pull: Vec<f64>,
+    /// Room for what is wanted times the nodes' weights.
+    squares: Vec<f64>,
+}
+
+impl Table {
+    /// Goes to a span; false when it looks other than the one before.
+    fn fit(
         &mut self,
         space: &SplineSpace,
         span: usize,
         rule: &[(f64, f64)],
         weights: &[f64],
-    ) -> (&[f64], bool) {
+    ) -> bool {
         let this = &space.spans()[span];
         let same = self.matrix == Some(this.matrix())
             && (this.width - self.width).abs() <= 1e-14 * this.width;
-        if !same {
-            self.matrix = Some(this.matrix());
-            self.width = this.width;
-            self.rows.clear();
-            for &(u, _) in rule {
-                self.rows.extend(space.row(span, u, weights));
+        if same {
+            return true;
+        }
+        (self.matrix, self.width) = (Some(this.matrix()), this.width);
+        let n = space.degree() + 1;
+        let places: Vec<f64> = rule.iter().map(|r| r.0).collect();
+        self.values.clear();
+        self.values.resize(n * places.len(), 0.0);
+        space.values(span, &places, weights, &mut self.values);
+        self.pull.clear();
+        self.pull.resize(n, 0.0);
+        false
+    }
+
+    /// Weighs the nodes with their rule times `factor`(u).
+    fn weigh(&mut self, rule: &[(f64, f64)], factor: impl Fn(f64) -> f64) {
+        let (n, nodes) = (self.pull.len(), rule.len());
+        self.factors.clear();
+        self.factors
+            .extend(rule.iter().map(|&(u, w)| w * factor(u)));
+        self.weighed.clear();
+        for function in self.values.chunks_exact(nodes) {
+            let weighed = function.iter().zip(&self.factors).map(|(a, f)| a * f);
+            self.weighed.extend(weighed);
+        }
+        self.gram.clear();
+        self.gram.resize(n * n, 0.0);
+        for (k, weighed) in self.weighed.chunks_exact(nodes).enumerate() {
+            for (l, function) in self.values.chunks_exact(nodes).take(k + 1).enumerate() {
+                self.gram[k * n + k - l] = dot(weighed, function);
             }
         }
-        (&self.rows, same)
     }
+
+    /// Products with what is wanted at the nodes; returns half its weighed square.
+    fn pull(&mut self, wanted: &[f64]) -> f64 {
+        let functions = self.weighed.chunks_exact(wanted.len());
+        for (pull, weighed) in self.pull.iter_mut().zip(functions) {
+            *pull = -dot(weighed, wanted);
+        }
+        self.squares.clear();
+        let squares = wanted.iter().zip(&self.factors).map(|(b, f)| f * b);
+        self.squares.extend(squares);
+        0.5 * dot(&self.squares, wanted)
+    }
+}
+
+/// Σ aᵢbᵢ in four sums side by side: one alone waits for every addition.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 4];
+    let (fours_a, fours_b) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest = fours_a.remainder().iter().zip(fours_b.remainder());
+    let rest: f64 = rest.map(|(a, b)| a * b).sum();
+    for (a, b) in fours_a.zip(fours_b) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }

@@ -1,7 +1,7 @@
 //! Optima with known closed forms, limits that hold between samples, demands that contradict.
 
 use super::basis::Basis;
-use super::objective::Quadratic;
+use super::objective::{Quadratic, pointwise};
 use super::problem::{Equality, Failure, Limit, Meaning, PEAK, Program};
 use crate::poly::SplineSpace;
 use std::f64::consts::PI;
@@ -202,7 +202,7 @@ fn humps(degree: usize, spans: usize, parts: &[(usize, f64)]) -> Program {
     };
     let mut q = Quadratic::zero(&basis);
     let hump = |x: f64| (2.0 * x).sin() + 0.6 * (4.0 * x).cos() + 0.2 * (6.0 * x + 0.4).sin();
-    q.add_distance(&basis, &[0.0, 0.0, 1.0], 24, hump, None);
+    q.add_distance(&basis, &[0.0, 0.0, 1.0], 24, pointwise(hump), None);
     let mut program = Program::new(basis, q, Vec::new(), 0.3);
     let free = program.solve().unwrap();
     let law = program.basis.law(&free.x);
@@ -297,7 +297,7 @@ fn a_crest_on_a_break_is_held_like_any_other() {
             &basis,
             &[1.0],
             24,
-            |x| -x.sin() - 0.1 * (3.0 * x).sin(),
+            pointwise(|x| -x.sin() - 0.1 * (3.0 * x).sin()),
             None,
         );
         let mut program = Program::new(basis, q, Vec::new(), 1.0);

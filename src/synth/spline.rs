@@ -325,7 +325,10 @@ fn force_distance(scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
             basis,
             &w,
             nodes,
-            |x| demand.wanted(x) - demand.drive.rest_force,
+            |start, width, places, out| {
+                demand.wanted_on(start, width, places, out);
+                out.iter_mut().for_each(|f| *f -= demand.drive.rest_force);
+            },
             weighed.then_some(&weight),
         );
     }
