@@ -50,6 +50,11 @@ fn limits_in_conflict(program: &Program) -> Infeasible {
         .iter()
         .filter_map(|name| relax(program, name))
         .collect();
+    told(&kept, relaxations)
+}
+
+/// Limits that fight, in words.
+pub fn told(kept: &[&'static str], relaxations: Vec<Relaxation>) -> Infeasible {
     let advice: Vec<String> = relaxations
         .iter()
         .filter_map(|r| {
@@ -99,6 +104,7 @@ pub fn in_units(limit: &str, value: f64) -> String {
         "jerk" => ("m/s³", value),
         "force_min" | "force_max" | "rms_error" | "band" => ("N", value),
         "torque" => ("N·m", value),
+        "torque_rate" => ("N·m/rad", value),
         "hertz_pressure" => ("MPa", 1e-6 * value),
         _ => ("mm", 1e3 * value),
     };

@@ -1,5 +1,7 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
+use super::demand::Demand;
+use super::machine;
 use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, Rollers, SizeLimits, smallest_base_radius,
     smallest_for, smallest_prime_circle,
@@ -25,19 +27,21 @@ const BREADTH_POINTS: usize = 720;
 
 /// The cam for a law whose zero is the base circle.
 ///
+/// `pressing` is the law that makes the force: the cam's own, or that of a polydyne follower's end.
+///
 /// Fails on a follower that needs a length the scene does not give, and on lengths that fix no cam: an arm
 /// too short, a pivot inside the cam, a breadth that the law does not keep.
-pub fn cam(scene: &Scene, law: Law) -> Result<Cam> {
+pub fn cam(scene: &Scene, demand: &Demand, law: Law, pressing: &Law) -> Result<Cam> {
     if let Some(breadth) = scene.cam.breadth {
         return constant_breadth(scene, law, breadth);
     }
     match scene.cam.follower.as_str() {
         "flat-translating" => {
-            let follower = flat(scene, &law);
+            let follower = flat(scene, demand, &law, pressing);
             Ok(Cam { law, follower })
         }
         "roller-translating" | "knife-translating" => {
-            let follower = roller(scene, &law)?;
+            let follower = roller(scene, demand, &law, pressing)?;
             Ok(Cam { law, follower })
         }
         _ => sized(scene, law),
@@ -97,13 +101,17 @@ fn outside_bore(scene: &Scene) -> f64 {
     scene.cam.bore.map_or(0.0, |b| 0.5 * b + WALL)
 }
 
-fn flat(scene: &Scene, law: &Law) -> Follower {
+fn flat(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Follower {
     let rho = scene.limits.curvature.unwrap_or(0.0);
     let base_radius = scene
         .cam
         .base_radius
         .or(scene.cam.prime_radius)
-        .unwrap_or_else(|| smallest_base_radius(law, rho).max(outside_bore(scene)));
+        .unwrap_or_else(|| {
+            smallest_base_radius(law, rho)
+                .max(outside_bore(scene))
+                .max(machine::smallest_base_radius(scene, demand, law, pressing))
+        });
     Follower::FlatTranslating { base_radius }
 }
 
@@ -155,7 +163,7 @@ fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
-fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
+fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<Follower> {
     let spec = &scene.cam;
     let given = super::limits::prime_radius(scene);
     let rise = scene
@@ -183,18 +191,21 @@ fn roller(scene: &Scene, law: &Law) -> Result<Follower> {
     );
     let least = (outside_bore(scene) + spec.roller_radius).max(1e-6);
     let wanted = scene.limits.curvature.unwrap_or(0.0);
-    // Growing D at the same offset relaxes the pressure angle and the curvature alike.
+    let bearable = machine::bearable_on_some_size(scene, demand, pressing);
+    // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
     let holds = |d: f64| {
         let prime = d.hypot(offset);
         if prime < least || offset.abs() >= prime {
             return false;
         }
-        let curvature = Cam {
+        let cam = Cam {
             law: law.clone(),
             follower: make(prime, offset),
-        }
-        .curvature();
-        curvature.convex.value >= wanted && !curvature.undercut
+        };
+        let curvature = cam.curvature();
+        curvature.convex.value >= wanted
+            && !curvature.undercut
+            && bearable.is_none_or(|p| machine::pressure(scene, demand, &cam, pressing).value <= p)
     };
     let first = lift.max(least * 1e-3);
     if holds(lift) {

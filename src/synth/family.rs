@@ -73,7 +73,8 @@ fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<Str
     if let Some(infeasible) = &found.infeasible {
         return Ok(Some(infeasible.conflict.join(", ")));
     }
-    let cam = design::cam(scene, on_base_circle(scene, demand, found.law.clone()))?;
+    let law = on_base_circle(scene, demand, found.law.clone());
+    let cam = design::cam(scene, demand, law.clone(), &law)?;
     let force = verify::law_force(demand, &cam.law);
     let mut checks = verify::checks(scene, demand, &cam, &cam.law, &force);
     checks.extend(machine::checks(scene, demand, &cam, &cam.law));

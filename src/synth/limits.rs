@@ -1,8 +1,10 @@
 //! Every limit of a scene as the same thing: a linear row that must hold over a range of angles.
 
 use super::demand::Demand;
-use super::nonconvex::{Follower, Size};
+use super::loads::{Loads, Pressure};
+use super::nonconvex::{Beyond, Follower, Size};
 use super::problem::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
+use crate::dynamics::hertz::{STEEL, modulus};
 use crate::error::Result;
 use crate::gait::ForceCurve;
 use crate::poly::PiecewisePoly;
@@ -157,6 +159,13 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
             offset: 0.0,
         };
         program.limits.push(limit);
+        // F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
+        program.limits.extend(
+            super::machine::pressed(scene, demand, 0.0).map(|mut limit| {
+                limit.extra[RADIUS] = limit.weights[2] - demand.drive.weights()[2];
+                limit
+            }),
+        );
         program
             .limits
             .extend(limits.prime_radius.map(|r| at_most(r, RADIUS)));
@@ -203,9 +212,32 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
     }
 }
 
-/// The follower with those of its limits that no row of a convex program can say; `None` where there are
-/// none, or where the size is found after the law.
-pub fn beyond_convex(scene: &Scene) -> Option<Follower> {
+/// All limits of the scene that no row of a convex program can say; `None` where there are none.
+pub fn beyond_convex(scene: &Scene, demand: &Demand) -> Option<Beyond> {
+    let follower = bent(scene);
+    let limits = &scene.limits;
+    let roller = match follower {
+        Some(Follower::Roller(_)) => Some(scene.cam.roller_radius).filter(|r| *r > 0.0),
+        _ => None,
+    };
+    let most = limits.hertz_pressure;
+    let loads = Loads {
+        drive: demand.drive,
+        torque: limits.torque,
+        torque_rate: limits.torque_rate,
+        pressure: roller.zip(most).map(|(roller, most)| Pressure {
+            spread: std::f64::consts::PI * scene.cam.thickness / modulus(STEEL, STEEL),
+            roller,
+            most,
+        }),
+    };
+    let loads = (!loads.named().is_empty()).then_some(loads);
+    (follower.is_some() || loads.is_some()).then_some(Beyond { follower, loads })
+}
+
+/// The follower with those limits of the profile that no row of a convex program can say; `None` where there
+/// are none, or where the size is found after the law.
+fn bent(scene: &Scene) -> Option<Follower> {
     let (cam, limits) = (&scene.cam, &scene.limits);
     let rho = limits.curvature.unwrap_or(0.0);
     let pitch = rho + cam.roller_radius;

@@ -1,13 +1,16 @@
 //! Limits of the running machine: Hertz pressure, shaft torque, vibration that is left over in a dwell.
 //!
-//! What is linear in the law is a row from the start (pressure under a flat face of given size). The
-//! others join only when the law without them breaks them: torque F·v with the force of the law before,
-//! |v| ≤ T/|F(θ)|, in a short sequence; a dwell's vibration as two equalities, which leave none. Every
-//! one is checked on the finished cam whatever shaped it.
+//! Pressure under a flat face is linear in law and size: a row from the start. The others join only when the
+//! law without them breaks them: torque, its rate and the pressure under a roller in a sequence of convex
+//! programs; a dwell's vibration as two equalities, which leave none. Every one is checked on the finished
+//! cam whatever shaped it.
 
+use super::answer::{Infeasible, Step};
 use super::basis::{Basis, Entries};
 use super::demand::Demand;
+use super::nonconvex::{self, Beyond};
 use super::problem::{Equality, Limit, Meaning, Program, Solution};
+use super::{fight, limits, sequence};
 use crate::cam::{Cam, Check, Follower};
 use crate::drive::Drive;
 use crate::dynamics::design::hertz_at_most;
@@ -20,103 +23,99 @@ use crate::poly::{Extreme, PiecewisePoly, stand_in};
 use crate::scene::Scene;
 use std::f64::consts::{PI, TAU};
 
-/// Programs in sequence for a torque limit; the force hardly changes after the second.
-const ROUNDS: usize = 8;
+/// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
+const WORTH_GROWING: f64 = 0.95;
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
-/// The next program aims below the torque limit by this part, so that the sequence ends below it.
-const AIM: f64 = 1e-4;
-/// The sequence goes on until the torque is this near its limit.
-const NEAR: f64 = 5e-4;
-/// Forces below this part of the largest allow any velocity.
-const SMALL: f64 = 0.01;
 
 /// Rows that are linear in the law from the start: steel on steel under a flat face of given base radius.
 pub fn rows(scene: &Scene, demand: &Demand) -> Vec<Limit> {
-    let (cam, limits) = (&scene.cam, &scene.limits);
-    let (Some(pressure), Some(base_radius)) = (limits.hertz_pressure, cam.base_radius) else {
-        return Vec::new();
-    };
-    if cam.follower != "flat-translating" {
-        return Vec::new();
-    }
-    let face = Follower::FlatTranslating { base_radius };
-    let steel = modulus(STEEL, STEEL);
-    hertz_at_most(&demand.drive, &face, cam.thickness, steel, pressure)
-        .map(|l| {
-            let [s, v, a, j] = l.weights;
-            let bound = l.upper - l.constant;
-            let mut row = Limit::new("hertz_pressure", [s, v, a, j, 0.0], bound, bound.abs());
-            row.meaning = Meaning::Sized;
-            row
-        })
+    let base = scene.cam.base_radius;
+    base.and_then(|base| pressed(scene, demand, base))
         .into_iter()
         .collect()
 }
 
-/// The law again with the limits that were broken brought in, until none is; the last one that could be
-/// solved where no law keeps them (the checks then say so).
+/// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
+pub fn pressed(scene: &Scene, demand: &Demand, base_radius: f64) -> Option<Limit> {
+    let (cam, pressure) = (&scene.cam, scene.limits.hertz_pressure?);
+    if cam.follower != "flat-translating" {
+        return None;
+    }
+    let face = Follower::FlatTranslating { base_radius };
+    let steel = modulus(STEEL, STEEL);
+    let l = hertz_at_most(&demand.drive, &face, cam.thickness, steel, pressure)?;
+    let [s, v, a, j] = l.weights;
+    let bound = l.upper - l.constant;
+    let scale = bound.abs().max(demand.drive.rest_force.abs());
+    let mut row = Limit::new("hertz_pressure", [s, v, a, j, 0.0], bound, scale);
+    row.meaning = Meaning::Sized;
+    Some(row)
+}
+
+/// What a law became that has to hold the limits of the running machine as well.
+pub struct Held {
+    pub program: Program,
+    pub solution: Solution,
+    /// The sequence of convex programs, where the loads needed one, and why it ended.
+    pub sequence: Option<(Vec<Step>, &'static str)>,
+}
+
+/// The law again with the limits that were broken brought in: a dwell's vibration as equalities, loads by a
+/// sequence of convex programs. Where no law keeps the loads, the limits that fight are the answer.
 pub fn hold(
     scene: &Scene,
     demand: &Demand,
     program: Program,
     solution: Solution,
-) -> (Program, Solution) {
-    let first = program.clone();
-    let mut last = (program, solution);
-    let mut kept = None;
-    let (mut quiet, mut braked) = (false, false);
-    for _ in 0..ROUNDS {
-        let law = first.basis.law(&last.1.x);
-        let peak = largest(&torque_curve(&demand.drive, &law, &law)).value;
-        let above = |limit: f64| scene.limits.torque.is_some_and(|t| peak > t * limit);
-        // A polydyne follower's end rests where its law does, whatever the natural frequency.
-        let silenced = scene.limits.residual.filter(|_| !scene.law.polydyne);
-        let rings = silenced.is_some_and(|r| {
-            left_over(scene, demand, &law).is_some_and(|x| x.value > r * (1.0 + SLACK))
-        });
-        let strained = above(1.0 + SLACK);
-        if !strained && !rings {
-            // Braked by the force of the law before, it may stay below what is allowed.
-            let done = !braked || above(1.0 - NEAR);
-            kept = Some(last.clone());
-            if done {
-                break;
-            }
+) -> Result<Held, Infeasible> {
+    let mut held = Held {
+        program,
+        solution,
+        sequence: None,
+    };
+    if rings(scene, demand, &held.program.basis.law(&held.solution.x)) {
+        let mut next = held.program.clone();
+        next.equalities.extend(silence(scene, demand, &next.basis));
+        // Without a solution the check says what is left over.
+        if let Ok(solution) = next.solve() {
+            (held.program, held.solution) = (next, solution);
         }
-        quiet |= rings;
-        braked |= strained;
-        let mut next = first.clone();
-        if let (Some(t), true) = (scene.limits.torque, braked) {
-            hold_torque(&mut next, &demand.drive, &law, t * (1.0 - AIM));
-        }
-        if quiet {
-            next.equalities.extend(silence(scene, demand, &next.basis));
-        }
-        let Ok(solution) = next.solve() else { break };
-        last = (next, solution);
     }
-    kept.unwrap_or(last)
+    let Some(beyond) = limits::beyond_convex(scene, demand) else {
+        return Ok(held);
+    };
+    let loads = Beyond {
+        loads: beyond.loads,
+        ..beyond
+    };
+    if beyond.loads.is_none() || holds(&held, loads) {
+        return Ok(held);
+    }
+    match sequence::refine(&held.program, &held.solution, beyond) {
+        Some((solution, steps, ended)) => {
+            held.solution = solution;
+            held.sequence = Some((steps, ended));
+            Ok(held)
+        }
+        None => Err(fight::explain(&held.program, beyond)),
+    }
 }
 
-/// |v| ≤ T/|F(θ)| with the force of the law before.
-fn hold_torque(program: &mut Program, drive: &Drive, law: &Law, torque: f64) {
-    let force = drive.force_curve(law);
-    let (low, high) = force.extremes();
-    let most = high.value.max(-low.value);
-    // The shape is smooth but where a small force is lifted to the floor.
-    let room = stand_in(force.breaks(), 1e-9, |_, x| {
-        let f = force.eval(x) / most;
-        torque / most / (f * f + SMALL * SMALL).sqrt()
-    });
-    let shape = program.shapes.len();
-    program.shapes.push(room);
-    for sign in [1.0, -1.0] {
-        let mut row = Limit::new("torque", [0.0, sign, 0.0, 0.0, 0.0], 0.0, torque / most);
-        row.shape = Some(shape);
-        row.meaning = Meaning::Sized;
-        program.limits.push(row);
-    }
+/// Whether the loads are kept without having been asked for.
+fn holds(held: &Held, beyond: Beyond) -> bool {
+    let law = held.program.basis.law(&held.solution.x);
+    let present = held.program.present();
+    let beyond = sequence::sized(&beyond, &present, beyond.size(), &held.solution.extra);
+    nonconvex::loaded(&law, &beyond) >= 0.0
+}
+
+/// Whether a dwell is left with more vibration than the scene allows. A polydyne follower's end rests where
+/// its law does, whatever the natural frequency.
+fn rings(scene: &Scene, demand: &Demand, law: &Law) -> bool {
+    let silenced = scene.limits.residual.filter(|_| !scene.law.polydyne);
+    silenced
+        .is_some_and(|r| left_over(scene, demand, law).is_some_and(|x| x.value > r * (1.0 + SLACK)))
 }
 
 /// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
@@ -282,8 +281,33 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Vec<
     out
 }
 
+/// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
+pub fn smallest_base_radius(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> f64 {
+    let Some(limit) = pressed(scene, demand, 0.0) else {
+        return 0.0;
+    };
+    let per_radius = demand.drive.weights()[2] - limit.weights[2];
+    let force = demand.drive.force_curve(pressing);
+    let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
+    let bend = bend.cut_at(force.breaks());
+    let force = force.cut_at(bend.breaks());
+    PiecewisePoly::combine(&[(1.0 / per_radius, &force), (-1.0, &bend)], 0.0)
+        .extremes()
+        .1
+        .value
+}
+
+/// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
+/// that presses on any cam.
+pub fn bearable_on_some_size(scene: &Scene, demand: &Demand, pressing: &Law) -> Option<f64> {
+    let (most, roller) = (scene.limits.hertz_pressure?, scene.cam.roller_radius);
+    let force = demand.drive.force_curve(pressing).extremes().1.value;
+    let least = force * modulus(STEEL, STEEL) / (PI * scene.cam.thickness * roller);
+    (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
+}
+
 /// Highest line pressure, Pa, steel on steel over the plate's thickness: p₀² = N κ E*/(π L).
-fn pressure(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Extreme {
+pub fn pressure(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Extreme {
     let start = cam.law.extent().0;
     if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
         // A knife edge presses on a line without width.

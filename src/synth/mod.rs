@@ -63,10 +63,12 @@ mod double_harmonic;
 mod equality;
 mod exchange;
 mod family;
+mod fight;
 mod harmonic;
 pub mod lab;
 mod lifted;
 mod limits;
+mod loads;
 mod machine;
 mod nonconvex;
 mod objective;
@@ -182,7 +184,7 @@ fn designed(scene: &Scene, demand: &Demand) -> Result<(Found, Cam, Option<End>)>
     }
     let found = find_law(scene, demand)?;
     let law = on_base_circle(scene, demand, found.law.clone());
-    let cam = design::cam(scene, law)?;
+    let cam = design::cam(scene, demand, law.clone(), &law)?;
     Ok((found, cam, None))
 }
 
@@ -226,9 +228,16 @@ fn find_law(scene: &Scene, demand: &Demand) -> Result<Found> {
 
 /// Brings limits that are not convex into the law, where the size is among the variables or given and the
 /// law without them would break one. Returns the steps taken and why no more were.
-fn beyond_convex(scene: &Scene, fitted: &mut spline::Fitted) -> Option<(Vec<Step>, &'static str)> {
-    let follower = limits::beyond_convex(scene)?;
-    let (solution, steps, ended) = sequence::refine(&fitted.program, &fitted.solution, follower)?;
+fn beyond_convex(
+    scene: &Scene,
+    demand: &Demand,
+    fitted: &mut spline::Fitted,
+) -> Option<(Vec<Step>, &'static str)> {
+    if fitted.sequence.is_some() {
+        return fitted.sequence.take();
+    }
+    let beyond = limits::beyond_convex(scene, demand).filter(|b| b.follower.is_some())?;
+    let (solution, steps, ended) = sequence::refine(&fitted.program, &fitted.solution, beyond)?;
     if steps.is_empty() && solution.x == fitted.solution.x {
         return None;
     }
@@ -409,27 +418,32 @@ fn from_double_harmonic(scene: &Scene, demand: &Demand) -> Result<Found> {
     })
 }
 
+/// The best law without the limits: what is shown where they leave none.
+fn unlimited(scene: &Scene, demand: &Demand, why: &Infeasible) -> Result<Box<spline::Fitted>> {
+    let mut without = Scene {
+        limits: crate::scene::Limits::default(),
+        ..scene.clone()
+    };
+    if let Some(gait) = &mut without.gait {
+        gait.band = None;
+    }
+    match spline::fit(&without, demand)? {
+        spline::Outcome::Law(fitted) => Ok(fitted),
+        _ => Err(Error::key("law", why.words.clone())),
+    }
+}
+
 fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
-    let (fitted, infeasible) = match spline::fit(scene, demand)? {
+    let (mut fitted, infeasible) = match spline::fit(scene, demand)? {
         spline::Outcome::Law(fitted) => (fitted, None),
         spline::Outcome::None(program, failure) => {
-            let infeasible = conflict::explain(&program, &failure);
-            let mut without = Scene {
-                limits: crate::scene::Limits::default(),
-                ..scene.clone()
-            };
-            if let Some(gait) = &mut without.gait {
-                gait.band = None;
-            }
-            match spline::fit(&without, demand)? {
-                spline::Outcome::Law(fitted) => (fitted, Some(infeasible)),
-                spline::Outcome::None(..) => return Err(Error::key("law", infeasible.words)),
-            }
+            let why = conflict::explain(&program, &failure);
+            (unlimited(scene, demand, &why)?, Some(why))
         }
+        spline::Outcome::Fight(why) => (unlimited(scene, demand, &why)?, Some(*why)),
     };
-    let mut fitted = fitted;
     let sequence = if infeasible.is_none() {
-        beyond_convex(scene, &mut fitted)
+        beyond_convex(scene, demand, &mut fitted)
     } else {
         None
     };

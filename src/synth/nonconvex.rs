@@ -1,8 +1,42 @@
-//! Limits that are not convex in the law, as h(s, v, a, D, e) ≥ 0 with its derivatives: a roller's curvature,
-//! and curvature and pressure angle of followers on an arm (FACTS §6).
+//! Limits that are not convex in the law, as h(s, v, a, j, D, e) ≥ 0 with its derivatives: a roller's
+//! curvature, and curvature and pressure angle of followers on an arm (FACTS §6), beside the loads.
 
+use super::loads::Loads;
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_in};
+
+/// All of a scene's limits that are not convex in the law.
+#[derive(Debug, Clone, Copy)]
+pub struct Beyond {
+    /// Those of the profile.
+    pub follower: Option<Follower>,
+    /// Those of shaft and contact.
+    pub loads: Option<Loads>,
+}
+
+impl Beyond {
+    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
+        let mut out = self.follower.map_or_else(Vec::new, |f| f.slacks(at));
+        if let Some(loads) = &self.loads {
+            loads.slacks(at, self.size(), &mut out);
+        }
+        out
+    }
+
+    /// The size where it may be among the variables.
+    pub fn size(&self) -> Size {
+        self.follower.map_or(Size::NONE, |f| f.size())
+    }
+
+    /// The same limits at another size.
+    pub fn at_size(&self, size: Size) -> Self {
+        Beyond {
+            follower: self.follower.map(|f| f.at_size(size)),
+            ..*self
+        }
+    }
+}
 
 /// A follower whose limits are not convex in the law, with all that fixes them.
 #[derive(Debug, Clone, Copy)]
@@ -46,7 +80,16 @@ pub struct Size {
     pub rho: f64,
 }
 
-/// h and its derivatives by s, v, a, e; by D as by s.
+impl Size {
+    /// Of a cam whose size is no part of the limits.
+    pub const NONE: Size = Size {
+        rise: 0.0,
+        offset: 0.0,
+        rho: 0.0,
+    };
+}
+
+/// h and its derivatives by s, v, a, j, D, e.
 pub struct Slack {
     /// Name of the limit.
     pub name: &'static str,
@@ -58,7 +101,27 @@ pub struct Slack {
     pub by_lift: f64,
     pub by_velocity: f64,
     pub by_acceleration: f64,
+    pub by_jerk: f64,
+    pub by_rise: f64,
     pub by_offset: f64,
+}
+
+impl Slack {
+    /// A limit that nothing enters, to be filled in.
+    pub fn none(name: &'static str) -> Self {
+        Slack {
+            name,
+            h: 0.0,
+            w: 1.0,
+            largest: 1.0,
+            by_lift: 0.0,
+            by_velocity: 0.0,
+            by_acceleration: 0.0,
+            by_jerk: 0.0,
+            by_rise: 0.0,
+            by_offset: 0.0,
+        }
+    }
 }
 
 impl Follower {
@@ -92,11 +155,7 @@ impl Follower {
     pub fn size(&self) -> Size {
         match *self {
             Follower::Roller(size) => size,
-            _ => Size {
-                rise: 0.0,
-                offset: 0.0,
-                rho: 0.0,
-            },
+            _ => Size::NONE,
         }
     }
 
@@ -117,14 +176,15 @@ fn roller(at: Svaj, size: Size) -> Slack {
     let by_x = 3.0 * x * root / size.rho - (2.0 * x - at.a);
     let by_y = 3.0 * y * root / size.rho - (2.0 * y + at.v);
     Slack {
-        name: "curvature",
         h: w * root / size.rho - (w + at.v * y - at.a * x),
         w,
         largest: w * root / size.rho,
         by_lift: by_x,
+        by_rise: by_x,
         by_velocity: by_y - y,
         by_acceleration: x,
         by_offset: -by_y,
+        ..Slack::none("curvature")
     }
 }
 
@@ -139,7 +199,6 @@ fn arm_curvature(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let root = w.sqrt();
     let by_w = 1.5 * root / rho;
     Slack {
-        name: "curvature",
         h: w * root / rho - k,
         w,
         largest: w * root / rho,
@@ -147,7 +206,7 @@ fn arm_curvature(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
         by_velocity: by_w * (2.0 * arm * arm * q - 2.0 * c * p)
             - (3.0 * arm * arm * q * q - c * p * (1.0 + 2.0 * q)),
         by_acceleration: c * s,
-        by_offset: 0.0,
+        ..Slack::none("curvature")
     }
 }
 
@@ -165,8 +224,7 @@ fn arm_pressure(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> S
         largest: tan * c + arm,
         by_lift: tan * c * cos - side * c * sin,
         by_velocity: -side * arm,
-        by_acceleration: 0.0,
-        by_offset: 0.0,
+        ..Slack::none("")
     }
 }
 
@@ -177,26 +235,25 @@ fn face_curvature(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let twice = 2.0 * q - 1.0;
     let room = offset - rho;
     Slack {
-        name: "curvature",
         h: c * sin * twice * q + c * cos * at.a + room * q.powi(3),
         w: c,
         largest: c * sin * (twice * q).abs() + (room * q.powi(3)).abs(),
         by_lift: c * cos * twice * q - c * sin * at.a,
         by_velocity: c * sin * (4.0 * q - 1.0) + 3.0 * room * q * q,
         by_acceleration: c * cos,
-        by_offset: 0.0,
+        ..Slack::none("curvature")
     }
 }
 
-/// h/w over the law, for each of the follower's limits.
-pub fn relative(law: &Law, follower: &Follower) -> Vec<PiecewisePoly> {
+/// h/w over the law, for each of the limits.
+pub fn relative(law: &Law, beyond: &Beyond) -> Vec<PiecewisePoly> {
     let breaks = law.breaks();
     let place = |i: usize, x: f64| law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
-    let count = follower.slacks(place(0, breaks[0])).len();
+    let count = beyond.slacks(place(0, breaks[0])).len();
     (0..count)
         .map(|k| {
             stand_in(breaks, 1e-11, |i, x| {
-                let s = &follower.slacks(place(i, x))[k];
+                let s = &beyond.slacks(place(i, x))[k];
                 s.h / s.w
             })
         })
@@ -204,10 +261,28 @@ pub fn relative(law: &Law, follower: &Follower) -> Vec<PiecewisePoly> {
 }
 
 /// Smallest h/w over the law.
-pub fn clearance(law: &Law, follower: &Follower) -> f64 {
-    relative(law, follower)
+pub fn clearance(law: &Law, beyond: &Beyond) -> f64 {
+    relative(law, beyond)
         .iter()
         .fold(f64::INFINITY, |m, curve| m.min(curve.extremes().0.value))
+}
+
+/// The same of the loads alone; ∞ where there are none.
+pub fn loaded(law: &Law, beyond: &Beyond) -> f64 {
+    let names: Vec<&str> = beyond
+        .loads
+        .iter()
+        .flat_map(|l| l.named())
+        .map(|n| n.0)
+        .collect();
+    let first = beyond.slacks(law.svaj_on(0, 0.0));
+    relative(law, beyond)
+        .iter()
+        .zip(first)
+        .filter(|(_, slack)| names.contains(&slack.name))
+        .fold(f64::INFINITY, |m, (curve, _)| {
+            m.min(curve.extremes().0.value)
+        })
 }
 
 #[cfg(test)]
@@ -286,6 +361,13 @@ mod tests {
         }
     }
 
+    fn alone(follower: Follower) -> Beyond {
+        Beyond {
+            follower: Some(follower),
+            loads: None,
+        }
+    }
+
     /// h is zero exactly where the finished cam has the radius or the pressure angle asked for.
     #[test]
     fn limits_of_arms_are_those_of_the_cam() {
@@ -310,12 +392,12 @@ mod tests {
             tan,
         };
         let sharpest = cam.curvature().convex.value + roller;
-        let exact = clearance(&law, &arms(sharpest, [None, None]));
+        let exact = clearance(&law, &alone(arms(sharpest, [None, None])));
         assert!(exact.abs() < 1e-7, "{exact}");
         for (k, angle) in [(0, rise.value), (1, -fall.value)] {
             let mut tan = [None, None];
             tan[k] = Some(angle.tan());
-            let exact = clearance(&law, &arms(1e-4, tan));
+            let exact = clearance(&law, &alone(arms(1e-4, tan)));
             assert!(exact.abs() < 1e-7, "{k}: {exact}");
         }
         let (base, offset) = (0.05, 0.004);
@@ -333,7 +415,7 @@ mod tests {
             rest: ((base - offset) / pivot).asin(),
             rho: cam.curvature().convex.value,
         };
-        let exact = clearance(&law, &face);
+        let exact = clearance(&law, &alone(face));
         assert!(exact.abs() < 1e-7, "{exact}");
     }
 }

@@ -105,8 +105,9 @@ fn cut(scene: &Scene, demand: &Demand, train: &Train, wanted: &Law) -> Result<(C
     let law = on_base_circle(scene, demand, whole.clone());
     let (start, _) = whole.extent();
     let moved = law.svaj(start).s - whole.svaj(start).s;
-    let cam = design::cam(scene, law)?;
-    Ok((cam, wanted.raised(moved)))
+    let wanted = wanted.raised(moved);
+    let cam = design::cam(scene, demand, law, &wanted)?;
+    Ok((cam, wanted))
 }
 
 /// The scene's number behind a check, where rows of the program can hold it.

@@ -12,7 +12,7 @@
 
 use super::answer::Step;
 use super::basis::apply;
-use super::nonconvex::{Follower, Size, clearance, relative};
+use super::nonconvex::{Beyond, Follower, Size, clearance, relative};
 use super::problem::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
 use crate::poly::{Peak, PiecewisePoly};
 
@@ -46,7 +46,7 @@ const SHORTEST: f64 = 1e-4;
 pub fn refine(
     program: &Program,
     start: &Solution,
-    follower: Follower,
+    beyond: Beyond,
 ) -> Option<(Solution, Vec<Step>, &'static str)> {
     // Between steps limits need not hold better than the next step will change them.
     let program = &Program {
@@ -54,19 +54,12 @@ pub fn refine(
         ..program.clone()
     };
     let present = program.present();
-    let given = follower.size();
-    let sized = |extra: &[f64; EXTRAS]| {
-        let of = |k: usize, given: f64| if present[k] { extra[k] } else { given };
-        follower.at_size(Size {
-            rise: of(RISE, given.rise),
-            offset: of(OFFSET, given.offset),
-            rho: given.rho,
-        })
-    };
+    let given = beyond.size();
+    let sized = |extra: &[f64; EXTRAS]| sized(&beyond, &present, given, extra);
     let mut current = feasible_start(program, start, &sized)?;
     let merit = |s: &Solution| {
         program.objective(&s.x)
-            + (1..EXTRAS)
+            + (0..EXTRAS)
                 .map(|k| program.cost[k] * s.extra[k])
                 .sum::<f64>()
     };
@@ -126,16 +119,41 @@ pub fn refine(
     Some((current, steps, ended))
 }
 
+/// A solution that holds the limits beside the program's own, from the program's `start`; `None` where
+/// none was found.
+pub fn feasible(program: &Program, start: &Solution, beyond: Beyond) -> Option<Solution> {
+    let present = program.present();
+    let given = beyond.size();
+    feasible_start(program, start, &|extra| {
+        sized(&beyond, &present, given, extra)
+    })
+}
+
+/// The limits at the size that a solution has, where it is among the variables.
+pub fn sized(
+    beyond: &Beyond,
+    present: &[bool; EXTRAS],
+    given: Size,
+    extra: &[f64; EXTRAS],
+) -> Beyond {
+    let of = |k: usize, given: f64| if present[k] { extra[k] } else { given };
+    beyond.at_size(Size {
+        rise: of(RISE, given.rise),
+        offset: of(OFFSET, given.offset),
+        rho: given.rho,
+    })
+}
+
 /// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.
-fn held(program: &Program, current: &Solution, follower: Follower) -> Option<Solution> {
+fn held(program: &Program, current: &Solution, beyond: Beyond) -> Option<Solution> {
     // A given size stays as it is.
     let room = if program.present()[RISE] {
         4.0 * STEP_TOLERANCE
     } else {
         0.0
     };
-    let size = follower.size();
-    let enlarged = follower.at_size(Size {
+    let size = beyond.size();
+    let enlarged = beyond.at_size(Size {
         rise: size.rise * (1.0 + room),
         ..size
     });
@@ -179,7 +197,7 @@ fn contacts(solution: &Solution) -> Vec<Row> {
 fn feasible_start(
     program: &Program,
     start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> Follower,
+    sized: &impl Fn(&[f64; EXTRAS]) -> Beyond,
 ) -> Option<Solution> {
     let mut current = start.clone();
     let mut room = 2.0 * ROOM;
@@ -194,8 +212,14 @@ fn feasible_start(
             room = room.max(-2.0 * clear);
         }
         let mut next = program.clone();
-        next.fixed = match here {
-            Follower::Roller(size) => restricted(program, &current, size),
+        next.fixed = match here.follower {
+            Some(Follower::Roller(size)) => {
+                // What is sufficient for the curvature says nothing of the loads.
+                let mut rows = linearised(program, &current, &here, &program.present(), room);
+                rows.retain(|r| r.name != "curvature");
+                rows.extend(restricted(program, &current, size));
+                rows
+            }
             _ => linearised(program, &current, &here, &program.present(), room),
         };
         next.seeds = contacts(&current);
@@ -239,7 +263,7 @@ fn restricted(program: &Program, current: &Solution, size: Size) -> Vec<Row> {
 fn linearised(
     program: &Program,
     current: &Solution,
-    follower: &Follower,
+    beyond: &Beyond,
     present: &[bool; EXTRAS],
     room: f64,
 ) -> Vec<Row> {
@@ -248,7 +272,7 @@ fn linearised(
     let mut places = Vec::new();
     each_place(program, |place| places.push(place));
     // The rows of the grid bound h between them only to second order; its own low points are rows too.
-    for curve in relative(&law, follower) {
+    for curve in relative(&law, beyond) {
         let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
         for dip in low {
             let (piece, u) = law.poly().locate(dip.at);
@@ -260,10 +284,10 @@ fn linearised(
             });
         }
     }
-    let size = follower.size();
+    let size = beyond.size();
     for place in places {
         let at = law.svaj_on(place.piece, place.u);
-        for s in follower.slacks(at) {
+        for s in beyond.slacks(at) {
             if s.h > FAR * s.largest {
                 continue;
             }
@@ -272,17 +296,18 @@ fn linearised(
                 - room * s.w
                 - s.by_lift * at.s
                 - s.by_velocity * at.v
-                - s.by_acceleration * at.a;
+                - s.by_acceleration * at.a
+                - s.by_jerk * at.j;
             let mut extra = [0.0; EXTRAS];
             if present[RISE] {
-                extra[RISE] = -s.by_lift;
-                bound -= s.by_lift * size.rise;
+                extra[RISE] = -s.by_rise;
+                bound -= s.by_rise * size.rise;
             }
             if present[OFFSET] {
                 extra[OFFSET] = -s.by_offset;
                 bound -= s.by_offset * size.offset;
             }
-            let weights = [-s.by_lift, -s.by_velocity, -s.by_acceleration];
+            let weights = [-s.by_lift, -s.by_velocity, -s.by_acceleration, -s.by_jerk];
             let one = row(program, place, &weights, extra, bound, s.w);
             out.push(Row {
                 name: s.name,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::answer::{Infeasible, Step};
 use super::basis::{Basis, Entries};
 use super::demand::Demand;
 use super::limits;
@@ -40,6 +41,8 @@ pub struct Fitted {
     pub program: Program,
     /// Its solution.
     pub solution: Solution,
+    /// The sequence of convex programs that the loads needed, and why it ended.
+    pub sequence: Option<(Vec<Step>, &'static str)>,
     /// Number of spans.
     pub spans: usize,
     /// Degree.
@@ -59,6 +62,8 @@ pub enum Outcome {
     Law(Box<Fitted>),
     /// The program that has no solution, and why.
     None(Box<Program>, Failure),
+    /// Limits that are not convex and leave no law beside the others.
+    Fight(Box<Infeasible>),
 }
 
 /// Fits the scene's law with its own number of spans, or with the fewest that reach the accuracy.
@@ -248,15 +253,16 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
         limits::with_size(scene, demand, &mut program);
     }
     Ok(match program.solve() {
-        Ok(solution) => {
-            let (program, solution) = super::machine::hold(scene, demand, program, solution);
-            Outcome::Law(Box::new(Fitted {
-                program,
-                solution,
+        Ok(solution) => match super::machine::hold(scene, demand, program, solution) {
+            Ok(held) => Outcome::Law(Box::new(Fitted {
+                program: held.program,
+                solution: held.solution,
+                sequence: held.sequence,
                 spans,
                 degree,
-            }))
-        }
+            })),
+            Err(infeasible) => Outcome::Fight(Box::new(infeasible)),
+        },
         Err(failure) => Outcome::None(Box::new(program), failure),
     })
 }
