@@ -401,6 +401,7 @@ fn unnamed(law: &LawSpec, gait: Option<&Gait>) -> Family {
     let of_splines = law.degree.is_some()
         || law.spans.is_some()
         || law.monotone
+        || law.polydyne
         || matches!(law.minimise, Some(m) if m != Minimise::ForceError)
         || !(law.points.is_empty() && law.dwells.is_empty() && law.segments.is_empty());
     match (follows_a_plain_force && !of_splines, law.harmonics) {

@@ -16,6 +16,7 @@ pub fn ladder(scene: &Scene, demand: &Demand) -> Result<Found> {
     let weighed = scene.gait.as_ref().is_some_and(|g| !g.weights.is_empty());
     let only_splines = weighed
         || law.monotone
+        || law.polydyne
         || !(law.points.is_empty() && law.dwells.is_empty())
         || spline::objective(scene) != Minimise::ForceError;
     let Some(target) = demand.target.as_ref().filter(|_| !only_splines) else {
