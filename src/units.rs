@@ -18,6 +18,8 @@ type Exponents = [i32; 4];
 pub enum Dimension {
     /// A plain number or a percentage.
     Ratio,
+    /// A share of which a bare number would leave open whether it is a hundredth: it needs its %.
+    Percent,
     Length,
     Angle,
     Time,
@@ -48,7 +50,7 @@ pub enum Dimension {
 impl Dimension {
     fn exponents(self) -> Exponents {
         match self {
-            Dimension::Ratio => [0, 0, 0, 0],
+            Dimension::Ratio | Dimension::Percent => [0, 0, 0, 0],
             Dimension::Length => [1, 0, 0, 0],
             Dimension::Angle => [0, 0, 0, 1],
             Dimension::Time => [0, 0, 1, 0],
@@ -76,7 +78,7 @@ impl Dimension {
     /// An example of a right value, for messages.
     pub fn example(self) -> &'static str {
         match self {
-            Dimension::Ratio => "\"0.5 %\"",
+            Dimension::Ratio | Dimension::Percent => "\"0.5 %\"",
             Dimension::Length => "\"25 mm\" or \"1 in\"",
             Dimension::Angle => "\"90 deg\" or \"1.57 rad\"",
             Dimension::Time => "\"0.5 s\" or \"500 ms\"",
@@ -137,6 +139,7 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("bar", 1e5, [-1, 1, -2, 0]),
     ("psi", LBF / (0.0254 * 0.0254), [-1, 1, -2, 0]),
     ("J", 1.0, [2, 1, -2, 0]),
+    ("Nm", 1.0, [2, 1, -2, 0]),
     ("%", 0.01, [0, 0, 0, 0]),
 ];
 
@@ -161,6 +164,13 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     if unit.is_empty() {
         if value == 0.0 || dimension == Dimension::Ratio {
             return finite(value, text);
+        }
+        if dimension == Dimension::Percent {
+            return Err(Error::new(format!("\"{text}\" has no unit")).help(format!(
+                "write \"{text} %\", or \"{} %\" if the plain ratio is meant",
+                // Twelve digits hide the rounding of the product.
+                (value * 1e14).round() / 1e12
+            )));
         }
         return Err(Error::new(format!("\"{text}\" has no unit"))
             .help(format!("write for example {}", dimension.example())));
@@ -245,7 +255,7 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
             }
             None => (word, sign),
         };
-        let (f, e) = lookup(unit, dimension).ok_or_else(|| unknown_unit(unit))?;
+        let (f, e) = lookup(unit, dimension).ok_or_else(|| unknown_unit(unit, dimension))?;
         factor *= f.powi(power);
         for (total, e) in exponents.iter_mut().zip(e) {
             *total += e * power;
@@ -267,9 +277,16 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
         .map(|&(_, f, e)| (f, e))
 }
 
-fn unknown_unit(unit: &str) -> Error {
+fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let error = Error::new(format!("\"{unit}\" is not a unit known here"));
-    match nearest(unit, UNITS.iter().map(|u| u.0)) {
+    let fits = |u: &&(&'static str, f64, Exponents)| u.2 == dimension.exponents();
+    let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
+    // Of the right kind but for the case, then of the right kind, then anything.
+    let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
+        .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
+        .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
+        .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)));
+    match meant {
         Some(n) => error.help(format!("did you mean \"{n}\"?")),
         None => {
             error.help("units are SI, in, ft, lb, lbf, psi, deg, rpm, Hz, bar and their products")
@@ -314,5 +331,20 @@ mod tests {
         assert!(message("abc", Dimension::Length).contains("does not start with a number"));
         assert!(message("1e999 mm", Dimension::Length).contains("not a finite"));
         assert_eq!(parse("0", Dimension::Length), Ok(0.0));
+        let share = message("0.5", Dimension::Percent);
+        assert!(
+            share.contains("\"0.5 %\"") && share.contains("\"50 %\""),
+            "{share}"
+        );
+        assert_eq!(parse("50 Nm", Dimension::Torque), Ok(50.0));
+        for (text, dimension, meant) in [
+            ("60 MM", Dimension::Length, "\"mm\""),
+            ("111 RPM", Dimension::AngularSpeed, "\"rpm\""),
+            ("5 mpa", Dimension::Pressure, "\"MPa\""),
+            ("1 KG", Dimension::Mass, "\"kg\""),
+        ] {
+            let words = message(text, dimension);
+            assert!(words.contains(meant), "{words}");
+        }
     }
 }

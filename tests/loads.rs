@@ -1,6 +1,6 @@
 //! Limits on what shaft and contact bear: torque, its rate, pressure; as rows, and where they leave no law.
 
-use gaitcam::cam::Check;
+use gaitcam::cam::{Check, Measures};
 use gaitcam::dynamics::{hertz, touch::touch};
 use gaitcam::gait::ForceCurve;
 use gaitcam::scene;
@@ -145,7 +145,7 @@ fn limits_that_leave_no_law_say_so_with_the_smallest_relaxation() {
         assert_eq!(why.conflict, [name]);
         let to = why.relaxations[0].to.unwrap();
         assert!(
-            to > asked && why.words.contains(&in_units(name, to)),
+            to > asked && why.words.contains(&in_units(Measures::Sliding, name, to)),
             "{}",
             why.words
         );

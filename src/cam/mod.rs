@@ -14,6 +14,7 @@ mod fit;
 mod follower;
 mod geometry;
 mod interference;
+mod measures;
 mod pair;
 mod profile;
 mod shape;
@@ -27,6 +28,7 @@ pub use conjugate::{Closure, Conjugate};
 pub use eccentric::{eccentric_disc, eccentric_roller_law};
 pub use follower::Follower;
 pub use interference::{Body, Interference};
+pub use measures::{Measures, Unit};
 pub use pair::{Carrier, Handover, Pair};
 pub use profile::ProfilePoint;
 pub use size::{

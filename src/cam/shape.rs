@@ -92,6 +92,12 @@ impl Cam {
         }
     }
 
+    /// Where the contact lies on the follower at one instant of the motion, m, measured as
+    /// [`Cam::contact_travel`] is; on a roller along the chord from its middle.
+    pub fn contact_along(&self, at: Svaj) -> f64 {
+        Geometry::new(&self.follower).travel(at)
+    }
+
     /// Least length of the flat (or mushroom's) face, m: how far the contact wanders on it; max v − min v
     /// for a flat translating face (thesis 000). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::files::Folder;
 use super::input::read_bytes;
 use super::{BUILT, CompareArgs, say};
-use crate::emit::overlay::{Strip, diagrams, profiles};
+use crate::emit::overlay::{Strip, diagrams_over, profiles};
 use crate::error::{Error, Result};
 
 /// One result read back.
@@ -17,6 +17,22 @@ struct Design {
     summary: Value,
     law: Columns,
     profile: Columns,
+}
+
+impl Design {
+    /// Whether the cam slides, so that its θ is metres of travel.
+    fn slides(&self) -> bool {
+        self.summary["cam"]["follower"] == "translating-cam"
+    }
+
+    /// From θ to what is drawn to the right: degrees, or mm.
+    fn across(&self) -> f64 {
+        if self.slides() {
+            1e3
+        } else {
+            1f64.to_degrees()
+        }
+    }
 }
 
 /// A table of numbers by column; empty fields are NaN.
@@ -57,15 +73,15 @@ impl Columns {
         Ok(Columns { names, rows })
     }
 
-    /// (θ in degrees, value) of the column whose name starts with `prefix`, times `factor`.
-    fn curve(&self, prefix: &str, factor: f64) -> Vec<(f64, f64)> {
+    /// (θ times `across`, value times `factor`) of the column whose name starts with `prefix`.
+    fn curve(&self, prefix: &str, across: f64, factor: f64) -> Vec<(f64, f64)> {
         let Some(k) = self.names.iter().position(|n| n.starts_with(prefix)) else {
             return Vec::new();
         };
         self.rows
             .iter()
             .filter(|r| r[k].is_finite())
-            .map(|r| (r[0].to_degrees(), factor * r[k]))
+            .map(|r| (across * r[0], factor * r[k]))
             .collect()
     }
 }
@@ -135,10 +151,21 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
     }
     let folder = Folder::open(&args.out)?;
     let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
+    let across = match designs.iter().filter(|d| d.slides()).count() {
+        0 => "cam angle θ, degrees",
+        n if n == designs.len() => "travel of the cam x, mm",
+        _ => "cam angle θ, degrees; of a sliding cam its travel, mm",
+    };
     let mut pictures = vec![
         (
             "compare_svaj",
-            diagrams("Laws", "lift and its derivatives", &names, &laws(&designs)),
+            diagrams_over(
+                across,
+                "Laws",
+                "lift and its derivatives",
+                &names,
+                &laws(&designs),
+            ),
         ),
         (
             "compare_profiles",
@@ -149,12 +176,12 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         quantity: "force, N".to_string(),
         curves: designs
             .iter()
-            .map(|d| d.law.curve("force_n", 1.0))
+            .map(|d| d.law.curve("force_n", d.across(), 1.0))
             .collect(),
     };
     pictures.push((
         "compare_force",
-        diagrams("Forces", "of every cam", &names, &[forces]),
+        diagrams_over(across, "Forces", "of every cam", &names, &[forces]),
     ));
     for (name, picture) in &pictures {
         folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
@@ -247,8 +274,8 @@ fn laws(designs: &[Design]) -> Vec<Strip> {
             curves: designs
                 .iter()
                 .map(|d| {
-                    d.law
-                        .curve(column, if arm(d) { 1f64.to_degrees() } else { 1e3 })
+                    let lift = if arm(d) { 1f64.to_degrees() } else { 1e3 };
+                    d.law.curve(column, d.across(), lift)
                 })
                 .collect(),
         })

@@ -1,7 +1,7 @@
 //! What a workshop takes: solids, arcs, a workbook, a cutter's path.
 
 use super::files::Folder;
-use crate::cam::Wall;
+use crate::cam::{Measures, Wall};
 use crate::emit::{self, Timing, cutter::Gouge};
 use crate::error::Result;
 use crate::synth::Synthesis;
@@ -67,25 +67,28 @@ pub fn cutter(
 ) -> Result<Vec<String>> {
     let path = emit::cutter::path(design, radius, points)?;
     folder.write("cutter.csv", emit::cutter::csv(&path).as_bytes())?;
-    Ok(path.gouges.iter().map(gouge).collect())
+    let measures = design.cam.follower.measures();
+    let words = |g: &Gouge| gouge(g, measures);
+    Ok(path.gouges.iter().map(words).collect())
 }
 
-fn gouge(gouge: &Gouge) -> String {
+fn gouge(gouge: &Gouge, measures: Measures) -> String {
+    let place = |at: f64| measures.place(at, 2);
     match gouge {
         Gouge::Hollow { at, radius } => format!(
-            "the cutter is too wide for the hollow at {:.2}°: at most {:.4} mm fits",
-            at.to_degrees(),
+            "the cutter is too wide for the hollow at {}: at most {:.4} mm fits",
+            place(*at),
             1e3 * radius
         ),
         Gouge::Elsewhere { at, damaged, depth } => format!(
-            "cutting at {:.2}°, the cutter bites {:.4} mm into the profile at {:.2}°",
-            at.to_degrees(),
+            "cutting at {}, the cutter bites {:.4} mm into the profile at {}",
+            place(*at),
             1e3 * depth,
-            damaged.to_degrees()
+            place(*damaged)
         ),
         Gouge::Undercut { at } => format!(
-            "the profile is undercut at {:.2}°: no cutter makes it",
-            at.to_degrees()
+            "the profile is undercut at {}: no cutter makes it",
+            place(*at)
         ),
     }
 }

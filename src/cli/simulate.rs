@@ -73,6 +73,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
         return Ok(NO_SUCH_CAM);
     }
+    if design.cam.follower.is_flat() && design.cam.curvature().undercut {
+        eprintln!("gaitcam: there is no cam to run: {}", design.reason);
+        return Ok(NO_SUCH_CAM);
+    }
     let mut machine = machine(args, &input.scene, &design.drive)?;
     machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
     let run = Run {
@@ -103,7 +107,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     if args.json {
         say(&json);
     } else {
-        say(&outcome.table());
+        say(&outcome.table(run.cam.follower.measures()));
         say(&format!(
             "Files in {}; open {} first.",
             folder.path().display(),

@@ -176,31 +176,16 @@ fn sequence(design: &Synthesis) -> String {
     out.join("\n")
 }
 
-/// A checked value in the units of its follower: lifts of an arm are angles.
-fn in_units(design: &Synthesis, name: &str, value: f64) -> String {
-    let unit = match name {
-        "velocity" => "rad/s",
-        "acceleration" => "rad/s²",
-        "jerk" => "rad/s³",
-        "stroke" | "base_circle" | "residual" if design.cam.follower.is_oscillating() => {
-            return format!("{:.4}°", value.to_degrees());
-        }
-        _ => return crate::synth::in_units(name, value),
-    };
-    if design.cam.follower.is_oscillating() {
-        format!("{value:.6} {unit}")
-    } else {
-        crate::synth::in_units(name, value)
-    }
-}
-
 /// The result for people: what was found, how well, and what limits it.
 fn words(design: &Synthesis, time: Timing) -> String {
     let mut out = vec![
         format!("{}: {}", design.name, design.verdict.name()),
         format!("  {}", design.reason),
     ];
+    let measures = design.cam.follower.measures();
     let mm = |x: f64| format!("{:.3} mm", 1e3 * x);
+    let place = |at: f64| measures.place(at, 2);
+    let in_units = |name: &str, x: f64| crate::synth::in_units(measures, name, x);
     if design.target.is_some() {
         let f = &design.force;
         out.push(format!(
@@ -209,22 +194,20 @@ fn words(design: &Synthesis, time: Timing) -> String {
         ));
     }
     let (pieces, stroke) = (design.cam.law.poly().pieces(), design.cam.law.stroke());
+    let lift = measures.lift(0);
+    let decimals = if lift.name == "°" { 4 } else { 3 };
     out.push(format!(
         "  law       {}, degree {}, {pieces} pieces, stroke {}",
         design.family,
         design.degree,
-        if design.cam.follower.name().contains("oscillating") {
-            format!("{:.4}°", stroke.to_degrees())
-        } else {
-            mm(stroke)
-        }
+        lift.after(&format!("{:.decimals$}", lift.factor * stroke))
     ));
     out.push(format!(
-        "  drive     {}, {:.4} kg, {:.4} rad/s ({:.2} rpm)",
+        "  drive     {}, {:.4} {}, {}",
         design.drive.kind.name(),
         design.drive.mass,
-        design.drive.speed,
-        design.drive.speed * 30.0 / std::f64::consts::PI
+        measures.mass().name,
+        measures.speed_words(design.drive.speed, 4)
     ));
     let cam = &design.cam;
     out.push(format!(
@@ -236,29 +219,29 @@ fn words(design: &Synthesis, time: Timing) -> String {
     ));
     for check in &design.checks {
         let mark = if check.pass { "ok  " } else { "FAIL" };
-        let value = |x: f64| in_units(design, &check.name, x);
+        let value = |x: f64| in_units(&check.name, x);
         out.push(format!(
-            "  {mark}      {:<20} {} (limit {}) at {:.2}°",
+            "  {mark}      {:<20} {} (limit {}) at {}",
             check.name,
             value(check.worst),
             value(check.limit),
-            check.at.to_degrees()
+            place(check.at)
         ));
     }
     for binding in &design.binding {
         out.push(format!(
-            "  binds     {} at {:.2}°",
+            "  binds     {} at {}",
             binding.limit,
-            binding.at.to_degrees()
+            place(binding.at)
         ));
     }
     for easing in &design.easing {
-        let (name, unit, factor) = easing.in_words();
+        let (name, unit, factor) = easing.in_words(measures);
         out.push(format!(
             "  1 % more  {} {} instead of {}: {name} about {:.5} {unit} instead of {:.5} {unit}",
             easing.limit,
-            in_units(design, &easing.limit, easing.to),
-            in_units(design, &easing.limit, easing.from),
+            in_units(&easing.limit, easing.to),
+            in_units(&easing.limit, easing.from),
             factor * easing.after,
             factor * easing.before
         ));

@@ -6,6 +6,7 @@ use super::models::{flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
 use super::profile_curve::Cycle;
 use super::simulate::{Prepared, Run};
+use crate::cam::Measures;
 use crate::error::Result;
 use realfft::RealFftPlanner;
 
@@ -34,12 +35,19 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
             .map(|_| difference(&out, Model::Flexible, flexible_run(input, p)));
         return Ok(out);
     }
-    let margin = format!(
-        "smallest force {:.4} N is {:.1} % of the mean, {}",
-        rigid.force.min,
-        100.0 * rigid.force.min / mean,
-        liftoff_words(p, &rigid)
-    );
+    let force = p.measures.force().name;
+    let margin = if mean == 0.0 {
+        // Percents of nothing say nothing.
+        "no mean force presses the follower on the cam".to_string()
+    } else {
+        format!(
+            "smallest {} {:.4} {force} is {:.1} % of the mean, {}",
+            p.measures.force_words(),
+            rigid.force.min,
+            100.0 * rigid.force.min / mean,
+            liftoff_words(p, &rigid)
+        )
+    };
     let Some(train) = &input.machine.train else {
         let mut out = rigid;
         out.why =
@@ -85,8 +93,10 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> 
         rigid.contact_lost
     };
     if asked {
+        let unit = p.measures.force().name;
         return Some(format!(
-            "the rigid force falls to {:.4} N, below {:.0} % of its mean {mean:.4} N; {}",
+            "the rigid {} falls to {:.4} {unit}, below {:.0} % of its mean {mean:.4} {unit}; {}",
+            p.measures.force_words(),
             rigid.force.min,
             100.0 * MARGIN,
             liftoff_words(p, rigid)
@@ -107,14 +117,20 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> 
 }
 
 fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
+    let runs = if p.measures == Measures::Straight {
+        "the cam slides at"
+    } else {
+        "the shaft turns at"
+    };
+    let unit = p.measures.speed().name;
     match rigid.liftoff_speed {
         Some(w) => format!(
-            "the shaft turns at {:.4} rad/s, lift-off is at {w:.4} rad/s",
+            "{runs} {:.4} {unit}, lift-off is at {w:.4} {unit}",
             p.drive.speed
         ),
         None if p.held => "held from both sides, the follower cannot lift off".to_string(),
         None => format!(
-            "the shaft turns at {:.4} rad/s, no speed lifts the follower off",
+            "{runs} {:.4} {unit}, no speed lifts the follower off",
             p.drive.speed
         ),
     }

@@ -2,6 +2,7 @@
 
 use super::contact::Impact;
 use super::hertz::Contact;
+use crate::cam::Measures;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -230,30 +231,35 @@ impl Outcome {
         out
     }
 
-    /// The findings for people.
-    pub fn table(&self) -> String {
+    /// The findings for people, in the units of the follower that ran.
+    pub fn table(&self, measures: Measures) -> String {
+        let (force, lift) = (measures.force().name, measures.lift(0));
+        let torque = match measures {
+            Measures::Straight => ["push", "N"],
+            _ => ["torque", "N·m"],
+        };
         let mut lines: Vec<(&str, String)> = vec![
             ("model", self.model.name().to_string()),
             ("why", self.why.clone()),
             ("contact", self.contact_words()),
             (
                 "force",
-                format!("{:.4} … {:.4} N", self.force.min, self.force.max),
+                format!("{:.4} … {:.4} {force}", self.force.min, self.force.max),
             ),
         ];
         if let Some(error) = self.force.rms_error {
-            lines.push(("error to target", format!("{error:.4} N RMS")));
+            lines.push(("error to target", format!("{error:.4} {force} RMS")));
         }
         let t = &self.torque;
         lines.push((
-            "torque",
+            torque[0],
             format!(
-                "{:.5} … {:.5} N·m, mean {:.3e}, RMS {:.5}",
-                t.min, t.max, t.mean, t.rms
+                "{:.5} … {:.5} {}, mean {:.3e}, RMS {:.5}",
+                t.min, t.max, torque[1], t.mean, t.rms
             ),
         ));
         let liftoff = match self.liftoff_speed {
-            Some(w) => format!("{w:.6} rad/s ({:.2} rpm)", w * 30.0 / std::f64::consts::PI),
+            Some(w) => measures.speed_words(w, 6),
             None => "at no speed".to_string(),
         };
         lines.push(("lift-off", liftoff));
@@ -265,6 +271,7 @@ impl Outcome {
             None => "not within the turns run".to_string(),
         };
         lines.push(("settles", settles));
+        let bounce = self.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height));
         if let Some(hit) = self
             .impacts
             .iter()
@@ -273,11 +280,12 @@ impl Outcome {
             lines.push((
                 "impacts",
                 format!(
-                    "{} in the run, fastest {:.4} m/s at {:.2}°, highest bounce {:.4} mm",
+                    "{} in the run, fastest {:.4} {} at {}, highest bounce {}",
                     self.impacts.len(),
                     hit.speed,
-                    hit.at.to_degrees(),
-                    1e3 * self.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height)),
+                    measures.by_time(1).name,
+                    measures.place(hit.at, 2),
+                    lift.after(&format!("{:.4}", lift.factor * bounce)),
                 ),
             ));
         }
@@ -285,9 +293,9 @@ impl Outcome {
             lines.push((
                 "pressure",
                 format!(
-                    "{:.1} MPa at {:.1}°, half-width {:.4} mm, largest shear {:.4} mm deep",
+                    "{:.1} MPa at {}, half-width {:.4} mm, largest shear {:.4} mm deep",
                     1e-6 * p.contact.pressure,
-                    p.theta.to_degrees(),
+                    measures.place(p.theta, 1),
                     1e3 * p.contact.half_widths[1],
                     1e3 * p.contact.shear.map_or(0.0, |s| s.0)
                 ),

@@ -13,7 +13,7 @@ use super::profile_curve::{Cycle, recover_over};
 use super::touch::{held, rubs, touch};
 use super::two_cams::{envelope, shifted};
 use super::{choose, rigid};
-use crate::cam::{Cam, Follower, ProfilePoint};
+use crate::cam::{Cam, Follower, Measures, ProfilePoint};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::law::{Law, Svaj};
@@ -102,6 +102,8 @@ pub(super) struct Prepared {
     pub cycle: Cycle,
     pub step: f64,
     pub reach: f64,
+    /// What the law is measured in, for words.
+    pub measures: Measures,
     /// Whether neither side can lift off the other.
     pub held: bool,
     /// Whether friction makes the torque other than F·v and it is not the flat face's.
@@ -239,6 +241,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         cycle,
         step,
         reach: rigid::reach(follower),
+        measures: follower.measures(),
         held,
         rubs: input.machine.friction > 0.0
             && rubs(follower)

@@ -1,4 +1,5 @@
 use super::*;
+use crate::cam::Measures;
 use crate::drive::DriveKind;
 use crate::dynamics::thesis;
 use std::f64::consts::TAU;
@@ -284,7 +285,7 @@ fn answers_have_the_keys_and_columns_that_were_promised() {
     let csv = out.csv();
     assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
     assert_eq!(csv.lines().count(), 1441);
-    assert!(out.table().contains("lift-off"));
+    assert!(out.table(Measures::Sliding).contains("lift-off"));
 }
 
 #[test]

@@ -4,10 +4,11 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use super::geometry::{Pose, face_reach, pose, turned};
+use super::outline::Edge;
 use super::picture::Picture;
 use super::picture::palette::{AXIS, BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, QUIET, RED};
 use super::plots::{Layout, title};
-use super::samples::{degrees, lift_unit, number};
+use super::samples::{degrees, number};
 use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
 use crate::cam::{Follower, ProfilePoint};
 use crate::synth::Synthesis;
@@ -45,6 +46,8 @@ pub(super) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
 struct Scene<'a> {
     synthesis: &'a Synthesis,
     rows: Vec<ProfilePoint>,
+    /// What is cut beside the profile: a groove's upper wall, or the second cam of a pair; m.
+    others: Vec<Vec<[f64; 2]>>,
     start: f64,
     pose: Pose,
     base: f64,
@@ -56,12 +59,25 @@ struct Scene<'a> {
 impl<'a> Scene<'a> {
     fn new(synthesis: &'a Synthesis) -> Self {
         let cam = &synthesis.cam;
-        let rows = cam.profile(POINTS);
-        let start = cam.law.extent().0;
+        let (start, length) = cam.law.extent();
+        let rows = if cam.follower.is_unrolled() {
+            // It has two ends, even where the law closes.
+            let step = length / (POINTS - 1) as f64;
+            (0..POINTS)
+                .map(|i| cam.point(start + step * i as f64))
+                .collect()
+        } else {
+            cam.profile(POINTS)
+        };
+        let others = Edge::all(synthesis)[1..]
+            .iter()
+            .map(|edge| edge.points(POINTS).iter().map(|e| e.p).collect())
+            .collect();
         let reach = rows.iter().map(|p| p.x.hypot(p.y)).fold(0.0, f64::max) * MM;
         Scene {
             synthesis,
             rows,
+            others,
             start,
             pose: pose(cam, start),
             base: MM * cam.follower.base_radius(),
@@ -123,6 +139,10 @@ impl<'a> Scene<'a> {
                 let [x, y] = now(p.pitch_x, p.pitch_y);
                 hold(x, y);
             }
+        }
+        for &[x, y] in self.others.iter().flatten() {
+            let [x, y] = turned([MM * x, MM * y], self.start);
+            hold(x, y);
         }
         if let Some([x, y]) = self.pivot() {
             let r = 0.06 * self.reach;
@@ -224,6 +244,7 @@ impl<'a> Scene<'a> {
             let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
             dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
         }
+        self.beside(plane, here)?;
         plane.draw(&PathElement::new(self.whole(outline), stroke(BLUE, 2.6)))?;
         self.centre(plane)?;
         self.follower(plane)?;
@@ -235,6 +256,27 @@ impl<'a> Scene<'a> {
             let (x, y) = here(p.x, p.y);
             let ring = EmptyElement::at((x, y)) + Circle::new((0, 0), units(5.5), stroke(RED, 2.0));
             plane.draw(&ring)?;
+        }
+        Ok(())
+    }
+
+    /// A groove's upper wall with the body above it, or the second cam of a pair.
+    fn beside(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
+        for other in &self.others {
+            let edge: Vec<(f64, f64)> = other.iter().map(|&[x, y]| here(x, y)).collect();
+            if !self.is_straight() {
+                plane.draw(&Polygon::new(edge.clone(), PURPLE.mix(0.1).filled()))?;
+                plane.draw(&PathElement::new(self.whole(edge), stroke(PURPLE, 2.2)))?;
+                continue;
+            }
+            let top = edge.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
+            let mut body = edge.clone();
+            if let (Some(first), Some(last)) = (edge.first(), edge.last()) {
+                let ceiling = top + 0.04 * self.reach;
+                body.extend([(last.0, ceiling), (first.0, ceiling)]);
+            }
+            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
+            plane.draw(&PathElement::new(edge, stroke(BLUE, 2.6)))?;
         }
         Ok(())
     }
@@ -477,6 +519,11 @@ impl<'a> Scene<'a> {
             ))
         };
         let mut lines = vec![(BLUE, 2.6, None, "cam profile".to_string())];
+        if self.synthesis.conjugate.is_some() {
+            lines.push((PURPLE, 2.2, None, "second cam of the pair".into()));
+        } else if !self.others.is_empty() {
+            lines[0].3 = "walls of the groove, unrolled".into();
+        }
         if !self.is_straight() {
             let base = format!("base circle R {} mm", number(self.base, 4));
             lines.push((GREEN, 1.6, Some(BASE), base));
@@ -509,27 +556,18 @@ impl<'a> Scene<'a> {
         }
         y += 0.8 * e;
         let sharpest = cam.curvature().convex;
-        let (low, high) = cam.pressure_angle_extremes();
+        let (low, high) = self.synthesis.pressure_angle_extremes();
         let mut facts = vec![
             ("follower", cam.follower.name().to_string()),
             ("stroke", {
-                let (factor, unit) = lift_unit(self.synthesis);
-                let space = if unit == "°" { "" } else { " " };
-                format!("{}{space}{unit}", number(factor * cam.law.stroke(), 4))
+                let lift = cam.follower.measures().lift(0);
+                lift.after(&number(lift.factor * cam.law.stroke(), 4))
             }),
             (
                 "smallest radius",
                 format!("{} mm", number(MM * sharpest.value, 4)),
             ),
-            (
-                "  at",
-                match cam.follower {
-                    Follower::TranslatingCam { .. } => {
-                        format!("{} mm", number(MM * sharpest.at, 4))
-                    }
-                    _ => degrees(sharpest.at),
-                },
-            ),
+            ("  at", cam.follower.measures().place(sharpest.at, 1)),
         ];
         if let Some(width) = cam.face_width() {
             facts.push(("face width", format!("{} mm", number(MM * width, 4))));
@@ -547,14 +585,10 @@ impl<'a> Scene<'a> {
         }
         facts.push((
             "speed",
-            format!(
-                "{} {}",
-                number(self.synthesis.drive.speed, 4),
-                match cam.follower {
-                    Follower::TranslatingCam { .. } => "m/s",
-                    _ => "rad/s",
-                }
-            ),
+            cam.follower
+                .measures()
+                .speed()
+                .after(&number(self.synthesis.drive.speed, 4)),
         ));
         for (name, value) in facts {
             write(canvas, name, [x, y], Lettering::new(e, QUIET))?;

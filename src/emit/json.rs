@@ -291,7 +291,7 @@ impl CamSummary {
     fn new(synthesis: &Synthesis) -> Self {
         let cam = &synthesis.cam;
         let curvature = cam.curvature();
-        let (phi_min, phi_max) = cam.pressure_angle_extremes();
+        let (phi_min, phi_max) = synthesis.pressure_angle_extremes();
         CamSummary {
             follower: cam.follower.name(),
             base_radius_m: cam.follower.base_radius(),

@@ -7,6 +7,7 @@ use super::picture::Picture;
 use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use super::plots::{Layout, key, strips, title};
 use super::sheet::{plane, stroke};
+use crate::cam::Measures;
 
 const COLOURS: [RGBAColor; 6] = [BLUE, ORANGE, GREEN, RED, PURPLE, INK];
 
@@ -19,8 +20,26 @@ pub struct Strip {
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
-/// Strips one above the other, one colour per name (colours repeat after six).
+/// Strips over the cam angle one above the other, one colour per name (colours repeat after six).
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
+    diagrams_over(Measures::Sliding.angle_words(), head, what, names, rows)
+}
+
+/// The same over another quantity.
+pub fn diagrams_over(
+    across: &str,
+    head: &str,
+    what: &str,
+    names: &[String],
+    rows: &[Strip],
+) -> Picture {
+    let rows: Vec<Strip> = rows
+        .iter()
+        .map(|row| Strip {
+            quantity: row.quantity.clone(),
+            curves: row.curves.iter().map(|c| whole(c)).collect(),
+        })
+        .collect();
     let layout = Layout {
         size: (1200, 300 + 260 * rows.len().max(1) as u32),
         ..Layout::ALONE
@@ -58,11 +77,24 @@ pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Pic
             }
             panel.quantity(&row.quantity, 5.7 * e)?;
             if k + 1 == rows.len() {
-                panel.angles()?;
+                panel.across(across)?;
             }
         }
         Ok(())
     })
+}
+
+/// A curve whose next step would end a turn goes on to that end, where it meets its first point.
+fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut out = curve.to_vec();
+    if let ([first, ..], [.., before, last]) = (curve, curve) {
+        let end = last.0 + (last.0 - before.0);
+        let turns = (end - first.0) / 360.0;
+        if turns > 0.5 && (turns - turns.round()).abs() < 1e-6 {
+            out.push((first.0 + 360.0 * turns.round(), first.1));
+        }
+    }
+    out
 }
 
 /// Profiles at one scale about one centre; points in m.

@@ -29,7 +29,12 @@ pub struct Panel<'a, 'c> {
     y: [f64; 2],
     /// Size of the lettering, points.
     size: f64,
+    /// The ticks upwards show the quantity divided by this power of ten.
+    power: i32,
 }
+
+/// Widest tick that leaves room for the quantity beside it, in letter sizes.
+const WIDEST_TICK: f64 = 4.3;
 
 /// Round numbers within [low, high], about `count` of them.
 pub fn ticks(low: f64, high: f64, count: f64) -> Vec<f64> {
@@ -76,6 +81,28 @@ pub fn tick_text(value: f64, step: f64) -> String {
     format!("{:.decimals$}", value + 0.0).replace('-', "−")
 }
 
+/// The power of ten, a multiple of 3, that makes ticks too wide for their place short; 0 for most.
+fn power(values: &[f64], step: f64) -> i32 {
+    let widest = values
+        .iter()
+        .map(|&v| text_width(&tick_text(v, step)))
+        .fold(0.0, f64::max);
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if widest <= WIDEST_TICK || largest == 0.0 {
+        return 0;
+    }
+    3 * (largest.log10() / 3.0).floor() as i32
+}
+
+/// A power written above the line.
+fn raised(power: i32) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let text = power.to_string();
+    text.chars()
+        .map(|c| c.to_digit(10).map_or('⁻', |d| digits[d as usize]))
+        .collect()
+}
+
 /// The range of `values` with `share` of its span added at both ends; never empty.
 pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
     let (low, high) = values
@@ -92,6 +119,16 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
         return [low - 0.5 * span, high + 0.5 * span];
     }
     [low - share * span, high + share * span]
+}
+
+/// The dashed line of a level between two places on the sheet.
+pub(super) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
+    canvas.draw(&DashedPathElement::new(
+        ends.map(|[x, y]| (units(x), units(y))),
+        units(7.0),
+        units(5.0),
+        stroke(colour, 1.4),
+    ))
 }
 
 impl<'a, 'c> Panel<'a, 'c> {
@@ -122,6 +159,10 @@ impl<'a, 'c> Panel<'a, 'c> {
             [frame.left, frame.right],
             [frame.bottom, frame.top],
         );
+        let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
+        let values = ticks(y[0], y[1], rows);
+        let step = values.get(1).map_or(1.0, |b| b - values[0]);
+        let power = power(&values, step);
         let panel = Panel {
             canvas,
             plane,
@@ -130,6 +171,7 @@ impl<'a, 'c> Panel<'a, 'c> {
             columns,
             y,
             size,
+            power,
         };
         let grid = stroke(palette::GRID, 1.0);
         for &t in &panel.columns {
@@ -137,16 +179,14 @@ impl<'a, 'c> Panel<'a, 'c> {
                 .plane
                 .draw(&PathElement::new([(t, y[0]), (t, y[1])], grid))?;
         }
-        let rows = ((frame.bottom - frame.top) / (2.6 * size)).clamp(2.0, 8.0);
-        let values = ticks(y[0], y[1], rows);
-        let step = values.get(1).map_or(1.0, |b| b - values[0]);
+        let scale = 10f64.powi(-power);
         let lettering = Lettering::new(size, palette::QUIET).anchored(HPos::Right, VPos::Center);
         for &v in &values {
             panel
                 .plane
                 .draw(&PathElement::new([(x[0], v), (x[1], v)], grid))?;
             let at = [frame.left - 0.6 * size, panel.place(x[0], v)[1]];
-            write(canvas, &tick_text(v, step), at, lettering)?;
+            write(canvas, &tick_text(scale * v, scale * step), at, lettering)?;
         }
         if y[0] < 0.0 && y[1] > 0.0 {
             let axis = stroke(palette::AXIS, 1.4);
@@ -171,8 +211,13 @@ impl<'a, 'c> Panel<'a, 'c> {
         Ok(panel)
     }
 
-    /// Writes the quantity upwards, left of the ticks, `gap` points from the frame.
+    /// Writes the quantity ("force, N") upwards, left of the ticks, `gap` points from the frame.
     pub fn quantity(&self, text: &str, gap: f64) -> Drawn {
+        let power = raised(self.power);
+        let text = &match text.split_once(", ") {
+            Some((name, unit)) if self.power != 0 => format!("{name}, 10{power} {unit}"),
+            _ => text.to_string(),
+        };
         let middle = 0.5 * (self.frame.top + self.frame.bottom);
         let lettering = Lettering::new(self.size, palette::INK)
             .anchored(HPos::Center, VPos::Center)
@@ -183,11 +228,6 @@ impl<'a, 'c> Panel<'a, 'c> {
             [self.frame.left - gap, middle],
             lettering,
         )
-    }
-
-    /// Writes the angles below the frame and, under them, what they are.
-    pub fn angles(&self) -> Drawn {
-        self.across("cam angle θ, degrees")
     }
 
     /// Writes the grid's values below the frame and, under them, what they are.
@@ -258,12 +298,8 @@ impl<'a, 'c> Panel<'a, 'c> {
         if !(value > self.y[0] && value < self.y[1]) {
             return Ok(());
         }
-        self.plane.draw(&DashedPathElement::new(
-            [(self.x[0], value), (self.x[1], value)],
-            units(7.0),
-            units(5.0),
-            stroke(colour, 1.4),
-        ))?;
+        let [left, right] = self.x.map(|x| self.place(x, value));
+        dashes(self.canvas, [left, right], colour)?;
         let Some((name, side)) = name else {
             return Ok(());
         };

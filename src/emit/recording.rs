@@ -5,7 +5,7 @@ use plotters::prelude::*;
 use super::panel::{Frame, Panel, padded, ticks};
 use super::picture::Picture;
 use super::picture::palette::{BLUE, GREEN, INK, ORANGE, QUIET};
-use super::plots::{Layout, key, strips, title};
+use super::plots::{Layout, key, key_and_levels, strips, title};
 use super::sheet::{Canvas, Drawn};
 use crate::gait::{Cycle, Foot, Overlay};
 use crate::units::G;
@@ -131,8 +131,9 @@ fn draw_cycle(canvas: &Canvas, frame: Frame, cycle: &Cycle, e: f64) -> Drawn {
     if band.is_some() {
         entries.push((ORANGE.mix(0.22), 14.0, "± 1 SD, step to step"));
     }
-    entries.push((QUIET, 1.4, "body weight (dashed)"));
-    key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
+    let levels = [(QUIET, "body weight")];
+    let place = [frame.left, frame.top - 1.1 * e];
+    key_and_levels(canvas, place, e, &entries, &levels)
 }
 
 fn colour(foot: Option<Foot>) -> RGBAColor {

@@ -1,6 +1,5 @@
 //! Curves over the cam angle for pictures, and numbers as people write them.
 
-use super::geometry::oscillates;
 use crate::law::{Law, Svaj};
 use crate::synth::Synthesis;
 
@@ -24,11 +23,8 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
 
 /// The unit lift is shown in: factor from SI, and its name.
 pub fn lift_unit(synthesis: &Synthesis) -> (f64, &'static str) {
-    if oscillates(&synthesis.cam.follower) {
-        (180.0 / std::f64::consts::PI, "°")
-    } else {
-        (1000.0, "mm")
-    }
+    let unit = synthesis.cam.follower.measures().lift(0);
+    (unit.factor, unit.name)
 }
 
 /// `x` to `digits` significant digits, without exponent in the usual range, with a true minus sign.

@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::geometry::oscillates;
 use super::samples::lift_unit;
 use super::{Timing, json};
-use crate::cam::ProfilePoint;
+use crate::cam::{Measures, ProfilePoint};
 use crate::error::{Error, Result};
 use crate::synth::Synthesis;
 
@@ -78,22 +78,28 @@ fn cam_sheet(sheet: &mut Worksheet, synthesis: &Synthesis) -> std::result::Resul
         format!("Roller radius {:.6} mm", MM * follower.roller_radius()),
     )?;
     sheet.write(6, 0, format!("Offset {:.6} mm", MM * follower.offset()))?;
-    sheet.write(7, 0, format!("Speed {:.6} rad/s", synthesis.drive.speed))?;
+    let measures = follower.measures();
+    let speed = measures
+        .speed()
+        .after(&format!("{:.6}", synthesis.drive.speed));
+    sheet.write(7, 0, format!("Speed {speed}"))?;
     let columns = columns(synthesis);
     for column in &columns {
         sheet.write_with_format(HEADINGS, column.at, &column.name, &heading)?;
     }
     let (start, length) = cam.law.extent();
-    let last = (length.to_degrees() + 1e-9).floor() as u32;
+    // A row for every degree, or every millimetre of travel.
+    let step = measures.angle().factor;
+    let last = (step * length + 1e-9).floor() as u32;
     for i in 0..=last {
-        let theta = start + f64::from(i).to_radians();
+        let theta = start + f64::from(i) / step;
         let row = Row {
             point: cam.point(theta),
             motion: cam.law.svaj(theta),
         };
         for column in &columns {
             let value = if column.at == 0 {
-                start.to_degrees() + f64::from(i)
+                step * start + f64::from(i)
             } else {
                 (column.value)(synthesis, &row)
             };
@@ -125,8 +131,13 @@ fn columns(synthesis: &Synthesis) -> Vec<Column> {
         let at = u16::from(letter - b'A');
         out.push(Column { at, name, value });
     };
-    add(b'A', "Cam angle, °".into(), |_, r| {
-        r.point.theta.to_degrees()
+    let measures = synthesis.cam.follower.measures();
+    let across = match measures {
+        Measures::Straight => "Travel, mm",
+        _ => "Cam angle, °",
+    };
+    add(b'A', across.into(), |s, r| {
+        s.cam.follower.measures().angle().factor * r.point.theta
     });
     add(b'B', format!("Lift, {unit}"), |s, r| {
         lift_unit(s).0 * r.motion.s

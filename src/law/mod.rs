@@ -126,9 +126,27 @@ impl Law {
 
     /// Exact lift and derivatives at `theta`, rad. At a break the piece to the right answers.
     pub fn svaj(&self, theta: f64) -> Svaj {
-        let theta = self.wrap(theta);
-        let (i, u) = self.poly.locate(theta);
+        let (i, u) = self.place(self.wrap(theta));
         self.svaj_on(i, u)
+    }
+
+    /// The piece that holds an angle, and where on it: at a break, and by rounding before it, the piece that
+    /// begins there, so that every row of every table stands on one side of a jump.
+    fn place(&self, theta: f64) -> (usize, f64) {
+        let (i, u) = self.poly.locate(theta);
+        let breaks = self.poly.breaks();
+        if i + 2 < breaks.len() && theta > breaks[i + 1] - self.rounding() {
+            let (from, to) = (breaks[i + 1], breaks[i + 2]);
+            return (i + 1, (theta - from) / (to - from));
+        }
+        (i, u)
+    }
+
+    /// What rounding makes of an angle of the law at most, rad.
+    fn rounding(&self) -> f64 {
+        let breaks = self.poly.breaks();
+        let ends = breaks[0].abs().max(breaks[breaks.len() - 1].abs());
+        16.0 * f64::EPSILON * ends
     }
 
     /// Lift and derivatives on piece `i` at u ∈ [0, 1]: the way to ask for one side of a break.

@@ -175,7 +175,7 @@ impl Walk<'_> {
     /// Goes to the piece that holds the next point and counts the points on it.
     fn enter(&mut self, inside: f64) {
         let law = self.law;
-        (self.piece, _) = law.poly.locate(inside);
+        (self.piece, _) = law.place(inside);
         let all = self.n - self.done;
         let last = self.piece + 1 == law.poly.pieces() && !law.closed;
         self.left = if last || self.step == 0.0 {
@@ -183,7 +183,7 @@ impl Walk<'_> {
         } else {
             // Points up to the end of the piece, at least this one.
             let to = law.breaks()[self.piece + 1];
-            (((to - inside) / self.step).ceil().max(1.0) as usize).min(all)
+            (((to - law.rounding() - inside) / self.step).ceil().max(1.0) as usize).min(all)
         };
         let waves = law.waves(self.piece);
         self.turns.clear();

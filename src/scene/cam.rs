@@ -154,9 +154,7 @@ fn conjugate(mut r: Reader, spec: &CamSpec) -> Result<ConjugateSpec> {
 /// Demands on the cam that only the whole scene can contradict.
 pub(super) fn consistent(scene: &Scene) -> Result<()> {
     let cam = &scene.cam;
-    if let (Some(_), Some(_)) = (cam.base_radius, cam.prime_radius)
-        && scene.cam.roller_radius > 0.0
-    {
+    if let (Some(_), Some(_)) = (cam.base_radius, cam.prime_radius) {
         return Err(Error::key(
             "cam.prime_radius",
             "base_radius is given as well, and one follows from the other",

@@ -44,8 +44,14 @@ pub fn limits(reader: Option<Reader>, oscillating: bool) -> Result<Limits> {
     }
     limits.curvature = r.not_negative("curvature", Dimension::Length)?;
     limits.prime_radius = r.positive("prime_radius", Dimension::Length)?;
-    limits.force_min = r.quantity("force_min", Dimension::Force)?;
-    limits.force_max = r.quantity("force_max", Dimension::Force)?;
+    // What an arm's cam presses with is a moment.
+    let pressing = if oscillating {
+        Dimension::Torque
+    } else {
+        Dimension::Force
+    };
+    limits.force_min = r.quantity("force_min", pressing)?;
+    limits.force_max = r.quantity("force_max", pressing)?;
     limits.face_width = r.positive("face_width", Dimension::Length)?;
     limits.torque = r.positive("torque", Dimension::Torque)?;
     limits.torque_rate = r.positive("torque_rate", Dimension::AngularRate)?;
@@ -112,7 +118,7 @@ pub fn machine(reader: Option<Reader>, oscillating: bool) -> Result<MachineSpec>
 
 pub fn accuracy(reader: Option<Reader>) -> Result<Option<f64>> {
     let Some(mut r) = reader else { return Ok(None) };
-    let rms = r.positive("rms", Dimension::Ratio)?;
+    let rms = r.positive("rms", Dimension::Percent)?;
     r.finish()?;
     Ok(rms)
 }

@@ -21,6 +21,13 @@ const MODEL_WEIGHT: f64 = 700.0;
 
 /// Reads a scene from its table. Errors name the dotted key.
 pub fn read(table: &Table) -> Result<Scene> {
+    let scene = read_keys(table)?;
+    consistent(&scene)?;
+    Ok(scene)
+}
+
+/// The same, each key by itself: whether the keys go together is not asked.
+pub fn read_keys(table: &Table) -> Result<Scene> {
     let mut root = Reader::new(table, "");
     let name = root.text("name")?.unwrap_or("cam").to_string();
     if name.is_empty() || name.contains(['/', '\\', '\0']) || name.starts_with('.') {
@@ -44,7 +51,7 @@ pub fn read(table: &Table) -> Result<Scene> {
                 .help("write for example \"60 Hz\" under [machine]"),
         );
     }
-    let scene = Scene {
+    Ok(Scene {
         name,
         gait,
         drive,
@@ -53,9 +60,7 @@ pub fn read(table: &Table) -> Result<Scene> {
         limits,
         machine,
         rms,
-    };
-    consistent(&scene)?;
-    Ok(scene)
+    })
 }
 
 /// Changes one value: `set(table, "limits.stroke=40 mm")`. The value is taken as TOML where it is a

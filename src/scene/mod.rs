@@ -1,15 +1,16 @@
 //! A scene: the whole problem as a user writes it down, validated key by key.
 
 mod cam;
+mod ignored;
 mod limits;
 mod load;
 mod table;
 
-pub use load::{read, set};
+pub use load::{read, read_keys, set};
 
 use std::path::PathBuf;
 
-use crate::cam::Closure;
+use crate::cam::{Closure, Measures};
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::train::Train;
 use crate::error::{Place, Result};
@@ -354,6 +355,17 @@ impl CamSpec {
     /// Whether the follower swings about a pivot, so that the law is in rad.
     pub fn is_oscillating(&self) -> bool {
         self.follower.ends_with("-oscillating")
+    }
+
+    /// What the law is measured in.
+    pub fn measures(&self) -> Measures {
+        if self.is_oscillating() {
+            Measures::Swinging
+        } else if self.is_straight() {
+            Measures::Straight
+        } else {
+            Measures::Sliding
+        }
     }
 
     /// Whether the cam slides instead of turning, so that the law runs over metres of travel.

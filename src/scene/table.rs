@@ -160,6 +160,15 @@ impl<'a> Reader<'a> {
                 parse(s, dimension).map(Some).map_err(|e| e.at(place))
             }
             Some(Value::Integer(0)) => Ok(Some(0.0)),
+            Some(Value::Float(x)) if *x == 0.0 => Ok(Some(0.0)),
+            Some(number @ (Value::Integer(_) | Value::Float(_)))
+                if dimension == Dimension::Percent =>
+            {
+                let place = crate::error::Place::Key(self.name(key));
+                parse(&number.to_string(), dimension)
+                    .map(Some)
+                    .map_err(|e| e.at(place))
+            }
             Some(Value::Integer(i)) if dimension == Dimension::Ratio => Ok(Some(*i as f64)),
             Some(Value::Float(x)) if dimension == Dimension::Ratio && x.is_finite() => Ok(Some(*x)),
             Some(other) => Err(self.wrong(key, other, &help)),

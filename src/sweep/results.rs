@@ -148,7 +148,7 @@ impl Row {
         n[14] = cam.follower.prime_radius();
         n[15] = cam.follower.offset();
         n[16] = cam.curvature().convex.value;
-        let (low, high) = cam.pressure_angle_extremes();
+        let (low, high) = design.pressure_angle_extremes();
         n[17] = high.value.max(-low.value);
         n[18] = cam.face_width().unwrap_or(f64::NAN);
         row.outcome = Outcome::Built;

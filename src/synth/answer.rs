@@ -1,10 +1,11 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::polydyne::Miss;
 use crate::gait::ForceCurve;
 use crate::law::Law;
+use crate::poly::Extreme;
 
 /// Everything known about a finished design.
 #[derive(Debug, Clone)]
@@ -73,6 +74,21 @@ pub struct End {
 }
 
 impl Synthesis {
+    /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
+    pub fn is_idle(&self) -> bool {
+        let d = &self.drive;
+        [d.mass, d.spring_rate, d.damping, d.rest_force] == [0.0; 4]
+    }
+
+    /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller
+    /// is pushed most aslant.
+    pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
+        match &self.groove {
+            Some(groove) => groove.pressure_angle_extremes(groove.depth().0),
+            None => self.cam.pressure_angle_extremes(),
+        }
+    }
+
     /// The law that makes the force: a polydyne cam's end, the cam's own otherwise.
     pub fn pressing(&self) -> &Law {
         self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
@@ -128,20 +144,22 @@ pub struct Easing {
 
 impl Easing {
     /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
-    pub fn in_words(&self) -> (&'static str, &'static str, f64) {
-        match self.objective.as_str() {
-            "rms_error_n" => ("force error (RMS)", "N", 1.0),
-            "weighted_rms_error_n" => ("weighted force error (RMS)", "N", 1.0),
-            "max_error_n" => ("force error (largest)", "N", 1.0),
-            "radius_m" => ("radius", "mm", 1e3),
-            "rms_derivative_2" => ("acceleration (RMS)", "mm/rad²", 1e3),
-            "rms_derivative_3" => ("jerk (RMS)", "mm/rad³", 1e3),
-            "rms_derivative_4" => ("snap (RMS)", "mm/rad⁴", 1e3),
-            "peak_derivative_2" => ("peak acceleration", "mm/rad²", 1e3),
-            "peak_derivative_3" => ("peak jerk", "mm/rad³", 1e3),
-            "peak_derivative_4" => ("peak snap", "mm/rad⁴", 1e3),
-            _ => ("objective", "", 1.0),
-        }
+    pub fn in_words(&self, measures: Measures) -> (&'static str, &'static str, f64) {
+        let (force, lift) = (measures.force(), |order| measures.lift(order));
+        let (name, unit) = match self.objective.as_str() {
+            "rms_error_n" => ("force error (RMS)", force),
+            "weighted_rms_error_n" => ("weighted force error (RMS)", force),
+            "max_error_n" => ("force error (largest)", force),
+            "radius_m" => ("radius", measures.limit("base_radius")),
+            "rms_derivative_2" => ("acceleration (RMS)", lift(2)),
+            "rms_derivative_3" => ("jerk (RMS)", lift(3)),
+            "rms_derivative_4" => ("snap (RMS)", lift(4)),
+            "peak_derivative_2" => ("peak acceleration", lift(2)),
+            "peak_derivative_3" => ("peak jerk", lift(3)),
+            "peak_derivative_4" => ("peak snap", lift(4)),
+            _ => ("objective", measures.limit("")),
+        };
+        (name, unit.name, unit.factor)
     }
 }
 

@@ -3,9 +3,10 @@
 use super::answer::{Infeasible, Relaxation};
 use super::objective::Quadratic;
 use super::problem::{Failure, PEAK, Program};
+use crate::cam::Measures;
 
 /// Explains a program without solution.
-pub fn explain(program: &Program, failure: &Failure) -> Infeasible {
+pub fn explain(program: &Program, failure: &Failure, measures: Measures) -> Infeasible {
     match failure {
         Failure::Equalities(names) => Infeasible {
             conflict: names.clone(),
@@ -22,12 +23,12 @@ pub fn explain(program: &Program, failure: &Failure) -> Infeasible {
                 "The solver stopped without an answer ({word}); the limits are close to leaving nothing."
             ),
         },
-        Failure::Infeasible => limits_in_conflict(program),
+        Failure::Infeasible => limits_in_conflict(program, measures),
     }
 }
 
 /// Deletion filter over the limits' names, then one elastic solve for each that is left.
-fn limits_in_conflict(program: &Program) -> Infeasible {
+fn limits_in_conflict(program: &Program, measures: Measures) -> Infeasible {
     let mut names: Vec<&'static str> = Vec::new();
     for limit in &program.limits {
         if !names.contains(&limit.name) {
@@ -50,19 +51,19 @@ fn limits_in_conflict(program: &Program) -> Infeasible {
         .iter()
         .filter_map(|name| relax(program, name))
         .collect();
-    told(&kept, relaxations)
+    told(&kept, relaxations, measures)
 }
 
 /// Limits that fight, in words.
-pub fn told(kept: &[&'static str], relaxations: Vec<Relaxation>) -> Infeasible {
+pub fn told(kept: &[&'static str], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
     let advice: Vec<String> = relaxations
         .iter()
         .filter_map(|r| {
             Some(format!(
                 "{} {} instead of {}",
                 spoken(&r.limit),
-                in_units(&r.limit, r.to?),
-                in_units(&r.limit, r.from)
+                in_units(measures, &r.limit, r.to?),
+                in_units(measures, &r.limit, r.from)
             ))
         })
         .collect();
@@ -94,26 +95,21 @@ fn spoken(name: &str) -> String {
     name.replace('_', " ")
 }
 
-/// A limit's value in the units people use for it.
-pub fn in_units(limit: &str, value: f64) -> String {
-    let (unit, value) = match limit {
-        name if name.contains("pressure_angle") => return format!("{:.4}°", value.to_degrees()),
-        _ if value.is_infinite() => return "∞".to_string(),
-        "velocity" => ("m/s", value),
-        "acceleration" => ("m/s²", value),
-        "jerk" => ("m/s³", value),
-        "force_min" | "force_max" | "rms_error" | "band" => ("N", value),
-        "torque" => ("N·m", value),
-        "torque_rate" => ("N·m/rad", value),
-        "hertz_pressure" => ("MPa", 1e-6 * value),
-        _ => ("mm", 1e3 * value),
-    };
-    // Six places hide what is smaller.
-    if value != 0.0 && value.abs() < 1e-4 {
-        format!("{value:.4e} {unit}")
-    } else {
-        format!("{value:.6} {unit}")
+/// A limit's value in the units people use for it on a cam of these measures.
+pub fn in_units(measures: Measures, limit: &str, value: f64) -> String {
+    let unit = measures.limit(limit);
+    let value = unit.factor * value;
+    if value.is_infinite() {
+        return "∞".to_string();
     }
+    // Six places hide what is smaller.
+    unit.after(&if unit.name == "°" {
+        format!("{value:.4}")
+    } else if value != 0.0 && value.abs() < 1e-4 {
+        format!("{value:.4e}")
+    } else {
+        format!("{value:.6}")
+    })
 }
 
 /// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.

@@ -80,12 +80,13 @@ fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<Str
     let mut checks = verify::checks(scene, demand, &cam, &cam.law, &force);
     checks.extend(machine::checks(scene, demand, &cam, &cam.law));
     let broken = checks.iter().find(|c| !c.pass);
+    let measures = cam.follower.measures();
     Ok(broken.map(|c| {
         format!(
             "{} ({} against {})",
             c.name,
-            in_units(&c.name, c.worst),
-            in_units(&c.name, c.limit)
+            in_units(measures, &c.name, c.worst),
+            in_units(measures, &c.name, c.limit)
         )
     }))
 }

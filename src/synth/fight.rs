@@ -7,6 +7,7 @@ use super::loads::Loads;
 use super::nonconvex::Beyond;
 use super::problem::{Meaning, Program};
 use super::sequence;
+use crate::cam::Measures;
 
 /// A limit is eased to no more than this many times its value.
 const MOST: f64 = 1e6;
@@ -14,7 +15,7 @@ const MOST: f64 = 1e6;
 const RESOLVED: f64 = 1e-4;
 
 /// Explains a program whose solutions keep every limit but the loads.
-pub fn explain(program: &Program, beyond: Beyond) -> Infeasible {
+pub fn explain(program: &Program, beyond: Beyond, measures: Measures) -> Infeasible {
     let loads = beyond.loads.map_or(Vec::new(), |l| l.named());
     let mut names: Vec<&'static str> = Vec::new();
     for name in program
@@ -42,7 +43,7 @@ pub fn explain(program: &Program, beyond: Beyond) -> Infeasible {
             None => relax_limit(&program, beyond, name),
         })
         .collect();
-    told(&kept, relaxations)
+    told(&kept, relaxations, measures)
 }
 
 fn only(program: &Program, names: &[&'static str]) -> Program {

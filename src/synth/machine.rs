@@ -98,7 +98,7 @@ pub fn hold(
             held.sequence = Some((steps, ended));
             Ok(held)
         }
-        None => Err(fight::explain(&held.program, beyond)),
+        None => Err(fight::explain(&held.program, beyond, scene.cam.measures())),
     }
 }
 

@@ -140,7 +140,8 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         verdict = crate::cam::Verdict::Unacceptable;
         reason = infeasible.words.clone();
     }
-    let mut remarks = demand.remarks.clone();
+    let mut remarks = scene.ignored();
+    remarks.extend(demand.remarks.iter().cloned());
     remarks.extend(spline::stopped_at_noise(scene, &demand, found.family));
     let splines = if found.family == Family::Spline {
         found.degree
@@ -385,7 +386,9 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
             found.easing = certificate::easings(&program, &solution, Minimise::ForceError);
             found.coefficients = solution.x;
         }
-        Err(failure) => found.infeasible = Some(conflict::explain(&program, &failure)),
+        Err(failure) => {
+            found.infeasible = Some(conflict::explain(&program, &failure, scene.cam.measures()))
+        }
     }
     Ok(found)
 }
@@ -437,7 +440,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     let (mut fitted, infeasible) = match spline::fit(scene, demand)? {
         spline::Outcome::Law(fitted) => (fitted, None),
         spline::Outcome::None(program, failure) => {
-            let why = conflict::explain(&program, &failure);
+            let why = conflict::explain(&program, &failure, scene.cam.measures());
             (unlimited(scene, demand, &why)?, Some(why))
         }
         spline::Outcome::Fight(why) => (unlimited(scene, demand, &why)?, Some(*why)),

@@ -282,14 +282,15 @@ pub fn verdict(scene: &Scene, cam: &Cam, checks: &[Check]) -> (Verdict, String) 
             .max(f64::MIN_POSITIVE)
     };
     let ranges = [range(0), range(1), range(2)];
+    let measures = cam.follower.measures();
     for joint in cam.law.joints() {
         for (order, jump, what) in [(0, joint.jump.s, "lift"), (1, joint.jump.v, "velocity")] {
             if jump.abs() > JUMP * ranges[order] {
-                let at = joint.at.to_degrees();
+                let at = measures.place(joint.at, 2);
                 return (
                     Verdict::Unacceptable,
                     format!(
-                        "The {what} jumps at {at:.2}°: the follower would have to be in two states at once, so no machine can follow."
+                        "The {what} jumps at {at}: the follower would have to be in two states at once, so no machine can follow."
                     ),
                 );
             }
@@ -307,8 +308,8 @@ pub fn verdict(scene: &Scene, cam: &Cam, checks: &[Check]) -> (Verdict, String) 
         return (
             Verdict::NotForHighSpeed,
             format!(
-                "Every limit holds, but the acceleration jumps at {:.2}°: the force jumps with it and shakes a fast machine.",
-                joint.at.to_degrees()
+                "Every limit holds, but the acceleration jumps at {}: the force jumps with it and shakes a fast machine.",
+                measures.place(joint.at, 2)
             ),
         );
     }
@@ -334,41 +335,42 @@ fn larger(scene: &Scene, cam: &Cam) -> String {
 }
 
 fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
-    let at = check.at.to_degrees();
+    let measures = cam.follower.measures();
+    let at = measures.place(check.at, 1);
     let (worst, limit) = (check.worst, check.limit);
     match check.name.as_str() {
         "curvature" if worst < 0.0 => format!(
-            "The profile is undercut at {at:.1}°: its convex radius would be {:.3} mm. {}",
+            "The profile is undercut at {at}: its convex radius would be {:.3} mm. {}",
             1e3 * worst,
             larger(scene, cam)
         ),
         "curvature" => format!(
-            "The profile is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. {}",
+            "The profile is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. {}",
             1e3 * worst,
             1e3 * limit,
             larger(scene, cam)
         ),
         "second_curvature" => format!(
-            "The second cam of the pair is sharper at {at:.1}° ({:.3} mm) than the {:.3} mm allowed. Move its follower farther out.",
+            "The second cam of the pair is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. Move its follower farther out.",
             1e3 * worst,
             1e3 * limit
         ),
         "interference" | "second_interference" => format!(
-            "At {at:.1}° the follower reaches {:.3} mm into another part of the cam than the one it touches. Use a smaller roller, or enlarge the base circle.",
+            "At {at} the follower reaches {:.3} mm into another part of the cam than the one it touches. Use a smaller roller, or enlarge the base circle.",
             1e3 * worst
         ),
         "upper_wall" | "lower_wall" => format!(
-            "A wall of the groove bulges with {:.3} mm at {at:.1}°, sharper than the {:.3} mm allowed. Use a smaller roller, or a larger barrel.",
+            "A wall of the groove bulges with {:.3} mm at {at}, sharper than the {:.3} mm allowed. Use a smaller roller, or a larger barrel.",
             1e3 * worst,
             1e3 * limit
         ),
         "concave" => format!(
-            "The roller of {:.3} mm does not fit the hollow of {:.3} mm at {at:.1}°. Use a smaller roller.",
+            "The roller of {:.3} mm does not fit the hollow of {:.3} mm at {at}. Use a smaller roller.",
             1e3 * limit,
             1e3 * worst
         ),
         "pressure_angle_rise" | "pressure_angle_fall" => format!(
-            "The pressure angle reaches {:.2}° at {at:.1}°, more than the {:.2}° allowed: the follower would jam in its guide. Enlarge the prime circle.",
+            "The pressure angle reaches {:.2}° at {at}, more than the {:.2}° allowed: the follower would jam in its guide. Enlarge the prime circle.",
             worst.to_degrees(),
             limit.to_degrees()
         ),
@@ -376,8 +378,8 @@ fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
             "The force misses the target by {worst:.4} N RMS, more than the {limit:.4} N asked for. Relax the limits that bind, or allow more spans."
         ),
         "base_circle" => format!(
-            "The law dips {:.3} mm below its base circle at {at:.1}°.",
-            -1e3 * worst
+            "The law dips {} below its base circle at {at}.",
+            in_units(measures, "base_circle", -worst)
         ),
         "prime_radius" => format!(
             "The cam needs a prime radius of {:.3} mm, more than the {:.3} mm allowed. Allow a larger pressure angle or more force error.",
@@ -385,12 +387,12 @@ fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
             1e3 * limit
         ),
         "band" => format!(
-            "The force leaves the band by {worst:.4} N at {at:.1}°. Widen the band, or allow more spans."
+            "The force leaves the band by {worst:.4} N at {at}. Widen the band, or allow more spans."
         ),
         name => format!(
-            "The limit \"{name}\" is broken at {at:.1}°: {} against {}.",
-            in_units(name, worst),
-            in_units(name, limit)
+            "The limit \"{name}\" is broken at {at}: {} against {}.",
+            in_units(measures, name, worst),
+            in_units(measures, name, limit)
         ),
     }
 }

@@ -11,9 +11,9 @@ use super::Timing;
 use super::cam_picture::cam_in;
 use super::panel::Frame;
 use super::plots::{Layout, force_frame, force_in, geometry_in, svaj_in};
-use super::samples::{lift_unit, number, range};
+use super::samples::{number, range};
 use super::svg::escaped;
-use crate::cam::Verdict;
+use crate::cam::{Follower, Measures, Verdict};
 use crate::dynamics::Outcome;
 use crate::synth::Synthesis;
 
@@ -73,7 +73,12 @@ fn page(synthesis: &Synthesis, time: Timing, running: Option<&Running>) -> Strin
         tables::numbers(&mut out, synthesis);
     }
     tables::solution(&mut out, synthesis, time);
-    out.push_str("<footer>Lengths in millimetres, angles in degrees, θ counted counter-clockwise from the start of the cycle. Extremes are those of the continuous law, not of samples.</footer>\n");
+    out.push_str("<footer>Lengths in millimetres, angles in degrees, ");
+    out.push_str(match synthesis.cam.follower.measures() {
+        Measures::Straight => "the travel counted from the start of the cam's pass.",
+        _ => "θ counted counter-clockwise from the start of the cycle.",
+    });
+    out.push_str(" Extremes are those of the continuous law, not of samples.</footer>\n");
     if synthesis.infeasible.is_none() {
         let _ = write!(out, "<script>\n{SCRIPT}</script>\n");
     }
@@ -112,6 +117,7 @@ fn conflict(out: &mut String, synthesis: &Synthesis) {
         let _ = writeln!(out, "<li>{}</li>", escaped(&tables::spoken(limit)));
     }
     out.push_str("</ul>\n");
+    let measures = synthesis.cam.follower.measures();
     let helps = answer.relaxations.iter().any(|r| r.to.is_some());
     out.push_str(if helps {
         "<h3>Any one of these changes is enough</h3>\n<ul>\n"
@@ -120,10 +126,10 @@ fn conflict(out: &mut String, synthesis: &Synthesis) {
     });
     for r in &answer.relaxations {
         let name = escaped(&tables::spoken(&r.limit));
-        let from = tables::shown(&r.limit, r.from);
+        let from = tables::shown(measures, &r.limit, r.from);
         let _ = match r.to {
             Some(to) => {
-                let to = tables::shown(&r.limit, to);
+                let to = tables::shown(measures, &r.limit, to);
                 writeln!(out, "<li>{name}: from {from} to <strong>{to}</strong></li>")
             }
             None => writeln!(
@@ -140,38 +146,55 @@ fn conflict(out: &mut String, synthesis: &Synthesis) {
 fn cards(out: &mut String, synthesis: &Synthesis) {
     let cam = &synthesis.cam;
     let force = &synthesis.force;
-    let (factor, unit) = lift_unit(synthesis);
+    let measures = cam.follower.measures();
+    let pressing = measures.force().name;
     let mut all = Vec::new();
     if synthesis.target.is_some() {
         let percent = number(force.rms_error_percent_of_mean, 3);
         let rms = format!("{} N", number(force.rms_error_n, 3));
         all.push(("Force error, RMS", rms, format!("{percent} % of the mean")));
     }
-    all.push((
-        "Force",
-        format!("{}\u{a0}N", range(force.min_n, force.max_n, 4)),
-        format!("mean {} N", number(force.mean_n, 4)),
-    ));
-    let stroke = format!("{} {unit}", number(factor * cam.law.stroke(), 4));
+    if !synthesis.is_idle() {
+        let name = match measures {
+            Measures::Swinging => "Moment",
+            _ => "Force",
+        };
+        let range = range(force.min_n, force.max_n, 4);
+        all.push((
+            name,
+            format!("{range}\u{a0}{pressing}"),
+            format!("mean {} {pressing}", number(force.mean_n, 4)),
+        ));
+    }
+    let lift = measures.lift(0);
+    let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
     all.push(("Stroke", stroke, String::new()));
     let mm = |x: f64| format!("{} mm", number(1000.0 * x, 4));
     let roller = cam.follower.roller_radius();
-    let prime = if roller > 0.0 {
+    let prime = if roller > 0.0 && !cam.follower.is_unrolled() {
         format!("prime circle R {}", mm(cam.follower.prime_radius()))
     } else {
         String::new()
     };
-    all.push((
-        "Base circle",
-        format!("R {}", mm(cam.follower.base_radius())),
-        prime,
-    ));
+    let base = match cam.follower {
+        Follower::TranslatingCam { .. } => ("Base height", ""),
+        Follower::Barrel { .. } => ("Barrel", "R "),
+        _ => ("Base circle", "R "),
+    };
+    let radius = mm(cam.follower.base_radius());
+    all.push((base.0, format!("{}{radius}", base.1), prime));
     let sharpest = cam.curvature().convex;
-    let at = format!("at {}", super::samples::degrees(sharpest.at));
+    let at = format!("at {}", measures.place(sharpest.at, 1));
     all.push(("Smallest radius", mm(sharpest.value), at));
     let speed = synthesis.drive.speed;
-    let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
-    all.push(("Speed", rpm, format!("{} rad/s", number(speed, 4))));
+    let own = measures.speed().after(&number(speed, 4));
+    all.push(match measures {
+        Measures::Straight => ("Speed", own, String::new()),
+        _ => {
+            let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
+            ("Speed", rpm, own)
+        }
+    });
     out.push_str("<dl class=\"cards\">\n");
     for (name, value, more) in all {
         let _ = writeln!(
@@ -184,8 +207,17 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
 
 /// The diagrams.
 fn figures(out: &mut String, synthesis: &Synthesis) {
-    out.push_str("<h2>Force</h2>\n");
+    out.push_str(match synthesis.cam.follower.measures() {
+        Measures::Swinging => "<h2>Moment on the arm</h2>\n",
+        _ => "<h2>Force</h2>\n",
+    });
     comparison(out, synthesis);
+    if synthesis.is_idle() {
+        out.push_str(
+            "<p>The scene gives the drive no mass, spring or preload, so nothing presses. \
+             Drawn is what one unit of moved mass would press with.</p>\n",
+        );
+    }
     let tall = Layout::figure(500);
     figure(
         out,

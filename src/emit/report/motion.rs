@@ -148,11 +148,7 @@ pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
         back: synthesis.drive.speed < 0.0,
         angle_unit,
         unit,
-        force_unit: if cam.follower.is_oscillating() {
-            "N·m"
-        } else {
-            "N"
-        },
+        force_unit: cam.follower.measures().force().name,
         digits: [1, 1],
         s: Vec::new(),
         f: Vec::new(),

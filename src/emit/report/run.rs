@@ -5,13 +5,14 @@ use std::fmt::Write;
 use plotters::style::Color;
 
 use super::{Running, animation};
+use crate::cam::Measures;
 use crate::dynamics::outcome::{Model, Outcome};
 use crate::emit::geometry::target_at;
-use crate::emit::panel::{Frame, Panel, padded};
+use crate::emit::panel::{Frame, Panel, padded, ticks};
 use crate::emit::picture::Picture;
 use crate::emit::picture::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::emit::plots::{Layout, force_frame, key, strips};
-use crate::emit::samples::{degrees, number, range};
+use crate::emit::samples::{number, range};
 use crate::emit::svg::escaped;
 use crate::synth::Synthesis;
 
@@ -48,13 +49,20 @@ pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running) {
             &data
         )
     );
-    impacts(out, outcome);
+    impacts(out, synthesis.cam.follower.measures(), outcome);
     remarks(out, outcome);
 }
 
 fn cards(out: &mut String, synthesis: &Synthesis, outcome: &Outcome) {
-    let moment = synthesis.cam.follower.is_oscillating();
-    let unit = if moment { "N·m" } else { "N" };
+    let measures = synthesis.cam.follower.measures();
+    let moment = measures == Measures::Swinging;
+    let unit = measures.force().name;
+    let [push, torque] = if measures == Measures::Straight {
+        ["Push on the cam", "N"]
+    } else {
+        ["Shaft torque", "N·m"]
+    };
+    let speed = |w: f64| measures.speed().after(&number(w, 5));
     let contact = if outcome.contact_lost {
         (
             "lost".to_string(),
@@ -67,13 +75,13 @@ fn cards(out: &mut String, synthesis: &Synthesis, outcome: &Outcome) {
         ("kept".to_string(), "all the way round".to_string())
     };
     let error = outcome.force.rms_error.map_or(String::new(), |e| {
-        format!("{} N RMS off the target", number(e, 3))
+        format!("{} {unit} RMS off the target", number(e, 3))
     });
     let t = outcome.torque;
     let liftoff = match outcome.liftoff_speed {
         Some(w) => (
-            format!("{} rad/s", number(w, 5)),
-            format!("runs at {} rad/s", number(synthesis.drive.speed, 5)),
+            speed(w),
+            format!("runs at {}", speed(synthesis.drive.speed)),
         ),
         None => ("at no speed".to_string(), String::new()),
     };
@@ -97,8 +105,8 @@ fn cards(out: &mut String, synthesis: &Synthesis, outcome: &Outcome) {
             error,
         ),
         (
-            "Shaft torque",
-            format!("{}\u{a0}N·m", range(t.min, t.max, 3)),
+            push,
+            format!("{}\u{a0}{torque}", range(t.min, t.max, 3)),
             format!("RMS {}", number(t.rms, 3)),
         ),
         ("First lifts off", liftoff.0, liftoff.1),
@@ -131,16 +139,28 @@ fn diagrams(synthesis: &Synthesis, outcome: &Outcome, layout: Layout) -> Picture
         let e = layout.letters;
         let total = outcome.rows.len();
         let span = length * turns as f64;
+        let measures = synthesis.cam.follower.measures();
+        let across = measures.angle().factor;
+        let straight = measures == Measures::Straight;
+        let panel = |frame: Frame, y: [f64; 2]| {
+            let x = [across * start, across * (start + span)];
+            if straight {
+                Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)
+            } else {
+                Panel::new(canvas, frame, x, y, e)
+            }
+        };
         let angle = |i: usize| start + span * i as f64 / total as f64;
         let curve = |f: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
             (0..=total)
-                .map(|i| (angle(i).to_degrees(), f(i % total)))
+                .map(|i| (across * angle(i), f(i % total)))
                 .collect()
         };
         let rows = &outcome.rows;
         let force = curve(&|i| rows[i].contact_force);
         let torque = curve(&|i| rows[i].torque);
-        let gap = curve(&|i| 1000.0 * rows[i].gap);
+        let lift = measures.lift(0);
+        let gap = curve(&|i| lift.factor * rows[i].gap);
         let within = |i: usize| start + (angle(i) - start) % length;
         let rigid = (outcome.model != Model::Rigid)
             .then(|| curve(&|i| synthesis.drive.force(law.svaj(within(i)))));
@@ -149,7 +169,6 @@ fn diagrams(synthesis: &Synthesis, outcome: &Outcome, layout: Layout) -> Picture
             .as_ref()
             .map(|t| curve(&|i| target_at(t, law, within(i))));
         let frame: Frame = force_frame(layout);
-        let x = [start.to_degrees(), (start + span).to_degrees()];
         let shares: &[f64] = if outcome.contact_lost {
             &[1.9, 1.0, 0.8]
         } else {
@@ -161,61 +180,58 @@ fn diagrams(synthesis: &Synthesis, outcome: &Outcome, layout: Layout) -> Picture
             .chain(rigid.iter().flatten())
             .chain(wanted.iter().flatten())
             .map(|p| p.1);
-        let panel = Panel::new(canvas, frames[0], x, padded(values.chain([0.0]), 0.08), e)?;
+        let forces = panel(frames[0], padded(values.chain([0.0]), 0.08))?;
         let mut entries = Vec::new();
         if let Some(wanted) = &wanted {
-            panel.curve(wanted, ORANGE.mix(0.55), 8.0)?;
+            forces.curve(wanted, ORANGE.mix(0.55), 8.0)?;
             entries.push((ORANGE.mix(0.55), 8.0, "wanted"));
         }
         if let Some(rigid) = &rigid {
-            panel.curve(rigid, QUIET, 1.4)?;
+            forces.curve(rigid, QUIET, 1.4)?;
             entries.push((QUIET, 1.4, "rigid"));
         }
-        panel.curve(&force, BLUE, 2.2)?;
+        forces.curve(&force, BLUE, 2.2)?;
         entries.push((BLUE, 2.2, "as run"));
-        let moment = synthesis.cam.follower.is_oscillating();
-        panel.quantity(if moment { "moment, N·m" } else { "force, N" }, 5.7 * e)?;
-        let panel = Panel::new(
-            canvas,
-            frames[1],
-            x,
-            padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12),
-            e,
-        )?;
-        panel.curve(&torque, PURPLE, 2.0)?;
-        panel.quantity("torque, N·m", 5.7 * e)?;
+        let pressing = format!("{}, {}", measures.force_words(), measures.force().name);
+        forces.quantity(&pressing, 5.7 * e)?;
+        let y = padded(torque.iter().map(|p| p.1).chain([0.0]), 0.12);
+        let torques = panel(frames[1], y)?;
+        torques.curve(&torque, PURPLE, 2.0)?;
+        torques.quantity(if straight { "push, N" } else { "torque, N·m" }, 5.7 * e)?;
         if outcome.contact_lost {
             let top = padded(gap.iter().map(|p| p.1).chain([0.0]), 0.12)[1];
-            let panel = Panel::new(canvas, frames[2], x, [0.0, top], e)?;
-            panel.curve(&gap, RED, 2.0)?;
-            panel.quantity("gap, mm", 5.7 * e)?;
-            panel.angles()?;
+            let gaps = panel(frames[2], [0.0, top])?;
+            gaps.curve(&gap, RED, 2.0)?;
+            gaps.quantity(&format!("gap, {}", lift.name), 5.7 * e)?;
+            gaps.across(measures.angle_words())?;
         } else {
-            panel.angles()?;
+            torques.across(measures.angle_words())?;
         }
         key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
     })
 }
 
-fn impacts(out: &mut String, outcome: &Outcome) {
+fn impacts(out: &mut String, measures: Measures, outcome: &Outcome) {
     if outcome.impacts.is_empty() {
         return;
     }
     let _ = write!(
         out,
-        "<h3>Landings</h3>\n<div class=\"scroll\"><table><tr><th class=\"n\">Leaves at θ</th><th class=\"n\">Lands at θ</th>\
+        "<h3>Landings</h3>\n<div class=\"scroll\"><table><tr><th class=\"n\">Leaves at</th><th class=\"n\">Lands at</th>\
          <th class=\"n\">Speed</th><th class=\"n\">Gap</th><th class=\"n\">Impulse</th></tr>\n"
     );
+    let lift = measures.lift(0);
     for hit in outcome.impacts.iter().take(LISTED) {
         let _ = writeln!(
             out,
-            "<tr><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} m/s</td>\
-             <td class=\"n\">{} mm</td><td class=\"n\">{} N·s</td></tr>",
-            degrees(hit.since),
-            degrees(hit.at),
-            number(hit.speed, 4),
-            number(1000.0 * hit.height, 4),
-            number(hit.pulse.impulse, 4)
+            "<tr><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
+             <td class=\"n\">{}</td><td class=\"n\">{} {}·s</td></tr>",
+            measures.place(hit.since, 1),
+            measures.place(hit.at, 1),
+            measures.by_time(1).after(&number(hit.speed, 4)),
+            lift.after(&number(lift.factor * hit.height, 4)),
+            number(hit.pulse.impulse, 4),
+            measures.force().name
         );
     }
     out.push_str("</table></div>\n");

@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::cam::Check;
+use crate::cam::{Check, Follower, Measures, Unit};
 use crate::emit::Timing;
-use crate::emit::samples::{degrees, lift_unit, number, range};
+use crate::emit::samples::{degrees, number, range};
 use crate::emit::svg::escaped;
 use crate::synth::{Synthesis, Tier};
 
@@ -17,36 +17,9 @@ pub fn spoken(name: &str) -> String {
 }
 
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
-pub fn shown(limit: &str, value: f64) -> String {
-    let (factor, unit) = match limit {
-        "stroke"
-        | "curvature"
-        | "concave"
-        | "face_width"
-        | "bore"
-        | "base_circle"
-        | "base_radius"
-        | "prime_radius"
-        | "cam.prime_radius"
-        | "roller_radius"
-        | "offset"
-        | "interference"
-        | "second_curvature"
-        | "second_concave"
-        | "second_interference"
-        | "upper_wall"
-        | "lower_wall" => (1000.0, " mm"),
-        "residual" => (1000.0, " mm"),
-        "torque" => (1.0, " N·m"),
-        "hertz_pressure" => (1e-6, " MPa"),
-        "velocity" => (1.0, " m/s"),
-        "acceleration" => (1.0, " m/s²"),
-        "jerk" => (1.0, " m/s³"),
-        "force_min" | "force_max" | "rms_error" | "band" => (1.0, " N"),
-        name if name.contains("pressure_angle") => (1f64.to_degrees(), "°"),
-        _ => (1.0, ""),
-    };
-    format!("{}{unit}", number(factor * value, 4))
+pub fn shown(measures: Measures, limit: &str, value: f64) -> String {
+    let unit = measures.limit(limit);
+    unit.after(&number(unit.factor * value, 4))
 }
 
 /// How far the worst value stays from its limit, as a share of the limit; negative when broken.
@@ -65,9 +38,10 @@ pub fn checks(out: &mut String, synthesis: &Synthesis) {
     if synthesis.checks.is_empty() {
         return;
     }
+    let measures = synthesis.cam.follower.measures();
     out.push_str(
         "<h2>Checks</h2>\n<div class=\"scroll\"><table><tr><th>Check</th><th>State</th><th class=\"n\">Worst</th>\
-         <th class=\"n\">Limit</th><th class=\"n\">Margin</th><th class=\"n\">At θ</th></tr>\n",
+         <th class=\"n\">Limit</th><th class=\"n\">Margin</th><th class=\"n\">At</th></tr>\n",
     );
     for check in &synthesis.checks {
         let margin = margin(check);
@@ -88,9 +62,9 @@ pub fn checks(out: &mut String, synthesis: &Synthesis) {
             "<tr><td>{}</td><td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{state}</span></td>\
              <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{margin}</td><td class=\"n\">{}</td></tr>",
             escaped(&spoken(&check.name)),
-            shown(&check.name, check.worst),
-            shown(&check.name, check.limit),
-            degrees(check.at)
+            shown(measures, &check.name, check.worst),
+            shown(measures, &check.name, check.limit),
+            measures.place(check.at, 1)
         );
     }
     out.push_str("</table></div>\n");
@@ -108,15 +82,16 @@ pub fn binding(out: &mut String, synthesis: &Synthesis) {
         return;
     }
     out.push_str(
-        "<div class=\"scroll\"><table><tr><th>Limit</th><th class=\"n\">At θ</th>\
+        "<div class=\"scroll\"><table><tr><th>Limit</th><th class=\"n\">At</th>\
          <th class=\"n\">Multiplier (SI)</th></tr>\n",
     );
+    let measures = synthesis.cam.follower.measures();
     for b in &synthesis.binding {
         let _ = writeln!(
             out,
             "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>",
             escaped(&spoken(&b.limit)),
-            degrees(b.at),
+            measures.place(b.at, 1),
             number(b.multiplier, 4)
         );
     }
@@ -136,15 +111,16 @@ fn easing(out: &mut String, synthesis: &Synthesis) {
         "<div class=\"scroll\"><table><tr><th>Ease this by 1 %</th><th class=\"n\">From</th><th class=\"n\">To</th>\
          <th>and this</th><th class=\"n\">falls from</th><th class=\"n\">to about</th></tr>\n",
     );
+    let measures = synthesis.cam.follower.measures();
     for e in &synthesis.easing {
-        let (name, unit, factor) = e.in_words();
+        let (name, unit, factor) = e.in_words(measures);
         let _ = writeln!(
             out,
             "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{name}</td>\
              <td class=\"n\">{} {unit}</td><td class=\"n\">{} {unit}</td></tr>",
             escaped(&spoken(&e.limit)),
-            shown(&e.limit, e.from),
-            shown(&e.limit, e.to),
+            shown(measures, &e.limit, e.from),
+            shown(measures, &e.limit, e.to),
             number(factor * e.before, 5),
             number(factor * e.after, 5)
         );
@@ -173,34 +149,40 @@ fn table(out: &mut String, name: &str, rows: &Rows) {
 
 fn drive(synthesis: &Synthesis) -> Rows {
     let d = &synthesis.drive;
+    let measures = synthesis.cam.follower.measures();
+    let shown = |unit: Unit, x: f64| unit.after(&number(unit.factor * x, 5));
+    let round = match measures {
+        Measures::Straight => ("one pass", synthesis.cam.law.extent().1),
+        _ => ("one turn", std::f64::consts::TAU),
+    };
+    let at_rest = match measures {
+        Measures::Swinging => "moment at rest",
+        _ => "force at rest",
+    };
     let mut rows = vec![
         ("machine", spoken(d.kind.name())),
-        ("speed", format!("{} rad/s", number(d.speed, 5))),
-        (
-            "one turn",
-            format!("{} s", number(std::f64::consts::TAU / d.speed, 5)),
-        ),
-        ("force at rest", format!("{} N", number(d.rest_force, 5))),
+        ("speed", shown(measures.speed(), d.speed)),
+        (round.0, format!("{} s", number(round.1 / d.speed.abs(), 5))),
+        (at_rest, shown(measures.force(), d.rest_force)),
     ];
     if d.mass != 0.0 {
-        rows.push(("moved mass", format!("{} kg", number(d.mass, 5))));
+        rows.push((measures.mass_words(), shown(measures.mass(), d.mass)));
     }
     if d.spring_rate != 0.0 {
-        rows.push((
-            "force per lift",
-            format!("{} N/mm", number(d.spring_rate / 1000.0, 5)),
-        ));
+        let name = match measures {
+            Measures::Swinging => "moment per angle",
+            _ => "force per lift",
+        };
+        rows.push((name, shown(measures.spring_rate(), d.spring_rate)));
     }
     if d.damping != 0.0 {
-        rows.push(("damping", format!("{} N·s/m", number(d.damping, 5))));
+        rows.push(("damping", shown(measures.damping(), d.damping)));
     }
     rows
 }
 
 fn law(synthesis: &Synthesis) -> Rows {
     let law = &synthesis.cam.law;
-    let (factor, unit) = lift_unit(synthesis);
-    let speed = synthesis.drive.speed;
     let mut rows = vec![
         ("family", spoken(&synthesis.family)),
         ("pieces", law.poly().pieces().to_string()),
@@ -208,31 +190,24 @@ fn law(synthesis: &Synthesis) -> Rows {
     if synthesis.degree > 0 {
         rows.push(("degree", synthesis.degree.to_string()));
     }
-    rows.push((
-        "stroke",
-        format!("{} {unit}", number(factor * law.stroke(), 5)),
-    ));
-    let per = ["/rad", "/rad²", "/rad³"];
-    let in_time = ["/s", "/s²", "/s³"];
+    let measures = synthesis.cam.follower.measures();
+    let lift = measures.lift(0);
+    let stroke = number(lift.factor * law.stroke(), 5);
+    rows.push(("stroke", lift.after(&stroke)));
     let names = [
         ["velocity", "velocity by time"],
         ["acceleration", "acceleration by time"],
         ["jerk", "jerk by time"],
     ];
-    for k in 0..3 {
-        let (low, high) = law.extremes(k + 1);
-        let range = |scale: f64| range(scale * low.value, scale * high.value, 4);
-        rows.push((names[k][0], format!("{} {unit}{}", range(factor), per[k])));
-        let rate = speed.powi(k as i32 + 1);
-        let (scale, unit) = if unit == "mm" {
-            (rate, "m")
-        } else {
-            (rate, "rad")
+    for (name, order) in names.into_iter().zip(1..) {
+        let (low, high) = law.extremes(order);
+        let shown = |unit: Unit, rate: f64| {
+            let scale = unit.factor * rate;
+            unit.after(&range(scale * low.value, scale * high.value, 4))
         };
-        rows.push((
-            names[k][1],
-            format!("{} {unit}{}", range(scale), in_time[k]),
-        ));
+        rows.push((name[0], shown(measures.lift(order), 1.0)));
+        let rate = synthesis.drive.speed.powi(order as i32);
+        rows.push((name[1], shown(measures.by_time(order), rate)));
     }
     rows
 }
@@ -243,27 +218,41 @@ fn cam(synthesis: &Synthesis) -> Rows {
     let follower = &cam.follower;
     let mut rows = vec![
         ("follower", spoken(follower.name())),
-        ("base circle", mm(follower.base_radius())),
+        (base_name(follower), mm(follower.base_radius())),
     ];
     let curvature = cam.curvature();
     if follower.roller_radius() > 0.0 {
-        rows.push(("prime circle", mm(follower.prime_radius())));
+        if !follower.is_unrolled() {
+            rows.push(("prime circle", mm(follower.prime_radius())));
+        }
         rows.push(("roller radius", mm(follower.roller_radius())));
-        rows.push(("offset", mm(follower.offset())));
+        if follower.measures() == Measures::Sliding && !follower.is_unrolled() {
+            rows.push(("offset", mm(follower.offset())));
+        }
     }
     rows.push(("smallest convex radius", mm(curvature.convex.value)));
-    rows.push(("at θ", degrees(curvature.convex.at)));
+    let at = follower.measures().place(curvature.convex.at, 1);
+    rows.push(("found at", at));
     if let Some(concave) = curvature.concave {
         rows.push(("tightest concave radius", mm(-concave.value)));
     }
     if let Some(width) = cam.face_width() {
         rows.push(("face width", mm(width)));
     } else {
-        let (low, high) = cam.pressure_angle_extremes();
+        let (low, high) = synthesis.pressure_angle_extremes();
         let range = format!("{} … {}", degrees(low.value), degrees(high.value));
         rows.push(("pressure angle", range));
     }
     rows
+}
+
+/// What a follower's base radius is called.
+pub fn base_name(follower: &Follower) -> &'static str {
+    match follower {
+        Follower::TranslatingCam { .. } => "base height",
+        Follower::Barrel { .. } => "barrel's radius",
+        _ => "base circle",
+    }
 }
 
 /// How the answer was found, and what was remarked on the way.

@@ -1,0 +1,238 @@
+//! What a design's quantities are measured in. Lifts are lengths or, of an arm, angles; a cam turns through
+//! angles or slides along a length; forces follow the lift. Every number shown to people passes here.
+
+use super::Follower;
+
+/// A unit people use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// From SI to this unit.
+    pub factor: f64,
+    /// Its name; empty for a plain number.
+    pub name: &'static str,
+}
+
+const fn unit(factor: f64, name: &'static str) -> Unit {
+    Unit { factor, name }
+}
+
+const MM: Unit = unit(1e3, "mm");
+const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
+
+impl Unit {
+    /// A number written in this unit, with the unit: degrees stand close to their number.
+    pub fn after(self, number: &str) -> String {
+        match self.name {
+            "" => number.to_string(),
+            "°" => format!("{number}°"),
+            name => format!("{number} {name}"),
+        }
+    }
+}
+
+/// What lift and cam angle are measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measures {
+    /// The follower slides on a cam that turns: m over rad.
+    Sliding,
+    /// The follower swings on a cam that turns: rad over rad, moments in place of forces.
+    Swinging,
+    /// The cam itself slides: m of lift over m of travel.
+    Straight,
+}
+
+impl Follower {
+    /// What its law is measured in.
+    pub fn measures(&self) -> Measures {
+        match self {
+            Follower::TranslatingCam { .. } => Measures::Straight,
+            _ if self.is_oscillating() => Measures::Swinging,
+            _ => Measures::Sliding,
+        }
+    }
+}
+
+impl Measures {
+    fn swings(self) -> bool {
+        self == Measures::Swinging
+    }
+
+    /// Lift and its derivatives by the cam's angle (or travel), up to order 4.
+    pub fn lift(self, order: usize) -> Unit {
+        let order = order.min(4);
+        match self {
+            Measures::Sliding => unit(
+                MM.factor,
+                ["mm", "mm/rad", "mm/rad²", "mm/rad³", "mm/rad⁴"][order],
+            ),
+            Measures::Swinging => unit(
+                DEGREES.factor,
+                ["°", "°/rad", "°/rad²", "°/rad³", "°/rad⁴"][order],
+            ),
+            Measures::Straight => unit(
+                [1e3, 1.0, 1e-3, 1e-6, 1e-9][order],
+                ["mm", "mm/mm", "mm/mm²", "mm/mm³", "mm/mm⁴"][order],
+            ),
+        }
+    }
+
+    /// Derivatives of the lift by time, order 1 to 3.
+    pub fn by_time(self, order: usize) -> Unit {
+        let names = if self.swings() {
+            ["rad", "rad/s", "rad/s²", "rad/s³"]
+        } else {
+            ["m", "m/s", "m/s²", "m/s³"]
+        };
+        unit(1.0, names[order.min(3)])
+    }
+
+    /// The cam's angle, or its travel.
+    pub fn angle(self) -> Unit {
+        if self == Measures::Straight {
+            MM
+        } else {
+            DEGREES
+        }
+    }
+
+    /// The cam's angle in words, as an axis has it.
+    pub fn angle_words(self) -> &'static str {
+        if self == Measures::Straight {
+            "travel of the cam x, mm"
+        } else {
+            "cam angle θ, degrees"
+        }
+    }
+
+    /// Where on the cam: "at 12.34°", "at 34.2 mm".
+    pub fn place(self, at: f64, decimals: usize) -> String {
+        let unit = self.angle();
+        // Adding zero turns −0 into 0.
+        unit.after(&format!("{:.decimals$}", unit.factor * at + 0.0))
+    }
+
+    /// Speed of the cam.
+    pub fn speed(self) -> Unit {
+        unit(
+            1.0,
+            if self == Measures::Straight {
+                "m/s"
+            } else {
+                "rad/s"
+            },
+        )
+    }
+
+    /// The speed of the cam in words: as it is, and in turns per minute where it turns.
+    pub fn speed_words(self, speed: f64, decimals: usize) -> String {
+        let own = format!("{speed:.decimals$} {}", self.speed().name);
+        if self == Measures::Straight {
+            return own;
+        }
+        format!("{own} ({:.2} rpm)", speed * 30.0 / std::f64::consts::PI)
+    }
+
+    /// What the drive presses with: a force, or the moment on an arm.
+    pub fn force(self) -> Unit {
+        unit(1.0, if self.swings() { "N·m" } else { "N" })
+    }
+
+    /// Its name.
+    pub fn force_words(self) -> &'static str {
+        if self.swings() { "moment" } else { "force" }
+    }
+
+    /// What the drive moves: a mass, or an arm's inertia.
+    pub fn mass(self) -> Unit {
+        unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
+    }
+
+    /// Its name.
+    pub fn mass_words(self) -> &'static str {
+        if self.swings() {
+            "moved inertia"
+        } else {
+            "moved mass"
+        }
+    }
+
+    /// Force per lift.
+    pub fn spring_rate(self) -> Unit {
+        if self.swings() {
+            unit(1.0, "N·m/rad")
+        } else {
+            unit(1e-3, "N/mm")
+        }
+    }
+
+    /// Force per speed of the lift.
+    pub fn damping(self) -> Unit {
+        unit(
+            1.0,
+            if self.swings() {
+                "N·m·s/rad"
+            } else {
+                "N·s/m"
+            },
+        )
+    }
+
+    /// A limit or check by its name in `summary.json`; without a unit where the name is not known here.
+    pub fn limit(self, name: &str) -> Unit {
+        match name {
+            _ if name.contains("pressure_angle") => DEGREES,
+            "stroke" | "residual" | "base_circle" => self.lift(0),
+            "velocity" => self.by_time(1),
+            "acceleration" => self.by_time(2),
+            "jerk" => self.by_time(3),
+            "force_min" | "force_max" | "rms_error" | "band" => self.force(),
+            "torque" if self == Measures::Straight => unit(1.0, "N"),
+            "torque" => unit(1.0, "N·m"),
+            "torque_rate" => unit(1.0, "N·m/rad"),
+            "hertz_pressure" => unit(1e-6, "MPa"),
+            "bore" | "face_width" | "offset" | "upper_wall" | "lower_wall" => MM,
+            _ if ["curvature", "concave", "interference", "radius"]
+                .iter()
+                .any(|length| name.ends_with(length)) =>
+            {
+                MM
+            }
+            _ => unit(1.0, ""),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arm_has_angles_and_moments_and_a_slide_millimetres() {
+        let shown = |m: Measures, name: &str, x: f64| {
+            let u = m.limit(name);
+            u.after(&format!("{:.4}", u.factor * x))
+        };
+        let ten = 10_f64.to_radians();
+        assert_eq!(shown(Measures::Swinging, "stroke", ten), "10.0000°");
+        assert_eq!(shown(Measures::Sliding, "stroke", 0.01), "10.0000 mm");
+        assert_eq!(shown(Measures::Swinging, "jerk", 9.0), "9.0000 rad/s³");
+        assert_eq!(shown(Measures::Straight, "jerk", 9.0), "9.0000 m/s³");
+        assert_eq!(shown(Measures::Swinging, "force_min", 2.0), "2.0000 N·m");
+        assert_eq!(
+            shown(Measures::Swinging, "second_curvature", 2e-3),
+            "2.0000 mm"
+        );
+        assert_eq!(
+            shown(Measures::Swinging, "cam.prime_radius", 2e-3),
+            "2.0000 mm"
+        );
+        assert_eq!(
+            shown(Measures::Sliding, "pressure_angle_rise", ten),
+            "10.0000°"
+        );
+        assert_eq!(shown(Measures::Sliding, "spans", 8.0), "8.0000");
+        assert_eq!(Measures::Straight.place(0.16, 1), "160.0 mm");
+        assert_eq!(Measures::Swinging.place(-0.0, 1), "0.0°");
+        assert_eq!(Measures::Straight.speed_words(0.5, 2), "0.50 m/s");
+    }
+}
