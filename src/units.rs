@@ -141,6 +141,8 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("J", 1.0, [2, 1, -2, 0]),
     ("Nm", 1.0, [2, 1, -2, 0]),
     ("%", 0.01, [0, 0, 0, 0]),
+    // A share that says it is none of hundred.
+    ("ratio", 1.0, [0, 0, 0, 0]),
 ];
 
 /// One pound-force in newtons.
@@ -336,6 +338,7 @@ mod tests {
             share.contains("\"0.5 %\"") && share.contains("\"50 %\""),
             "{share}"
         );
+        assert_eq!(parse("0.5 ratio", Dimension::Percent), Ok(0.5));
         assert_eq!(parse("50 Nm", Dimension::Torque), Ok(50.0));
         for (text, dimension, meant) in [
             ("60 MM", Dimension::Length, "\"mm\""),

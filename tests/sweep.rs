@@ -537,3 +537,58 @@ fn scatter_of_no_width_is_the_design_and_wider_tolerances_cost_yield() {
         "one design",
     );
 }
+
+#[test]
+fn a_folder_of_recordings_fills_a_scene_that_names_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let records = folder.path().join("records");
+    fs::create_dir(&records).unwrap();
+    for name in ["a.csv", "b.csv"] {
+        fs::copy("data/gait_curves/young_1.85Hz_700N.csv", records.join(name)).unwrap();
+    }
+    for name in ["README.md", "LICENSE", "LICENCE.txt", "people_metadata.csv"] {
+        fs::write(records.join(name), "words about the recordings").unwrap();
+    }
+    let table = folder.path().join("t.csv");
+    let output = sweep(
+        &table,
+        &[
+            "scenes/measured_walk.toml",
+            "--recordings",
+            records.to_str().unwrap(),
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+    assert!(
+        words(&output).contains("4 file(s) beside"),
+        "{}",
+        words(&output)
+    );
+    assert_eq!(fs::read_to_string(&table).unwrap().lines().count(), 3);
+    let about = records.join("README.md");
+    fs::remove_file(records.join("a.csv")).unwrap();
+    fs::remove_file(records.join("b.csv")).unwrap();
+    let none = sweep(
+        &folder.path().join("u.csv"),
+        &[
+            "scenes/measured_walk.toml",
+            "--recordings",
+            records.to_str().unwrap(),
+        ],
+    );
+    assert_eq!(none.status.code(), Some(2));
+    assert!(words(&none).contains("none of 4 files"), "{}", words(&none));
+    assert!(about.exists());
+}
+
+#[test]
+fn values_that_do_not_go_with_another_key_cost_their_rows_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("t.csv");
+    // The bore of 12 mm leaves no base circle of 5 mm.
+    let output = sweep(&table, &["--vary", "cam.base_radius=5 mm:20 mm:4"]);
+    assert_eq!(output.status.code(), Some(0), "{}", words(&output));
+    let text = fs::read_to_string(&table).unwrap();
+    let faults = text.lines().filter(|l| l.contains("bore")).count();
+    assert_eq!((text.lines().count(), faults), (5, 1), "{text}");
+}

@@ -83,6 +83,17 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
         metadata: input::metadata(path),
     };
     let bytes = input::read_bytes(path)?;
+    if let Some(curve) = gait::one_cycle(path, &bytes, &options)? {
+        if let Some(place) = place {
+            let from = format!("cycle of {}", path.display());
+            files::write_whole(place, gait::csv(&curve, &[&from]).as_bytes())?;
+        }
+        return Ok(Described {
+            text: format!("{}\n{}", path.display(), gait::cycle_table(&curve)),
+            object: gait::cycle_json(&curve),
+            fault: None,
+        });
+    }
     let recording = gait::read(path, &bytes, &options)?;
     drop(bytes);
     let stances = gait::stances(&recording);
@@ -157,6 +168,10 @@ fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
             Error::argument("--out", "the mean cycle would replace the recording itself")
                 .help("give another name"),
         );
+    }
+    // As synth does: a folder that is not there yet is made.
+    if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {
+        files::Folder::open(folder)?;
     }
     Ok(vec![out.to_path_buf()])
 }

@@ -36,6 +36,44 @@ pub struct Cycle {
     pub mass_kg: f64,
     /// Where the mass is from: "user", "file", "mean force over the stride".
     pub mass_from: String,
+    /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
+    /// whose mass is right.
+    pub mean_of_weight: f64,
+    /// What a person should doubt.
+    pub notes: Vec<String>,
+}
+
+/// A mean force further than this from the weight is no rounding of insoles or of a scale.
+const DOUBTED: f64 = 0.1;
+/// Masses of people who walk over plates, kg.
+const MASS_KG: std::ops::Range<f64> = 10.0..250.0;
+
+impl Cycle {
+    /// Whether mean force and mass belong to one walker.
+    pub fn mass_fits(&self) -> bool {
+        (self.mean_of_weight - 1.0).abs() <= DOUBTED && MASS_KG.contains(&self.mass_kg)
+    }
+
+    /// Holds the mean force against the weight of which one foot carries `share`.
+    fn weighed(mut self, share: f64) -> Self {
+        self.mean_of_weight = self.curve.mean_n() / (share * self.mass_kg * G);
+        let of = if share < 1.0 { "half the" } else { "the" };
+        if (self.mean_of_weight - 1.0).abs() > DOUBTED {
+            self.notes.push(format!(
+                "the mean force over a stride is {:.3} times {of} weight of {:.1} kg ({}), where a walker's is 1: \
+                 the mass, the unit of the force or its calibration is wrong, or a foot is missing",
+                self.mean_of_weight, self.mass_kg, self.mass_from
+            ));
+        } else if !MASS_KG.contains(&self.mass_kg) {
+            self.notes.push(format!(
+                "a mean force of {:.1} N over a stride is a walker of {:.1} kg: the unit of the force or its \
+                 calibration is wrong, or a foot is missing",
+                self.curve.mean_n(),
+                self.mass_kg
+            ));
+        }
+        self
+    }
 }
 
 /// Averages the stances of a recording into one cycle.
@@ -52,11 +90,12 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
                 t.strides,
                 plural(t.strides)
             );
-            return finish(recording, t.period_s, t.force_n, t.spread_n, t.strides, how);
+            let cycle = finish(recording, t.period_s, t.force_n, t.spread_n, t.strides, how)?;
+            return Ok(cycle.weighed(1.0));
         }
-        return Err(no_stance(recording, stances));
+        return Err(no_stance(recording, stances, feet));
     }
-    match feet {
+    let cycle = match feet {
         Feet::Both => {
             let strides = whole_strides(stances);
             if strides.is_empty() {
@@ -68,10 +107,12 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
         Feet::One => one_foot(recording, stances, None),
         Feet::Left => one_foot(recording, stances, Some(Foot::Left)),
         Feet::Right => one_foot(recording, stances, Some(Foot::Right)),
-    }
+    };
+    // One foot carries half of the body over a stride.
+    cycle.map(|c| c.weighed(if feet == Feet::Both { 1.0 } else { 0.5 }))
 }
 
-fn no_stance(recording: &Recording, stances: &Stances) -> Error {
+fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> Error {
     let error = Error::new(format!(
         "no whole walking stance in {:.2} s of recording",
         recording.duration_s
@@ -82,13 +123,23 @@ fn no_stance(recording: &Recording, stances: &Stances) -> Error {
         return error
             .help("every contact is one short hump: this is running, and walking is needed");
     }
+    if feet != Feet::Both && total_stride(recording, stances).is_some() {
+        return error.help(
+            "the column is the total of both feet, loaded throughout: ask for feet = \"both\" (--feet both)",
+        );
+    }
     if let Some(r) = stances.rejected.first() {
         let mut reasons: Vec<&str> = stances.rejected.iter().map(|r| r.why.words()).collect();
         reasons.sort_unstable();
         reasons.dedup();
         return error.help(format!(
-            "{} contacts were found, the first from {:.2} to {:.2} s; {}{}",
+            "{} contact{} found, the first from {:.2} to {:.2} s; {}{}",
             stances.rejected.len(),
+            if stances.rejected.len() == 1 {
+                " was"
+            } else {
+                "s were"
+            },
             r.from_s,
             r.to_s,
             reasons.join("; "),
@@ -297,6 +348,8 @@ fn finish(
         repeatability_n,
         mass_kg,
         mass_from,
+        mean_of_weight: 1.0,
+        notes: Vec::new(),
     })
 }
 

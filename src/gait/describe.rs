@@ -128,6 +128,9 @@ fn write_cycle(out: &mut String, c: &Cycle) -> std::fmt::Result {
         c.curve.mean_n(),
         c.curve.mean_n() / weight
     )?;
+    for note in &c.notes {
+        writeln!(out, "DOUBT     {note}")?;
+    }
     if let (Some(spread), Some(repeat)) = (spread_rms_n(&c.curve), c.repeatability_n) {
         writeln!(
             out,
@@ -190,15 +193,60 @@ pub fn json(recording: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> 
         json!({
             "period_s": c.curve.period_s, "mean_n": c.curve.mean_n(), "averaged": c.averaged, "how": c.how,
             "spread_rms_n": spread_rms_n(&c.curve), "repeatability_n": c.repeatability_n,
+            "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits(),
         })
     });
+    let notes: Vec<&String> = r
+        .notes
+        .iter()
+        .chain(cycle.iter().flat_map(|c| &c.notes))
+        .collect();
     let (mass, from) = match (r.mass_kg, cycle) {
         (None, Some(c)) => (Some(c.mass_kg), c.mass_from.as_str()),
         (m, _) => (m, r.mass_from.as_str()),
     };
     json!({
         "format": r.format, "rate_hz": r.rate_hz, "duration_s": r.duration_s, "mass_kg": mass, "mass_from": from,
-        "notes": r.notes, "channels": channels, "stances": rows, "cycle": mean,
+        "notes": notes, "channels": channels, "stances": rows, "cycle": mean,
+    })
+}
+
+/// What a file that is one cycle holds, for people.
+pub fn cycle_table(curve: &ForceCurve) -> String {
+    let mut lines = vec![
+        "format    one cycle of force, as it stands (no stances are looked for)".to_string(),
+        format!(
+            "period    {:.4} s in {} samples",
+            curve.period_s,
+            curve.force_n.len()
+        ),
+    ];
+    let mean = curve.mean_n();
+    lines.push(match curve.mass_kg {
+        Some(m) => format!(
+            "mean      {mean:.1} N ({:.3} BW of {m:.1} kg)",
+            mean / (m * G)
+        ),
+        None => format!("mean      {mean:.1} N"),
+    });
+    if let Some(spread) = spread_rms_n(curve) {
+        lines.push(format!("spread    {spread:.1} N step to step"));
+    }
+    lines.join("\n")
+}
+
+/// The same for programs, in the shape of [`json`].
+pub fn cycle_json(curve: &ForceCurve) -> Value {
+    json!({
+        "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
+        "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
+        "notes": [], "channels": [], "stances": [],
+        "cycle": {
+            "period_s": curve.period_s, "mean_n": curve.mean_n(), "averaged": 1,
+            "how": "the cycle as the file gives it", "spread_rms_n": spread_rms_n(curve),
+            "repeatability_n": null,
+            "mean_of_weight": curve.mass_kg.map(|m| curve.mean_n() / (m * G)),
+        },
     })
 }
 

@@ -3,7 +3,7 @@
 use super::average::{Mean, at, periodic};
 use super::models::SAMPLES;
 use super::recording::Recording;
-use super::stance::{Stances, Why};
+use super::stance::{Rejected, Stances, Why};
 
 /// A total force that moves less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
@@ -24,16 +24,27 @@ pub(super) struct TotalStride {
     pub strides: usize,
 }
 
-/// Averages the strides of a channel that is loaded throughout; `None` where nobody walks on it.
+/// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
+/// `None` where nobody walks on it.
 ///
 /// A step is the time between two rises of the force through its mean; a stride is two steps, so that
 /// a difference between the feet is kept. Which foot begins is not known.
 pub(super) fn total_stride(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
-    let loaded = stances
-        .rejected
-        .iter()
-        .find(|r| r.why == Why::NeverUnloaded)?;
-    let force = &recording.channels.get(loaded.channel)?.force_n;
+    let long = |r: &&Rejected| {
+        let lasting = matches!(
+            r.why,
+            Why::NeverUnloaded | Why::Standing | Why::CrossOver | Why::CutAtStart | Why::CutAtEnd
+        );
+        lasting && r.to_s - r.from_s > FEWEST_STEPS as f64 * STEP_S.start
+    };
+    let loaded = (stances.rejected.iter().filter(long))
+        .max_by(|a, b| (a.to_s - a.from_s).total_cmp(&(b.to_s - b.from_s)))?;
+    let whole = &recording.channels.get(loaded.channel)?.force_n;
+    let sample = |s: f64| ((s * recording.rate_hz) as usize).min(whole.len());
+    let force = match loaded.why {
+        Why::NeverUnloaded => &whole[..],
+        _ => &whole[sample(loaded.from_s)..sample(loaded.to_s)],
+    };
     let n = force.len() as f64;
     let mean = force.iter().sum::<f64>() / n;
     let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();

@@ -228,6 +228,8 @@ impl Plan {
             }
             write(&axis.key, &mut table, value)?;
             match scene::read(&table) {
+                // Keys that do not go together are a fault of the row: other values may go.
+                Err(_) if scene::read_keys(&table).is_ok() => return Ok(()),
                 Err(e)
                     if e.place == Place::Key(axis.key.name().to_string())
                         || e.place == Place::Key(parent(axis.key.name())) =>

@@ -296,8 +296,8 @@ pub const QUANTITIES: &[Quantity] = &[
     ),
     quantity(
         "accuracy.rms",
-        D::Ratio,
-        "",
+        D::Percent,
+        "ratio",
         "",
         Positive,
         Some(|s, x| s.rms = Some(x)),

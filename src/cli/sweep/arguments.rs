@@ -19,6 +19,8 @@ pub struct Sweep {
     pub plan: Plan,
     /// One folder per base scene.
     pub folders: Vec<PathBuf>,
+    /// Files in the folders of recordings that are none.
+    pub skipped: Vec<String>,
 }
 
 /// Force curves of recordings kept in memory.
@@ -33,10 +35,19 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     };
     let mut scenes = Vec::new();
     let mut folders = Vec::new();
+    let Recordings {
+        files: records,
+        skipped,
+    } = recordings(&args.recordings)?;
+    let mut set = args.set.clone();
+    if let Some(first) = records.first() {
+        // A scene that leaves its recording to the command line is whole with any of them.
+        set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
+    }
     for file in files {
         let input = input::scene(&SceneArgs {
             scene: file.cloned(),
-            set: args.set.clone(),
+            set: set.clone(),
         })?;
         scenes.push(NamedScene {
             name: file.map_or(input.scene.name.clone(), |f| f.display().to_string()),
@@ -45,8 +56,11 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
         folders.push(input.folder);
     }
     let mut axes = Vec::new();
-    if !args.recordings.is_empty() {
-        axes.push(recordings(&args.recordings)?);
+    if !records.is_empty() {
+        axes.push(Axis {
+            key: Key::words("gait.file"),
+            values: Values::Words(records.into_iter().map(Arc::from).collect()),
+        });
     }
     for text in &args.vary {
         axes.push(Axis::parse(text, args.sample.is_some())?);
@@ -72,6 +86,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
             design,
         },
         folders,
+        skipped,
     })
 }
 
@@ -122,47 +137,90 @@ fn list(path: &Path) -> Result<List> {
     Ok(List { columns })
 }
 
-/// Every file given or inside a folder given, in the order of names; hidden ones are left out.
-fn recordings(paths: &[PathBuf]) -> Result<Axis> {
-    let mut files = Vec::new();
-    for path in paths {
-        collect(path, &mut files)?;
-    }
-    if files.is_empty() {
-        return Err(Error::argument(
-            "--recordings",
-            "an empty grid: there is no file",
-        ));
-    }
-    Ok(Axis {
-        key: Key::words("gait.file"),
-        values: Values::Words(files.into_iter().map(Arc::from).collect()),
-    })
+/// Endings of recordings; a folder may hold anything else beside them.
+const ENDINGS: [&str; 13] = [
+    "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
+];
+/// First words of texts about a folder, and of the table of subjects beside tables of stances.
+const ABOUT: [&str; 7] = [
+    "readme",
+    "license",
+    "licence",
+    "copying",
+    "notice",
+    "sources",
+    "changelog",
+];
+
+/// The files of `--recordings`.
+#[derive(Default)]
+struct Recordings {
+    files: Vec<String>,
+    skipped: Vec<String>,
 }
 
-fn collect(path: &Path, files: &mut Vec<String>) -> Result<()> {
-    let fault = |e: std::io::Error| {
-        Error::file(path, format!("cannot be read ({e})")).help("check the path")
-    };
-    let about = std::fs::metadata(path).map_err(fault)?;
-    if about.is_file() {
-        files.push(path.to_string_lossy().into_owned());
-        return Ok(());
+/// Every file given, and every recording inside a folder given, in the order of names; hidden files are
+/// left out without a word.
+fn recordings(paths: &[PathBuf]) -> Result<Recordings> {
+    let mut found = Recordings::default();
+    for path in paths {
+        if is_file(path)? {
+            found.files.push(path.to_string_lossy().into_owned());
+        } else {
+            collect(path, &mut found)?;
+        }
     }
-    let mut inside = std::fs::read_dir(path)
-        .map_err(fault)?
-        .map(|entry| entry.map(|e| e.path()))
-        .collect::<std::io::Result<Vec<PathBuf>>>()
-        .map_err(fault)?;
+    if found.files.is_empty() && !paths.is_empty() {
+        let what = match found.skipped.len() {
+            0 => "an empty grid: there is no file".to_string(),
+            n => format!("an empty grid: none of {n} files is called as recordings are"),
+        };
+        return Err(Error::argument("--recordings", what)
+            .help(format!("recordings end in .{}", ENDINGS.join(", ."))));
+    }
+    Ok(found)
+}
+
+fn unreadable(path: &Path, e: &std::io::Error) -> Error {
+    Error::file(path, format!("cannot be read ({e})")).help("check the path")
+}
+
+fn is_file(path: &Path) -> Result<bool> {
+    let about = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?;
+    Ok(about.is_file())
+}
+
+fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
+    let mut inside = std::fs::read_dir(folder)
+        .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
+        .map_err(|e: std::io::Error| unreadable(folder, &e))
+        .map(|all: Vec<PathBuf>| all)?;
     inside.sort();
-    let hidden = |p: &Path| {
-        p.file_name()
-            .is_some_and(|n| n.to_string_lossy().starts_with('.'))
-    };
-    for path in inside.iter().filter(|p| !hidden(p)) {
-        collect(path, files)?;
+    for path in inside {
+        let name = path
+            .file_name()
+            .map_or_else(String::new, |n| n.to_string_lossy().into());
+        if name.starts_with('.') {
+            continue;
+        }
+        if !is_file(&path)? {
+            collect(&path, found)?;
+        } else if is_called_a_recording(&name.to_lowercase()) {
+            found.files.push(path.to_string_lossy().into_owned());
+        } else {
+            found.skipped.push(name);
+        }
     }
     Ok(())
+}
+
+fn is_called_a_recording(name: &str) -> bool {
+    let Some((stem, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    ENDINGS.contains(&ending)
+        && !ABOUT.iter().any(|about| stem.starts_with(about))
+        && !stem.ends_with("metadata")
 }
 
 /// Reads the force curves that scenes name, each once while it is in use.

@@ -95,6 +95,13 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let format = finish::Format::of(&args.out)?;
     let sweep = arguments::plan(args)?;
     let plan = &sweep.plan;
+    if let [first, ..] = &sweep.skipped[..] {
+        eprintln!(
+            "gaitcam: {} file(s) beside the recordings are skipped ({first}{})",
+            sweep.skipped.len(),
+            if sweep.skipped.len() > 1 { " …" } else { "" }
+        );
+    }
     let rows = plan.rows();
     if rows > MOST || (rows > MANY && !args.yes) {
         let error = Error::argument("--vary", format!("{rows} combinations"));

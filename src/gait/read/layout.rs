@@ -149,9 +149,17 @@ pub(super) fn detect(bytes: &[u8]) -> Layout {
         comma: false,
     };
     let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
+    // Between commas a decimal comma stands in quotes.
+    let quoted = |l: &&[u8]| {
+        Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
+    };
     Layout {
         separator,
-        comma: separator != Separator::Byte(b',') && sample.iter().any(has_comma),
+        comma: if separator == Separator::Byte(b',') {
+            sample.iter().any(quoted)
+        } else {
+            sample.iter().any(has_comma)
+        },
     }
 }
 
@@ -249,6 +257,9 @@ mod tests {
             (Separator::Blanks, false)
         );
         assert_eq!(found("0, 1\n1, 2\n"), (b(b','), false));
+        let quoted = "t,f\n\"0,000\",\"1,5\"\n\"0,001\",\"2,25\"\n";
+        assert_eq!(found(quoted), (b(b','), true));
+        assert_eq!(found("\"t\",\"f\"\n\"0.0\",\"1.5\"\n"), (b(b','), false));
     }
 
     #[test]

@@ -89,10 +89,7 @@ pub fn force_curve(
     options: &ReadOptions,
     feet: Feet,
 ) -> Result<ForceCurve> {
-    check(options)?;
-    if !c3d::is_c3d(bytes)
-        && let Some(curve) = cycle_file::read(path, bytes, options)?
-    {
+    if let Some(curve) = one_cycle(path, bytes, options)? {
         return Ok(curve);
     }
     let recording = read(path, bytes, options)?;
@@ -105,6 +102,15 @@ pub fn force_curve(
     let mut curve = mean.curve;
     curve.name = format!("{file}, {}", mean.how);
     Ok(curve)
+}
+
+/// A text that is one cycle as it stands, as [`csv`](super::csv) writes it; `None` for any other file.
+pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+    check(options)?;
+    if c3d::is_c3d(bytes) {
+        return Ok(None);
+    }
+    cycle_file::read(path, bytes, options)
 }
 
 fn check(options: &ReadOptions) -> Result<()> {

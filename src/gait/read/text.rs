@@ -85,6 +85,16 @@ fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> 
             .help(format!("the file starts with {start:?}"));
     }
     let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
+    let force = names.iter().find(|n| matches!(role(n), Role::Force { .. }));
+    if let (true, Some(force)) = (seen.is_empty(), force) {
+        return Error::file(
+            path,
+            format!(
+                "the header names a column of force (\"{force}\"), but no row of numbers follows it"
+            ),
+        )
+        .help("export the samples as well; each row should start with a time or a number");
+    }
     Error::file(path, "no column of vertical force found").help(format!(
         "the columns are {}; name the force column with --force",
         shown.join(", ")
@@ -102,6 +112,9 @@ fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan
     }
     if force.is_empty() {
         force = columns_in_newtons(table, &roles);
+    }
+    if force.is_empty() {
+        force = named_by_side(table);
     }
     if !options.force.is_empty() {
         force.clear();
@@ -158,6 +171,19 @@ fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option
             (i, Axis::Vertical, side)
         })
         .collect()
+}
+
+/// Two columns called left and right and nothing else: the two insoles or belts.
+fn named_by_side(table: &Table) -> Vec<(usize, Axis, Option<Foot>)> {
+    let sides = [("left", Foot::Left), ("right", Foot::Right)];
+    let places = sides.map(|(word, side)| {
+        let place = table.names.iter().position(|n| words(n) == [word]);
+        place.map(|i| (i, Axis::Vertical, Some(side)))
+    });
+    match places {
+        [Some(left), Some(right)] => vec![left, right],
+        _ => Vec::new(),
+    }
 }
 
 fn is_newtons(table: &Table, i: usize) -> bool {

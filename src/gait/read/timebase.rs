@@ -10,6 +10,8 @@ pub(super) struct TimeBase {
     uneven: Option<Vec<f64>>,
     /// Spans without samples, s from the first.
     pub gaps_s: Vec<(f64, f64)>,
+    /// Single samples that are missing between others: how many, and where the first, s from the first.
+    pub missed: Option<(usize, f64)>,
 }
 
 /// A sample may lie this far from its even place, in steps, before samples are moved.
@@ -25,6 +27,7 @@ impl TimeBase {
             rate_hz,
             uneven: None,
             gaps_s: Vec::new(),
+            missed: None,
         }
     }
 
@@ -80,6 +83,7 @@ impl TimeBase {
             rate_hz: 1.0 / step,
             uneven,
             gaps_s: gaps,
+            missed: missed(times, usual),
         })
     }
 
@@ -118,6 +122,21 @@ impl TimeBase {
     }
 }
 
+/// Steps twice as long as all the others; `None` where steps are too unequal to tell.
+fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
+    let steps = || times.windows(2).map(|w| (w[1] - w[0]) / usual);
+    let even = |s: &f64| (0.75..1.25).contains(s);
+    let twice = |s: &f64| (1.75..2.25).contains(s);
+    let count = steps().filter(twice).count();
+    let all = times.len() - 1;
+    // Most are even, and hardly any are double: not the steps of rounded times.
+    if count == 0 || 20 * count > all || steps().filter(even).count() + 2 * count < all {
+        return None;
+    }
+    let first = steps().position(|s| twice(&s))?;
+    Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
+}
+
 /// Median step of a thinned set of neighbours; the mean where times are so rounded that it is zero.
 pub(super) fn usual_step(times: &[f64]) -> f64 {
     let thin = times.len() / 4096 + 1;
@@ -151,6 +170,23 @@ mod tests {
             .map(|i| (f64::from(i) / 2000.0 * 1e3).floor() / 1e3)
             .collect();
         assert!((TimeBase::from_times(&times).unwrap().rate_hz - 2000.0).abs() < 1.0);
+    }
+
+    #[test]
+    fn a_sample_that_is_missing_is_counted_and_rounding_is_none() {
+        let even: Vec<f64> = (0..500).map(|i| 0.01 * f64::from(i)).collect();
+        assert_eq!(TimeBase::from_times(&even).unwrap().missed, None);
+        let mut lacking = even;
+        lacking.remove(320);
+        let base = TimeBase::from_times(&lacking).unwrap();
+        let (count, at) = base.missed.unwrap();
+        assert!(count == 1 && (at - 3.2).abs() < 1e-9);
+        // (n − 1)/duration, as for any other file.
+        assert!((base.rate_hz - 498.0 / 4.99).abs() < 1e-9);
+        let rounded: Vec<f64> = (0..4001)
+            .map(|i| (f64::from(i) / 1600.0 * 1e3).floor() / 1e3)
+            .collect();
+        assert_eq!(TimeBase::from_times(&rounded).unwrap().missed, None);
     }
 
     #[test]

@@ -26,6 +26,19 @@ pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
     }
 }
 
+/// What to say where the user's rate takes the place of a time column that gives another.
+fn overridden(raw: &Raw, rate: f64) -> Option<String> {
+    let times = raw.times.as_ref().filter(|_| !raw.counts)?;
+    let scale = raw.time_unit.unwrap_or(1.0);
+    let seconds: Vec<f64> = times.iter().map(|t| t * scale).collect();
+    let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
+    ((own / rate - 1.0).abs() > 0.01).then(|| {
+        format!(
+            "the rate given, {rate} Hz, takes the place of the time column, which gives {own:.2} Hz"
+        )
+    })
+}
+
 /// The time base of raw columns: the user's rate, the time column, or the header's rate, in this order.
 pub(super) fn time_base(
     raw: &Raw,
@@ -34,6 +47,7 @@ pub(super) fn time_base(
     notes: &mut Vec<String>,
 ) -> Result<TimeBase> {
     if let Some(rate) = options.rate_hz {
+        notes.extend(overridden(raw, rate));
         return Ok(TimeBase::even(rate));
     }
     let need_rate = || {
@@ -72,6 +86,16 @@ pub(super) fn time_base(
         &seconds
     };
     let base = TimeBase::from_times(times)?;
+    if let Some((count, at)) = base.missed {
+        let (samples, are) = if count == 1 {
+            ("sample", "is")
+        } else {
+            ("samples", "are")
+        };
+        notes.push(format!(
+            "{count} {samples} {are} missing, the first near {at:.3} s; the rate counts the samples there are"
+        ));
+    }
     match key_rate {
         // Times are rounded; a stated rate that agrees is the exact one.
         Some(rate) if !base.is_uneven() && (rate / base.rate_hz - 1.0).abs() < 2e-3 => {
