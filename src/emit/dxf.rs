@@ -162,9 +162,10 @@ impl Sheet {
     }
 
     fn hold(&mut self, p: [f64; 2]) {
-        for k in 0..2 {
-            self.extent[0][k] = self.extent[0][k].min(p[k]);
-            self.extent[1][k] = self.extent[1][k].max(p[k]);
+        let [low, high] = &mut self.extent;
+        for (k, x) in p.into_iter().enumerate() {
+            low[k] = low[k].min(x);
+            high[k] = high[k].max(x);
         }
     }
 

@@ -29,9 +29,9 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> String {
     let drawn = edges.iter().flat_map(|(_, p)| p);
     let ends = marks.iter().flat_map(|(_, ends)| *ends);
     for p in drawn.flat_map(|e| [e.p, e.pitch]).chain(ends) {
-        for k in 0..2 {
-            low[k] = low[k].min(MM * p[k]);
-            high[k] = high[k].max(MM * p[k]);
+        for (k, x) in p.into_iter().enumerate() {
+            low[k] = low[k].min(MM * x);
+            high[k] = high[k].max(MM * x);
         }
     }
     let (left, top) = (low[0] - MARGIN, -high[1] - MARGIN);
