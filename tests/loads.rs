@@ -255,3 +255,19 @@ fn law_and_base_circle_keep_the_pressure_together() {
         s.checks
     );
 }
+
+#[test]
+fn harmonics_keep_the_pressure_under_a_flat_face_too() {
+    let base = [
+        "law.family=harmonic",
+        "law.harmonics=6",
+        "cam.base_radius=40 mm",
+        "accuracy.rms=50 %",
+    ];
+    let most = pressure(&design(scene::DEFAULT, &base));
+    let limit = format!("limits.hertz_pressure={} Pa", 0.95 * most);
+    let s = design(scene::DEFAULT, &[&base[..], &[limit.as_str()]].concat());
+    assert!(s.infeasible.is_none() && check(&s, "hertz_pressure").pass);
+    assert!(pressure(&s) <= 0.95 * most * (1.0 + 1e-6));
+    assert_eq!(s.family, "harmonic");
+}

@@ -36,19 +36,19 @@ pub struct SimulateArgs {
     #[arg(long)]
     json: bool,
     /// First natural frequency of the follower train: "60 Hz"
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     natural_frequency: Option<String>,
     /// Damping ratio of the follower train (0.05 where the scene says nothing)
-    #[arg(long, value_name = "RATIO")]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     damping_ratio: Option<String>,
     /// Coefficient of friction where cam and follower rub (0 where the scene says nothing)
-    #[arg(long, value_name = "MU")]
+    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
     friction: Option<String>,
     /// Coefficient of restitution of a landing, 0 … 1 (0 where the scene says nothing)
-    #[arg(long, value_name = "E")]
+    #[arg(long, value_name = "E", allow_hyphen_values = true)]
     restitution: Option<String>,
     /// Angle by which a second, equal cam follows on the same shaft: "180 deg"
-    #[arg(long, value_name = "ANGLE")]
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     second_cam: Option<String>,
 }
 

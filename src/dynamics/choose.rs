@@ -35,19 +35,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
             .map(|_| difference(&out, Model::Flexible, flexible_run(input, p)));
         return Ok(out);
     }
-    let force = p.measures.force().name;
-    let margin = if mean == 0.0 {
-        // Percents of nothing say nothing.
-        "no mean force presses the follower on the cam".to_string()
-    } else {
-        format!(
-            "smallest {} {:.4} {force} is {:.1} % of the mean, {}",
-            p.measures.force_words(),
-            rigid.force.min,
-            100.0 * rigid.force.min / mean,
-            liftoff_words(p, &rigid)
-        )
-    };
+    let margin = margin_words(p, &rigid, &forces, mean);
     let Some(train) = &input.machine.train else {
         let mut out = rigid;
         out.why =
@@ -116,6 +104,35 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> 
     None
 }
 
+fn margin_words(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> String {
+    let largest = forces.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+    if largest == 0.0 {
+        return "no force acts: the drive has neither mass nor spring nor preload".to_string();
+    }
+    let unit = p.measures.force().name;
+    // Inertia alone has no mean to be a part of.
+    let part = if mean.abs() > 1e-9 * largest {
+        format!(" is {:.1} % of the mean", 100.0 * rigid.force.min / mean)
+    } else {
+        format!(", the largest {:.4} {unit}", rigid.force.max)
+    };
+    format!(
+        "smallest {} {:.4} {unit}{part}, {}",
+        p.measures.force_words(),
+        rigid.force.min,
+        liftoff_words(p, rigid)
+    )
+}
+
+/// A speed for people: slow ones keep their digits.
+fn speed_words(speed: f64) -> String {
+    if speed != 0.0 && speed.abs() < 0.01 {
+        format!("{speed:.4e}")
+    } else {
+        format!("{speed:.4}")
+    }
+}
+
 fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
     let runs = if p.measures == Measures::Straight {
         "the cam slides at"
@@ -125,13 +142,14 @@ fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
     let unit = p.measures.speed().name;
     match rigid.liftoff_speed {
         Some(w) => format!(
-            "{runs} {:.4} {unit}, lift-off is at {w:.4} {unit}",
-            p.drive.speed
+            "{runs} {} {unit}, lift-off is at {} {unit}",
+            speed_words(p.drive.speed),
+            speed_words(w)
         ),
         None if p.held => "held from both sides, the follower cannot lift off".to_string(),
         None => format!(
-            "{runs} {:.4} {unit}, no speed lifts the follower off",
-            p.drive.speed
+            "{runs} {} {unit}, no speed lifts the follower off",
+            speed_words(p.drive.speed)
         ),
     }
 }

@@ -73,7 +73,7 @@ fn note_other_side(out: &mut Outcome, input: &Run, pulled: f64) {
 pub(super) fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let Some(train) = &input.machine.train else {
         return Err(Error::new("the flexible model needs to know what gives")
-            .help("give the follower's natural frequency, or its stiffness"));
+            .help("give the follower's natural frequency or its stiffness: --natural-frequency, or under [machine] in the scene"));
     };
     if !p.cycle.closed {
         return Err(

@@ -124,8 +124,9 @@ fn lowest_of_envelope(lines: &[(f64, f64)]) -> Option<(f64, f64)> {
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     let springs = combination(law, [drive.spring_rate, 0.0, 0.0], drive.rest_force);
     let (rest, most) = springs.extremes();
-    // A lift of zero is known from emitted points to their rounding only.
-    if rest.value < -1e-9 * most.value.abs() {
+    // A lift of zero is known from emitted points to their spline's error only, where the jerk steps into a
+    // dwell most of all.
+    if rest.value < -1e-7 * most.value.abs() {
         return Some(0.0);
     }
     if drive.mass <= 0.0 && drive.damping <= 0.0 {

@@ -333,3 +333,7 @@ mod tests;
 #[cfg(test)]
 #[path = "followers_tests.rs"]
 mod followers_tests;
+
+#[cfg(test)]
+#[path = "simulate_edge_tests.rs"]
+mod edge_tests;

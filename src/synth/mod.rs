@@ -39,9 +39,13 @@
 //!
 //! with R minimised or bounded; under a flat face R + s + a ≥ ρ instead. Clarabel, on exchanged rows.
 //!
-//! **SCP.** What is not convex: h(s, v, a, D, e) ≥ 0 for a roller's curvature, and curvature and pressure angle
-//! of followers on an arm. Linearised at its low points, solved, the step halved until the true h holds all
+//! **SCP.** What is not convex: h(s, v, a, j, D, e) ≥ 0 for a roller's curvature, for curvature and pressure angle
+//! of followers on an arm, for the shaft's torque F v and its rate F′v + F a, and for the pressure between a
+//! roller and its cam. Linearised at its low points, solved, the step halved until the true h holds all
 //! around; every iterate is feasible and every step improves the objective.
+//!
+//! **Polydyne.** Under a follower that gives, the law sought is that of its end y; the cam's is
+//! s = y + x with x + (c₁ω/k₁) x′ = F(y)/k₁. Limits of the end move until the cam's own are reached.
 //!
 //! **Certificate.** The multipliers λ of the active rows prove a lower bound; objective less bound is
 //! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.

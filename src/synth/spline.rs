@@ -179,6 +179,7 @@ pub fn harmonic_program(scene: &Scene, demand: &Demand, count: usize, unlimited:
     let level = level_is_known(scene, demand);
     let on_the_cam = limits::size_is_given(scene);
     program.limits = limits::linear(scene, demand, level || on_the_cam);
+    program.limits.extend(super::machine::rows(scene, demand));
     if !level && on_the_cam {
         let entries = program
             .basis
