@@ -106,22 +106,22 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> 
 
 fn margin_words(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> String {
     let largest = forces.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+    let (unit, low) = (p.measures.force().name, rigid.force.min);
     if largest == 0.0 {
-        return "no force acts: the drive has neither mass nor spring nor preload".to_string();
+        return "no mean force presses the follower on the cam, nor any other: the drive has neither mass nor spring nor preload"
+            .to_string();
     }
-    let unit = p.measures.force().name;
+    let liftoff = liftoff_words(p, rigid);
     // Inertia alone has no mean to be a part of.
-    let part = if mean.abs() > 1e-9 * largest {
-        format!(" is {:.1} % of the mean", 100.0 * rigid.force.min / mean)
-    } else {
-        format!(", the largest {:.4} {unit}", rigid.force.max)
-    };
-    format!(
-        "smallest {} {:.4} {unit}{part}, {}",
-        p.measures.force_words(),
-        rigid.force.min,
-        liftoff_words(p, rigid)
-    )
+    if mean.abs() <= 1e-9 * largest {
+        let high = rigid.force.max;
+        return format!(
+            "no mean force presses the follower on the cam, inertia gives {low:.4} … {high:.4} {unit}; {liftoff}"
+        );
+    }
+    let words = p.measures.force_words();
+    let part = 100.0 * low / mean;
+    format!("smallest {words} {low:.4} {unit} is {part:.1} % of the mean, {liftoff}")
 }
 
 /// A speed for people: slow ones keep their digits.

@@ -193,7 +193,7 @@ fn a_machine_without_force_is_said_to_have_none() {
     };
     let out = simulate(&none, Model::Auto).unwrap();
     assert!(
-        out.why.contains("no force acts") && !out.why.contains("NaN"),
+        out.why.contains("neither mass nor spring") && !out.why.contains("NaN"),
         "{}",
         out.why
     );
