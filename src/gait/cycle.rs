@@ -7,6 +7,7 @@ use std::f64::consts::SQRT_2;
 
 use super::average::{Mean, mean_stance, place};
 use super::curve::ForceCurve;
+use super::doubt::{doubt, mean_of_weight};
 use super::feet::{Feet, same_foot};
 use super::models::SAMPLES;
 use super::recording::{Foot, Recording};
@@ -39,36 +40,24 @@ pub struct Cycle {
     /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
     /// whose mass is right.
     pub mean_of_weight: f64,
+    /// Whether mean force and mass can be of one walker.
+    pub mass_fits: bool,
     /// What a person should doubt.
     pub notes: Vec<String>,
 }
 
-/// A mean force further than this from the weight is no rounding of insoles or of a scale.
-const DOUBTED: f64 = 0.1;
-/// Masses of people who walk over plates, kg.
-const MASS_KG: std::ops::Range<f64> = 10.0..250.0;
-
 impl Cycle {
-    /// Whether mean force and mass belong to one walker.
-    pub fn mass_fits(&self) -> bool {
-        (self.mean_of_weight - 1.0).abs() <= DOUBTED && MASS_KG.contains(&self.mass_kg)
-    }
-
-    /// Holds the mean force against the weight of which one foot carries `share`.
-    fn weighed(mut self, share: f64) -> Self {
-        self.mean_of_weight = self.curve.mean_n() / (share * self.mass_kg * G);
-        let of = if share < 1.0 { "half the" } else { "the" };
-        if (self.mean_of_weight - 1.0).abs() > DOUBTED {
+    /// Holds the mean force against the weight, and says what the mass rests on.
+    fn weighed(mut self, recording: &Recording, feet: Feet) -> Self {
+        self.mean_of_weight = mean_of_weight(&self.curve, feet).unwrap_or(1.0);
+        let doubt = doubt(&self.curve, feet);
+        self.mass_fits = doubt.is_none();
+        self.notes.extend(doubt);
+        let words = [&recording.format].into_iter().chain(&recording.notes);
+        if recording.mass_kg.is_none() && words.into_iter().any(|w| w.contains("insole")) {
             self.notes.push(format!(
-                "the mean force over a stride is {:.3} times {of} weight of {:.1} kg ({}), where a walker's is 1: \
-                 the mass, the unit of the force or its calibration is wrong, or a foot is missing",
-                self.mean_of_weight, self.mass_kg, self.mass_from
-            ));
-        } else if !MASS_KG.contains(&self.mass_kg) {
-            self.notes.push(format!(
-                "a mean force of {:.1} N over a stride is a walker of {:.1} kg: the unit of the force or its \
-                 calibration is wrong, or a foot is missing",
-                self.curve.mean_n(),
+                "the mass of {:.1} kg is the mean of the insoles' totals, which are seldom calibrated: \
+                 give --mass to hold it against the walker's",
                 self.mass_kg
             ));
         }
@@ -91,7 +80,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
                 plural(t.strides)
             );
             let cycle = finish(recording, t.period_s, t.force_n, t.spread_n, t.strides, how)?;
-            return Ok(cycle.weighed(1.0));
+            return Ok(cycle.weighed(recording, feet));
         }
         return Err(no_stance(recording, stances, feet));
     }
@@ -108,8 +97,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
         Feet::Left => one_foot(recording, stances, Some(Foot::Left)),
         Feet::Right => one_foot(recording, stances, Some(Foot::Right)),
     };
-    // One foot carries half of the body over a stride.
-    cycle.map(|c| c.weighed(if feet == Feet::Both { 1.0 } else { 0.5 }))
+    cycle.map(|c| c.weighed(recording, feet))
 }
 
 fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> Error {
@@ -349,6 +337,7 @@ fn finish(
         mass_kg,
         mass_from,
         mean_of_weight: 1.0,
+        mass_fits: true,
         notes: Vec::new(),
     })
 }

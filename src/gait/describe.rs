@@ -129,7 +129,7 @@ fn write_cycle(out: &mut String, c: &Cycle) -> std::fmt::Result {
         c.curve.mean_n() / weight
     )?;
     for note in &c.notes {
-        writeln!(out, "DOUBT     {note}")?;
+        writeln!(out, "doubt     {note}")?;
     }
     if let (Some(spread), Some(repeat)) = (spread_rms_n(&c.curve), c.repeatability_n) {
         writeln!(
@@ -193,7 +193,7 @@ pub fn json(recording: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> 
         json!({
             "period_s": c.curve.period_s, "mean_n": c.curve.mean_n(), "averaged": c.averaged, "how": c.how,
             "spread_rms_n": spread_rms_n(&c.curve), "repeatability_n": c.repeatability_n,
-            "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits(),
+            "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits,
         })
     });
     let notes: Vec<&String> = r

@@ -98,9 +98,9 @@ pub use trade::{Against, Trade, trade};
 
 use crate::cam::Cam;
 use crate::error::{Error, Place, Result};
-use crate::gait::ForceCurve;
+use crate::gait::{ForceCurve, doubt};
 use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
-use crate::scene::{Family, Minimise, Scene};
+use crate::scene::{Family, Minimise, Scene, Source};
 use demand::Demand;
 
 /// A law with how it was found, before it has a cam.
@@ -145,6 +145,11 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         reason = infeasible.words.clone();
     }
     let mut remarks = scene.ignored();
+    if let (Some(gait), Some(target)) = (&scene.gait, target)
+        && matches!(gait.source, Source::File { .. })
+    {
+        remarks.extend(doubt(target, gait.feet));
+    }
     remarks.extend(demand.remarks.iter().cloned());
     remarks.extend(spline::stopped_at_noise(scene, &demand, found.family));
     let splines = if found.family == Family::Spline {
