@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::panel::{Panel, padded};
+use super::panel::{Panel, padded, ticks};
 use super::picture::Picture;
 use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use super::plots::{Layout, key, strips, title};
@@ -71,7 +71,11 @@ pub fn diagrams_over(
         };
         for (k, row) in rows.iter().enumerate() {
             let y = padded(row.curves.iter().flatten().map(|p| p.1), 0.08);
-            let panel = Panel::new(canvas, frames[k], x, y, e)?;
+            let panel = if across.contains('θ') {
+                Panel::new(canvas, frames[k], x, y, e)?
+            } else {
+                Panel::over(canvas, frames[k], x, ticks(x[0], x[1], 8.0), y, e)?
+            };
             for (i, curve) in row.curves.iter().enumerate().filter(|c| !c.1.is_empty()) {
                 panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2)?;
             }

@@ -215,8 +215,9 @@ impl<'a, 'c> Panel<'a, 'c> {
     pub fn quantity(&self, text: &str, gap: f64) -> Drawn {
         let power = raised(self.power);
         let text = &match text.split_once(", ") {
-            Some((name, unit)) if self.power != 0 => format!("{name}, 10{power} {unit}"),
-            _ => text.to_string(),
+            _ if self.power == 0 => text.to_string(),
+            Some((name, unit)) => format!("{name}, 10{power} {unit}"),
+            None => format!("{text}, 10{power}"),
         };
         let middle = 0.5 * (self.frame.top + self.frame.bottom);
         let lettering = Lettering::new(self.size, palette::INK)
