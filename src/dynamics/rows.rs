@@ -137,12 +137,7 @@ impl Prepared {
         if self.held {
             return None;
         }
-        let found = rigid::liftoff_speed(&self.lift, &self.drive);
-        // The emitted lift is as sure as it is near to the law: a pull at rest that small is none.
-        match found {
-            Some(0.0) => rigid::liftoff_speed(&self.lift.raised(self.law_mismatch), &self.drive),
-            _ => found,
-        }
+        rigid::liftoff_speed(&self.lift, &self.drive)
     }
 
     pub fn outcome(&self, model: Model, why: &str) -> Outcome {
