@@ -63,6 +63,39 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
     })
 }
 
+/// The table at a dotted path, made where it is missing; entries of a list go by their number from 1 on:
+/// `law.segment.2`.
+fn inside<'t>(table: &'t mut Table, path: &[&str]) -> std::result::Result<&'t mut Table, String> {
+    let [part, rest @ ..] = path else {
+        return Ok(table);
+    };
+    if let Some(number) = rest.first().filter(|n| n.parse::<usize>().is_ok())
+        && !table.contains_key(*part)
+    {
+        return Err(format!("there is no {part}.{number}; none is given"));
+    }
+    let entry = table
+        .entry((*part).to_string())
+        .or_insert_with(|| Value::Table(Table::new()));
+    match entry {
+        Value::Table(inner) => inside(inner, rest),
+        Value::Array(list) => {
+            let given = list.len();
+            let [number, rest @ ..] = rest else {
+                return Err(format!(
+                    "{part} is a list of {given}; write {part}.1 for the first"
+                ));
+            };
+            let index = number.parse::<usize>().ok().and_then(|k| k.checked_sub(1));
+            match index.and_then(|i| list.get_mut(i)) {
+                Some(Value::Table(inner)) => inside(inner, rest),
+                _ => Err(format!("there is no {part}.{number}; {given} are given")),
+            }
+        }
+        _ => Err(format!("{part} is a value, not a table")),
+    }
+}
+
 /// Changes one value: `set(table, "limits.stroke=40 mm")`. The value is taken as TOML where it is a
 /// number, truth value, array or quoted text, and as plain text otherwise.
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
@@ -81,15 +114,7 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (last, path) = parts
         .split_last()
         .ok_or_else(|| fault("empty key".to_string()))?;
-    let mut at = table;
-    for part in path {
-        let entry = at
-            .entry((*part).to_string())
-            .or_insert_with(|| Value::Table(Table::new()));
-        at = entry
-            .as_table_mut()
-            .ok_or_else(|| fault(format!("\"{part}\" in \"{key}\" is a value, not a table")))?;
-    }
+    let at = inside(table, path).map_err(|what| fault(format!("\"{key}\": {what}")))?;
     // A recording takes the place of the scene's model and the other way round.
     match key.trim() {
         "gait.file" => drop(at.remove("model")),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::key::Key;
+use super::key::{Key, starts_a_number};
 use crate::error::{Error, Place, Result};
 
 /// The values of an axis.
@@ -64,8 +64,7 @@ impl Axis {
         };
         let (name, values) = (name.trim(), values.trim());
         let parts: Vec<&str> = values.split(':').map(str::trim).collect();
-        let numeric = |t: &str| t.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
-        if matches!(parts.len(), 2 | 3) && parts[..2].iter().all(|t| numeric(t)) {
+        if matches!(parts.len(), 2 | 3) && parts[..2].iter().all(|t| starts_a_number(t)) {
             return range(name, &parts, sampled).map_err(at);
         }
         Axis::list(name, values.split(',').map(str::trim)).map_err(at)

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use toml::{Table, Value};
 
 use super::quantities::Allowed::{Acute, Any, NotNegative, Positive};
-use super::quantities::{QUANTITIES, Quantity};
+use super::quantities::{QUANTITIES, Quantity, WORDS};
 use crate::error::{Error, Result};
 use crate::scene::{self, Scene};
 
@@ -14,6 +14,12 @@ use crate::scene::{self, Scene};
 pub struct Key {
     name: String,
     quantity: Option<&'static Quantity>,
+}
+
+/// Whether a value is meant as a number.
+pub fn starts_a_number(text: &str) -> bool {
+    let text = text.trim();
+    text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
 impl PartialEq for Key {
@@ -52,11 +58,21 @@ impl Key {
                 Err(e) => fault = fault.or(Some(e)),
             }
         }
-        let words = values.iter().any(|v| v.trim() == "auto");
+        // Words such as "auto", "free" and "spread" are for the scene's reader.
+        let words = values.iter().any(|v| !starts_a_number(v));
         match fault {
             Some(e) if !words => Err(Error::key(name, e.what).help(e.help)),
             _ => Ok(None),
         }
+    }
+
+    /// Names of all keys that vary, each once.
+    pub fn names() -> Vec<&'static str> {
+        let mut names: Vec<&str> = QUANTITIES.iter().map(|q| q.name).collect();
+        names.extend(WORDS);
+        names.sort_unstable();
+        names.dedup();
+        names
     }
 
     /// The key whose column has this name, for readers of tables.

@@ -69,6 +69,14 @@ const TRIED_COMBINATIONS: u128 = 256;
 /// Values of one list that are tried before the sweep starts.
 const TRIED_VALUES: u64 = 64;
 
+/// The keys that vary, for messages.
+fn what_varies() -> String {
+    format!(
+        "these vary: {}; and the values of a list by number: law.segment.2.lift",
+        Key::names().join(", ")
+    )
+}
+
 impl Plan {
     /// Number of rows; saturates far beyond what anyone can wait for.
     pub fn rows(&self) -> u128 {
@@ -167,11 +175,8 @@ impl Plan {
         for (i, axis) in axes.iter().enumerate() {
             let name = axis.key.name();
             if FIXED.contains(&name) {
-                return Err(
-                    Error::argument("--vary", format!("\"{name}\" cannot vary")).help(
-                        "vary a value of [gait], [drive], [law], [cam], [limits] or [accuracy]",
-                    ),
-                );
+                let what = format!("\"{name}\" cannot vary");
+                return Err(Error::argument("--vary", what).help(what_varies()));
             }
             if axes[..i].iter().any(|a| a.key.name() == name) {
                 return Err(Error::argument(

@@ -51,6 +51,16 @@ const fn quantity(
     }
 }
 
+/// A key that the scene's own reader judges, row by row: what it means hangs on other keys.
+const fn judged(
+    name: &'static str,
+    dimension: Dimension,
+    unit: &'static str,
+    suffix: &'static str,
+) -> Quantity {
+    quantity(name, dimension, unit, suffix, Allowed::Any, None)
+}
+
 use Allowed::{Acute, Any, NotNegative, Positive};
 use Dimension as D;
 
@@ -73,8 +83,10 @@ pub const QUANTITIES: &[Quantity] = &[
         Positive,
         Some(body_weight),
     ),
-    quantity("gait.rate", D::Frequency, "Hz", "_hz", Positive, None),
-    quantity("gait.mass", D::Mass, "kg", "_kg", Positive, None),
+    judged("gait.rate", D::Frequency, "Hz", "_hz"),
+    judged("gait.mass", D::Mass, "kg", "_kg"),
+    judged("gait.phase", D::Angle, "rad", "_rad"),
+    judged("gait.band", D::Force, "N", "_n"),
     quantity(
         "drive.mass",
         D::Mass,
@@ -187,9 +199,56 @@ pub const QUANTITIES: &[Quantity] = &[
         Positive,
         Some(|s, x| s.cam.thickness = x),
     ),
-    quantity("cam.pivot_distance", D::Length, "m", "_m", Positive, None),
-    quantity("cam.arm", D::Length, "m", "_m", Positive, None),
-    quantity("cam.face_offset", D::Length, "m", "_m", Any, None),
+    judged("drive.speed", D::Speed, "m/s", "_m_per_s"),
+    judged("drive.inertia", D::Inertia, "kg m^2", "_kg_m2"),
+    judged(
+        "drive.spring_rate",
+        D::AngularRate,
+        "N m/rad",
+        "_n_m_per_rad",
+    ),
+    judged("drive.preload", D::Torque, "N m", "_n_m"),
+    judged("cam.pivot_distance", D::Length, "m", "_m"),
+    judged("cam.arm", D::Length, "m", "_m"),
+    judged("cam.face_offset", D::Length, "m", "_m"),
+    judged("cam.breadth", D::Length, "m", "_m"),
+    judged("cam.travel", D::Length, "m", "_m"),
+    judged("cam.depth", D::Length, "m", "_m"),
+    judged("cam.roller_eccentricity", D::Length, "m", "_m"),
+    judged("cam.conjugate.distance", D::Length, "m", "_m"),
+    judged("cam.conjugate.angle", D::Angle, "rad", "_rad"),
+    judged("cam.conjugate.base_radius", D::Length, "m", "_m"),
+    judged("cam.conjugate.roller_radius", D::Length, "m", "_m"),
+    judged("limits.velocity", D::AngularSpeed, "rad/s", "_rad_per_s"),
+    judged(
+        "limits.acceleration",
+        D::AngularAcceleration,
+        "rad/s^2",
+        "_rad_per_s2",
+    ),
+    judged("limits.jerk", D::AngularJerk, "rad/s^3", "_rad_per_s3"),
+    judged("limits.torque", D::Torque, "N m", "_n_m"),
+    judged(
+        "limits.torque_rate",
+        D::AngularRate,
+        "N m/rad",
+        "_n_m_per_rad",
+    ),
+    judged("limits.hertz_pressure", D::Pressure, "Pa", "_pa"),
+    judged("limits.residual", D::Length, "m", "_m"),
+    judged("limits.residual", D::Angle, "rad", "_rad"),
+    judged("machine.natural_frequency", D::Frequency, "Hz", "_hz"),
+    judged("machine.stiffness", D::SpringRate, "N/m", "_n_per_m"),
+    judged(
+        "machine.stiffness",
+        D::AngularRate,
+        "N m/rad",
+        "_n_m_per_rad",
+    ),
+    judged("machine.damping_ratio", D::Ratio, "", ""),
+    judged("machine.friction", D::Ratio, "", ""),
+    judged("machine.restitution", D::Ratio, "", ""),
+    judged("machine.second_cam", D::Angle, "rad", "_rad"),
     quantity(
         "limits.stroke",
         D::Length,
@@ -318,3 +377,25 @@ fn body_weight(scene: &mut Scene, newtons: f64) {
         *body_weight_n = newtons;
     }
 }
+
+/// Keys whose values are words, counts, truth values or paths.
+pub const WORDS: &[&str] = &[
+    "gait.file",
+    "gait.model",
+    "gait.feet",
+    "gait.scale",
+    "gait.time",
+    "gait.force",
+    "gait.unit",
+    "drive.kind",
+    "law.family",
+    "law.degree",
+    "law.spans",
+    "law.harmonics",
+    "law.minimise",
+    "law.monotone",
+    "law.polydyne",
+    "cam.follower",
+    "cam.turns",
+    "cam.pivot_beside",
+];

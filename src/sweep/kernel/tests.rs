@@ -178,3 +178,75 @@ fn faults_are_rows() {
     equal(&pairs);
     assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Error));
 }
+
+/// The row of one varied value beside a single synthesis of the scene with that value set.
+fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
+    let mut table: Table = scene::DEFAULT.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "x".to_string(),
+            table: table.clone(),
+        }],
+        list: None,
+        axes: vec![Axis::parse(vary, false).unwrap()],
+        design: Design::Grid,
+    };
+    plan.validate().unwrap();
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);
+    let batch = plan.batch(0, 1);
+    let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
+    scene::set(&mut table, vary).unwrap();
+    let scene = scene::read(&table).unwrap();
+    (row, kernel.answer(0, &scene, &mut None))
+}
+
+#[test]
+fn keys_of_force_machine_and_lists_give_what_a_single_synthesis_gives() {
+    let size = "cam.base_radius=80 mm";
+    let roller = [
+        "cam.follower=roller-translating",
+        "cam.roller_radius=10 mm",
+        "cam.prime_radius=80 mm",
+        "limits.stroke=90 mm",
+    ];
+    let mut pairs = Vec::new();
+    for (changes, vary) in [
+        (&[][..], "gait.phase=40 deg"),
+        (&[], "gait.phase=free"),
+        (&[], "gait.band=25 N"),
+        (&[size], "limits.torque=12 N m"),
+        (&[size], "limits.torque_rate=60 N m/rad"),
+        (&[size], "limits.hertz_pressure=150 MPa"),
+        (&roller, "limits.hertz_pressure=400 MPa"),
+        (
+            &["machine.natural_frequency=60 Hz"],
+            "limits.residual=0.1 mm",
+        ),
+        (&["limits.torque=30 N m", size], "machine.friction=0.1"),
+        (&["limits.residual=1 mm"], "machine.natural_frequency=40 Hz"),
+        (&["law.harmonics=4"], "law.family=ladder"),
+        (&["cam.bore=20 mm"], "cam.thickness=12 mm"),
+    ] {
+        let pair = beside_a_single_synthesis(changes, vary);
+        assert!(pair.0.error.is_empty(), "{vary}: {}", pair.0.error);
+        pairs.push(pair);
+    }
+    equal(&pairs);
+}
+
+#[test]
+fn entries_of_a_list_vary_by_their_number() {
+    let program = [
+        "law.family=program",
+        "law.segment=[{motion = \"cycloidal\", lift = \"10 mm\", angle = \"180 deg\"}, \
+         {motion = \"3-4-5\", lift = \"-10 mm\", angle = \"180 deg\"}]",
+    ];
+    let pair = beside_a_single_synthesis(&program, "law.segment.2.motion=4-5-6-7");
+    assert!(pair.0.error.is_empty(), "{}", pair.0.error);
+    let other = beside_a_single_synthesis(&program, "law.segment.2.motion=3-4-5");
+    assert!(pair.0.numbers[12] != other.0.numbers[12]);
+    equal(&[pair, other]);
+}

@@ -42,6 +42,10 @@ fn the_last_axis_runs_fastest_and_rows_follow_from_their_number() {
 fn keys_that_cannot_vary_are_named() {
     let fault = |v: &[&str]| plan(v).validate().unwrap_err().to_string();
     assert!(fault(&["name=a,b"]).contains("\"name\" cannot vary"));
+    for name in ["limits.torque,", "gait.phase,", "law.family,"] {
+        assert!(fault(&["name=a,b"]).contains(name), "{name}");
+    }
+    assert!(fault(&["law.segment.1.lift=1 mm,2 mm"]).contains("law.segment"));
     assert!(fault(&["limits.strok=1 mm:2 mm:3"]).contains("did you mean \"stroke\"?"));
     assert!(fault(&["limits=a,b"]).contains("limits"));
     assert!(fault(&["limits.stroke=-1 mm:2 mm:3"]).contains("not positive"));
