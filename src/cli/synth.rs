@@ -176,6 +176,11 @@ fn sequence(design: &Synthesis) -> String {
     out.join("\n")
 }
 
+/// A force that is zero to its last printed digit, without a sign that would not be true.
+fn unsigned_zero(newtons: f64) -> f64 {
+    if newtons.abs() < 0.005 { 0.0 } else { newtons }
+}
+
 /// The result for people: what was found, how well, and what limits it.
 fn words(design: &Synthesis, time: Timing) -> String {
     let mut out = vec![
@@ -190,7 +195,7 @@ fn words(design: &Synthesis, time: Timing) -> String {
         let f = &design.force;
         out.push(format!(
             "  force     {:.2} … {:.2} N, mean {:.2} N; misses the target by {:.3} N RMS ({:.3} % of the mean), {:.3} N at most",
-            f.min_n, f.max_n, f.mean_n, f.rms_error_n, f.rms_error_percent_of_mean, f.max_error_n
+            unsigned_zero(f.min_n), f.max_n, f.mean_n, f.rms_error_n, f.rms_error_percent_of_mean, f.max_error_n
         ));
     }
     let (pieces, stroke) = (design.cam.law.poly().pieces(), design.cam.law.stroke());

@@ -10,6 +10,7 @@ use super::plots::{Layout, ends_of, key, over_the_law, strips, title};
 use super::samples::{motion, number};
 use crate::cam::Measures;
 use crate::drive::Drive;
+use crate::gait::ForceCurve;
 use crate::synth::Synthesis;
 
 /// Points of the target and of its band.
@@ -64,7 +65,8 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             .map(|&t| (across(t), target_at(target, law, t)))
             .collect();
         wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let band = spread(synthesis, &wanted);
+        let asked = asked_band(synthesis, &wanted);
+        let band = asked.clone().or_else(|| spread(synthesis, &wanted));
         let frames = strips(frame, &[2.6, 1.0], 1.0 * e);
 
         let values = achieved.iter().chain(&wanted).map(|p| p.1);
@@ -91,13 +93,22 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             })
             .collect();
         let rms = synthesis.force.rms_error_n;
-        let y = padded(error.iter().map(|p| p.1).chain([rms, -rms]), 0.3);
+        // What the difference is held against: the band that was asked for, the mean otherwise.
+        let bounds: Vec<Vec<(f64, f64)>> = match &asked {
+            Some((upper, lower)) => [upper, lower].map(|e| apart(e, &wanted)).to_vec(),
+            None => [rms, -rms]
+                .map(|level| ends_of(synthesis).map(|t| (across(t), level)).to_vec())
+                .to_vec(),
+        };
+        let around = bounds.iter().flatten().map(|p| p.1);
+        let y = padded(error.iter().map(|p| p.1).chain(around), 0.3);
         let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
         let zero: Vec<(f64, f64)> = error.iter().map(|p| (p.0, 0.0)).collect();
         panel.band(&error, &zero, RED.mix(0.14))?;
         panel.curve(&error, RED, 1.8)?;
-        panel.level(rms, None, QUIET)?;
-        panel.level(-rms, None, QUIET)?;
+        for bound in &bounds {
+            panel.curve(bound, QUIET, 1.2)?;
+        }
         panel.quantity("error, N", 5.7 * e)?;
         panel.across(measures.angle_words())?;
 
@@ -113,7 +124,12 @@ pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             (RED, 1.8, difference.as_str()),
         ];
         if band.is_some() {
-            entries.insert(1, (ORANGE.mix(0.22), 14.0, "± SD, step to step"));
+            let what = if asked.is_some() {
+                "band asked for"
+            } else {
+                "± SD, step to step"
+            };
+            entries.insert(1, (ORANGE.mix(0.22), 14.0, what));
         }
         key(canvas, legend, e, &entries)
     })
@@ -159,6 +175,28 @@ pub(super) fn force_frame(layout: Layout) -> Frame {
         top: frame.top + 1.9 * layout.letters,
         ..frame
     }
+}
+
+/// Upper and lower edge of the band that was asked for, at the angles of what is wanted.
+#[allow(clippy::type_complexity)] // two curves
+fn asked_band(
+    synthesis: &Synthesis,
+    wanted: &[(f64, f64)],
+) -> Option<(Vec<(f64, f64)>, Vec<(f64, f64)>)> {
+    let [low, high] = synthesis.band.as_ref()?;
+    let cam = &synthesis.cam;
+    let factor = cam.follower.measures().angle().factor;
+    let edge = |curve: &ForceCurve| {
+        let at = |across: f64| target_at(curve, &cam.law, across / factor);
+        wanted.iter().map(|&(x, _)| (x, at(x))).collect()
+    };
+    Some((edge(high), edge(low)))
+}
+
+/// A curve less another at the same angles.
+fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let pairs = curve.iter().zip(other);
+    pairs.map(|(c, o)| (c.0, c.1 - o.1)).collect()
 }
 
 /// Upper and lower edge of the step-to-step spread about the wanted force.

@@ -14,6 +14,8 @@ pub struct Synthesis {
     pub name: String,
     /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub target: Option<ForceCurve>,
+    /// Lowest and highest force of the band that was asked for in place of the curve.
+    pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.
     pub phase: f64,
     /// How lift becomes force, with every number settled.

@@ -1,9 +1,11 @@
 //! Why there is no law: the smallest set of limits that fight, and the least relaxation of each.
 
 use super::answer::{Infeasible, Relaxation};
+use super::design::outside_bore;
 use super::objective::Quadratic;
 use super::problem::{Failure, PEAK, Program};
 use crate::cam::Measures;
+use crate::scene::Scene;
 
 /// Explains a program without solution.
 pub fn explain(program: &Program, failure: &Failure, measures: Measures) -> Infeasible {
@@ -89,6 +91,39 @@ pub fn told(kept: &[&'static str], relaxations: Vec<Relaxation>, measures: Measu
         relaxations,
         words,
     }
+}
+
+/// A bore around which no cam fits under the limit on the prime radius, where the scene leaves the size open.
+pub fn bore_against_size(scene: &Scene) -> Option<Infeasible> {
+    let (bore, limit) = (scene.cam.bore?, scene.limits.prime_radius?);
+    let roller = if scene.cam.follower.starts_with("flat") {
+        0.0
+    } else {
+        scene.cam.roller_radius
+    };
+    let least = outside_bore(scene) + roller;
+    let given = scene.cam.base_radius.is_some() || scene.cam.prime_radius.is_some();
+    if given || least <= limit {
+        return None;
+    }
+    let smaller = bore - 2.0 * (least - limit);
+    let relaxations = vec![
+        Relaxation {
+            limit: "bore".to_string(),
+            from: bore,
+            to: (smaller > 0.0).then_some(smaller),
+        },
+        Relaxation {
+            limit: "prime_radius".to_string(),
+            from: limit,
+            to: Some(least),
+        },
+    ];
+    Some(told(
+        &["bore", "prime_radius"],
+        relaxations,
+        scene.cam.measures(),
+    ))
 }
 
 fn spoken(name: &str) -> String {

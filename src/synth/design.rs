@@ -96,8 +96,8 @@ fn depth(scene: &Scene) -> f64 {
     scene.cam.depth.unwrap_or(2.0 * scene.cam.roller_radius)
 }
 
-/// Smallest base radius that the bore leaves.
-fn outside_bore(scene: &Scene) -> f64 {
+/// Smallest base radius that the bore leaves, m.
+pub fn outside_bore(scene: &Scene) -> f64 {
     scene.cam.bore.map_or(0.0, |b| 0.5 * b + WALL)
 }
 

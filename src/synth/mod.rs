@@ -96,7 +96,7 @@ pub use answer::{
 pub use conflict::in_units;
 pub use trade::{Against, Trade, trade};
 
-use crate::cam::Cam;
+use crate::cam::{Cam, Check};
 use crate::error::{Error, Place, Result};
 use crate::gait::{ForceCurve, doubt};
 use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
@@ -130,7 +130,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
             phase.to_degrees()
         ));
     }
-    let (found, cam, end) = designed(scene, &demand)?;
+    let (mut found, cam, end) = designed(scene, &demand)?;
     let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
     let force = verify::law_force(&demand, pressing);
     let conjugate = design::conjugate(scene, &cam)?;
@@ -139,6 +139,10 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     checks.extend(machine::checks(scene, &demand, &cam, pressing));
     checks.extend(verify::second_cam(scene, conjugate.as_ref()));
     checks.extend(verify::groove(scene, groove.as_ref()));
+    let too_large = |c: &Check| c.name == "prime_radius" && !c.pass;
+    if found.infeasible.is_none() && checks.iter().any(too_large) {
+        found.infeasible = conflict::bore_against_size(scene);
+    }
     let (mut verdict, mut reason) = verify::verdict(scene, &cam, &checks);
     if let Some(infeasible) = &found.infeasible {
         verdict = crate::cam::Verdict::Unacceptable;
@@ -161,6 +165,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     Ok(Synthesis {
         name: scene.name.clone(),
         phase: demand.phase,
+        band: demand.band(scene).ok().flatten(),
         target: demand.target,
         drive: demand.drive,
         family: found.family.name().to_string(),

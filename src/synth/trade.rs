@@ -189,6 +189,14 @@ pub fn trade(
             _ => low = middle,
         }
     }
+    // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
+    if high == most && !synthesise(&against.held(&open, most), target).is_ok_and(|d| good(&d)) {
+        let allowed = against.of(&free);
+        return Ok(vec![Trade {
+            allowed,
+            design: free,
+        }]);
+    }
     let mut out = Vec::with_capacity(points);
     for i in 0..points {
         let share = i as f64 / (points - 1).max(1) as f64;

@@ -46,7 +46,11 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         values: front.iter().map(of).collect(),
         words: Vec::new(),
     };
-    let x = column(against.column(), &|t| against.of(&t.design));
+    let (unit, factor) = shown_in(against);
+    let x = Quantity {
+        label: format!("{}, {unit}", spoken(against)),
+        ..column(against.column(), &|t| factor * against.of(&t.design))
+    };
     let y = column("rms_error_n", &|t| t.design.force.rms_error_n);
     let line: Vec<(f64, f64)> = x
         .values
@@ -91,6 +95,16 @@ fn spoken(against: Against) -> String {
     name.replace('_', " ")
 }
 
+/// The unit in which people read it, and SI's factor to it.
+fn shown_in(against: Against) -> (&'static str, f64) {
+    match against {
+        Against::PrimeRadius | Against::Stroke => ("mm", 1e3),
+        Against::Velocity => ("m/s", 1.0),
+        Against::Acceleration => ("m/s²", 1.0),
+        Against::Jerk => ("m/s³", 1.0),
+    }
+}
+
 fn csv(against: Against, front: &[Trade]) -> String {
     let mut out = format!("allowed_{},{}", against.column(), against.column());
     for name in COLUMNS.iter().filter(|n| **n != against.column()) {
@@ -122,12 +136,7 @@ fn csv(against: Against, front: &[Trade]) -> String {
 }
 
 fn words(name: &str, against: Against, front: &[Trade]) -> String {
-    let (unit, factor) = match against {
-        Against::PrimeRadius | Against::Stroke => ("mm", 1e3),
-        Against::Velocity => ("m/s", 1.0),
-        Against::Acceleration => ("m/s²", 1.0),
-        Against::Jerk => ("m/s³", 1.0),
-    };
+    let (unit, factor) = shown_in(against);
     let mut out = vec![
         format!("{name}: least force error at each {}", spoken(against)),
         format!(
