@@ -1,23 +1,12 @@
 //! From TOML to a [`Scene`].
 
-use std::path::PathBuf;
-
 use toml::{Table, Value};
 
 use super::table::Reader;
-use super::{
-    Band, CamSpec, DriveSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, Phase, PhaseWeight,
-    Scene, SegmentSpec, Source,
-};
+use super::{Family, Minimise, Scene};
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
-use crate::gait::Feet;
-use crate::units::{Dimension, G};
-
-/// Most spans of a spline: beyond this the law is a table, not a law.
-const MOST_SPANS: usize = 10_000;
-/// Weight of the walker that the load models were published for, N.
-const MODEL_WEIGHT: f64 = 700.0;
+use crate::units::Dimension;
 
 /// Reads a scene from its table. Errors name the dotted key.
 pub fn read(table: &Table) -> Result<Scene> {
@@ -36,11 +25,11 @@ pub fn read_keys(table: &Table) -> Result<Scene> {
                 .help("use letters, digits, - and _"),
         );
     }
-    let gait = root.table("gait")?.map(gait).transpose()?;
+    let gait = root.table("gait")?.map(super::gait::read).transpose()?;
     // The follower decides what lift and angle are measured in.
     let cam = super::cam::read(root.table("cam")?)?;
-    let drive = drive(root.table("drive")?, &cam)?;
-    let law = law(root.table("law")?, &cam, gait.as_ref())?;
+    let drive = super::drive::read(root.table("drive")?, &cam)?;
+    let law = super::law::read(root.table("law")?, &cam, gait.as_ref())?;
     let limits = super::limits::limits(root.table("limits")?, cam.is_oscillating())?;
     let rms = super::limits::accuracy(root.table("accuracy")?)?;
     let machine = super::limits::machine(root.table("machine")?, cam.is_oscillating())?;
@@ -125,322 +114,6 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     Ok(())
 }
 
-fn gait(mut r: Reader) -> Result<Gait> {
-    let file = r.text("file")?;
-    let model = r.text("model")?;
-    let feet = r.text("feet")?;
-    let key = r.name("feet");
-    let feet: Feet = feet
-        .unwrap_or("both")
-        .parse()
-        .map_err(|e: Error| e.at(crate::error::Place::Key(key)))?;
-    let to_mass = r
-        .choice("scale", &[("none", false), ("to-mass", true)])?
-        .unwrap_or(false);
-    let step_frequency_hz = r.positive("step_frequency", Dimension::Frequency)?;
-    let body_weight_n = r.positive("body_weight", Dimension::Force)?;
-    let time = r.text("time")?.map(str::to_string);
-    let force = r.texts("force")?;
-    let unit = r.text("unit")?.map(str::to_string);
-    let rate_hz = r.positive("rate", Dimension::Frequency)?;
-    let mass_kg = r.positive("mass", Dimension::Mass)?;
-    let source = match (file, model) {
-        (Some(path), None) => Source::File {
-            path: PathBuf::from(path),
-            time,
-            force,
-            unit,
-            rate_hz,
-            mass_kg,
-        },
-        (None, Some(name)) => Source::Model {
-            name: name.to_string(),
-            step_frequency_hz,
-            body_weight_n: body_weight_n.unwrap_or(MODEL_WEIGHT),
-        },
-        (Some(_), Some(_)) => {
-            return Err(Error::key("gait", "says both file and model")
-                .help("keep one: file = \"walk.mot\" or model = \"young\""));
-        }
-        (None, None) => {
-            return Err(Error::key("gait.file", "no recording and no model is named").help(
-                "give --set gait.file=walk.mot, or write file = \"walk.mot\" or model = \"young\"; \
-                 leave [gait] out for a classical programme",
-            ));
-        }
-    };
-    let band = match r.text("band")? {
-        Some("spread") => Some(Band::Spread),
-        Some(_) => r.positive("band", Dimension::Force)?.map(Band::Width),
-        None => None,
-    };
-    let phase = match r.text("phase")? {
-        Some("free") => Phase::Free,
-        _ => Phase::At(r.quantity("phase", Dimension::Angle)?.unwrap_or(0.0)),
-    };
-    let weights = weights(&mut r)?;
-    r.finish()?;
-    Ok(Gait {
-        source,
-        feet,
-        to_mass,
-        band,
-        weights,
-        phase,
-    })
-}
-
-fn weights(r: &mut Reader) -> Result<Vec<PhaseWeight>> {
-    let mut out = Vec::new();
-    for mut w in r.tables("weight")? {
-        let missing = |key: String| {
-            Error::key(&key, "a weight needs it")
-                .help("write from = \"0 deg\", to = \"60 deg\", weight = 4")
-        };
-        let (from_key, to_key, weight_key) = (w.name("from"), w.name("to"), w.name("weight"));
-        let one = PhaseWeight {
-            from: w
-                .quantity("from", Dimension::Angle)?
-                .ok_or_else(|| missing(from_key.clone()))?,
-            to: w
-                .quantity("to", Dimension::Angle)?
-                .ok_or_else(|| missing(to_key))?,
-            weight: w
-                .not_negative("weight", Dimension::Ratio)?
-                .ok_or_else(|| missing(weight_key.clone()))?,
-        };
-        if one.weight > LARGEST_WEIGHT {
-            return Err(Error::key(
-                &weight_key,
-                format!("{} drowns the rest of the cycle", one.weight),
-            )
-            .help("weights from 0 to 1000000; 1 is what all else has"));
-        }
-        let inside = |x: f64| (-1e-9..=std::f64::consts::TAU + 1e-9).contains(&x);
-        if !inside(one.from) || !inside(one.to) || one.from == one.to {
-            return Err(Error::key(
-                &from_key,
-                format!(
-                    "{:.3}° to {:.3}° is no range of one cycle",
-                    one.from.to_degrees(),
-                    one.to.to_degrees()
-                ),
-            )
-            .help("phases run from 0 to 360 deg; a range over the end has to < from"));
-        }
-        out.push(one);
-        w.finish()?;
-    }
-    let turn = std::f64::consts::TAU;
-    let covered: f64 = (out.iter())
-        .map(|w: &PhaseWeight| (w.to - w.from).rem_euclid(turn))
-        .map(|length| if length < 1e-9 { turn } else { length })
-        .sum();
-    if covered >= turn - 1e-9 && out.iter().all(|w| w.weight == 0.0) {
-        return Err(
-            Error::key(&r.name("weight"), "no phase of the cycle counts")
-                .help("give one range a weight above 0"),
-        );
-    }
-    Ok(out)
-}
-
-fn drive(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
-    // Only a cam that turns under a sliding follower can carry its own shaft.
-    let usual = if cam.is_oscillating() || cam.is_straight() || cam.follower == "barrel" {
-        DriveKind::FixedAxis
-    } else {
-        DriveKind::MovingAxis
-    };
-    let mut spec = DriveSpec {
-        kind: usual,
-        mass: None,
-        speed: None,
-        gravity: G,
-        pressure_per_volume: 0.0,
-        piston_radius: 0.0,
-        spring_rate: 0.0,
-        preload: 0.0,
-        damping: 0.0,
-    };
-    let Some(mut r) = reader else { return Ok(spec) };
-    let kinds = [
-        DriveKind::MovingAxis,
-        DriveKind::FixedAxis,
-        DriveKind::Hydraulic,
-    ]
-    .map(|k| (k.name(), k));
-    spec.kind = r.choice("kind", &kinds)?.unwrap_or(usual);
-    let arm = cam.is_oscillating();
-    spec.mass = r.positive("mass", Dimension::Mass)?;
-    if arm {
-        if spec.mass.is_some() {
-            return Err(Error::key(
-                "drive.mass",
-                "an arm's lift is an angle, on which no mass acts",
-            )
-            .help("give its moment of inertia about the pivot: inertia = \"0.02 kg m^2\""));
-        }
-        spec.mass = r.positive("inertia", Dimension::Inertia)?;
-    }
-    let per_time = if cam.is_straight() {
-        Dimension::Speed
-    } else {
-        Dimension::AngularSpeed
-    };
-    spec.speed = r.positive("speed", per_time)?;
-    spec.gravity = r.positive("gravity", Dimension::Acceleration)?.unwrap_or(G);
-    match spec.kind {
-        DriveKind::MovingAxis => {}
-        DriveKind::FixedAxis => {
-            spec.spring_rate = r
-                .not_negative(
-                    "spring_rate",
-                    if arm {
-                        Dimension::AngularRate
-                    } else {
-                        Dimension::SpringRate
-                    },
-                )?
-                .unwrap_or(0.0);
-            let preload = if arm {
-                Dimension::Torque
-            } else {
-                Dimension::Force
-            };
-            spec.preload = r.quantity("preload", preload)?.unwrap_or(0.0);
-            if !arm {
-                spec.damping = r
-                    .not_negative("damping", Dimension::Damping)?
-                    .unwrap_or(0.0);
-            }
-        }
-        DriveKind::Hydraulic => {
-            let missing = |key: &str, example: &str| {
-                Error::key(&format!("drive.{key}"), "a hydraulic drive needs it")
-                    .help(format!("write for example {example}"))
-            };
-            spec.pressure_per_volume = r
-                .positive("pressure_per_volume", Dimension::PressurePerVolume)?
-                .ok_or_else(|| missing("pressure_per_volume", "\"30 psi/in^3\""))?;
-            spec.piston_radius = r
-                .positive("piston_radius", Dimension::Length)?
-                .ok_or_else(|| missing("piston_radius", "\"0.75 in\""))?;
-        }
-    }
-    r.finish()?;
-    Ok(spec)
-}
-
-fn law(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Result<LawSpec> {
-    let mut spec = LawSpec {
-        family: Family::Spline,
-        degree: None,
-        spans: None,
-        harmonics: None,
-        minimise: None,
-        monotone: false,
-        polydyne: false,
-        points: Vec::new(),
-        dwells: Vec::new(),
-        segments: Vec::new(),
-    };
-    let Some(mut r) = reader else {
-        spec.family = unnamed(&spec, gait);
-        return Ok(spec);
-    };
-    let family = r.choice("family", &Family::NAMES)?;
-    let degrees = if family == Some(Family::Polynomial) {
-        (1, 30)
-    } else {
-        (3, 9)
-    };
-    spec.degree = r.count("degree", degrees.0, degrees.1)?;
-    spec.spans = r.count("spans", 1, MOST_SPANS)?;
-    spec.harmonics = r.count("harmonics", 1, 400)?;
-    spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
-    let of_force = [Minimise::ForceError, Minimise::PeakForceError];
-    if gait.is_none() && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
-        return Err(
-            Error::key("law.minimise", "there is no force to come near to")
-                .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),
-        );
-    }
-    spec.monotone = r.flag("monotone")?.unwrap_or(false);
-    spec.polydyne = r.flag("polydyne")?.unwrap_or(false);
-    let length = |order| lift_dimension(cam.is_oscillating(), order);
-    for mut p in r.tables("point")? {
-        let key = p.name("angle");
-        let angle = p.quantity("angle", Dimension::Angle)?;
-        spec.points.push(LawPoint {
-            angle: angle.ok_or_else(|| {
-                Error::key(&key, "a point needs its angle").help("write angle = \"56.88 deg\"")
-            })?,
-            lift: p.quantity("lift", length(0))?,
-            force: p.quantity("force", Dimension::Force)?,
-            velocity: p.quantity("velocity", length(1))?,
-            acceleration: p.quantity("acceleration", length(2))?,
-            jerk: p.quantity("jerk", length(3))?,
-        });
-        p.finish()?;
-    }
-    for mut d in r.tables("dwell")? {
-        let missing = |key: String| {
-            Error::key(&key, "a dwell needs it")
-                .help("write from = \"256.32 deg\", to = \"360 deg\"")
-        };
-        let (from_key, to_key) = (d.name("from"), d.name("to"));
-        spec.dwells.push(Dwell {
-            from: d
-                .quantity("from", Dimension::Angle)?
-                .ok_or_else(|| missing(from_key))?,
-            to: d
-                .quantity("to", Dimension::Angle)?
-                .ok_or_else(|| missing(to_key))?,
-            lift: d.quantity("lift", length(0))?,
-        });
-        d.finish()?;
-    }
-    for mut s in r.tables("segment")? {
-        let key = s.name("angle");
-        spec.segments.push(SegmentSpec {
-            motion: s.text("motion")?.unwrap_or("dwell").to_string(),
-            lift: s.quantity("lift", length(0))?.unwrap_or(0.0),
-            angle: if cam.is_straight() {
-                let length = s.name("length");
-                s.positive("length", Dimension::Length)?.ok_or_else(|| {
-                    Error::key(&length, "a segment of a translating cam needs its length")
-                        .help("write length = \"40 mm\"")
-                })?
-            } else {
-                s.positive("angle", Dimension::Angle)?.ok_or_else(|| {
-                    Error::key(&key, "a segment needs its angle").help("write angle = \"90 deg\"")
-                })?
-            },
-        });
-        s.finish()?;
-    }
-    r.finish()?;
-    spec.family = family.unwrap_or_else(|| unnamed(&spec, gait));
-    Ok(spec)
-}
-
-/// The family of a scene that names none: the ladder, unless something is asked that only splines have.
-fn unnamed(law: &LawSpec, gait: Option<&Gait>) -> Family {
-    let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
-    let of_splines = law.degree.is_some()
-        || law.spans.is_some()
-        || law.monotone
-        || law.polydyne
-        || matches!(law.minimise, Some(m) if m != Minimise::ForceError)
-        || !(law.points.is_empty() && law.dwells.is_empty() && law.segments.is_empty());
-    match (follows_a_plain_force && !of_splines, law.harmonics) {
-        (true, None) => Family::Ladder,
-        (true, Some(_)) => Family::Harmonic,
-        (false, _) => Family::Spline,
-    }
-}
-
 pub(super) fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
     match (oscillating, order) {
         (true, 0) => Dimension::Angle,
@@ -449,9 +122,6 @@ pub(super) fn lift_dimension(oscillating: bool, order: u8) -> Dimension {
         (false, n) => Dimension::LengthPerAngle(n),
     }
 }
-
-/// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
-const LARGEST_WEIGHT: f64 = 1e6;
 
 /// Demands that only the whole scene can contradict.
 fn consistent(scene: &Scene) -> Result<()> {

@@ -1,7 +1,10 @@
 //! A scene: the whole problem as a user writes it down, validated key by key.
 
 mod cam;
+mod drive;
+mod gait;
 mod ignored;
+mod law;
 mod limits;
 mod load;
 mod table;

@@ -1,0 +1,282 @@
+//! A program with all its rows written down beforehand, for the interior-point method.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+};
+
+use super::{Answer, Between, Bound, Settings, Task, refused};
+use crate::error::{Error, Result};
+use crate::synth::basis::{Basis, Entries};
+use crate::synth::problem::Failure;
+
+/// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
+pub struct Conic {
+    basis: Basis,
+    n: usize,
+    columns: usize,
+    length: f64,
+    hessian: Vec<(usize, usize, f64)>,
+    gradient: Vec<f64>,
+    rows: Vec<(Entries, f64)>,
+    cones: Vec<SupportedConeT<f64>>,
+}
+
+impl Task<'_> {
+    /// The same with all rows written down beforehand.
+    ///
+    /// Fails where a cone is asked for a derivative that is not quadratic on a span.
+    pub fn conic(&self, between: Between) -> Result<Conic> {
+        let basis = self.basis();
+        let force = self.distance(&basis);
+        let n = basis.columns();
+        let mut conic = Conic {
+            length: self.length(),
+            basis,
+            n,
+            columns: n,
+            hessian: force.hessian.lower_entries(),
+            gradient: force.gradient,
+            rows: Vec::new(),
+            cones: Vec::new(),
+        };
+        if self.drive.spring_rate == 0.0 {
+            // Nothing in force or limits knows the absolute lift.
+            conic.rows.push((vec![(n - 1, 1.0)], 0.0));
+            conic.cones.push(SupportedConeT::ZeroConeT(1));
+        }
+        for bound in self.bounds {
+            match between {
+                Between::Samples(count) => conic.sampled(bound, count),
+                Between::Coefficients => conic.coefficients(bound, self.degree),
+                Between::Cone if self.degree == bound.order + 2 => conic.cones(bound),
+                Between::Cone => {
+                    return Err(Error::new(format!(
+                        "derivative {} of degree {} is not quadratic on a span",
+                        bound.order, self.degree
+                    )));
+                }
+            }
+        }
+        Ok(conic)
+    }
+}
+
+impl Conic {
+    fn pieces(&self) -> usize {
+        self.basis.breaks().len() - 1
+    }
+
+    /// Both signs of one sample: ±row ≤ most, divided by `most`.
+    fn both(&mut self, row: &Entries, most: f64) {
+        for sign in [1.0, -1.0] {
+            let scaled = row
+                .iter()
+                .map(|&(i, v)| (i, sign * v * self.length / most))
+                .collect();
+            self.rows.push((scaled, 1.0));
+        }
+    }
+
+    fn sampled(&mut self, bound: &Bound, count: usize) {
+        let mut weights = [0.0; 5];
+        weights[bound.order] = 1.0;
+        for piece in 0..self.pieces() {
+            for k in 0..count {
+                let u = (k as f64 + 0.5) / count as f64;
+                let row = self.basis.row_on(piece, u, &weights);
+                self.both(&row, bound.most);
+            }
+        }
+        let rows = 2 * count * self.pieces();
+        self.cones.push(SupportedConeT::NonnegativeConeT(rows));
+    }
+
+    fn coefficients(&mut self, bound: &Bound, degree: usize) {
+        for piece in 0..self.pieces() {
+            for row in self.bernstein(piece, bound.order, degree) {
+                self.both(&row, bound.most);
+            }
+        }
+        let rows = 2 * (degree - bound.order + 1) * self.pieces();
+        self.cones.push(SupportedConeT::NonnegativeConeT(rows));
+    }
+
+    /// Rows of the Bernstein coefficients of derivative `order` on a piece.
+    fn bernstein(&self, piece: usize, order: usize, degree: usize) -> Vec<Entries> {
+        let Basis::Spline { space, .. } = &self.basis else {
+            return Vec::new();
+        };
+        let width = space.spans()[piece].width;
+        let mut differences: Vec<Vec<f64>> = (0..=degree)
+            .map(|k| (0..=degree).map(|i| f64::from(i == k)).collect())
+            .collect();
+        for d in 0..order {
+            let factor = (degree - d) as f64 / width;
+            differences = differences
+                .windows(2)
+                .map(|w| {
+                    (w[1].iter().zip(&w[0]))
+                        .map(|(b, a)| factor * (b - a))
+                        .collect()
+                })
+                .collect();
+        }
+        differences
+            .iter()
+            .map(|weights| {
+                let mut local = vec![0.0; degree + 1];
+                space.pull_back(piece, weights, &mut local);
+                (local.iter().enumerate())
+                    .map(|(k, &v)| (space.index(piece, k), v))
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// most ∓ s⁽ᵏ⁾ = b₀(1−u)² + 2b₁u(1−u) + b₂u² ≥ 0 exactly when b₁ = m + λ, λ ≥ 0, m² ≤ b₀b₂ (FACTS §9).
+    fn cones(&mut self, bound: &Bound) {
+        for piece in 0..self.pieces() {
+            let b = self.bernstein(piece, bound.order, bound.order + 2);
+            for sign in [1.0, -1.0] {
+                let lambda = self.columns;
+                self.columns += 1;
+                // λ ≥ 0.
+                self.rows.push((vec![(lambda, -1.0)], 0.0));
+                self.cones.push(SupportedConeT::NonnegativeConeT(1));
+                let part = |k: usize, factor: f64| -> Vec<(usize, f64)> {
+                    b[k].iter()
+                        .map(|&(i, v)| (i, factor * sign * v * self.length / bound.most))
+                        .collect()
+                };
+                // (b₀ + b₂, b₀ − b₂, 2(b₁ − λ)) with bₖ = 1 ∓ row.
+                let (first, last) = (part(0, 1.0), part(2, 1.0));
+                let minus_last = part(2, -1.0);
+                let mut middle = part(1, 2.0);
+                middle.push((lambda, 2.0));
+                self.rows.push(([first.clone(), last].concat(), 2.0));
+                self.rows.push(([first, minus_last].concat(), 0.0));
+                self.rows.push((middle, 2.0));
+                self.cones.push(SupportedConeT::SecondOrderConeT(3));
+            }
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Objective in the solver's unit: the largest of H's diagonal counts 1.
+    fn unit(&self) -> f64 {
+        let largest = (self.hessian.iter())
+            .filter(|e| e.0 == e.1)
+            .fold(0.0_f64, |m, e| m.max(e.2));
+        largest * self.length * self.length
+    }
+
+    fn linear(&self, gradient: &[f64]) -> Vec<f64> {
+        let factor = self.length / self.unit();
+        let mut q: Vec<f64> = gradient.iter().map(|g| g * factor).collect();
+        q.resize(self.columns, 0.0);
+        q
+    }
+
+    /// Hands the program to the solver.
+    pub fn prepare(&self, settings: Settings) -> Result<Prepared> {
+        let factor = self.length * self.length / self.unit();
+        let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
+        for &(row, column, value) in &self.hessian {
+            i.push(column);
+            j.push(row);
+            v.push(value * factor);
+        }
+        let p = CscMatrix::new_from_triplets(self.columns, self.columns, i, j, v);
+        let (mut i, mut j, mut v) = (Vec::new(), Vec::new(), Vec::new());
+        for (r, (entries, _)) in self.rows.iter().enumerate() {
+            for &(column, value) in entries {
+                i.push(r);
+                j.push(column);
+                v.push(value);
+            }
+        }
+        let a = CscMatrix::new_from_triplets(self.rows.len(), self.columns, i, j, v);
+        let b: Vec<f64> = self.rows.iter().map(|r| r.1).collect();
+        let q = self.linear(&self.gradient);
+        let fault = |e: String| Error::new(format!("the solver refused: {e}"));
+        let settings = chosen(settings).map_err(fault)?;
+        let solver = DefaultSolver::new(&p, &q, &a, &b, &self.cones, settings)
+            .map_err(|e| fault(e.to_string()))?;
+        Ok(Prepared {
+            solver,
+            basis: self.basis.clone(),
+            n: self.n,
+            length: self.length,
+        })
+    }
+
+    /// Prepares and solves.
+    pub fn solve(&self, settings: Settings) -> Result<Answer> {
+        self.prepare(settings)?.solve()
+    }
+
+    /// The linear part of the objective for another target with the same mean and drive, to be handed to
+    /// [`Prepared::update`].
+    pub fn linear_part(&self, task: &Task) -> Vec<f64> {
+        self.linear(&task.distance(&self.basis).gradient)
+    }
+}
+
+fn chosen(s: Settings) -> std::result::Result<DefaultSettings<f64>, String> {
+    DefaultSettingsBuilder::default()
+        .verbose(false)
+        .max_iter(200)
+        .max_threads(1)
+        .tol_gap_abs(s.tolerance)
+        .tol_gap_rel(s.tolerance)
+        .tol_feas(s.tolerance)
+        .equilibrate_enable(s.equilibrate)
+        .presolve_enable(s.presolve)
+        .iterative_refinement_enable(s.refine)
+        .build()
+        .map_err(|e| e.to_string())
+}
+
+/// A program in the solver's hands: structure analysed once, data may change.
+pub struct Prepared {
+    solver: DefaultSolver<f64>,
+    basis: Basis,
+    n: usize,
+    length: f64,
+}
+
+impl Prepared {
+    /// Solves as it stands.
+    ///
+    /// Fails when the limits leave nothing or the solver gives up.
+    pub fn solve(&mut self) -> Result<Answer> {
+        self.solver.solve();
+        let answer = &self.solver.solution;
+        match answer.status {
+            SolverStatus::Solved
+            | SolverStatus::AlmostSolved
+            | SolverStatus::InsufficientProgress => {}
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+                return Err(refused(&Failure::Infeasible));
+            }
+            other => return Err(refused(&Failure::Solver(format!("{other:?}")))),
+        }
+        let x: Vec<f64> = answer.x[..self.n].iter().map(|y| y * self.length).collect();
+        Ok(Answer {
+            law: self.basis.law(&x),
+            iterations: answer.iterations as usize,
+        })
+    }
+
+    /// Exchanges the linear part of the objective (of [`Conic::linear_part`]); needs presolve off.
+    pub fn update(&mut self, linear: &[f64]) -> Result<()> {
+        self.solver
+            .update_q(&linear.to_vec())
+            .map_err(|e| Error::new(format!("the solver refused: {e}")))
+    }
+}
