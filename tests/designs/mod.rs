@@ -90,6 +90,7 @@ pub fn footbridge() -> Synthesis {
         verdict: Verdict::Acceptable,
         easing: Vec::new(),
         phase: 0.0,
+        band: None,
         reason: "Lift, velocity and acceleration are continuous and every limit holds.".into(),
         checks: vec![
             Check::at_most(
@@ -189,6 +190,7 @@ pub fn heel_tester() -> Synthesis {
         verdict: Verdict::NotForHighSpeed,
         easing: Vec::new(),
         phase: 0.0,
+        band: None,
         reason: "Every limit holds, but the jerk jumps where the dwell begins.".into(),
         checks: vec![
             Check::at_most("pressure_angle_rise", phi_high, limit, 1e-9),
