@@ -189,6 +189,7 @@ impl Measures {
             "torque" if self == Measures::Straight => unit(1.0, "N"),
             "torque" => unit(1.0, "N·m"),
             "torque_rate" => unit(1.0, "N·m/rad"),
+            "accuracy.rms" => unit(100.0, "%"),
             "hertz_pressure" => unit(1e-6, "MPa"),
             "bore" | "face_width" | "offset" | "upper_wall" | "lower_wall" => MM,
             _ if ["curvature", "concave", "interference", "radius"]

@@ -10,7 +10,7 @@ use super::files::Folder;
 use super::{BUILT, NO_SUCH_CAM, SynthArgs, explain, hand_over, input, say};
 use crate::emit::{self, Timing};
 use crate::error::{Error, Place, Result};
-use crate::synth::{Synthesis, synthesise};
+use crate::synth::{Synthesis, relaxed, synthesise};
 use crate::units::{Dimension, parse};
 
 /// Designs the cam and writes its files; exit code 3 when there is no such cam.
@@ -35,6 +35,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let solving = Instant::now();
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
+    let design = relaxed(&input.scene, target.as_ref(), design);
     let scene = input.resolved();
     let scene_text = toml::to_string(&scene).unwrap_or_default();
     let earlier = results::earlier(folder.path(), &scene_text);

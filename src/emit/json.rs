@@ -4,7 +4,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Timing;
-use crate::synth::{End, ForceReport, Infeasible, Synthesis};
+use crate::synth::{End, ForceReport, Infeasible, Relaxation, Synthesis};
 
 /// The summary of a design.
 ///
@@ -30,6 +30,8 @@ struct Summary<'a> {
     easing: Vec<EasingSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<InfeasibleSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    relaxations: Vec<RelaxationSummary<'a>>,
     remarks: &'a [String],
     solver: Solver<'a>,
     time: Total,
@@ -230,6 +232,11 @@ impl<'a> Summary<'a> {
                 })
                 .collect(),
             infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
+            relaxations: synthesis
+                .relaxations
+                .iter()
+                .map(RelaxationSummary::new)
+                .collect(),
             remarks: &synthesis.remarks,
             solver: Solver {
                 tier: solver.tier.name(),
@@ -306,6 +313,16 @@ impl CamSummary {
     }
 }
 
+impl<'a> RelaxationSummary<'a> {
+    fn new(r: &'a Relaxation) -> Self {
+        RelaxationSummary {
+            limit: &r.limit,
+            from: r.from,
+            to: r.to,
+        }
+    }
+}
+
 impl<'a> InfeasibleSummary<'a> {
     fn new(answer: &'a Infeasible) -> Self {
         InfeasibleSummary {
@@ -313,11 +330,7 @@ impl<'a> InfeasibleSummary<'a> {
             relaxations: answer
                 .relaxations
                 .iter()
-                .map(|r| RelaxationSummary {
-                    limit: &r.limit,
-                    from: r.from,
-                    to: r.to,
-                })
+                .map(RelaxationSummary::new)
                 .collect(),
             words: &answer.words,
         }

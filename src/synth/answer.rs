@@ -43,6 +43,8 @@ pub struct Synthesis {
     pub force: ForceReport,
     /// `None` when built; otherwise why no such cam exists.
     pub infeasible: Option<Infeasible>,
+    /// Changes of one limit each that let the whole design pass; filled by `relaxed` for one that does not.
+    pub relaxations: Vec<Relaxation>,
     /// The class of the cam.
     pub verdict: Verdict,
     /// One sentence on the verdict, for a student.

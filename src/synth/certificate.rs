@@ -12,7 +12,7 @@
 
 use super::answer::{Certificate, Easing};
 use super::basis::apply;
-use super::problem::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
+use super::problem::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use crate::scene::Minimise;
 
 /// Part of a limit by which it is eased to say what it costs.
@@ -85,7 +85,7 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         gap += product.abs();
     }
     for k in 0..EXTRAS {
-        if present[k] && !(program.cone && k != PEAK) {
+        if present[k] && !(program.cone && SIZES.contains(&k)) {
             left = left.max(beside[k].abs() / cost.max(f64::MIN_POSITIVE));
             gap += (beside[k] * solution.extra[k]).abs();
         }

@@ -3,7 +3,7 @@
 use super::answer::{Infeasible, Relaxation};
 use super::design::outside_bore;
 use super::objective::Quadratic;
-use super::problem::{Failure, PEAK, Program};
+use super::problem::{Failure, Limit, PEAK, Program};
 use crate::cam::Measures;
 use crate::scene::Scene;
 
@@ -58,38 +58,53 @@ fn limits_in_conflict(program: &Program, measures: Measures) -> Infeasible {
 
 /// Limits that fight, in words.
 pub fn told(kept: &[&'static str], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
+    let conflict: Vec<String> = kept.iter().map(|n| (*n).to_string()).collect();
+    let words = format!("{} {}", sentence(&conflict), cured(&relaxations, measures));
+    Infeasible {
+        conflict,
+        relaxations,
+        words,
+    }
+}
+
+/// Which limits cannot hold together.
+pub fn sentence(conflict: &[String]) -> String {
+    let list: Vec<String> = conflict.iter().map(|n| spoken(n)).collect();
+    match list.len() {
+        0 => "The demands alone leave no law.".to_string(),
+        1 => format!("No law that meets the demands keeps the {} limit.", list[0]),
+        _ => format!("No law keeps these limits together: {}.", list.join(", ")),
+    }
+}
+
+/// What would help.
+pub fn cured(relaxations: &[Relaxation], measures: Measures) -> String {
     let advice: Vec<String> = relaxations
         .iter()
         .filter_map(|r| {
             Some(format!(
                 "{} {} instead of {}",
                 spoken(&r.limit),
-                in_units(measures, &r.limit, r.to?),
-                in_units(measures, &r.limit, r.from)
+                short(&in_units(measures, &r.limit, r.to?)),
+                short(&in_units(measures, &r.limit, r.from))
             ))
         })
         .collect();
-    let cure = match advice.len() {
+    match advice.len() {
         0 => "No single one of them can be relaxed far enough.".to_string(),
         1 => format!("Smallest relaxation: {}.", advice[0]),
         _ => format!("Smallest relaxation, any one of: {}.", advice.join("; ")),
-    };
-    let list: Vec<String> = kept.iter().map(|n| spoken(n)).collect();
-    let words = match list.len() {
-        0 => format!("The demands alone leave no law. {cure}"),
-        1 => format!(
-            "No law that meets the demands keeps the {} limit. {cure}",
-            list[0]
-        ),
-        _ => format!(
-            "No law keeps these limits together: {}. {cure}",
-            list.join(", ")
-        ),
-    };
-    Infeasible {
-        conflict: kept.iter().map(|n| (*n).to_string()).collect(),
-        relaxations,
-        words,
+    }
+}
+
+/// A value without the zeros that end it.
+fn short(value: &str) -> String {
+    match value.split_once(' ') {
+        Some((number, unit)) if number.contains('.') && !number.contains('e') => {
+            let number = number.trim_end_matches('0').trim_end_matches('.');
+            format!("{number} {unit}")
+        }
+        _ => value.to_string(),
     }
 }
 
@@ -158,9 +173,10 @@ fn relax(program: &Program, name: &str) -> Option<Relaxation> {
     elastic.limits.retain(|l| !l.is_peak());
     elastic.cost = [0.0; super::problem::EXTRAS];
     elastic.cost[PEAK] = 1.0;
-    let first = *elastic.limits.iter().find(|l| l.name == name)?;
+    let is_number = |l: &Limit| l.name == name && l.meaning.value(l.bound).is_some();
+    let first = *elastic.limits.iter().find(|l| is_number(l))?;
     let from = first.meaning.value(first.bound)?;
-    for limit in elastic.limits.iter_mut().filter(|l| l.name == name) {
+    for limit in elastic.limits.iter_mut().filter(|l| is_number(l)) {
         *limit = limit.minimised();
     }
     let to = elastic

@@ -20,6 +20,8 @@ pub struct Demand {
     pub cubics: Vec<[f64; 4]>,
     /// Typical lift, m: the unit in which solvers work.
     pub length: f64,
+    /// Whether an answer without a law says why: a search for one that has a law need not know.
+    pub explain: bool,
     /// What a user should know before looking at the result.
     pub remarks: Vec<String>,
 }
@@ -59,6 +61,7 @@ impl Demand {
             }
         };
         let mut demand = Demand {
+            explain: true,
             target,
             drive: Drive::moving_axis(0.0, 0.0, speed),
             phase,

@@ -9,9 +9,12 @@ use crate::cam::{
 use crate::error::{Error, Place, Result};
 use crate::law::Law;
 use crate::scene::Scene;
+use std::f64::consts::FRAC_PI_2;
 
 /// Pressure angle that sizes a roller cam when the scene limits none: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = std::f64::consts::PI / 6.0;
+/// A pressure angle that is no limit, where its tangent must be a number.
+pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 /// Room around a bore, m, when the base circle follows from it.
 const WALL: f64 = 1e-3;
 /// Relative accuracy of a prime radius found by bisection.
@@ -163,17 +166,52 @@ fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
+/// Pressure angles that size a cam: a side that is not limited beside one that is may have any, and where
+/// neither is, the usual rule holds on both.
+pub fn pressure_angles(scene: &Scene) -> [f64; 2] {
+    let limits = &scene.limits;
+    let sides = [limits.pressure_angle_rise, limits.pressure_angle_fall];
+    let other = if sides == [None, None] {
+        USUAL_PRESSURE_ANGLE
+    } else {
+        FRAC_PI_2
+    };
+    sides.map(|side| side.unwrap_or(other))
+}
+
+/// What the scene left open about the size and was settled by habit, in words.
+pub fn chosen_size(scene: &Scene, cam: &Cam) -> Option<String> {
+    if super::limits::size_is_given(scene) || scene.cam.breadth.is_some() {
+        return None;
+    }
+    if cam.follower.base_radius() <= 0.0 && matches!(cam.follower, Follower::FlatTranslating { .. })
+    {
+        return Some(
+            "The smallest base circle has no radius, so the profile passes through the shaft's axis: cam.bore or cam.base_radius gives it room."
+                .to_string(),
+        );
+    }
+    let limits = &scene.limits;
+    let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
+    let by_curvature_alone = matches!(
+        cam.follower,
+        Follower::FlatTranslating { .. } | Follower::TranslatingCam { .. }
+    );
+    if asked || by_curvature_alone {
+        return None;
+    }
+    let (low, high) = cam.pressure_angle_extremes();
+    let steepest = high.value.max(-low.value);
+    (steepest > USUAL_PRESSURE_ANGLE * (1.0 - 1e-6)).then(|| {
+        "Nothing limits the pressure angle, so the size keeps it to 30°, the usual rule: limits.pressure_angle sets another."
+            .to_string()
+    })
+}
+
 fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<Follower> {
     let spec = &scene.cam;
     let given = super::limits::prime_radius(scene);
-    let rise = scene
-        .limits
-        .pressure_angle_rise
-        .unwrap_or(USUAL_PRESSURE_ANGLE);
-    let fall = scene
-        .limits
-        .pressure_angle_fall
-        .unwrap_or(USUAL_PRESSURE_ANGLE);
+    let [rise, fall] = pressure_angles(scene).map(|angle| angle.min(NEARLY_RIGHT));
     let make = |prime_radius: f64, offset: f64| Follower::RollerTranslating {
         prime_radius,
         offset,
@@ -251,16 +289,11 @@ fn sized(scene: &Scene, law: Law) -> Result<Cam> {
         };
         return fits.map(|()| cam).map_err(|e| e.at(place));
     }
+    let [pressure_rise, pressure_fall] = pressure_angles(scene);
     let limits = SizeLimits {
         rho_min: scene.limits.curvature.unwrap_or(0.0),
-        pressure_rise: scene
-            .limits
-            .pressure_angle_rise
-            .unwrap_or(USUAL_PRESSURE_ANGLE),
-        pressure_fall: scene
-            .limits
-            .pressure_angle_fall
-            .unwrap_or(USUAL_PRESSURE_ANGLE),
+        pressure_rise,
+        pressure_fall,
     };
     let cam = Cam { law, follower };
     let smallest =

@@ -2,7 +2,7 @@
 //! solve again, until no limit is broken on the whole turn.
 
 use super::basis::apply;
-use super::problem::{EXTRAS, Failure, Program, Row, Solution};
+use super::problem::{EXTRAS, FACE_END, Failure, LOWEST, Program, Row, Solution};
 use super::{active_set, cones, equality};
 use crate::poly::Peak;
 
@@ -29,6 +29,17 @@ impl Program {
     /// A program over the coefficients alone goes to the active-set method; sizes, peaks and cones, and what
     /// the active set cannot settle, go to the interior-point method.
     pub fn solve(&self) -> Result<Solution, Failure> {
+        // A range of values whose place is free is two more unknowns: only where it is too wide.
+        if let Some(free) = self.without_windows() {
+            let mut solution = free.solve()?;
+            let windows = self.windows(&solution.x);
+            for k in [LOWEST, FACE_END] {
+                solution.extra[k] = windows[k];
+            }
+            if self.broken(&solution.x, &solution.extra).is_empty() {
+                return Ok(solution);
+            }
+        }
         if self.present().iter().any(|p| *p) {
             return self.solve_by_interior_point();
         }

@@ -79,6 +79,14 @@ fn missed_by(scene: &Scene, demand: &Demand, found: &Found) -> Result<Option<Str
     let force = verify::law_force(demand, &cam.law);
     let mut checks = verify::checks(scene, demand, &cam, &cam.law, &force);
     checks.extend(machine::checks(scene, demand, &cam, &cam.law));
+    // A scene that asks for no accuracy still asks for its force.
+    if let Some(target) = &demand.target {
+        let wanted = spline::accuracy(scene, target);
+        if scene.rms.is_none() && force.rms_error_n > wanted {
+            let over = force.rms_error_n - wanted;
+            return Ok(Some(format!("the accuracy by {over:.4} N")));
+        }
+    }
     let broken = checks.iter().find(|c| !c.pass);
     let measures = cam.follower.measures();
     Ok(broken.map(|c| {

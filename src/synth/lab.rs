@@ -188,6 +188,7 @@ pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law>
 
 fn demand(target: &ForceCurve, drive: Drive, cubics: Vec<[f64; 4]>) -> Demand {
     Demand {
+        explain: true,
         target: Some(target.clone()),
         drive,
         phase: 0.0,

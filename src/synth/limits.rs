@@ -3,7 +3,8 @@
 use super::demand::Demand;
 use super::loads::{Loads, Pressure};
 use super::nonconvex::{Beyond, Follower, Size};
-use super::problem::{Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
+use super::problem::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
+use super::sequence::ENLARGED;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::error::Result;
 use crate::gait::ForceCurve;
@@ -34,7 +35,12 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
         );
     }
     if let Some(h) = limits.stroke {
-        list.push("stroke", [1.0, 0.0, 0.0, 0.0, 0.0], h, same(1.0));
+        let window = super::spline::level_is_known(scene, demand).then_some(LOWEST);
+        list.push_range("stroke", 0, h, window);
+    }
+    if let (Some(width), "flat-translating") = (limits.face_width, scene.cam.follower.as_str()) {
+        // The contact wanders by v (FACTS §6).
+        list.push_range("face_width", 1, width, Some(FACE_END));
     }
     let timed = [
         ("velocity", 1, limits.velocity),
@@ -140,8 +146,14 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
         0.0
     };
     // A size that no cost holds down is held by its limit: one row, at angle 0.
+    // What the sequence for a roller's curvature enlarges in the end is kept free.
+    let kept = if bent(scene).is_some() {
+        1.0 - 2.0 * ENLARGED
+    } else {
+        1.0
+    };
     let at_most = |radius: f64, variable: usize| {
-        let mut limit = Limit::new("prime_radius", [0.0; 5], radius, length);
+        let mut limit = Limit::new("prime_radius", [0.0; 5], radius * kept, length);
         limit.extra[variable] = 1.0;
         limit.domain = (0.0, 0.0);
         limit.meaning = same(1.0);
@@ -172,21 +184,13 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
         program.cost[RADIUS] = cost;
         return;
     }
-    let usual = super::design::USUAL_PRESSURE_ANGLE;
+    let [rise, fall] = super::design::pressure_angles(scene);
     let sides = [
-        (
-            "pressure_angle_rise",
-            limits.pressure_angle_rise.unwrap_or(usual),
-            1.0,
-        ),
-        (
-            "pressure_angle_fall",
-            limits.pressure_angle_fall.unwrap_or(usual),
-            -1.0,
-        ),
+        ("pressure_angle_rise", rise, 1.0),
+        ("pressure_angle_fall", fall, -1.0),
     ];
     for (name, angle, side) in sides {
-        let t = angle.tan();
+        let t = angle.min(super::design::NEARLY_RIGHT).tan();
         let given = scene.cam.offset.unwrap_or(0.0);
         let mut limit = Limit::new(name, [-t, side, 0.0, 0.0, 0.0], side * given, length);
         limit.meaning = Meaning::Sized;
@@ -405,6 +409,22 @@ impl List {
             bound.abs()
         };
         self.push_scaled(name, weights, bound, scale, meaning);
+    }
+
+    /// A derivative within a range of the given width, from 0 on or from where a variable says.
+    fn push_range(&mut self, name: &'static str, order: usize, width: f64, window: Option<usize>) {
+        let mut weights = [0.0; 5];
+        weights[order] = 1.0;
+        self.push(name, weights, width, same(1.0));
+        let Some(variable) = window else { return };
+        if let Some(top) = self.limits.last_mut() {
+            top.extra[variable] = -1.0;
+        }
+        weights[order] = -1.0;
+        self.push_scaled(name, weights, 0.0, width, Meaning::Structure);
+        if let Some(bottom) = self.limits.last_mut() {
+            bottom.extra[variable] = 1.0;
+        }
     }
 
     fn push_scaled(

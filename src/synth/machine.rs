@@ -98,6 +98,11 @@ pub fn hold(
             held.sequence = Some((steps, ended));
             Ok(held)
         }
+        None if !demand.explain => Err(Infeasible {
+            conflict: Vec::new(),
+            relaxations: Vec::new(),
+            words: String::new(),
+        }),
         None => Err(fight::explain(&held.program, beyond, scene.cam.measures())),
     }
 }

@@ -84,6 +84,7 @@ mod polynomial;
 mod problem;
 #[cfg(test)]
 mod problem_tests;
+mod relax;
 mod sequence;
 mod spline;
 mod trade;
@@ -94,6 +95,7 @@ pub use answer::{
     Synthesis, Tier,
 };
 pub use conflict::in_units;
+pub use relax::relaxed;
 pub use trade::{Against, Trade, trade};
 
 use crate::cam::{Cam, Check};
@@ -122,8 +124,14 @@ struct Found {
 /// verdict says so, and the design shown is the best one without the limits that fight. Fails only on
 /// faults of the input.
 pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesis> {
+    answer(scene, target, true)
+}
+
+/// The same; without `explain` a scene that leaves no law is an error that does not say why.
+fn answer(scene: &Scene, target: Option<&ForceCurve>, explain: bool) -> Result<Synthesis> {
     let (scene, free_phase) = &phase::settle(scene, target)?;
     let mut demand = Demand::settle(scene, target)?;
+    demand.explain = explain;
     if let Some(phase) = free_phase {
         demand.remarks.push(format!(
             "The cam's turn begins at {:.3}° of the force cycle: the phase with the least error.",
@@ -143,7 +151,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     if found.infeasible.is_none() && checks.iter().any(too_large) {
         found.infeasible = conflict::bore_against_size(scene);
     }
-    let (mut verdict, mut reason) = verify::verdict(scene, &cam, &checks);
+    let (mut verdict, mut reason) = verify::verdict(scene, &demand, &cam, &checks, &force);
     if let Some(infeasible) = &found.infeasible {
         verdict = crate::cam::Verdict::Unacceptable;
         reason = infeasible.words.clone();
@@ -156,6 +164,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
     }
     remarks.extend(demand.remarks.iter().cloned());
     remarks.extend(spline::stopped_at_noise(scene, &demand, found.family));
+    remarks.extend(design::chosen_size(scene, &cam));
     let splines = if found.family == Family::Spline {
         found.degree
     } else {
@@ -179,6 +188,7 @@ pub fn synthesise(scene: &Scene, target: Option<&ForceCurve>) -> Result<Synthesi
         thickness: scene.cam.thickness,
         force,
         infeasible: found.infeasible,
+        relaxations: Vec::new(),
         verdict,
         reason,
         checks,
@@ -400,6 +410,7 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
             found.easing = certificate::easings(&program, &solution, Minimise::ForceError);
             found.coefficients = solution.x;
         }
+        Err(_) if !demand.explain => return Err(Error::key("law", "no law keeps the limits")),
         Err(failure) => {
             found.infeasible = Some(conflict::explain(&program, &failure, scene.cam.measures()))
         }
@@ -413,7 +424,7 @@ fn breaks_a_limit(program: &problem::Program, found: &Found) -> bool {
     if program.constant_is_free() {
         x[0] -= found.law.extremes(0).0.value;
     }
-    !program.broken(&x, &[0.0; problem::EXTRAS]).is_empty()
+    !program.broken(&x, &program.windows(&x)).is_empty()
 }
 
 fn from_double_harmonic(scene: &Scene, demand: &Demand) -> Result<Found> {
@@ -454,8 +465,14 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     let (mut fitted, infeasible) = match spline::fit(scene, demand)? {
         spline::Outcome::Law(fitted) => (fitted, None),
         spline::Outcome::None(program, failure) => {
+            if !demand.explain {
+                return Err(Error::key("law", "no law keeps the limits"));
+            }
             let why = conflict::explain(&program, &failure, scene.cam.measures());
             (unlimited(scene, demand, &why)?, Some(why))
+        }
+        spline::Outcome::Fight(_) if !demand.explain => {
+            return Err(Error::key("law", "no law keeps the limits"));
         }
         spline::Outcome::Fight(why) => (unlimited(scene, demand, &why)?, Some(*why)),
     };

@@ -29,6 +29,14 @@ impl Beyond {
         self.follower.map_or(Size::NONE, |f| f.size())
     }
 
+    /// The same limits with another smallest radius.
+    pub fn with_rho(self, rho: f64) -> Self {
+        Beyond {
+            follower: self.follower.map(|f| f.with_rho(rho)),
+            ..self
+        }
+    }
+
     /// The same limits at another size.
     pub fn at_size(&self, size: Size) -> Self {
         Beyond {
@@ -157,6 +165,24 @@ impl Follower {
             Follower::Roller(size) => size,
             _ => Size::NONE,
         }
+    }
+
+    /// Smallest radius allowed.
+    pub fn rho(&self) -> f64 {
+        match *self {
+            Follower::Roller(size) => size.rho,
+            Follower::Arm { rho, .. } | Follower::Face { rho, .. } => rho,
+        }
+    }
+
+    /// The same follower with another smallest radius.
+    pub fn with_rho(mut self, smallest: f64) -> Self {
+        match &mut self {
+            Follower::Roller(Size { rho, .. })
+            | Follower::Arm { rho, .. }
+            | Follower::Face { rho, .. } => *rho = smallest,
+        }
+        self
     }
 
     /// The same follower at another size.

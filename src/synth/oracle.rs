@@ -14,7 +14,7 @@ impl Program {
         let mut out = Vec::new();
         let allowed = |limit: &Limit| {
             let bound = limit.room(extra);
-            bound + self.tolerance * limit.scale.max(bound.abs())
+            bound + self.tolerance * limit.size(bound)
         };
         self.each_peak_above(x, allowed, |index, peak| out.push((index, peak)));
         out
@@ -29,7 +29,7 @@ impl Program {
             |index, peak| {
                 let limit = &self.limits[index];
                 let bound = limit.room(extra);
-                worst = worst.max((peak.value - bound) / limit.scale.max(bound.abs()));
+                worst = worst.max((peak.value - bound) / limit.size(bound));
             },
         );
         worst

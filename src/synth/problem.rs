@@ -12,7 +12,7 @@ use super::objective::Quadratic;
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
-pub const EXTRAS: usize = 4;
+pub const EXTRAS: usize = 6;
 /// A bound that is itself minimised: a peak objective, an elastic limit.
 pub const PEAK: usize = 0;
 /// Base radius of a flat-faced cam, prime radius Rp of a roller cam, m.
@@ -21,6 +21,12 @@ pub const RADIUS: usize = 1;
 pub const RISE: usize = 2;
 /// Offset e of the follower, m.
 pub const OFFSET: usize = 3;
+/// Lowest lift, m, where a stroke counts from there and not from the base circle.
+pub const LOWEST: usize = 4;
+/// Smallest velocity, m/rad: where a flat face of limited width begins.
+pub const FACE_END: usize = 5;
+/// Variables of the cam's size, which a cone ties together.
+pub const SIZES: [usize; 3] = [RADIUS, RISE, OFFSET];
 
 /// A linear limit on the law over a range of cam angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,6 +69,27 @@ impl Limit {
     pub fn minimised(mut self) -> Self {
         self.bound = 0.0;
         self.extra[PEAK] = -1.0;
+        self
+    }
+
+    /// Size against which an excess over the given room counts: a range is no longer for starting far off.
+    pub fn size(&self, room: f64) -> f64 {
+        if self.is_window() {
+            self.scale
+        } else {
+            self.scale.max(room.abs())
+        }
+    }
+
+    /// Whether it holds one end of a range of values whose place is free: a stroke, a face.
+    pub fn is_window(&self) -> bool {
+        self.extra[LOWEST] != 0.0 || self.extra[FACE_END] != 0.0
+    }
+
+    /// The same limit asked for nowhere.
+    fn idle(mut self) -> Self {
+        self.extra = [0.0; EXTRAS];
+        self.domain = (f64::INFINITY, f64::INFINITY);
         self
     }
 
@@ -259,7 +286,7 @@ impl Program {
             *present = self.cost[k] != 0.0
                 || self.limits.iter().any(|l| l.extra[k] != 0.0)
                 || self.fixed.iter().any(|r| r.extra[k] != 0.0)
-                || (self.cone && k != PEAK);
+                || (self.cone && SIZES.contains(&k));
         }
         out
     }
@@ -271,16 +298,19 @@ impl Program {
         let mut sizes = solution.extra;
         sizes[RISE] *= 1.0 + room;
         sizes[RADIUS] *= 1.0 + room;
-        let taken = |extra: &[f64; EXTRAS]| (1..EXTRAS).map(|k| extra[k] * sizes[k]).sum::<f64>();
+        let hold = |bound: &mut f64, extra: &mut [f64; EXTRAS]| {
+            for k in SIZES {
+                *bound -= extra[k] * sizes[k];
+                extra[k] = 0.0;
+            }
+        };
         for limit in &mut held.limits {
-            limit.bound -= taken(&limit.extra);
-            limit.extra = [limit.extra[PEAK], 0.0, 0.0, 0.0];
+            hold(&mut limit.bound, &mut limit.extra);
         }
         for row in &mut held.fixed {
-            row.bound -= taken(&row.extra);
-            row.extra = [row.extra[PEAK], 0.0, 0.0, 0.0];
+            hold(&mut row.bound, &mut row.extra);
         }
-        held.cost = [self.cost[PEAK], 0.0, 0.0, 0.0];
+        SIZES.iter().for_each(|&k| held.cost[k] = 0.0);
         held.cone = false;
         held.tolerance = TOLERANCE;
         held.seeds = solution
@@ -290,10 +320,33 @@ impl Program {
             .cloned()
             .collect();
         for row in &mut held.seeds {
-            row.bound -= taken(&row.extra);
-            row.extra = [row.extra[PEAK], 0.0, 0.0, 0.0];
+            hold(&mut row.bound, &mut row.extra);
         }
         held
+    }
+
+    /// The same program with every stroke and face left free; `None` without such limits.
+    pub fn without_windows(&self) -> Option<Program> {
+        let mut windows = self.limits.iter().filter(|l| l.is_window()).peekable();
+        if windows.peek().is_none() || windows.any(Limit::is_peak) {
+            return None;
+        }
+        let mut free = self.clone();
+        for limit in free.limits.iter_mut().filter(|l| l.is_window()) {
+            *limit = limit.idle();
+        }
+        Some(free)
+    }
+
+    /// Where stroke and face begin on a law.
+    pub fn windows(&self, x: &[f64]) -> [f64; EXTRAS] {
+        let mut extra = [0.0; EXTRAS];
+        if self.limits.iter().any(Limit::is_window) {
+            let law = self.basis.law(x);
+            extra[LOWEST] = law.extremes(0).0.value;
+            extra[FACE_END] = law.extremes(1).0.value;
+        }
+        extra
     }
 
     /// Whether H does not see the constant function: the moving axis knows no absolute lift.

@@ -35,6 +35,15 @@ const ROOM: f64 = 1e-9;
 const NEARLY: f64 = 1e-3;
 /// Linearisations tried for the last law.
 const HELD_ROUNDS: usize = 6;
+/// Steps of a smallest radius that grows, and linearisations for each.
+const CLIMBS: usize = 40;
+const CLIMB_ROUNDS: usize = 8;
+/// Parts of a step that are looked at.
+const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
+/// Halvings that find the radius a law keeps.
+const HALVINGS: usize = 24;
+/// Part by which the last law's size is held larger than the sequence's.
+pub const ENLARGED: f64 = 4.0 * STEP_TOLERANCE;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
@@ -56,7 +65,8 @@ pub fn refine(
     let present = program.present();
     let given = beyond.size();
     let sized = |extra: &[f64; EXTRAS]| sized(&beyond, &present, given, extra);
-    let mut current = feasible_start(program, start, &sized)?;
+    let mut current =
+        feasible_start(program, start, &sized).or_else(|| climbed(program, start, &sized))?;
     let merit = |s: &Solution| {
         program.objective(&s.x)
             + (0..EXTRAS)
@@ -148,7 +158,7 @@ pub fn sized(
 fn held(program: &Program, current: &Solution, beyond: Beyond) -> Option<Solution> {
     // A given size stays as it is.
     let room = if program.present()[RISE] {
-        4.0 * STEP_TOLERANCE
+        ENLARGED
     } else {
         0.0
     };
@@ -164,16 +174,22 @@ fn held(program: &Program, current: &Solution, beyond: Beyond) -> Option<Solutio
         .map(|g| -g)
         .collect();
     let mut about = current.clone();
+    let mut kept = 2.0 * ROOM;
     for _ in 0..HELD_ROUNDS {
         let mut last = program.clone();
-        last.fixed = linearised(program, &about, &enlarged, &[false; EXTRAS], 2.0 * ROOM);
+        last.fixed = linearised(program, &about, &enlarged, &[false; EXTRAS], kept);
         // Nearest to the law at hand, so that the linearised curvature stays true.
         last.gradient.clone_from(&gradient);
         last.lifted = None;
         let mut exact = last.with_sizes_held(current, room).solve().ok()?;
         let violation = exact.violation;
-        if clearance(&program.basis.law(&exact.x), &enlarged) >= 0.0 {
+        let clear = clearance(&program.basis.law(&exact.x), &enlarged);
+        if clear >= 0.0 {
             return (violation < current.violation).then_some(exact);
+        }
+        // Low points wander between two programs.
+        if clear > -NEARLY {
+            kept = kept.max(-2.0 * clear);
         }
         exact.extra = about.extra;
         about = exact;
@@ -228,6 +244,81 @@ fn feasible_start(
             iterations: current.iterations + solved.iterations,
             ..solved
         };
+    }
+    None
+}
+
+/// A start by growing the smallest radius from what the law without it keeps to what is asked, each time
+/// from the law before.
+fn climbed(
+    program: &Program,
+    start: &Solution,
+    sized: &impl Fn(&[f64; EXTRAS]) -> Beyond,
+) -> Option<Solution> {
+    let present = program.present();
+    let asked = sized(&start.extra).follower?.rho();
+    let holds = |s: &Solution, rho: f64| {
+        let beyond = sized(&s.extra).with_rho(rho);
+        clearance(&program.basis.law(&s.x), &beyond) >= ROOM
+    };
+    let (mut reached, mut beyond) = (0.0, asked);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (reached + beyond);
+        if holds(start, middle) {
+            reached = middle;
+        } else {
+            beyond = middle;
+        }
+    }
+    if reached == 0.0 {
+        return None;
+    }
+    let mut current = start.clone();
+    let mut step = asked - reached;
+    for _ in 0..CLIMBS {
+        let goal = (reached + step).min(asked);
+        let mut trial = current.clone();
+        let mut there = false;
+        let mut kept = 2.0 * ROOM;
+        for _ in 0..CLIMB_ROUNDS {
+            let beyond = sized(&trial.extra).with_rho(goal);
+            let mut next = program.clone();
+            next.fixed = linearised(program, &trial, &beyond, &present, kept);
+            next.seeds = contacts(&trial);
+            let Ok(solved) = next.solve() else { break };
+            // Where the whole step overshoots, the part of it that comes nearest.
+            let clear = |part: f64| {
+                let some = blend(&trial, &solved, part, program);
+                let beyond = sized(&some.extra).with_rho(goal);
+                (clearance(&program.basis.law(&some.x), &beyond), some)
+            };
+            let nearest = PARTS
+                .iter()
+                .map(|&part| clear(part))
+                .max_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((room, some)) = nearest else { break };
+            trial = some;
+            there = room >= ROOM;
+            // Low points wander between two programs.
+            if room > -NEARLY {
+                kept = kept.max(-2.0 * room);
+            }
+            if there {
+                break;
+            }
+        }
+        if there && goal >= asked {
+            return Some(trial);
+        }
+        if there {
+            (current, reached) = (trial, goal);
+            step *= 1.5;
+        } else {
+            step *= 0.5;
+            if step < SHORTEST * asked {
+                return None;
+            }
+        }
     }
     None
 }

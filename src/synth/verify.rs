@@ -5,6 +5,7 @@ use super::conflict::in_units;
 use super::demand::Demand;
 use super::problem::TOLERANCE;
 use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
+use crate::drive::DriveKind;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly, distance};
 use crate::scene::Scene;
@@ -14,6 +15,9 @@ use crate::scene::Scene;
 const GEOMETRY: f64 = 1e-8;
 /// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
 const JUMP: f64 = 1e-7;
+
+/// A derivative that varies by less, m/radᵏ, is that of a law at rest.
+const STILL: f64 = 1e-9;
 
 /// Points of the profile among which interference is looked for.
 const INTERFERENCE_POINTS: usize = 360;
@@ -273,13 +277,19 @@ pub fn groove(scene: &Scene, groove: Option<&BarrelGroove>) -> Vec<Check> {
 }
 
 /// The class of the cam and one sentence on it, for a student.
-pub fn verdict(scene: &Scene, cam: &Cam, checks: &[Check]) -> (Verdict, String) {
+pub fn verdict(
+    scene: &Scene,
+    demand: &Demand,
+    cam: &Cam,
+    checks: &[Check],
+    force: &ForceReport,
+) -> (Verdict, String) {
     let range = |order: usize| {
         let (low, high) = cam.law.extremes(order);
         // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
         (high.value - low.value)
             .max(1e-6 * cam.follower.prime_radius())
-            .max(f64::MIN_POSITIVE)
+            .max(STILL)
     };
     let ranges = [range(0), range(1), range(2)];
     let measures = cam.follower.measures();
@@ -313,11 +323,51 @@ pub fn verdict(scene: &Scene, cam: &Cam, checks: &[Check]) -> (Verdict, String) 
             ),
         );
     }
+    if let Some(words) =
+        lifts_off(demand, cam, force).or_else(|| comes_to_a_point(scene, cam, checks))
+    {
+        return (Verdict::NotForHighSpeed, words);
+    }
     (
         Verdict::Acceptable,
         "Every limit holds, and lift, velocity and acceleration are continuous all around."
             .to_string(),
     )
+}
+
+/// A moved axis is held down by its weight alone: the cam cannot pull it (FACTS §1).
+fn lifts_off(demand: &Demand, cam: &Cam, force: &ForceReport) -> Option<String> {
+    let drive = &demand.drive;
+    let slack = 1e-9 * force.max_n.abs().max(drive.rest_force.abs());
+    if drive.kind != DriveKind::MovingAxis || force.min_n >= -slack {
+        return None;
+    }
+    let low = drive.force_curve(&cam.law).extremes().0;
+    // F = M(g + ω²a): it vanishes where ω² = g/(−a).
+    let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.value)).sqrt();
+    Some(format!(
+        "Every limit holds, but at {:.2}° the cam would have to pull with {:.3} N: above {fastest:.3} rad/s the follower lifts off. limits.force_min = \"0 N\" keeps it down.",
+        low.at.to_degrees(),
+        -low.value
+    ))
+}
+
+/// A profile without a limit on its curvature may end in an edge.
+fn comes_to_a_point(scene: &Scene, cam: &Cam, checks: &[Check]) -> Option<String> {
+    let convex = checks.iter().find(|c| c.name == "curvature")?;
+    let prime = cam.follower.prime_radius();
+    let sharp = convex.worst.abs() <= GEOMETRY * prime;
+    let round = scene.limits.curvature.is_some_and(|rho| rho > 0.0);
+    let turns = !matches!(
+        cam.follower,
+        Follower::Barrel { .. } | Follower::TranslatingCam { .. }
+    );
+    (sharp && !round && turns && prime > 0.0).then(|| {
+        format!(
+            "Every limit holds, but the profile comes to a point at {:.2}°, an edge that wears at once: limits.curvature asks for a radius.",
+            convex.at.to_degrees()
+        )
+    })
 }
 
 /// The size that would mend a radius that is too small, in words.

@@ -1,0 +1,452 @@
+//! What would let a refused cam exist: of every limit the smallest change with which the whole design
+//! passes, found by designing it.
+//!
+//! The convex program's own elastic answer (`conflict`) knows only its rows; a size that follows the law, a
+//! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
+//! with and has passed.
+
+use super::answer::{Binding, Infeasible, Relaxation, Synthesis, Tier};
+use super::conflict::cured;
+use crate::cam::Verdict;
+use crate::gait::ForceCurve;
+use crate::scene::Scene;
+
+/// A limit is first lifted by this factor, to see whether it is what stands in the way.
+const AWAY: f64 = 1e4;
+/// Pressure angle that is no limit any more, rad.
+const STEEPEST: f64 = 1.55;
+/// The value is found to this part of it; costly designs to `COARSE`.
+const FINE: f64 = 2e-5;
+const COARSE: f64 = 1e-3;
+/// Parts by which a value from the convex program is enlarged until a design passes with it.
+const ROOMS: [f64; 3] = [0.0, 1e-4, 1e-3];
+/// … and a value from the search.
+const EDGES: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
+/// Part by which a value must be able to come back towards the old one for a better one to be sought.
+const BACK: f64 = 1e-3;
+
+/// A number of the scene that may be relaxed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Knob {
+    Stroke,
+    Velocity,
+    Acceleration,
+    Jerk,
+    ForceMin,
+    ForceMax,
+    Curvature,
+    PressureAngle,
+    Rise,
+    Fall,
+    Bore,
+    PrimeRadiusLimit,
+    FaceWidth,
+    Torque,
+    TorqueRate,
+    Hertz,
+    Residual,
+    Accuracy,
+    PrimeRadius,
+    BaseRadius,
+}
+
+use Knob::{
+    Acceleration, Accuracy, BaseRadius, Bore, Curvature, FaceWidth, Fall, ForceMax, ForceMin,
+    Hertz, Jerk, PressureAngle, PrimeRadius, PrimeRadiusLimit, Residual, Rise, Stroke, Torque,
+    TorqueRate, Velocity,
+};
+
+/// All of them, in the order in which they are told.
+const KNOBS: [Knob; 20] = [
+    Stroke,
+    Velocity,
+    Acceleration,
+    Jerk,
+    ForceMin,
+    ForceMax,
+    Curvature,
+    PressureAngle,
+    Rise,
+    Fall,
+    Bore,
+    PrimeRadiusLimit,
+    FaceWidth,
+    Torque,
+    TorqueRate,
+    Hertz,
+    Residual,
+    Accuracy,
+    PrimeRadius,
+    BaseRadius,
+];
+
+impl Knob {
+    /// Name in messages and in `summary.json`: the limit's, or the scene's key where that is none.
+    fn name(self) -> &'static str {
+        match self {
+            Stroke => "stroke",
+            Velocity => "velocity",
+            Acceleration => "acceleration",
+            Jerk => "jerk",
+            ForceMin => "force_min",
+            ForceMax => "force_max",
+            Curvature => "curvature",
+            PressureAngle => "pressure_angle",
+            Rise => "pressure_angle_rise",
+            Fall => "pressure_angle_fall",
+            Bore => "bore",
+            PrimeRadiusLimit => "prime_radius",
+            FaceWidth => "face_width",
+            Torque => "torque",
+            TorqueRate => "torque_rate",
+            Hertz => "hertz_pressure",
+            Residual => "residual",
+            Accuracy => "accuracy.rms",
+            PrimeRadius => "cam.prime_radius",
+            BaseRadius => "cam.base_radius",
+        }
+    }
+
+    /// The check that measures it.
+    fn check(self) -> &'static [&'static str] {
+        match self {
+            PressureAngle => &["pressure_angle_rise", "pressure_angle_fall"],
+            Accuracy => &["rms_error"],
+            Bore | PrimeRadius | BaseRadius => &[],
+            Stroke => &["stroke"],
+            Velocity => &["velocity"],
+            Acceleration => &["acceleration"],
+            Jerk => &["jerk"],
+            ForceMin => &["force_min"],
+            ForceMax => &["force_max"],
+            Curvature => &["curvature"],
+            Rise => &["pressure_angle_rise"],
+            Fall => &["pressure_angle_fall"],
+            PrimeRadiusLimit => &["prime_radius"],
+            FaceWidth => &["face_width"],
+            Torque => &["torque"],
+            TorqueRate => &["torque_rate"],
+            Hertz => &["hertz_pressure"],
+            Residual => &["residual"],
+        }
+    }
+
+    fn slot(self, scene: &mut Scene) -> &mut Option<f64> {
+        let limits = &mut scene.limits;
+        match self {
+            Stroke => &mut limits.stroke,
+            Velocity => &mut limits.velocity,
+            Acceleration => &mut limits.acceleration,
+            Jerk => &mut limits.jerk,
+            ForceMin => &mut limits.force_min,
+            ForceMax => &mut limits.force_max,
+            Curvature => &mut limits.curvature,
+            PressureAngle | Rise => &mut limits.pressure_angle_rise,
+            Fall => &mut limits.pressure_angle_fall,
+            Bore => &mut scene.cam.bore,
+            PrimeRadiusLimit => &mut limits.prime_radius,
+            FaceWidth => &mut limits.face_width,
+            Torque => &mut limits.torque,
+            TorqueRate => &mut limits.torque_rate,
+            Hertz => &mut limits.hertz_pressure,
+            Residual => &mut limits.residual,
+            Accuracy => &mut scene.rms,
+            PrimeRadius => &mut scene.cam.prime_radius,
+            BaseRadius => &mut scene.cam.base_radius,
+        }
+    }
+
+    /// Its value, where the scene has one that can be relaxed by itself.
+    fn value(self, scene: &Scene) -> Option<f64> {
+        let both = scene.limits.pressure_angle_rise.is_some()
+            && scene.limits.pressure_angle_rise == scene.limits.pressure_angle_fall;
+        let told = match self {
+            PressureAngle => both,
+            Rise | Fall => !both,
+            _ => true,
+        };
+        let value = *self.slot(&mut scene.clone());
+        value.filter(|_| told)
+    }
+
+    fn with(self, scene: &Scene, value: f64) -> Scene {
+        let mut out = scene.clone();
+        *self.slot(&mut out) = Some(value);
+        if self == PressureAngle {
+            out.limits.pressure_angle_fall = Some(value);
+        }
+        out
+    }
+
+    /// Whether a larger value is the weaker limit.
+    fn grows(self) -> bool {
+        !matches!(self, ForceMin | Curvature | Bore)
+    }
+
+    fn sign(self) -> f64 {
+        if self.grows() { 1.0 } else { -1.0 }
+    }
+
+    /// A value that limits nothing.
+    fn away(self, from: f64, force: f64) -> f64 {
+        match self {
+            PressureAngle | Rise | Fall => STEEPEST,
+            Curvature => 0.0,
+            Bore => from / AWAY,
+            ForceMin => from - AWAY * force.max(from.abs()),
+            ForceMax => from + AWAY * force.max(from.abs()),
+            PrimeRadius | BaseRadius => 30.0 * from,
+            _ => AWAY * from,
+        }
+    }
+
+    /// Steps in which a value is told: a little on the weak side of what was found.
+    fn rounded(self, value: f64) -> f64 {
+        let step = match self {
+            PressureAngle | Rise | Fall => 1e-3_f64.to_radians(),
+            _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 5.0),
+        };
+        // A value that is round already stays.
+        let steps = value / step;
+        step * if self.grows() {
+            (steps - 1e-9).ceil()
+        } else {
+            (steps + 1e-9).floor()
+        }
+    }
+}
+
+/// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
+/// A design that passes is returned as it came.
+pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis) -> Synthesis {
+    if passes(&design) {
+        return design;
+    }
+    // A failed check is a limit that binds, whatever shaped the law.
+    for check in design.checks.iter().filter(|c| !c.pass) {
+        if !design.binding.iter().any(|b| b.limit == check.name) {
+            design.binding.push(Binding {
+                limit: check.name.clone(),
+                multiplier: 0.0,
+                at: check.at,
+            });
+        }
+    }
+    if KNOBS.iter().all(|k| k.value(scene).is_none()) {
+        return design;
+    }
+    let known: Vec<Relaxation> = design
+        .infeasible
+        .as_ref()
+        .map_or_else(Vec::new, |i| i.relaxations.clone());
+    let search = Search {
+        scene,
+        target,
+        force: design
+            .force
+            .target_mean_n
+            .abs()
+            .max(design.drive.rest_force.abs()),
+        precision: match design.solver.tier {
+            Tier::Spectral | Tier::Equality => FINE,
+            _ => COARSE,
+        },
+    };
+    let mut found: Vec<Relaxation> = Vec::new();
+    for knob in KNOBS {
+        let Some(from) = knob.value(scene) else {
+            continue;
+        };
+        let hint = known
+            .iter()
+            .find(|r| r.limit == knob.name())
+            .and_then(|r| r.to);
+        if let Some(to) = search.smallest(knob, from, hint) {
+            found.push(Relaxation {
+                limit: knob.name().to_string(),
+                from,
+                to: Some(to),
+            });
+        }
+    }
+    let together = if found.is_empty() {
+        search.together()
+    } else {
+        None
+    };
+    let cure = match &together {
+        None => cured(&found, scene.cam.measures()),
+        Some((part, _)) => format!(
+            "No single one of them can be relaxed far enough; all of them together by {:.1} %.",
+            100.0 * part
+        ),
+    };
+    if let Some((_, all)) = together {
+        found = all;
+    }
+    match &mut design.infeasible {
+        Some(Infeasible {
+            conflict,
+            relaxations,
+            words,
+        }) => {
+            // What is in the conflict and helps no more is told as such.
+            let helpless = known.iter().filter(|k| {
+                !found.iter().any(|f| f.limit == k.limit) && conflict.contains(&k.limit)
+            });
+            let helpless: Vec<Relaxation> = helpless
+                .map(|k| Relaxation {
+                    to: None,
+                    ..k.clone()
+                })
+                .collect();
+            *words = format!("{} {cure}", super::conflict::sentence(conflict));
+            *relaxations = [found.clone(), helpless].concat();
+            design.reason.clone_from(words);
+        }
+        None => design.reason = format!("{} {cure}", design.reason),
+    }
+    design.relaxations = found;
+    design
+}
+
+fn passes(design: &Synthesis) -> bool {
+    design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
+}
+
+struct Search<'a> {
+    scene: &'a Scene,
+    target: Option<&'a ForceCurve>,
+    /// Size of the force, N.
+    force: f64,
+    precision: f64,
+}
+
+impl Search<'_> {
+    /// The design with one value changed, where it passes.
+    fn tried(&self, knob: Knob, value: f64) -> Option<Synthesis> {
+        self.passing(&knob.with(self.scene, value))
+    }
+
+    fn passing(&self, scene: &Scene) -> Option<Synthesis> {
+        let design = super::answer(scene, self.target, false).ok()?;
+        (passes(&design) && design.verdict != Verdict::Unacceptable).then_some(design)
+    }
+
+    /// The value nearest to `from` with which the design passes, rounded to the weak side.
+    fn smallest(&self, knob: Knob, from: f64, hint: Option<f64>) -> Option<f64> {
+        // Next to the edge of what exists a program is hard to solve: a little room helps.
+        for room in hint.map_or(&[][..], |_| &ROOMS) {
+            let hint = hint.unwrap_or(from);
+            let to = knob.rounded(hint + room * hint.abs() * knob.sign());
+            if self.tried(knob, to).is_none() {
+                continue;
+            }
+            let back = to - BACK * to.abs() * knob.sign();
+            if *room > 0.0 || self.tried(knob, back).is_none() {
+                return Some(to);
+            }
+            break;
+        }
+        let free = knob.away(from, self.force);
+        let design = self.tried(knob, free)?;
+        // What the free design needs is enough; often it is the answer.
+        let needed = design
+            .checks
+            .iter()
+            .filter(|c| knob.check().contains(&c.name.as_str()))
+            .map(|c| match knob {
+                Accuracy => c.worst / self.force_mean(),
+                _ => c.worst,
+            })
+            .reduce(|a, b| if knob.grows() { a.max(b) } else { a.min(b) });
+        let mut works = free;
+        if let Some(needed) = needed.map(|n| knob.rounded(n))
+            && self.tried(knob, needed).is_some()
+        {
+            works = needed;
+        }
+        let mut fails = from;
+        let size = from.abs().max(1e-3 * works.abs());
+        while (works - fails).abs() > self.precision * works.abs().max(size) {
+            // Far apart the middle is sought by ratio.
+            let apart = if fails > 0.0 { works / fails } else { 1.0 };
+            let middle = if apart > 4.0 {
+                (works * fails).sqrt()
+            } else {
+                0.5 * (works + fails)
+            };
+            if self.tried(knob, middle).is_some() {
+                works = middle;
+            } else {
+                fails = middle;
+            }
+        }
+        // A program at its edge may fail where the one beside it is solved.
+        EDGES
+            .iter()
+            .map(|room| knob.rounded(works + room * works.abs() * knob.sign()))
+            .find(|&to| self.tried(knob, to).is_some())
+    }
+
+    fn force_mean(&self) -> f64 {
+        let mean = self.target.map_or(0.0, |t| t.mean_n().abs());
+        if mean > 0.0 {
+            mean
+        } else {
+            self.force.max(f64::MIN_POSITIVE)
+        }
+    }
+
+    /// The smallest share by which all limits can be relaxed together, with the values.
+    fn together(&self) -> Option<(f64, Vec<Relaxation>)> {
+        let knobs: Vec<(Knob, f64)> = KNOBS
+            .into_iter()
+            .filter_map(|k| Some((k, k.value(self.scene)?)))
+            .collect();
+        if knobs.is_empty() {
+            return None;
+        }
+        let eased = |part: f64| -> Vec<(Knob, f64)> {
+            let by = |knob: Knob, from: f64| match knob {
+                ForceMin => from - part * from.abs().max(self.force),
+                Curvature | Bore => from / (1.0 + part),
+                PressureAngle | Rise | Fall => (from * (1.0 + part)).min(STEEPEST),
+                _ => from * (1.0 + part),
+            };
+            knobs.iter().map(|&(k, from)| (k, by(k, from))).collect()
+        };
+        let holds = |part: f64| {
+            let changed = eased(part)
+                .into_iter()
+                .fold(self.scene.clone(), |scene, (k, v)| k.with(&scene, v));
+            self.passing(&changed).is_some()
+        };
+        let mut works = 0.01;
+        while !holds(works) {
+            works *= 2.0;
+            if works > AWAY {
+                return None;
+            }
+        }
+        let mut fails = if works > 0.01 { 0.5 * works } else { 0.0 };
+        while works - fails > 1e-2 * works {
+            let middle = 0.5 * (works + fails);
+            if holds(middle) {
+                works = middle;
+            } else {
+                fails = middle;
+            }
+        }
+        let all = eased(works)
+            .into_iter()
+            .zip(&knobs)
+            .map(|((k, to), &(_, from))| Relaxation {
+                limit: k.name().to_string(),
+                from,
+                to: Some(to),
+            })
+            .collect();
+        Some((works, all))
+    }
+}

@@ -1,0 +1,333 @@
+//! A scene that is refused says what would do, and that does; a little less does not.
+
+use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Synthesis, relaxed, synthesise};
+
+fn scene_of(text: &str, changes: &[&str]) -> Scene {
+    let mut table: toml::Table = text.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    scene::read(&table).unwrap()
+}
+
+fn young() -> ForceCurve {
+    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
+}
+
+/// Rises of 10 mm and back over half a turn with the least jerk.
+const HUMP: &str = r#"
+name = "hump"
+[drive]
+kind = "moving-axis"
+mass = "1 kg"
+speed = "60 rpm"
+[law]
+family = "spline"
+spans = 24
+minimise = "jerk"
+[[law.point]]
+angle = "0 deg"
+lift = "0 mm"
+[[law.point]]
+angle = "90 deg"
+lift = "10 mm"
+[[law.point]]
+angle = "180 deg"
+lift = "0 mm"
+[cam]
+follower = "flat-translating"
+base_radius = "20 mm"
+"#;
+
+fn good(design: &Synthesis) -> bool {
+    design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
+}
+
+/// The scene key and unit of a limit's name.
+fn assignment(limit: &str, value: f64) -> String {
+    let (key, number, unit) = match limit {
+        "accuracy.rms" => ("accuracy.rms".to_string(), 100.0 * value, "%"),
+        "force_min" | "force_max" => (format!("limits.{limit}"), value, "N"),
+        "velocity" => ("limits.velocity".to_string(), value, "m/s"),
+        "acceleration" => ("limits.acceleration".to_string(), value, "m/s^2"),
+        "jerk" => ("limits.jerk".to_string(), value, "m/s^3"),
+        name if name.starts_with("pressure_angle") => {
+            (format!("limits.{name}"), value.to_degrees(), "deg")
+        }
+        name if name.starts_with("cam.") => (name.to_string(), 1e3 * value, "mm"),
+        name => (format!("limits.{name}"), 1e3 * value, "mm"),
+    };
+    format!("{key}={number:.9} {unit}")
+}
+
+/// Every stated relaxation works, and a hundredth less of the way back does not. Returns their names.
+fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<String> {
+    let scene = scene_of(text, changes);
+    let design = synthesise(&scene, target).unwrap();
+    assert!(!good(&design), "{changes:?} was built");
+    let design = relaxed(&scene, target, design);
+    assert!(!design.relaxations.is_empty(), "{}", design.reason);
+    assert!(
+        design.reason.contains("Smallest relaxation"),
+        "{}",
+        design.reason
+    );
+    assert!(!design.binding.is_empty() || design.infeasible.is_some());
+    for r in &design.relaxations {
+        let to = r.to.unwrap();
+        let with = |value: f64| {
+            let change = assignment(&r.limit, value);
+            let all: Vec<&str> = changes.iter().copied().chain([change.as_str()]).collect();
+            good(&synthesise(&scene_of(text, &all), target).unwrap())
+        };
+        assert!(
+            with(to),
+            "{} = {to} does not work: {}",
+            r.limit,
+            design.reason
+        );
+        let less = to + 0.02 * to.abs() * (r.from - to).signum();
+        let between = (less - r.from) * (to - less) > 0.0;
+        assert!(!between || !with(less), "{} = {less} works too", r.limit);
+    }
+    design.relaxations.into_iter().map(|r| r.limit).collect()
+}
+
+#[test]
+fn limits_against_the_accuracy_name_both() {
+    let target = young();
+    let names = proved(scene::DEFAULT, Some(&target), &["limits.stroke=40 mm"]);
+    assert_eq!(names, ["stroke", "accuracy.rms"]);
+    let names = proved(scene::DEFAULT, Some(&target), &["limits.force_max=690 N"]);
+    assert_eq!(names, ["force_max"]);
+}
+
+#[test]
+fn a_small_base_circle_under_a_large_radius_names_radius_and_circle() {
+    let target = young();
+    let changes = ["cam.base_radius=10 mm", "limits.curvature=40 mm"];
+    let names = proved(scene::DEFAULT, Some(&target), &changes);
+    assert_eq!(names, ["curvature", "cam.base_radius"]);
+}
+
+#[test]
+fn speeds_and_faces_are_relaxed_as_far_as_the_whole_cam_needs() {
+    for change in ["limits.velocity=0.04 m/s", "limits.face_width=10 mm"] {
+        let names = proved(HUMP, None, &[change]);
+        assert_eq!(names.len(), 1, "{change}");
+    }
+}
+
+#[test]
+fn a_steep_roller_cam_names_angle_and_circle() {
+    let roller = [
+        "cam.follower=roller-translating",
+        "cam.roller_radius=10 mm",
+        "cam.base_radius=20 mm",
+        "cam.offset=0 mm",
+        "limits.pressure_angle=8 deg",
+    ];
+    let names = proved(HUMP, None, &roller);
+    assert!(names.contains(&"pressure_angle".to_string()), "{names:?}");
+}
+
+#[test]
+fn a_programme_that_is_too_steep_says_what_would_do() {
+    let text = r#"
+        name = "programme"
+        [drive]
+        kind = "fixed-axis"
+        speed = "60 rpm"
+        [law]
+        family = "program"
+        [[law.segment]]
+        motion = "3-4-5"
+        lift = "20 mm"
+        angle = "60 deg"
+        [[law.segment]]
+        motion = "3-4-5"
+        lift = "-20 mm"
+        angle = "60 deg"
+        [[law.segment]]
+        motion = "dwell"
+        angle = "240 deg"
+        [cam]
+        follower = "roller-translating"
+        roller_radius = "5 mm"
+        prime_radius = "40 mm"
+        [limits]
+        pressure_angle = "20 deg"
+    "#;
+    let names = proved(text, None, &[]);
+    assert_eq!(names, ["pressure_angle", "cam.prime_radius"]);
+}
+
+/// A stroke is what the follower travels, wherever the drive's lift begins.
+#[test]
+fn a_stroke_counts_from_the_lowest_lift() {
+    let hydraulic = [
+        "drive.kind=hydraulic",
+        "drive.pressure_per_volume=30 psi/in^3",
+        "drive.piston_radius=0.75 in",
+        "law.family=spline",
+        "law.spans=16",
+        "accuracy.rms=5 %",
+    ];
+    let text = scene::DEFAULT
+        .replace("mass = \"auto\"\n", "")
+        .replace("bore = \"12 mm\"\n", "");
+    let target = young();
+    let free = synthesise(
+        &scene_of(&text.replace("stroke = \"60 mm\"\n", ""), &hydraulic),
+        Some(&target),
+    )
+    .unwrap();
+    let stroke = free.cam.law.stroke();
+    let lowest = free.cam.law.extremes(0).0.value;
+    assert!(
+        lowest > 0.2 * stroke,
+        "the lift starts well above the base circle"
+    );
+    let with = |mm: f64| {
+        let limit = format!("limits.stroke={mm:.9} mm");
+        let all: Vec<&str> = hydraulic.iter().copied().chain([limit.as_str()]).collect();
+        synthesise(&scene_of(&text, &all), Some(&target)).unwrap()
+    };
+    let wide = with(1e3 * stroke * 1.001);
+    assert!(good(&wide) && wide.binding.is_empty());
+    assert!((wide.force.rms_error_n - free.force.rms_error_n).abs() < 1e-9);
+    let narrow = with(1e3 * stroke * 0.99);
+    let travelled = narrow.cam.law.stroke();
+    assert!(good(&narrow), "{}", narrow.reason);
+    assert!(
+        (travelled / (0.99 * stroke) - 1.0).abs() < 1e-6,
+        "{travelled} {stroke}"
+    );
+    assert!(narrow.binding.iter().any(|b| b.limit == "stroke"));
+    // The nearest law loses no more than the free one cut to the middle of the range would.
+    assert!(narrow.force.rms_error_n < 0.01 * stroke * 30.0 * 6894.757 / 0.0254_f64.powi(3));
+}
+
+/// The width of a flat face shapes the law, as the velocities that the contact wanders by.
+#[test]
+fn a_face_is_kept_within_its_width_by_the_law() {
+    let free = synthesise(&scene_of(HUMP, &[]), None).unwrap();
+    let width = free.cam.face_width().unwrap();
+    let held = synthesise(&scene_of(HUMP, &["limits.face_width=19 mm"]), None).unwrap();
+    assert!(width > 0.0195 && good(&held), "{}", held.reason);
+    assert!((held.cam.face_width().unwrap() - 0.019).abs() < 1e-9);
+}
+
+/// A roller's curvature is reached from any radius that a law can keep, not only from some.
+#[test]
+fn a_rollers_curvature_is_reached_whatever_it_is() {
+    for rho in [15.8, 16.0, 17.0, 18.0, 19.0, 20.0, 20.5] {
+        let limit = format!("limits.curvature={rho} mm");
+        let changes = [
+            "cam.follower=roller-translating",
+            "cam.roller_radius=10 mm",
+            "cam.base_radius=20 mm",
+            "cam.offset=0 mm",
+            limit.as_str(),
+        ];
+        let design = synthesise(&scene_of(HUMP, &changes), None).unwrap();
+        assert!(good(&design), "{rho}: {}", design.reason);
+        assert!(design.cam.curvature().convex.value >= 1e-3 * rho * (1.0 - 1e-8));
+    }
+}
+
+/// One side limited leaves the other free: FACTS §6's closed form, not a rule of thumb on the other side.
+#[test]
+fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
+    let text = r#"
+        name = "one side"
+        [drive]
+        kind = "fixed-axis"
+        speed = "60 rpm"
+        [law]
+        family = "program"
+        [[law.segment]]
+        motion = "3-4-5"
+        lift = "10 mm"
+        angle = "60 deg"
+        [[law.segment]]
+        motion = "3-4-5"
+        lift = "-10 mm"
+        angle = "60 deg"
+        [[law.segment]]
+        motion = "dwell"
+        angle = "240 deg"
+        [cam]
+        follower = "roller-translating"
+        roller_radius = "0.1 mm"
+        [limits]
+        pressure_angle_rise = "30 deg"
+    "#;
+    let design = synthesise(&scene_of(text, &[]), None).unwrap();
+    // The foot of the perpendicular on t·D + e = p, p = max(v − t·s): Rp = p cos φ, by a dense scan.
+    let law = &design.cam.law;
+    let t = 30_f64.to_radians().tan();
+    let p = (0..200_000)
+        .map(|i| law.svaj(std::f64::consts::TAU * f64::from(i) / 2e5))
+        .fold(0.0, |m, at| f64::max(m, at.v - t * at.s));
+    let radius = p * 30_f64.to_radians().cos();
+    assert!((design.cam.follower.prime_radius() / radius - 1.0).abs() < 1e-8);
+    // Neither side limited: the usual rule, and a word on it.
+    let unsaid = text.replace("pressure_angle_rise = \"30 deg\"", "");
+    let design = synthesise(&scene_of(&unsaid, &[]), None).unwrap();
+    assert!(
+        design.remarks.iter().any(|r| r.contains("usual rule")),
+        "{:?}",
+        design.remarks
+    );
+}
+
+#[test]
+fn a_cam_that_would_have_to_pull_is_for_lower_speeds() {
+    let text = r#"
+        name = "eccentric"
+        [drive]
+        kind = "moving-axis"
+        mass = "1 kg"
+        speed = "35 rad/s"
+        [law]
+        family = "program"
+        [[law.segment]]
+        motion = "simple-harmonic"
+        lift = "20 mm"
+        angle = "180 deg"
+        [[law.segment]]
+        motion = "simple-harmonic"
+        lift = "-20 mm"
+        angle = "180 deg"
+        [cam]
+        follower = "flat-translating"
+        base_radius = "20 mm"
+    "#;
+    let fast = synthesise(&scene_of(text, &[]), None).unwrap();
+    assert_eq!(fast.verdict.name(), "not-for-high-speed");
+    // √(g/e) with e = 10 mm (FACTS §10).
+    assert!(
+        fast.reason.contains("above 31.321 rad/s"),
+        "{}",
+        fast.reason
+    );
+    let slow = synthesise(&scene_of(text, &["drive.speed=31.3 rad/s"]), None).unwrap();
+    assert_eq!(slow.verdict.name(), "acceptable", "{}", slow.reason);
+}
+
+#[test]
+fn a_profile_that_comes_to_a_point_is_not_called_acceptable() {
+    let design = synthesise(&scene_of(HUMP, &["cam.base_radius=auto"]), None).unwrap();
+    assert!(design.cam.curvature().convex.value.abs() < 1e-12);
+    assert!(
+        design.reason.contains("comes to a point"),
+        "{}",
+        design.reason
+    );
+    let round = ["cam.base_radius=auto", "limits.curvature=2 mm"];
+    let design = synthesise(&scene_of(HUMP, &round), None).unwrap();
+    assert_eq!(design.verdict.name(), "acceptable");
+}
