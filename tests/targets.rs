@@ -316,3 +316,152 @@ fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
         "the limit binds"
     );
 }
+
+/// (e/e₁)² + R/R₁ + (j/j₁)² of a finished design, jerk by a dense scan in time.
+fn price(design: &Synthesis, one: [Option<f64>; 3]) -> f64 {
+    let force = design.force.rms_error_n / design.force.target_mean_n;
+    let jerk = mean_square_jerk(design).sqrt() * design.drive.speed.powi(3);
+    let radius = design.cam.follower.prime_radius();
+    one[0].map_or(0.0, |e| (force / e).powi(2))
+        + one[1].map_or(0.0, |r| radius / r)
+        + one[2].map_or(0.0, |j| (jerk / j).powi(2))
+}
+
+/// The weighed optimum is the cheapest point of the front that the limit on the size alone draws.
+#[test]
+fn a_weighed_objective_finds_the_cheapest_point_of_the_front() {
+    let target = young();
+    let face = [
+        "law.spans=16",
+        "limits.curvature=40 mm",
+        "cam.bore=5 mm",
+        "accuracy.rms=50 %",
+        "limits.stroke=100 mm",
+    ];
+    let one = [Some(0.05), Some(0.010), None];
+    let with = |more: &[&str]| solved(&[&face[..], more].concat(), &target);
+    let weighed = with(&["law.weigh.force_error=5 %", "law.weigh.prime_radius=10 mm"]);
+    assert!(weighed.checks.iter().all(|c| c.pass), "{}", weighed.reason);
+    let found = price(&weighed, one);
+    let radius = weighed.cam.follower.prime_radius();
+    let mut cheapest = f64::INFINITY;
+    for k in -10..=10 {
+        let limit = format!(
+            "limits.prime_radius={:.9} mm",
+            1e3 * radius * (1.0 + 0.01 * f64::from(k))
+        );
+        let other = with(&[&limit]);
+        if other.checks.iter().all(|c| c.pass) {
+            cheapest = cheapest.min(price(&other, one));
+        }
+    }
+    assert!(
+        found <= cheapest * (1.0 + 1e-6),
+        "{found} against {cheapest}"
+    );
+    assert!(
+        found > cheapest * (1.0 - 1e-4),
+        "{found} against {cheapest}"
+    );
+    let free = with(&[]);
+    assert!(
+        radius < 0.98 * free.cam.follower.prime_radius(),
+        "the price of the size is felt"
+    );
+    // A roller's cone weighs the same way.
+    let roller = [
+        "law.spans=16",
+        "cam.follower=roller-translating",
+        "cam.roller_radius=5 mm",
+        "cam.bore=5 mm",
+        "limits.pressure_angle=30 deg",
+        "limits.curvature=auto",
+        "accuracy.rms=50 %",
+    ];
+    let small = |e: &str| {
+        let weigh = [e, "law.weigh.prime_radius=10 mm"];
+        solved(&[&roller[..], &weigh].concat(), &target)
+    };
+    let (near, far) = (
+        small("law.weigh.force_error=0.5 %"),
+        small("law.weigh.force_error=10 %"),
+    );
+    assert!(far.cam.follower.prime_radius() < near.cam.follower.prime_radius() - 1e-3);
+    assert!(far.force.rms_error_n > near.force.rms_error_n);
+    assert!(
+        price(&near, [Some(0.005), Some(0.01), None])
+            <= price(&far, [Some(0.005), Some(0.01), None])
+    );
+    assert!(
+        price(&far, [Some(0.1), Some(0.01), None]) <= price(&near, [Some(0.1), Some(0.01), None])
+    );
+}
+
+/// Force and jerk alone: a quadratic whose gradient vanishes at the answer, by differences along other laws.
+#[test]
+fn a_weighed_jerk_is_at_its_least_along_every_other_law() {
+    let target = young();
+    let one = [Some(0.02), None, Some(150.0)];
+    let base = ["law.spans=16", "accuracy.rms=50 %", "limits.stroke=100 mm"];
+    let with = |more: &[&str]| solved(&[&base[..], more].concat(), &target);
+    let weighed = with(&["law.weigh.force_error=2 %", "law.weigh.jerk=150 m/s^3"]);
+    let (near, smooth) = (
+        with(&[]),
+        with(&["law.weigh.force_error=40 %", "law.weigh.jerk=150 m/s^3"]),
+    );
+    let found = price(&weighed, one);
+    for other in [&near, &smooth] {
+        // Laws between the optimum and another one: dearer by the square of the way.
+        let at = |part: f64| {
+            let errors: Vec<f64> = (0..20_000)
+                .map(|i| TAU * f64::from(i) / 20_000.0)
+                .map(|x| {
+                    let (a, b) = (weighed.cam.law.svaj(x), other.cam.law.svaj(x));
+                    let mix = |p: f64, q: f64| p + part * (q - p);
+                    let force = mix(weighed.drive.force(a), weighed.drive.force(b)) - target.at(x);
+                    let jerk = mix(a.j, b.j) * weighed.drive.speed.powi(3);
+                    (force / 700.0 / 0.02).powi(2) + (jerk / 150.0).powi(2)
+                })
+                .collect();
+            errors.iter().sum::<f64>() / 20_000.0
+        };
+        assert!((at(0.0) / found - 1.0).abs() < 1e-5);
+        let (here, back, there) = (at(0.0), at(-0.01), at(0.01));
+        assert!(back > here && there > here, "{back} {here} {there}");
+        assert!(
+            (there - back).abs() < 1e-3 * (there + back - 2.0 * here),
+            "flat at the answer"
+        );
+    }
+}
+
+#[test]
+fn weighings_that_say_nothing_or_too_much_are_refused() {
+    let target = young();
+    let refused = |changes: &[&str], word: &str| {
+        let mut table: toml::Table = scene::DEFAULT.parse().unwrap();
+        let scene = changes
+            .iter()
+            .try_for_each(|change| scene::set(&mut table, change))
+            .and_then(|()| scene::read(&table));
+        let error = scene
+            .and_then(|s| synthesise(&s, Some(&target)))
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains(word), "{error}");
+    };
+    refused(&["law.weigh.jerk=0 m/s^3"], "not positive");
+    refused(&["law.weigh.radius=10 mm"], "there is no such key");
+    refused(
+        &["law.weigh.jerk=10 m/s^3", "law.minimise=jerk"],
+        "law.minimise",
+    );
+    refused(
+        &["law.weigh.jerk=10 m/s^3", "law.family=harmonic"],
+        "law.weigh",
+    );
+    refused(
+        &["law.weigh.prime_radius=10 mm", "cam.base_radius=40 mm"],
+        "size",
+    );
+}

@@ -2,7 +2,7 @@
 
 use super::load::lift_dimension;
 use super::table::Reader;
-use super::{CamSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, SegmentSpec};
+use super::{CamSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
 use crate::error::{Error, Result};
 use crate::units::Dimension;
 
@@ -35,6 +35,15 @@ pub fn read(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Resul
     spec.spans = r.count("spans", 1, MOST_SPANS)?;
     spec.harmonics = r.count("harmonics", 1, 400)?;
     spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
+    if let Some(weigh) = weigh(&mut r, gait.is_some(), cam)? {
+        if spec.minimise.is_some() {
+            return Err(
+                Error::key("law.minimise", "law.weigh already says what is minimised")
+                    .help("leave out one of the two"),
+            );
+        }
+        spec.minimise = Some(Minimise::Weighed(weigh));
+    }
     let of_force = [Minimise::ForceError, Minimise::PeakForceError];
     if gait.is_none() && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
         return Err(
@@ -99,6 +108,45 @@ pub fn read(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Resul
     r.finish()?;
     spec.family = family.unwrap_or_else(|| unnamed(&spec, gait));
     Ok(spec)
+}
+
+/// `[law.weigh]`: force error, size and jerk against each other.
+fn weigh(r: &mut Reader, has_force: bool, cam: &CamSpec) -> Result<Option<Weigh>> {
+    let Some(mut r) = r.table("weigh")? else {
+        return Ok(None);
+    };
+    let jerk = if cam.is_oscillating() {
+        Dimension::AngularJerk
+    } else {
+        Dimension::Jerk
+    };
+    let weigh = Weigh {
+        force_error: r.positive("force_error", Dimension::Percent)?,
+        prime_radius: r.positive("prime_radius", Dimension::Length)?,
+        jerk: r.positive("jerk", jerk)?,
+    };
+    r.finish()?;
+    if weigh == Weigh::default() {
+        return Err(Error::key("law.weigh", "it says nothing").help(
+            "say how much counts as one: force_error = \"1 %\", prime_radius = \"20 mm\", jerk = \"100 m/s^3\"",
+        ));
+    }
+    if weigh.force_error.is_some() && !has_force {
+        return Err(
+            Error::key("law.weigh.force_error", "there is no force to come near to")
+                .help("add [gait], or leave it out"),
+        );
+    }
+    let sized = cam.follower.ends_with("-translating") && cam.follower != "mushroom-translating";
+    let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
+    if weigh.prime_radius.is_some() && !(sized && free) {
+        return Err(
+            Error::key("law.weigh.prime_radius", "the size of this cam is not free").help(
+                "it is for translating flat faces, rollers and knife edges without a given radius",
+            ),
+        );
+    }
+    Ok(Some(weigh))
 }
 
 /// The family of a scene that names none: the ladder, unless something is asked that only splines have.

@@ -146,6 +146,9 @@ fn consistent(scene: &Scene) -> Result<()> {
         if law.minimise == Some(Minimise::PeakForceError) {
             return only_splines("law.minimise");
         }
+        if matches!(law.minimise, Some(Minimise::Weighed(_))) {
+            return only_splines("law.weigh");
+        }
     }
     polydyne(scene)?;
     match law.family {

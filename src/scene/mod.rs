@@ -180,7 +180,7 @@ impl Family {
 }
 
 /// What the law is chosen for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Minimise {
     /// Mean square distance of the force to the target.
     ForceError,
@@ -192,6 +192,20 @@ pub enum Minimise {
     PeakForceError,
     /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
     Size,
+    /// Force error, size and jerk against each other (`law.weigh`).
+    Weighed(Weigh),
+}
+
+/// What counts as one in a weighed objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
+/// radius; what is left out does not count.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Weigh {
+    /// e₁, part of the mean force.
+    pub force_error: Option<f64>,
+    /// R₁, m.
+    pub prime_radius: Option<f64>,
+    /// j₁, m/s³.
+    pub jerk: Option<f64>,
 }
 
 impl Minimise {

@@ -69,6 +69,12 @@ impl ArrowMatrix {
         true
     }
 
+    /// Multiplies every entry.
+    pub fn scale(&mut self, factor: f64) {
+        let all = self.core.iter_mut().chain(&mut self.rows);
+        all.for_each(|a| *a *= factor);
+    }
+
     /// Entry (i, j).
     pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };

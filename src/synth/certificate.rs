@@ -248,6 +248,13 @@ fn spoken(
             let peak = solution.extra[PEAK];
             ("max_error_n".to_string(), peak, peak - gain)
         }
+        Minimise::Weighed(_) => {
+            let sizes: f64 = (1..EXTRAS)
+                .map(|k| program.cost[k] * solution.extra[k])
+                .sum();
+            let before = 0.5 * mean_square + sizes;
+            ("weighed".to_string(), before, before - gain)
+        }
         Minimise::Size => {
             let radius = if program.cone {
                 solution.extra[RADIUS]

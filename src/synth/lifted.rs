@@ -112,31 +112,56 @@ impl Lifted {
         asked: impl Fn(usize, f64, f64) -> (f64, f64),
     ) {
         self.used = self.used.max(self.highest(weights));
-        let mut gram: Vec<f64> = Vec::new();
+        let n = self.dimension();
+        let orders: Vec<usize> = (0..self.spaces.len().min(weights.len()))
+            .filter(|&order| weights[order] != 0.0)
+            .collect();
+        let mut alike = None;
+        let (mut rows, mut columns, mut gram) = (Vec::new(), Vec::new(), Vec::new());
         for piece in 0..self.spaces[0].spans().len() {
-            let mut columns: Vec<usize> = Vec::new();
-            for &(u, w) in rule {
-                let (share, wanted) = asked(piece, u, w);
-                let row = self.row(piece, u, weights);
-                if columns.is_empty() {
-                    columns.extend(row.iter().map(|e| e.0));
-                    gram.clear();
-                    gram.resize(row.len() * row.len(), 0.0);
+            columns.clear();
+            for &order in &orders {
+                let space = &self.spaces[order];
+                columns.extend((0..=space.degree()).map(|k| order * n + space.index(piece, k)));
+            }
+            // Spans with equal knots around them have equal rows.
+            let span = &self.spaces[0].spans()[piece];
+            let same = alike.is_some_and(|(matrix, width): (usize, f64)| {
+                matrix == span.matrix() && (width - span.width).abs() <= 1e-14 * width
+            });
+            if !same {
+                alike = Some((span.matrix(), span.width));
+                rows.clear();
+                for &(u, _) in rule {
+                    for &order in &orders {
+                        rows.extend(self.spaces[order].row(piece, u, &[weights[order]]));
+                    }
                 }
-                for (k, &(i, a)) in row.iter().enumerate() {
-                    self.gradient[i] -= share * wanted * a;
-                    for (l, &(_, b)) in row[..=k].iter().enumerate() {
-                        gram[k * row.len() + l] += share * a * b;
+            }
+            let m = columns.len();
+            gram.clear();
+            gram.resize(m * m, 0.0);
+            for (row, &(u, w)) in rows.chunks_exact(m).zip(rule) {
+                let (share, wanted) = asked(piece, u, w);
+                for (k, &a) in row.iter().enumerate() {
+                    self.gradient[columns[k]] -= share * wanted * a;
+                    for (g, b) in gram[k * m..=k * m + k].iter_mut().zip(row) {
+                        *g += share * a * b;
                     }
                 }
             }
             for (k, &i) in columns.iter().enumerate() {
                 for (l, &j) in columns[..=k].iter().enumerate() {
-                    let (i, j) = (i.max(j), i.min(j));
-                    self.blocks.push((i, j, gram[k * columns.len() + l]));
+                    self.blocks.push((i.max(j), i.min(j), gram[k * m + l]));
                 }
             }
         }
+    }
+
+    /// Multiplies the objective.
+    pub fn scale(&mut self, factor: f64) {
+        self.blocks.iter_mut().for_each(|b| b.2 *= factor);
+        self.gradient.iter_mut().for_each(|g| *g *= factor);
     }
 
     /// Lower triangle of H; an entry may come in several parts.

@@ -140,10 +140,10 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
 pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
     let limits = &scene.limits;
     let length = demand.length;
-    let cost = if super::spline::objective(scene) == Minimise::Size {
-        1.0
-    } else {
-        0.0
+    let cost = match super::spline::objective(scene) {
+        Minimise::Size => 1.0,
+        Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
+        _ => 0.0,
     };
     // A size that no cost holds down is held by its limit: one row, at angle 0.
     // What the sequence for a roller's curvature enlarges in the end is kept free.
@@ -292,7 +292,12 @@ pub fn size_is_sought(scene: &Scene) -> bool {
         "roller-translating",
         "knife-translating",
     ];
-    let wanted = super::spline::objective(scene) == Minimise::Size
+    let priced = match super::spline::objective(scene) {
+        Minimise::Size => true,
+        Minimise::Weighed(weigh) => weigh.prime_radius.is_some(),
+        _ => false,
+    };
+    let wanted = priced
         || scene.limits.prime_radius.is_some() && sized.contains(&scene.cam.follower.as_str());
     wanted && !size_is_given(scene)
 }

@@ -29,7 +29,8 @@
 //! about the target. From the optimum without limits the exact worst points of the law (roots in Bernstein
 //! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
 //! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
-//! of its size.
+//! of its size. From 250 spans on the coefficients of s, v, a and j are unknowns of their own, tied by
+//! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), and Clarabel takes the active set's place: cost linear in the spans, digits kept.
 //!
 //! **SOCP.** Prime radius R, height D and offset e join x (FACTS §6):
 //!
@@ -37,7 +38,7 @@
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! with R minimised or bounded; under a flat face R + s + a ≥ ρ instead. Clarabel, on exchanged rows.
+//! with R minimised, bounded or weighed, (e/e₁)² + R/R₁ + (j/j₁)²; under a flat face R + s + a ≥ ρ instead. Clarabel, on exchanged rows.
 //!
 //! **SCP.** What is not convex: h(s, v, a, j, D, e) ≥ 0 for a roller's curvature, for curvature and pressure angle
 //! of followers on an arm, for the shaft's torque F v and its rate F′v + F a, and for the pressure between a
@@ -51,7 +52,8 @@
 //! Σ λ(b − aᵀx) + xᵀr with r the Lagrangian's gradient. λ times 1 % of a limit is what easing it would buy.
 //!
 //! **Conflict.** Without a solution, limits are dropped one by one to a smallest set that fights; for each of
-//! them the program with its bound minimised gives the least relaxation.
+//! them the program with its bound minimised gives the least relaxation. `relaxed` designs the whole cam with
+//! each value and moves it until every check passes.
 
 mod active_set;
 mod answer;

@@ -132,6 +132,19 @@ impl Quadratic {
         );
     }
 
+    /// The same objective, `factor` times.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        let mut out = self.clone();
+        out.hessian.scale(factor);
+        out.gradient.iter_mut().for_each(|g| *g *= factor);
+        out.constant *= factor;
+        if let Some(lifted) = &mut out.lifted {
+            lifted.scale(factor);
+        }
+        out
+    }
+
     /// The value at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
         if let Some(lifted) = &self.lifted {

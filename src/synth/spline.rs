@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::gait::{ForceCurve, spread_rms_n};
 use crate::law::Law;
 use crate::poly::SplineSpace;
-use crate::scene::{Dwell, Family, Minimise, Scene};
+use crate::scene::{Dwell, Family, Minimise, Scene, Weigh};
 
 /// Accuracy that chooses the spans when the scene asks for none, part of the mean force.
 const DEFAULT_ACCURACY: f64 = 0.005;
@@ -291,11 +291,12 @@ fn program(
     let force = force_distance(scene, demand, &basis);
     let mut quadratic = match objective(scene) {
         Minimise::ForceError => force.clone(),
+        Minimise::Weighed(weigh) => weighed(demand, &basis, &force, weigh),
         _ => Quadratic::zero(&basis),
     };
     match objective(scene) {
         Minimise::Energy(order) => quadratic.add_energy(&basis, order, 1.0),
-        Minimise::Peak(_) | Minimise::PeakForceError => {}
+        Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
         Minimise::Size => {
             // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
             let unit = SIZE_JERK * demand.length;
@@ -314,6 +315,25 @@ fn program(
     let mut program = Program::new(basis, quadratic, equalities, demand.length);
     program.limits = limits;
     Ok((program, force))
+}
+
+/// The quadratic part of (e/e₁)² + R/R₁ + (j/j₁)²; `force` holds ½e².
+fn weighed(demand: &Demand, basis: &Basis, force: &Quadratic, weigh: Weigh) -> Quadratic {
+    let mean = demand.target.as_ref().map_or(0.0, |t| t.mean_n().abs());
+    let mut sum = Quadratic::zero(basis);
+    if let Some(part) = weigh.force_error {
+        sum = force.times(2.0 / (part * mean).powi(2));
+    }
+    if let Some(one) = weigh.jerk {
+        let by_angle = one / demand.drive.speed.powi(3);
+        sum.add_energy(basis, 3, 2.0 / (by_angle * by_angle));
+    } else {
+        // What force and size leave open, as where size alone is minimised.
+        let unit = SIZE_JERK * demand.length;
+        let radius = weigh.prime_radius.unwrap_or(demand.length);
+        sum.add_energy(basis, 3, demand.length / radius / (unit * unit));
+    }
+    sum
 }
 
 fn force_distance(scene: &Scene, demand: &Demand, basis: &Basis) -> Quadratic {
