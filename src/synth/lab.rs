@@ -12,7 +12,7 @@ pub use conic::{Conic, Prepared};
 use super::basis::Basis;
 use super::demand::Demand;
 use super::objective::Quadratic;
-use super::problem::{Failure, Limit, Program};
+use super::problem::{Failure, Limit, Meaning, Program};
 use super::{equality, harmonic};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
@@ -135,8 +135,13 @@ impl Task<'_> {
             for sign in [1.0, -1.0] {
                 let mut weights = [0.0; 5];
                 weights[bound.order] = sign;
-                let limit = Limit::new("derivative", weights, bound.most, bound.most);
-                program.limits.push(limit);
+                program.limits.push(Limit {
+                    meaning: Meaning::Value {
+                        factor: 1.0,
+                        offset: 0.0,
+                    },
+                    ..Limit::new("derivative", weights, bound.most, bound.most)
+                });
             }
         }
         program

@@ -107,6 +107,23 @@ impl Chart {
     }
 }
 
+impl Chart {
+    /// The cheapest row no worse than a default that is not on the front, and its share of the default's cost.
+    pub fn ahead_of_default(&self) -> Option<(&Row, f64)> {
+        if self.default_on_front() {
+            return None;
+        }
+        let cost = |r: &Row| r.across(self.across);
+        let own = self.rows.iter().find(|r| r.default)?;
+        let ahead = self
+            .rows
+            .iter()
+            .filter(|r| r.error <= own.error && cost(r) < cost(own))
+            .min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
+        Some((ahead, cost(ahead) / cost(own)))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

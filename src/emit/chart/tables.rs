@@ -63,10 +63,14 @@ pub fn markdown(charts: &[Chart], machine: &str, after: &str) -> String {
 
 fn section(out: &mut String, chart: &Chart) {
     let front = chart.front();
-    let verdict = if chart.default_on_front() {
-        "The default lies on the front."
-    } else {
-        "The default does not lie on the front."
+    let verdict = match chart.ahead_of_default() {
+        None => "The default lies on the front.".to_string(),
+        Some((row, share)) => format!(
+            "The default does not lie on the front: {} ({}) reaches its error in {:.0} % of its cost.",
+            row.method,
+            row.size,
+            100.0 * share
+        ),
     };
     let _ = write!(
         out,
