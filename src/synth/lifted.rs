@@ -139,6 +139,10 @@ impl Lifted {
                 }
             }
             let m = columns.len();
+            if piece == 0 {
+                let pieces = self.spaces[0].spans().len();
+                self.blocks.reserve(pieces * m * (m + 1) / 2);
+            }
             gram.clear();
             gram.resize(m * m, 0.0);
             for (row, &(u, w)) in rows.chunks_exact(m).zip(rule) {
@@ -190,17 +194,25 @@ impl Lifted {
         diagonal.into_iter().fold(0.0, f64::max)
     }
 
-    /// Coefficients of all orders from those of the lift.
+    /// Coefficients of all orders from those of the lift; beyond what the objective needs they are zero.
     pub fn derivatives(&self, x: &[f64]) -> Vec<f64> {
+        self.derivatives_to(x, self.used)
+    }
+
+    fn derivatives_to(&self, x: &[f64], highest: usize) -> Vec<f64> {
         let n = self.dimension();
-        let mut out = x[..n].to_vec();
-        for (order, factors) in self.factors.iter().enumerate() {
-            let own = &out[order * n..];
-            let next: Vec<f64> = (0..n)
-                .map(|i| factors[i] * (own[i] - own[(i + n - 1) % n]))
-                .collect();
-            out.extend(next);
+        let mut out = Vec::with_capacity(self.gradient.len());
+        out.extend_from_slice(&x[..n]);
+        for (order, factors) in self.factors[..highest].iter().enumerate() {
+            let from = order * n;
+            let mut before = out[from + n - 1];
+            for i in 0..n {
+                let own = out[from + i];
+                out.push(factors[i] * (own - before));
+                before = own;
+            }
         }
+        out.resize(self.gradient.len(), 0.0);
         out
     }
 
@@ -320,7 +332,7 @@ mod tests {
         let n = 4000;
         let lifted = Lifted::of(&space(n));
         let x = wave(n);
-        let d = lifted.derivatives(&x);
+        let d = lifted.derivatives_to(&x, HIGHEST);
         let level = x.iter().sum::<f64>() / n as f64;
         for order in 1..=3 {
             let back = lifted.integrated(&d[order * n..(order + 1) * n], order, level);
