@@ -116,6 +116,10 @@ impl Lifted {
         let orders: Vec<usize> = (0..self.spaces.len().min(weights.len()))
             .filter(|&order| weights[order] != 0.0)
             .collect();
+        // Weights of a machine without measurable mass vanish.
+        if orders.is_empty() {
+            return;
+        }
         let mut alike = None;
         let (mut rows, mut columns, mut gram) = (Vec::new(), Vec::new(), Vec::new());
         for piece in 0..self.spaces[0].spans().len() {
