@@ -235,7 +235,7 @@ pub fn cycle_table(curve: &ForceCurve) -> String {
     lines.join("\n")
 }
 
-/// The same for programs, in the shape of [`json`].
+/// The same for programs, in the shape of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
