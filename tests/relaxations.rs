@@ -206,8 +206,11 @@ fn a_stroke_counts_from_the_lowest_lift() {
         "{travelled} {stroke}"
     );
     assert!(narrow.binding.iter().any(|b| b.limit == "stroke"));
-    // The nearest law loses no more than the free one cut to the middle of the range would.
-    assert!(narrow.force.rms_error_n < 0.01 * stroke * 30.0 * 6894.757 / 0.0254_f64.powi(3));
+    // A law cut at both ends of the range misses the force by half of what is cut, at most: the best one
+    // misses it by less, and by more than nothing.
+    let cut = 0.005 * stroke * narrow.drive.weights()[0];
+    let missed = narrow.force.rms_error_n;
+    assert!(missed > 0.05 * cut && missed < cut, "{missed} N of {cut} N");
 }
 
 /// The width of a flat face shapes the law, as the velocities that the contact wanders by.
@@ -330,4 +333,38 @@ fn a_profile_that_comes_to_a_point_is_not_called_acceptable() {
     let round = ["cam.base_radius=auto", "limits.curvature=2 mm"];
     let design = synthesise(&scene_of(HUMP, &round), None).unwrap();
     assert_eq!(design.verdict.name(), "acceptable");
+}
+
+/// Two limits that each alone leave no law: no single change helps, both by one share do.
+#[test]
+fn two_impossible_limits_are_relaxed_together() {
+    let changes = ["limits.velocity=0.04 m/s", "limits.face_width=10 mm"];
+    let scene = scene_of(HUMP, &changes);
+    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    assert!(design.relaxations.is_empty(), "{}", design.reason);
+    assert!(
+        design.reason.contains("all of them together"),
+        "{}",
+        design.reason
+    );
+    let infeasible = design.infeasible.unwrap();
+    assert!(infeasible.relaxations.iter().all(|r| r.to.is_none()));
+    let settings: Vec<String> = design
+        .together
+        .iter()
+        .filter(|r| !r.limit.starts_with("cam."))
+        .map(|r| assignment(&r.limit, r.to.unwrap()))
+        .collect();
+    assert_eq!(settings.len(), 2);
+    let size = design
+        .together
+        .iter()
+        .find(|r| r.limit == "cam.base_radius");
+    let size = assignment("cam.base_radius", size.unwrap().to.unwrap());
+    let all: Vec<&str> = settings
+        .iter()
+        .map(String::as_str)
+        .chain([size.as_str()])
+        .collect();
+    assert!(good(&synthesise(&scene_of(HUMP, &all), None).unwrap()));
 }

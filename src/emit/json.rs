@@ -32,6 +32,8 @@ struct Summary<'a> {
     infeasible: Option<InfeasibleSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     relaxations: Vec<RelaxationSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    relaxed_together: Vec<RelaxationSummary<'a>>,
     remarks: &'a [String],
     solver: Solver<'a>,
     time: Total,
@@ -234,6 +236,11 @@ impl<'a> Summary<'a> {
             infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
             relaxations: synthesis
                 .relaxations
+                .iter()
+                .map(RelaxationSummary::new)
+                .collect(),
+            relaxed_together: synthesis
+                .together
                 .iter()
                 .map(RelaxationSummary::new)
                 .collect(),

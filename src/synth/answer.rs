@@ -45,6 +45,8 @@ pub struct Synthesis {
     pub infeasible: Option<Infeasible>,
     /// Changes of one limit each that let the whole design pass; filled by `relaxed` for one that does not.
     pub relaxations: Vec<Relaxation>,
+    /// Where no single change is enough: all of them by one share, which is.
+    pub together: Vec<Relaxation>,
     /// The class of the cam.
     pub verdict: Verdict,
     /// One sentence on the verdict, for a student.

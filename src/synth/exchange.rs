@@ -176,7 +176,7 @@ impl Program {
         };
         let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * extra[k]).sum();
         let slack = row.bound - beside - apply(&row.entries, x);
-        slack < NEAR * limit.scale.max(limit.bound.abs()) || row.weights == [0.0; 5]
+        slack < NEAR * limit.size(limit.bound) || row.weights == [0.0; 5]
     }
 
     /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a

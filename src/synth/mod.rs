@@ -71,6 +71,7 @@ mod exchange;
 mod family;
 mod fight;
 mod harmonic;
+mod knob;
 pub mod lab;
 mod lifted;
 mod limits;
@@ -191,6 +192,7 @@ fn answer(scene: &Scene, target: Option<&ForceCurve>, explain: bool) -> Result<S
         force,
         infeasible: found.infeasible,
         relaxations: Vec::new(),
+        together: Vec::new(),
         verdict,
         reason,
         checks,

@@ -7,14 +7,13 @@
 
 use super::answer::{Binding, Infeasible, Relaxation, Synthesis, Tier};
 use super::conflict::cured;
+use super::knob::{
+    AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, KNOBS, Knob, PressureAngle, Rise, STEEPEST,
+};
 use crate::cam::Verdict;
 use crate::gait::ForceCurve;
 use crate::scene::Scene;
 
-/// A limit is first lifted by this factor, to see whether it is what stands in the way.
-const AWAY: f64 = 1e4;
-/// Pressure angle that is no limit any more, rad.
-const STEEPEST: f64 = 1.55;
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;
 const COARSE: f64 = 1e-3;
@@ -24,197 +23,6 @@ const ROOMS: [f64; 3] = [0.0, 1e-4, 1e-3];
 const EDGES: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
 /// Part by which a value must be able to come back towards the old one for a better one to be sought.
 const BACK: f64 = 1e-3;
-
-/// A number of the scene that may be relaxed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Knob {
-    Stroke,
-    Velocity,
-    Acceleration,
-    Jerk,
-    ForceMin,
-    ForceMax,
-    Curvature,
-    PressureAngle,
-    Rise,
-    Fall,
-    Bore,
-    PrimeRadiusLimit,
-    FaceWidth,
-    Torque,
-    TorqueRate,
-    Hertz,
-    Residual,
-    Accuracy,
-    PrimeRadius,
-    BaseRadius,
-}
-
-use Knob::{
-    Acceleration, Accuracy, BaseRadius, Bore, Curvature, FaceWidth, Fall, ForceMax, ForceMin,
-    Hertz, Jerk, PressureAngle, PrimeRadius, PrimeRadiusLimit, Residual, Rise, Stroke, Torque,
-    TorqueRate, Velocity,
-};
-
-/// All of them, in the order in which they are told.
-const KNOBS: [Knob; 20] = [
-    Stroke,
-    Velocity,
-    Acceleration,
-    Jerk,
-    ForceMin,
-    ForceMax,
-    Curvature,
-    PressureAngle,
-    Rise,
-    Fall,
-    Bore,
-    PrimeRadiusLimit,
-    FaceWidth,
-    Torque,
-    TorqueRate,
-    Hertz,
-    Residual,
-    Accuracy,
-    PrimeRadius,
-    BaseRadius,
-];
-
-impl Knob {
-    /// Name in messages and in `summary.json`: the limit's, or the scene's key where that is none.
-    fn name(self) -> &'static str {
-        match self {
-            Stroke => "stroke",
-            Velocity => "velocity",
-            Acceleration => "acceleration",
-            Jerk => "jerk",
-            ForceMin => "force_min",
-            ForceMax => "force_max",
-            Curvature => "curvature",
-            PressureAngle => "pressure_angle",
-            Rise => "pressure_angle_rise",
-            Fall => "pressure_angle_fall",
-            Bore => "bore",
-            PrimeRadiusLimit => "prime_radius",
-            FaceWidth => "face_width",
-            Torque => "torque",
-            TorqueRate => "torque_rate",
-            Hertz => "hertz_pressure",
-            Residual => "residual",
-            Accuracy => "accuracy.rms",
-            PrimeRadius => "cam.prime_radius",
-            BaseRadius => "cam.base_radius",
-        }
-    }
-
-    /// The check that measures it.
-    fn check(self) -> &'static [&'static str] {
-        match self {
-            PressureAngle => &["pressure_angle_rise", "pressure_angle_fall"],
-            Accuracy => &["rms_error"],
-            Bore | PrimeRadius | BaseRadius => &[],
-            Stroke => &["stroke"],
-            Velocity => &["velocity"],
-            Acceleration => &["acceleration"],
-            Jerk => &["jerk"],
-            ForceMin => &["force_min"],
-            ForceMax => &["force_max"],
-            Curvature => &["curvature"],
-            Rise => &["pressure_angle_rise"],
-            Fall => &["pressure_angle_fall"],
-            PrimeRadiusLimit => &["prime_radius"],
-            FaceWidth => &["face_width"],
-            Torque => &["torque"],
-            TorqueRate => &["torque_rate"],
-            Hertz => &["hertz_pressure"],
-            Residual => &["residual"],
-        }
-    }
-
-    fn slot(self, scene: &mut Scene) -> &mut Option<f64> {
-        let limits = &mut scene.limits;
-        match self {
-            Stroke => &mut limits.stroke,
-            Velocity => &mut limits.velocity,
-            Acceleration => &mut limits.acceleration,
-            Jerk => &mut limits.jerk,
-            ForceMin => &mut limits.force_min,
-            ForceMax => &mut limits.force_max,
-            Curvature => &mut limits.curvature,
-            PressureAngle | Rise => &mut limits.pressure_angle_rise,
-            Fall => &mut limits.pressure_angle_fall,
-            Bore => &mut scene.cam.bore,
-            PrimeRadiusLimit => &mut limits.prime_radius,
-            FaceWidth => &mut limits.face_width,
-            Torque => &mut limits.torque,
-            TorqueRate => &mut limits.torque_rate,
-            Hertz => &mut limits.hertz_pressure,
-            Residual => &mut limits.residual,
-            Accuracy => &mut scene.rms,
-            PrimeRadius => &mut scene.cam.prime_radius,
-            BaseRadius => &mut scene.cam.base_radius,
-        }
-    }
-
-    /// Its value, where the scene has one that can be relaxed by itself.
-    fn value(self, scene: &Scene) -> Option<f64> {
-        let both = scene.limits.pressure_angle_rise.is_some()
-            && scene.limits.pressure_angle_rise == scene.limits.pressure_angle_fall;
-        let told = match self {
-            PressureAngle => both,
-            Rise | Fall => !both,
-            _ => true,
-        };
-        let value = *self.slot(&mut scene.clone());
-        value.filter(|_| told)
-    }
-
-    fn with(self, scene: &Scene, value: f64) -> Scene {
-        let mut out = scene.clone();
-        *self.slot(&mut out) = Some(value);
-        if self == PressureAngle {
-            out.limits.pressure_angle_fall = Some(value);
-        }
-        out
-    }
-
-    /// Whether a larger value is the weaker limit.
-    fn grows(self) -> bool {
-        !matches!(self, ForceMin | Curvature | Bore)
-    }
-
-    fn sign(self) -> f64 {
-        if self.grows() { 1.0 } else { -1.0 }
-    }
-
-    /// A value that limits nothing.
-    fn away(self, from: f64, force: f64) -> f64 {
-        match self {
-            PressureAngle | Rise | Fall => STEEPEST,
-            Curvature => 0.0,
-            Bore => from / AWAY,
-            ForceMin => from - AWAY * force.max(from.abs()),
-            ForceMax => from + AWAY * force.max(from.abs()),
-            PrimeRadius | BaseRadius => 30.0 * from,
-            _ => AWAY * from,
-        }
-    }
-
-    /// Steps in which a value is told: a little on the weak side of what was found.
-    fn rounded(self, value: f64) -> f64 {
-        let step = match self {
-            PressureAngle | Rise | Fall => 1e-3_f64.to_radians(),
-            _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 5.0),
-        };
-        // A value that is round already stays.
-        let steps = value / step;
-        step * if self.grows() {
-            (steps - 1e-9).ceil()
-        } else {
-            (steps + 1e-9).floor()
-        }
-    }
-}
 
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
@@ -281,9 +89,6 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
             100.0 * part
         ),
     };
-    if let Some((_, all)) = together {
-        found = all;
-    }
     match &mut design.infeasible {
         Some(Infeasible {
             conflict,
@@ -307,6 +112,7 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
         None => design.reason = format!("{} {cure}", design.reason),
     }
     design.relaxations = found;
+    design.together = together.map_or_else(Vec::new, |(_, all)| all);
     design
 }
 
@@ -354,7 +160,7 @@ impl Search<'_> {
         let needed = design
             .checks
             .iter()
-            .filter(|c| knob.check().contains(&c.name.as_str()))
+            .filter(|c| knob.is_measured_by(&c.name))
             .map(|c| match knob {
                 Accuracy => c.worst / self.force_mean(),
                 _ => c.worst,
