@@ -2,7 +2,7 @@
 //! solve again, until no limit is broken on the whole turn.
 
 use super::basis::apply;
-use super::problem::{EXTRAS, FACE_END, Failure, LOWEST, Program, Row, Solution};
+use super::problem::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution};
 use super::{active_set, cones, equality};
 use crate::poly::Peak;
 
@@ -52,9 +52,32 @@ impl Program {
             return self.solve_by_interior_point();
         }
         match active_set::solve(self, &unlimited) {
+            // Two crests that share a row can end a hair above a limit: once more with that hair kept free.
+            Ok(solution) if solution.violation > self.tolerance => {
+                let tighter = self.with_room(2.0 * solution.violation);
+                let again = active_set::solve(&tighter, &unlimited).ok();
+                Ok(again
+                    .map(|s| Solution {
+                        violation: self.violation(&s.x, &s.extra),
+                        ..s
+                    })
+                    .filter(|s| s.violation < solution.violation)
+                    .unwrap_or(solution))
+            }
             Ok(solution) => Ok(solution),
             Err(rows) => self.exchange(rows),
         }
+    }
+
+    /// The same program with this part of every limit's size kept free, where room can be kept.
+    fn with_room(&self, part: f64) -> Program {
+        let mut out = self.clone();
+        for limit in &mut out.limits {
+            if limit.meaning != Meaning::Structure && !limit.is_peak() {
+                limit.bound -= part * limit.size(limit.bound);
+            }
+        }
+        out
     }
 
     /// The same with an interior-point method on the rows of every round.
