@@ -27,7 +27,7 @@ use rayon::prelude::*;
 
 /// One line of the table.
 struct Line {
-    issue: u8,
+    area: &'static str,
     what: &'static str,
     asked: String,
     /// The median.
@@ -62,9 +62,9 @@ struct Report(Vec<Line>);
 
 impl Report {
     /// A time that may be at most `asked` seconds.
-    fn time(&mut self, issue: u8, what: &'static str, asked: f64, found: Times) {
+    fn time(&mut self, area: &'static str, what: &'static str, asked: f64, found: Times) {
         self.0.push(Line {
-            issue,
+            area,
             what,
             asked: format!("≤ {}", duration(asked)),
             measured: duration(found.median),
@@ -75,10 +75,17 @@ impl Report {
     }
 
     /// A number of things a second that must be at least `asked`.
-    fn rate(&mut self, issue: u8, what: &'static str, asked: f64, things: u64, found: Times) {
+    fn rate(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: f64,
+        things: u64,
+        found: Times,
+    ) {
         let [median, fastest] = [found.median, found.fastest].map(|s| things as f64 / s);
         self.0.push(Line {
-            issue,
+            area,
             what,
             asked: format!("≥ {asked:.0}/s"),
             measured: format!("{median:.0}/s"),
@@ -89,18 +96,25 @@ impl Report {
     }
 
     /// A ratio that must be at least `asked`.
-    fn at_least(&mut self, issue: u8, what: &'static str, asked: f64, found: f64) {
-        self.ratio(issue, what, format!("≥ {asked}"), found, found >= asked);
+    fn at_least(&mut self, area: &'static str, what: &'static str, asked: f64, found: f64) {
+        self.ratio(area, what, format!("≥ {asked}"), found, found >= asked);
     }
 
     /// A ratio that may be at most `asked`.
-    fn at_most(&mut self, issue: u8, what: &'static str, asked: f64, found: f64) {
-        self.ratio(issue, what, format!("≤ {asked}"), found, found <= asked);
+    fn at_most(&mut self, area: &'static str, what: &'static str, asked: f64, found: f64) {
+        self.ratio(area, what, format!("≤ {asked}"), found, found <= asked);
     }
 
-    fn ratio(&mut self, issue: u8, what: &'static str, asked: String, found: f64, met: bool) {
+    fn ratio(
+        &mut self,
+        area: &'static str,
+        what: &'static str,
+        asked: String,
+        found: f64,
+        met: bool,
+    ) {
         self.0.push(Line {
-            issue,
+            area,
             what,
             asked,
             measured: format!("{found:.2}"),
@@ -184,7 +198,12 @@ fn main_job(report: &mut Report) {
     let (target, _) = footbridge();
     let scene = scene_with(&[]);
     let seconds = times(|| synthesise(&scene, Some(&target)).expect("a law"));
-    report.time(2, "default scene, synthesis without files", 2e-3, seconds);
+    report.time(
+        "main job",
+        "default scene, synthesis without files",
+        2e-3,
+        seconds,
+    );
     let cam = Cam {
         law: turn("3-4-5", 0.02, Extent::Turn, TAU),
         follower: Follower::RollerTranslating {
@@ -195,7 +214,7 @@ fn main_job(report: &mut Report) {
     };
     let seconds = times(|| black_box(&cam).profile(3600));
     report.time(
-        2,
+        "main job",
         "roller profile of 3600 points, curvature and pressure angle",
         1e-4,
         seconds,
@@ -210,7 +229,7 @@ fn main_job(report: &mut Report) {
     });
     let _ = std::fs::remove_dir_all(&out);
     report.time(
-        2,
+        "main job",
         "whole process, `gaitcam synth --json` with all files",
         0.5,
         seconds,
@@ -225,7 +244,7 @@ fn ladder(report: &mut Report) {
     let thousand = ForceCurve::from_samples("1000", curve.period_s, samples).expect("a curve");
     let seconds = times(|| spectral(black_box(&thousand), drive, 20).expect("no resonance"));
     report.time(
-        3,
+        "synthesis",
         "spectral tier, 1000 samples, 20 harmonics",
         20e-6,
         seconds,
@@ -238,10 +257,15 @@ fn ladder(report: &mut Report) {
         bounds: &[],
     };
     let seconds = times(|| black_box(task(32)).free().expect("a law"));
-    report.time(3, "equality tier, quintic of 32 spans", 20e-6, seconds);
+    report.time(
+        "synthesis",
+        "equality tier, quintic of 32 spans",
+        20e-6,
+        seconds,
+    );
     let [short, long] = [1000, 10_000].map(|n| times(|| task(n).free().expect("a law")));
     report.at_most(
-        3,
+        "synthesis",
         "equality tier: fastest time of 10 000 spans over 1000 (linear: 10)",
         12.0,
         long.fastest / short.fastest,
@@ -260,14 +284,14 @@ fn ladder(report: &mut Report) {
         times(|| black_box(&task).exchange().expect("feasible"))
     };
     report.time(
-        3,
+        "synthesis",
         "certified QP, 32 spans, acceleration and jerk at 95 % of the free law's",
         3e-4,
         held(95.0),
     );
     let [a, b, c, d] = [80.0, 60.0, 45.0, 30.0].map(held);
     report.time(
-        3,
+        "synthesis",
         "certified QP, 32 spans, the slowest of 80, 60, 45, 30 %",
         1e-3,
         a.or(b).or(c).or(d),
@@ -279,7 +303,7 @@ fn ladder(report: &mut Report) {
     ]);
     let seconds = times(|| synthesise(&scene, Some(&curve)).expect("a law"));
     report.time(
-        3,
+        "synthesis",
         "whole scene of 32 spans with jerk, acceleration and curvature limits",
         1e-3,
         seconds,
@@ -287,7 +311,7 @@ fn ladder(report: &mut Report) {
     let law = turn("3-4-5", 0.02, Extent::Turn, TAU);
     let seconds = times(|| smallest_prime_circle(black_box(&law), PI / 6.0, PI / 6.0, None));
     report.time(
-        3,
+        "synthesis",
         "closed-form prime circle, exact extrema of the law",
         10e-6,
         seconds,
@@ -350,7 +374,7 @@ fn followers(report: &mut Report) {
         .reduce(Times::or)
         .expect("six followers");
     report.time(
-        4,
+        "cams",
         "profile of 3600 points, the slowest of six other followers",
         150e-6,
         slowest,
@@ -384,9 +408,9 @@ fn recordings(report: &mut Report) {
             cycle(&r, &stances(&r), Feet::Both).expect("a cycle")
         })
     });
-    report.time(5, "one hour at 1 kHz read and averaged", 2.0, hour);
+    report.time("force", "one hour at 1 kHz read and averaged", 2.0, hour);
     report.at_most(
-        5,
+        "force",
         "fastest time of one hour over six minutes (linear: 10)",
         12.0,
         hour.fastest / minutes.fastest,
@@ -398,11 +422,11 @@ fn dynamics(report: &mut Report) {
     let emitted = recover(&cam.follower, &cam.profile(1440), 0.0).expect("a curve");
     let drive = thesis::real(thesis::SPEED);
     let seconds = times(|| rigid::cycle(black_box(&emitted.nodes), &drive, 0.1, 0.03));
-    report.time(6, "rigid, cycle of 1440 points", 50e-6, seconds);
+    report.time("dynamics", "rigid, cycle of 1440 points", 50e-6, seconds);
     let train = Train::from_frequency(&drive, 30.0, 0.05).expect("a fine train");
     let seconds = times(|| flexible::steady(black_box(&emitted.law), &drive, &train));
     report.time(
-        6,
+        "dynamics",
         "flexible, exact, from emitted lift to steady state",
         200e-6,
         seconds,
@@ -412,7 +436,7 @@ fn dynamics(report: &mut Report) {
     let bounce = Restitution::Prescribed(0.5);
     let seconds = times(|| contact::run(&surfaces, &fast, &bounce, &Limits::default()));
     report.time(
-        6,
+        "dynamics",
         "contact, about thirty impacts (asked for ten)",
         2e-3,
         seconds,
@@ -475,21 +499,21 @@ fn sweeps(report: &mut Report) {
     let spectral = |threads| swept(&["law.family=harmonic"], &both, rows, threads);
     let (one, two) = (spectral(1), spectral(2));
     report.rate(
-        7,
+        "sweep",
         "spectral designs, each with a speed of its own, one thread",
         100_000.0,
         rows,
         one,
     );
     report.rate(
-        7,
+        "sweep",
         "spectral designs, each with a speed of its own, two threads",
         100_000.0,
         rows,
         two,
     );
     report.at_least(
-        7,
+        "sweep",
         "two threads over one, fastest runs",
         1.8,
         one.fastest / two.fastest,
@@ -498,7 +522,7 @@ fn sweeps(report: &mut Report) {
     let rows = 64;
     let qp = swept(&changes, &["limits.stroke=40 mm:48 mm"], rows, 2);
     report.rate(
-        7,
+        "sweep",
         "certified QP scenes of 32 spans, the stroke binding, two threads",
         4000.0,
         rows,
@@ -515,7 +539,7 @@ fn charts(report: &mut Report) {
         .matches("The default does not lie on the front.")
         .count();
     report.0.push(Line {
-        issue: 8,
+        area: "evidence",
         what: "charts whose default lies on the Pareto front (last `gaitcam chart`)",
         asked: format!("{} of {}", on + off, on + off),
         measured: format!("{on} of {}", on + off),
@@ -537,97 +561,105 @@ fn charts(report: &mut Report) {
         let ratio = cells.get(7).and_then(|c| c.parse().ok());
         let asked = cells.get(8).and_then(|c| c.parse().ok());
         if let (Some(ratio), Some(asked)) = (ratio, asked) {
-            report.at_least(8, what, asked, ratio);
+            report.at_least("evidence", what, asked, ratio);
         }
     }
 }
 
 /// Numbers of accuracy and where they are held.
-const TESTED: [(u8, &str, &str); 21] = [
+const TESTED: [(&str, &str, &str); 21] = [
     (
-        2,
-        "C3…C8 of the heel tester to 0.001, FACTS §2 to 4 digits",
+        "main job",
+        "C3…C8 of the heel tester to 0.001, theory §2 to 4 digits",
         "main_job",
     ),
     (
-        2,
+        "main job",
         "peaks of the fitted heel tester to 0.01 lb, none above 110.29 lb",
         "main_job",
     ),
     (
-        2,
+        "main job",
         "footbridge ≤ 0.5 % RMS with ≤ 24 spans, stroke 49.2 ± 0.2 mm",
         "main_job",
     ),
     (
-        2,
+        "main job",
         "envelope to 1e-9 m, gap below 1e-7 m at 1440 points",
         "put_back",
     ),
-    (3, "optima of FACTS §8 to 1e-6", "unit tests of synth"),
-    (3, "prime circles of FACTS §6 to 1e-6", "cam_geometry"),
     (
-        3,
+        "synthesis",
+        "optima of theory §8 to 1e-6",
+        "unit tests of synth",
+    ),
+    (
+        "synthesis",
+        "prime circles of theory §6 to 1e-6",
+        "cam_geometry",
+    ),
+    (
+        "synthesis",
         "co-designed heel tester: prime radius ≤ 2.05 in",
         "main_job",
     ),
     (
-        3,
+        "synthesis",
         "no limit exceeded by more than 1e-9 on 100 000 points",
         "random_scenes",
     ),
-    (4, "factors of FACTS §7 to 1e-5", "laws"),
-    (4, "§2–§5 recomputed", "reproduce"),
-    (4, "conjugates to 1e-12, breadth to 1e-9 m", "cams"),
+    ("cams", "factors of theory §7 to 1e-5", "laws"),
+    ("cams", "theory §2–§5 recomputed", "reproduce"),
+    ("cams", "conjugates to 1e-12, breadth to 1e-9 m", "cams"),
     (
-        5,
+        "force",
         "stances, mass and peaks of every file",
         "gait_files, gait_c3d",
     ),
-    (5, "float and integer copies within 0.1 N", "gait_c3d"),
+    ("force", "float and integer copies within 0.1 N", "gait_c3d"),
     (
-        6,
+        "dynamics",
         "rigid and contact agree to 1e-6 N below lift-off",
         "unit tests of dynamics",
     ),
     (
-        6,
+        "dynamics",
         "lift-off speeds to 1e-6, residual vibrations to 1e-6",
         "unit tests of dynamics",
     ),
     (
-        6,
+        "dynamics",
         "a lossless bounce keeps its energy to 1e-9 over 1000 impacts",
         "unit tests of dynamics",
     ),
     (
-        7,
+        "sweep",
         "killed and resumed sweeps end in the same table",
         "sweep",
     ),
     (
-        7,
+        "sweep",
         "10 million rows in Parquet ≤ 3 minutes, resumed in ≤ 5 s",
         "by hand: 20 s, 0.06 s",
     ),
     (
-        8,
+        "evidence",
         "the richer choice moves the force by less than stated",
         "explain",
     ),
     (
-        8,
-        "integrators break where FACTS §10 says, to 1 %",
+        "evidence",
+        "integrators break where theory §10 says, to 1 %",
         "stability",
     ),
-    (8, "profile.dxf within 0.1 µm", "emit"),
+    ("evidence", "profile.dxf within 0.1 µm", "emit"),
 ];
 
 fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
         "# Benchmarks\n\nWritten by `cargo bench` (benches/report.rs): medians after a warm-up, release build; \
          the fastest run beside them, because other programs ran on the machine too.\n\n\
-         | issue | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
+         | area | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
     );
     for l in lines {
         let mark = match (l.met, l.met_once) {
@@ -638,14 +670,14 @@ fn markdown(lines: &[Line]) -> String {
         let _ = writeln!(
             out,
             "| {} | {} | {} | {} | {} | {mark} |",
-            l.issue, l.what, l.asked, l.measured, l.fastest
+            l.area, l.what, l.asked, l.measured, l.fastest
         );
     }
     out.push_str(
-        "\nNumbers of accuracy hold or a test fails:\n\n| issue | number | held by |\n|---|---|---|\n",
+        "\nNumbers of accuracy hold or a test fails:\n\n| area | number | held by |\n|---|---|---|\n",
     );
-    for (issue, number, by) in TESTED {
-        let _ = writeln!(out, "| {issue} | {number} | {by} |");
+    for (area, number, by) in TESTED {
+        let _ = writeln!(out, "| {area} | {number} | {by} |");
     }
     out
 }

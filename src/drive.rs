@@ -1,4 +1,4 @@
-//! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (FACTS §1), ω constant.
+//! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
 
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
@@ -6,11 +6,11 @@ use crate::poly::PiecewisePoly;
 /// Which machine stands between the cam and the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DriveKind {
-    /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (thesis 000, eq. 22).
+    /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
     /// The cam turns in a fixed bearing and lifts the follower: spring, preload, damping and mass.
     FixedAxis,
-    /// The cam displaces a hydraulic piston: F = (P/V)·A²·s (paper 001, eq. 3).
+    /// The cam displaces a hydraulic piston: F = (P/V)·A²·s (Vargas and León 2024, eq. 3).
     Hydraulic,
 }
 
@@ -90,7 +90,7 @@ impl Drive {
     }
 
     /// Complex gain of harmonic n: force amplitude per lift amplitude, (real, imaginary) =
-    /// (k − m n²ω², c n ω) (FACTS §1).
+    /// (k − m n²ω², c n ω) (theory §1).
     pub fn gain(&self, harmonic: usize) -> (f64, f64) {
         let nw = harmonic as f64 * self.speed;
         (self.spring_rate - self.mass * nw * nw, self.damping * nw)
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn thesis_eccentric_presses_between_8_4588_and_11_1612_newtons() {
-        // FACTS §3: e = 0.01 m, M = 1 kg, 111 rpm ≈ 11.624 rad/s.
+        // theory §3: e = 0.01 m, M = 1 kg, 111 rpm ≈ 11.624 rad/s.
         let drive = Drive::moving_axis(1.0, G, 11.624);
         let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
         let (low, high) = drive.force_curve(&law).extremes();

@@ -3,7 +3,7 @@
 //! # The problem
 //!
 //! A machine has to press on the ground as a walker does. A cam of angle θ = ωt lifts a follower by s(θ);
-//! with v = ds/dθ, a = d²s/dθ² the force is linear in the law (thesis 000, eq. 22; paper 001, eq. 3):
+//! with v = ds/dθ, a = d²s/dθ² the force is linear in the law (Campillo de Blas 2017, eq. 22; Vargas and León 2024, eq. 3):
 //!
 //! ```text
 //! F(θ) = F₀ + k·s + c·ω·v + m·ω²·a

@@ -6,7 +6,7 @@
 
 use crate::error::{Error, Result, nearest};
 
-/// Standard gravity as the source papers use it, m/s² (thesis 000, eq. 22).
+/// Standard gravity as the source papers use it, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
 /// Exponents of metre, kilogram, second and radian.
@@ -318,7 +318,7 @@ mod tests {
         close("110.282 lb", Dimension::Force, 110.282 * LBF);
         close("10 lb", Dimension::Mass, 4.535_923_7);
         close("2 N·m", Dimension::Torque, 2.0);
-        // FACTS §2: (30 psi/in³)·(π 0.75²)² in⁴ = 93.6841 lb/in.
+        // theory §2: (30 psi/in³)·(π 0.75²)² in⁴ = 93.6841 lb/in.
         let area = std::f64::consts::PI * 0.75 * 0.75 * 0.0254 * 0.0254;
         let k = parse("30 psi/in^3", Dimension::PressurePerVolume).unwrap() * area * area;
         assert!((k / (LBF / 0.0254) - 93.6841).abs() < 5e-5, "{k}");

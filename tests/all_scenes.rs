@@ -85,7 +85,7 @@ fn every_scene_is_built_and_every_check_passes() {
 #[test]
 fn printed_numbers_of_camdas_come_out_of_its_scenes() {
     let design = |name: &str| designed(&here().join(format!("scenes/{name}.toml"))).1;
-    // FACTS §5, Ejemplo1RT: cam ρ 70.9934…95.8333 mm, φ ±18.2100°.
+    // theory §5, Ejemplo1RT: cam ρ 70.9934…95.8333 mm, φ ±18.2100°.
     let one = design("camdas_01_roller");
     assert!((one.cam.curvature().convex.value - 0.0709934).abs() < 1e-7);
     let (low, high) = one.cam.pressure_angle_extremes();
@@ -111,7 +111,7 @@ fn printed_numbers_of_camdas_come_out_of_its_scenes() {
         let x = f64::from(i).to_radians() / 2.0;
         assert!((face(x) + face(x + std::f64::consts::PI) - 0.15).abs() < 1e-12);
     }
-    // Thesis 002: 28.745° at the floor of the groove (FACTS §4).
+    // Bautista Morelos (2018): 28.745° at the floor of the groove (theory §4).
     let barrel = design("thesis_barrel").groove.unwrap();
     let steepest = barrel.pressure_angle_extremes(barrel.depth().0).1.value;
     assert!((steepest.to_degrees() - 28.745).abs() < 1e-3);

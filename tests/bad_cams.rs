@@ -79,7 +79,7 @@ fn an_offset_beyond_the_prime_circle_is_refused() {
 
 #[test]
 fn an_undercut_cam_is_told_the_smallest_base_radius_that_works() {
-    // FACTS §6: 20 mm cycloidal in 90°, flat face: ρ_min = 7.14737 mm at Rb 40, so 32.85263 mm is the least.
+    // theory §6: 20 mm cycloidal in 90°, flat face: ρ_min = 7.14737 mm at Rb 40, so 32.85263 mm is the least.
     let text = "name = \"undercut\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"1 rad/s\"\n[law]\nfamily = \"program\"\n\
         [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"20 mm\"\nangle = \"90 deg\"\n[[law.segment]]\nangle = \"90 deg\"\n\
         [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-20 mm\"\nangle = \"90 deg\"\n[[law.segment]]\nangle = \"90 deg\"\n\

@@ -278,7 +278,7 @@ fn a_roller_larger_than_the_pitch_curve_allows_is_an_undercut() {
     assert_eq!(output.status.code(), Some(3));
     let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(summary["verdict"], "unacceptable");
-    // 2.3024 in is the smallest convex pitch radius (FACTS §2): undercut by 0.1976 in.
+    // 2.3024 in is the smallest convex pitch radius (theory §2): undercut by 0.1976 in.
     let rho = summary["cam"]["rho_min_m"].as_f64().unwrap() / 0.0254;
     assert!((rho + 0.1976).abs() < 1e-4, "{rho}");
 }

@@ -67,7 +67,7 @@ fn oscillating() -> Vec<Cam> {
 
 #[test]
 fn oscillating_radii_follow_the_closed_forms() {
-    // FACTS §6, inward convention: C = m − A cos ξ(1+ξ′), Dd = A sin ξ(1+ξ′); mirrored: ξ′ → −ξ′.
+    // theory §6, inward convention: C = m − A cos ξ(1+ξ′), Dd = A sin ξ(1+ξ′); mirrored: ξ′ → −ξ′.
     for cam in oscillating() {
         for i in 0..300 {
             let theta = TAU * (f64::from(i) + 0.3) / 300.0;

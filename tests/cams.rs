@@ -35,7 +35,7 @@ fn near(value: f64, expected: f64, within: f64) {
     );
 }
 
-/// FACTS §2: the paper's law with its dwell, inches.
+/// theory §2: the paper's law with its dwell, inches.
 fn heel_tester() -> Law {
     let k = 30.0 * (PI * 0.75 * 0.75_f64).powi(2);
     let end = 256.32_f64.to_radians();
@@ -70,7 +70,7 @@ fn heel_tester() -> Law {
 
 #[test]
 fn heel_tester_pressure_angles_and_radius_are_those_recomputed() {
-    // FACTS §2: Rp = 3 in, ε = 0, roller 1 in.
+    // theory §2: Rp = 3 in, ε = 0, roller 1 in.
     let cam = Cam::new(heel_tester(), roller(3.0, 0.0, 1.0)).unwrap();
     let (low, high) = cam.pressure_angle_extremes();
     near(high.value.to_degrees(), 26.572, 5e-4);
@@ -84,7 +84,7 @@ fn heel_tester_pressure_angles_and_radius_are_those_recomputed() {
 
 #[test]
 fn thesis_eccentric_and_double_harmonic_cams() {
-    // FACTS §3: eccentric r = 0.03, e = 0.01 m is a circle; sliding speed ω·d.
+    // theory §3: eccentric r = 0.03, e = 0.01 m is a circle; sliding speed ω·d.
     let disc = eccentric_disc(0.03, 0.01).unwrap();
     for p in disc.profile(360) {
         near((p.x - 0.01).hypot(p.y), 0.03, 1e-15);
@@ -123,7 +123,7 @@ fn eccentric_disc_under_a_roller_is_the_same_disc() {
 
 #[test]
 fn simple_harmonic_roller_cam_of_cam_das() {
-    // FACTS §5, Ejemplo1RT: Rb 50, SHM ±50 in 180°, mm; roller 5 and 500.
+    // theory §5, Ejemplo1RT: Rb 50, SHM ±50 in 180°, mm; roller 5 and 500.
     let law = turn(&[
         ("simple-harmonic", 50.0, 180.0),
         ("simple-harmonic", -50.0, 180.0),
@@ -149,7 +149,7 @@ fn simple_harmonic_roller_cam_of_cam_das() {
 
 #[test]
 fn conjugate_of_ejemplo8_has_a_base_of_80() {
-    // FACTS §5: 225 = 45 + 100 + 80, mm.
+    // theory §5: 225 = 45 + 100 + 80, mm.
     let law = turn(&[
         ("double-harmonic", 0.1, 180.0),
         ("double-harmonic", -0.1, 180.0),
@@ -190,7 +190,7 @@ fn groove_of_the_barrel_thesis() {
     )
     .unwrap();
     let groove = BarrelGroove::new(law, 0.021, 0.03, Rollers::One { radius: 0.005 }).unwrap();
-    // FACTS §4: table at 21 mm (misprinted radius), text at 30 mm.
+    // theory §4: table at 21 mm (misprinted radius), text at 30 mm.
     let phi = |degrees: f64, radius: f64| {
         groove
             .pressure_angle(degrees.to_radians(), radius)
@@ -214,7 +214,7 @@ fn groove_of_the_barrel_thesis() {
         91.540,
         1e-3,
     );
-    // The thesis' unrolled walls: z = s ± R_f cos φ, δ = θ ∓ (R_f/R) sin φ.
+    // Unrolled walls (theory §4): z = s ± R_f cos φ, δ = θ ∓ (R_f/R) sin φ.
     let theta = 1.0;
     let (at, angle) = (groove.law().svaj(theta), groove.pressure_angle(theta, 0.03));
     for (wall, sign) in [(Wall::Upper, 1.0), (Wall::Lower, -1.0)] {
@@ -244,7 +244,7 @@ fn groove_of_the_barrel_thesis() {
 
 #[test]
 fn smallest_prime_circles_have_their_closed_form() {
-    // FACTS §6: 3-4-5 rise and fall, lift 1.
+    // theory §6: 3-4-5 rise and fall, lift 1.
     let law = |beta: f64| {
         turn(&[
             ("3-4-5", 1.0, beta),
@@ -289,7 +289,7 @@ fn rise_only(beta: f64) -> Law {
     program(&[up], Extent::Length(beta.to_radians())).unwrap()
 }
 
-/// FACTS §6: lift 20 mm, quarter turns of rise, dwell, fall, dwell, cycloidal.
+/// theory §6: lift 20 mm, quarter turns of rise, dwell, fall, dwell, cycloidal.
 fn reference_law() -> Law {
     turn(&[
         ("cycloidal", 20.0, 90.0),
@@ -321,7 +321,7 @@ fn reference_cam_has_its_known_radii() {
 
 #[test]
 fn mistakes_of_other_programs_stay_out() {
-    // FACTS §6, last paragraph. A profile drawn as plain Rb + s at the angle θ lies 0.95 mm off the true
+    // theory §6, last paragraph. A profile drawn as plain Rb + s at the angle θ lies 0.95 mm off the true
     // one for the roller, 5.35 mm for the flat face (vector from the true contact's own polar angle).
     let cam = Cam::new(reference_law(), roller(50.0, 0.0, 10.0)).unwrap();
     let flat = Cam::new(

@@ -87,7 +87,7 @@ fn profile_csv_holds_the_contact_at_each_angle() {
     }
 }
 
-/// The contract's own example (INTERFACE).
+/// The keys of summary.json that other programs rely on.
 const CONTRACT: &str = r#"{"name": "", "outcome": "built|infeasible", "verdict": "acceptable|not-for-high-speed|unacceptable",
  "force": {"rms_error_n": 0, "max_error_n": 0, "rms_error_percent_of_mean": 0, "target_mean_n": 0, "mean_n": 0, "min_n": 0, "max_n": 0},
  "drive": {"kind": "", "mass_kg": 0, "speed_rad_per_s": 0},
@@ -349,7 +349,7 @@ fn arcs_stay_within_the_tolerance_asked_and_join_smoothly() {
 
 #[test]
 fn a_round_cam_is_arcs_of_one_radius_and_an_undercut_one_is_refused() {
-    // FACTS §5, Ejemplo10EX: flat face under simple harmonic motion of lift L is a circle, ρ = Rb + L/2.
+    // theory §5, Ejemplo10EX: flat face under simple harmonic motion of lift L is a circle, ρ = Rb + L/2.
     let (base_radius, lift) = (0.03, 0.02);
     let law = Law::harmonic(0.5 * lift, &[(-0.5 * lift, 0.0)]);
     let round = Cam {
@@ -743,7 +743,7 @@ fn a_cutter_as_large_as_the_roller_runs_along_the_pitch_curve() {
 
 #[test]
 fn a_cutter_wider_than_a_hollow_gouges() {
-    // Concave flanks of the paper's cam: tightest radius 273.1 mm.
+    // Concave flanks of the heel tester's cam (theory §2): tightest radius 273.1 mm.
     let s = heel_tester();
     let hollow = -s.cam.curvature().concave.unwrap().value;
     assert!(

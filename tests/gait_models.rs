@@ -33,7 +33,7 @@ fn owned_curves_read_back_as_their_models() {
 
 #[test]
 fn the_heel_tester_meets_its_critical_points() {
-    // FACTS §2 (paper 001): pounds at seconds, zero from 0.356 s to 0.500 s.
+    // theory §2 (Vargas and León 2024): pounds at seconds, zero from 0.356 s to 0.500 s.
     let path = folder().join("heel_tester_critical_points.csv");
     let bytes = std::fs::read(&path).unwrap();
     let c = force_curve(&path, &bytes, &ReadOptions::default(), Feet::Both).unwrap();

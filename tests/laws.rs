@@ -3,7 +3,7 @@
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
 use gaitcam::poly::bernstein;
 
-/// FACTS §2: paper 001, critical points with unrounded s = F/k, at rest at both ends. Inches.
+/// theory §2: Vargas and León (2024), critical points with unrounded s = F/k, at rest at both ends. Inches.
 fn paper_rise() -> Law {
     let k = 30.0 * (std::f64::consts::PI * 0.75 * 0.75_f64).powi(2);
     let mut conditions = Vec::new();
@@ -51,7 +51,7 @@ fn paper_coefficients_come_from_its_boundary_conditions() {
 
 #[test]
 fn paper_peaks_are_those_of_the_continuous_law() {
-    // FACTS §2, recomputed column, whose values in time belong to the paper's rounded ω = 12.566 rad/s
+    // theory §2, recomputed column, whose values in time belong to the paper's rounded ω = 12.566 rad/s
     // (4π gives 22.5508 in/s, 685.575 and −594.256 in/s²). Inches and pounds.
     let law = paper_rise();
     let w = 12.566;
@@ -88,7 +88,7 @@ fn near(value: f64, expected: f64, relative: f64) -> bool {
 
 #[test]
 fn every_peak_factor_is_that_of_the_table() {
-    // FACTS §7: Cv, Ca, Cj, Ct; 0 stands for a factor the table does not give.
+    // theory §7: Cv, Ca, Cj, Ct; 0 stands for a factor the table does not give.
     let p = PI;
     let table: [(&str, f64, f64, f64, f64); 15] = [
         ("parabolic", 2.0, 4.0, f64::INFINITY, 8.0),
@@ -215,7 +215,7 @@ fn ends_say_what_they_join() {
 
 #[test]
 fn double_harmonic_falls_in_the_mirror() {
-    // FACTS §3: h/2[(1 + cos πx) − ¼(1 − cos 2πx)].
+    // theory §3: h/2[(1 + cos πx) − ¼(1 − cos 2πx)].
     let fall = Rise::DoubleHarmonic.fall().unwrap();
     for i in 0..=20 {
         let x = f64::from(i) / 20.0;
@@ -226,7 +226,7 @@ fn double_harmonic_falls_in_the_mirror() {
 
 #[test]
 fn misprints_of_the_theses_are_not_repeated() {
-    // FACTS §4: Berzak D's jerk ends with +882x⁴ (printed −882): both ends have 72.6.
+    // theory §4: Berzak D's jerk ends with +882x⁴ (printed −882): both ends have 72.6.
     let jerk = |x: f64, last: f64| {
         72.6 - 612.0 * x + 1494.0 * x * x - 1764.0 * x.powi(3) + last * x.powi(4)
     };
@@ -255,7 +255,7 @@ fn misprints_of_the_theses_are_not_repeated() {
         let peak = low.value.abs().max(high.value);
         assert!(near(peak, factor * h / beta.powi(order as i32), 1e-12));
     }
-    // FACTS §5: a semicycloidal start ends at 2L/β (CAM-DAS prints πL/2β, the semiharmonic's).
+    // theory §5: a semicycloidal start ends at 2L/β (CAM-DAS prints πL/2β, the semiharmonic's).
     let end = |r: Rise| r.ends().unwrap().end.at.v;
     assert!(near(end(Rise::SemicycloidalStart), 2.0, 1e-12));
     assert!(near(end(Rise::SemiharmonicStart), 0.5 * PI, 1e-12));

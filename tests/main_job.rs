@@ -1,4 +1,4 @@
-//! The main job on the ready scenes: numbers of FACTS §2 and of the design brief, from the outside.
+//! The main job on the ready scenes: numbers of theory §2, and what the command promises, from the outside.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -78,7 +78,7 @@ fn the_default_scene_reaches_half_a_percent_with_few_spans_and_49_mm() {
     assert_eq!(s["verdict"], "acceptable");
     assert!(number(s, "force.rms_error_percent_of_mean") <= 0.5);
     assert!(number(s, "law.pieces") <= 24.0);
-    // FACTS §1: 49.2 mm for 1.85 Hz and Young's factors, whatever the mass.
+    // theory §1: 49.2 mm for 1.85 Hz and Young's factors, whatever the mass.
     close("stroke", number(s, "law.stroke_m"), 0.0492, 0.0002);
     close("mass", number(s, "drive.mass_kg"), 700.0 / 9.81, 1e-9);
     close("mean", number(s, "force.mean_n"), 700.0, 1e-9);
@@ -95,7 +95,7 @@ fn spans_are_the_fewest_that_reach_the_accuracy() {
 
 #[test]
 fn force_column_is_the_force_relation_of_the_law_column() {
-    // F = M(g + ω²a) (thesis 000, eq. 22), row by row, against a finite difference of the lift.
+    // F = M(g + ω²a) (Campillo de Blas 2017, eq. 22), row by row, against a finite difference of the lift.
     let run = synth(&[]);
     let (header, rows) = table(&run.folder.path().join("law.csv"));
     assert_eq!(
@@ -176,7 +176,7 @@ fn profile_stands_on_the_true_envelope() {
 
 #[test]
 fn heel_tester_reproduces_the_paper() {
-    // FACTS §2, recomputed column, four significant digits.
+    // theory §2, recomputed column, four significant digits.
     let run = synth(&["scenes/heel_tester.toml"]);
     assert_eq!(run.code, 0);
     let s = &run.summary;
@@ -279,7 +279,7 @@ fn fitted_heel_tester_meets_the_peaks_and_never_exceeds_them() {
         );
     }
     // Law and prime circle are one program: both pressure angles and the curvature are used up, and the
-    // circle is two thirds of the paper's 3 in (FACTS §2: about 2 in at the same 30°).
+    // circle is two thirds of the 3 in of Vargas and León (2024) (theory §2: about 2 in at the same 30°).
     for key in ["cam.pressure_angle_max_rad", "cam.pressure_angle_min_rad"] {
         let used = number(s, key).abs().to_degrees();
         assert!(used <= 30.0 + 1e-6 && used > 29.99, "{key}: {used}");
@@ -296,7 +296,7 @@ fn thesis_scale_uses_all_the_stroke_it_is_given() {
     close("stroke", number(&run.summary, "law.stroke_m"), 0.01, 1e-8);
     assert!(number(&run.summary, "law.stroke_m") <= 0.01 * (1.0 + 1e-9));
     assert_eq!(run.summary["solver"]["tier"], "qp");
-    // The thesis's own double harmonic on the same 10 mm misses this target by more: an RMS of ω²a for
+    // The double harmonic of Campillo de Blas (2017) on the same 10 mm misses this target by more: an RMS of ω²a for
     // 135/135/90 and the same mean leaves a shape that is not the force (compared in the reproduction).
     assert!(number(&run.summary, "force.rms_error_n") < 2.0);
 }

@@ -1,4 +1,4 @@
-//! Two cams on one shaft over a plate (thesis 000).
+//! Two cams on one shaft over a plate (Campillo de Blas 2017).
 
 use gaitcam::cam::{Cam, Carrier, Follower, Pair};
 use gaitcam::drive::Drive;
@@ -21,7 +21,7 @@ fn turn(list: &[(&str, f64, f64)]) -> Law {
 
 #[test]
 fn two_cams_over_a_plate_carry_in_turn() {
-    // Thesis 000: double harmonic 135/135/90, two cams half a turn apart.
+    // Campillo de Blas (2017): double harmonic 135/135/90, two cams half a turn apart.
     let law = turn(&[
         ("double-harmonic", 0.01, 135.0),
         ("double-harmonic", -0.01, 135.0),

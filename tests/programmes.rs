@@ -31,7 +31,7 @@ fn sampled(law: &Law, order: usize) -> (f64, f64) {
 
 #[test]
 fn cam_das_prints_what_whole_degrees_show_and_misses_the_peaks() {
-    // FACTS §5, Ejemplo11. Its 34.816 for the true peak velocity is 35/16·25/(π/2) = 34.8151.
+    // theory §5, Ejemplo11. Its 34.816 for the true peak velocity is 35/16·25/(π/2) = 34.8151.
     let law = turn(&[
         ("dwell", 0.0, 90.0),
         ("4-5-6-7", 25.0, 90.0),
@@ -63,7 +63,7 @@ fn cam_das_prints_what_whole_degrees_show_and_misses_the_peaks() {
 
 #[test]
 fn fall_of_ejemplo4_has_its_printed_and_its_true_extremes() {
-    // FACTS §5: 4-5-6-7, −20° in 45°.
+    // theory §5: 4-5-6-7, −20° in 45°.
     let law = turn(&[
         ("dwell", 0.0, 90.0),
         ("3-4-5", 20.0, 90.0),
@@ -224,7 +224,7 @@ fn angles_rounded_by_the_user_still_close() {
 
 #[test]
 fn both_halves_of_a_constant_breadth_law_add_to_its_lift() {
-    // FACTS §5, Ejemplo5: SHM 120°, dwell 60°, SHM 120°, dwell 60°.
+    // theory §5, Ejemplo5: SHM 120°, dwell 60°, SHM 120°, dwell 60°.
     let law = constant_breadth(&[
         segment("simple-harmonic", 0.04, 120.0),
         segment("dwell", 0.0, 60.0),
@@ -275,7 +275,7 @@ fn tables_and_control_points_become_laws() {
 
 #[test]
 fn thesis_double_harmonic_accelerates_as_recomputed() {
-    // FACTS §3: h = 10 mm, 135° up, 135° down, dwell 90°, ω = 11.624 rad/s.
+    // theory §3: h = 10 mm, 135° up, 135° down, dwell 90°, ω = 11.624 rad/s.
     let law = turn(&[
         ("double-harmonic", 0.01, 135.0),
         ("double-harmonic", -0.01, 135.0),
@@ -304,7 +304,7 @@ fn programmes_of_several_turns_and_of_a_length() {
         ..up.clone()
     };
     let law = program(&[up, down], Extent::Turns(2)).unwrap();
-    // FACTS §4: ω = 2π rad/s.
+    // theory §4: ω = 2π rad/s.
     let w = 2.0 * PI;
     for (degrees, s, v, a) in [
         (90.0, 4.41748, 43.2949, 210.234),
@@ -339,7 +339,7 @@ fn programmes_of_several_turns_and_of_a_length() {
 
 #[test]
 fn the_eight_motions_of_ejemplo9_join() {
-    // FACTS §5, Ejemplo9RT.
+    // theory §5, Ejemplo9RT.
     let law = turn(&[
         ("modified-sine", 0.01, 50.0),
         ("dwell", 0.0, 40.0),

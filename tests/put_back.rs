@@ -285,7 +285,7 @@ fn both_members_of_every_conjugate_pair_hold_the_follower() {
 
 #[test]
 fn constant_breadth_is_constant_over_all_directions() {
-    // FACTS §5, Ejemplo6: SHM 120°, dwell 60°, SHM 120°, dwell 60°; breadth = 2Rb + s_max.
+    // theory §5, Ejemplo6: SHM 120°, dwell 60°, SHM 120°, dwell 60°; breadth = 2Rb + s_max.
     let half = [
         segment("simple-harmonic", 0.03, 120.0),
         segment("dwell", 0.0, 60.0),

@@ -187,7 +187,7 @@ fn verdicts_have_three_classes_and_a_reason() {
         (smooth.verdict, smooth.cam_das),
         (Verdict::Acceptable, Verdict::Acceptable)
     );
-    // CAM-DAS (004, Ejemplo4): "discontinuity in jerk: not fit for high speeds".
+    // CAM-DAS (Serrano Muñoz 2010, Ejemplo4): "discontinuity in jerk: not fit for high speeds".
     let jerky = judge(&flat(up_and_down("3-4-5", 0.02)), &[]);
     assert_eq!(
         (jerky.verdict, jerky.cam_das),
@@ -212,7 +212,7 @@ fn verdicts_have_three_classes_and_a_reason() {
         "{}",
         struck.reason
     );
-    // Constant breadth is CAM-DAS's one exception (004, Ejemplo5).
+    // Constant breadth is CAM-DAS's one exception (Serrano Muñoz 2010, Ejemplo5).
     let breadth = constant_breadth(&segments(&[
         ("simple-harmonic", 0.02, 120.0),
         ("dwell", 0.0, 60.0),

@@ -241,7 +241,7 @@ fn a_rollers_curvature_is_reached_whatever_it_is() {
     }
 }
 
-/// One side limited leaves the other free: FACTS §6's closed form, not a rule of thumb on the other side.
+/// One side limited leaves the other free: theory §6's closed form, not a rule of thumb on the other side.
 #[test]
 fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
     let text = r#"
@@ -311,7 +311,7 @@ fn a_cam_that_would_have_to_pull_is_for_lower_speeds() {
     "#;
     let fast = synthesise(&scene_of(text, &[]), None).unwrap();
     assert_eq!(fast.verdict.name(), "not-for-high-speed");
-    // √(g/e) with e = 10 mm (FACTS §10).
+    // √(g/e) with e = 10 mm (theory §10).
     assert!(
         fast.reason.contains("above 31.321 rad/s"),
         "{}",

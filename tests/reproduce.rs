@@ -1,11 +1,11 @@
-//! The reproduction says of the papers' numbers what independent calculation says (FACTS §2–§5, §7).
+//! The reproduction says of the papers' numbers what independent calculation says (theory §2–§5, §7).
 
 use gaitcam::emit::reproduce::{Class, reproduce};
 
 #[test]
 fn stated_and_recomputed_numbers_are_those_of_the_facts() {
     let result = reproduce().unwrap();
-    // Quantity (its beginning), recomputed value, tolerance: the digits that FACTS shows.
+    // Quantity (its beginning), recomputed value, tolerance: the digits that docs/theory.md shows.
     for (quantity, value, tolerance) in [
         ("coefficient C3", 612.721, 5e-4),
         ("coefficient C6", -13873.375, 5e-4),

@@ -294,7 +294,7 @@ fn equal_demands_are_taken_once_and_contradictions_are_named() {
     }
 }
 
-/// Up 20 mm and down again in one turn takes 16 h/T² of acceleration (FACTS §1, Favard): limits just above,
+/// Up 20 mm and down again in one turn takes 16 h/T² of acceleration (theory §1, Favard): limits just above,
 /// at and below the least possible are built or refused, never wrong.
 #[test]
 fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
@@ -334,7 +334,7 @@ fn a_program_on_the_edge_of_feasibility_is_answered_either_way() {
     }
 }
 
-/// One jerk sample a span leaves the limit broken; rows, cones and the exchange keep it (FACTS §9).
+/// One jerk sample a span leaves the limit broken; rows, cones and the exchange keep it (theory §9).
 #[test]
 fn samples_break_the_limit_that_rows_cones_and_exchange_keep() {
     let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
@@ -403,7 +403,7 @@ fn a_nanometre_of_roller_decides_about_undercut() {
     let pitch = rise_cam(0.03, 0.0).curvature().convex.value;
     assert!(
         pitch > 0.009 && pitch < 0.01,
-        "FACTS §6: 9.675 mm, here {pitch}"
+        "theory §6: 9.675 mm, here {pitch}"
     );
     for (roller, undercut) in [(pitch - 1e-9, false), (pitch + 1e-9, true)] {
         let cam = rise_cam(0.03, roller);

@@ -169,7 +169,7 @@ fn the_steepest_pressure_angle_of_a_barrel_is_one_number() {
         .fold(0.0, f64::max);
     let told = summary["cam"]["pressure_angle_max_rad"].as_f64().unwrap();
     assert!((told - worst).abs() < 1e-12);
-    // Thesis 002 prints 28.745° (FACTS §4).
+    // Bautista Morelos (2018) prints 28.745° (theory §4).
     assert!((told.to_degrees() - 28.745).abs() < 5e-4, "{told}");
 }
 

@@ -2,7 +2,7 @@
 //!
 //! The barrel's axis is z; a roller with a radial axis stands at z = s(θ). Seen from the barrel, which
 //! turns counter-clockwise, the roller goes round by −θ. On its axis at radius R the roller slides along
-//! the unrolled groove at the angle tan φ = v/R (thesis 002, eq. 30), and touches the walls at ±R_f along
+//! the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq. 30), and touches the walls at ±R_f along
 //! the groove's normal.
 
 use crate::error::{Error, Result};
@@ -18,7 +18,7 @@ pub enum Rollers {
         radius: f64,
     },
     /// Two equal rollers on one stud, one above the other along the stud, set off by ±eccentricity along
-    /// z: each keeps to its own wall (desmodromic, thesis 002).
+    /// z: each keeps to its own wall (desmodromic, Bautista Morelos 2018).
     TwoEccentric {
         /// Radius of both rollers, m.
         radius: f64,
@@ -30,9 +30,9 @@ pub enum Rollers {
 /// One side of the groove.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wall {
-    /// Towards +z: the thesis' index 1.
+    /// Towards +z: index 1 in Bautista Morelos (2018).
     Upper,
-    /// Towards −z: the thesis' index 2.
+    /// Towards −z: index 2 in Bautista Morelos (2018).
     Lower,
 }
 
@@ -180,7 +180,7 @@ impl BarrelGroove {
         ]
     }
 
-    /// The same wall by the thesis' unrolled formulae (eq. 37, 38): angle δ along the groove, rad, and
+    /// The same wall by the unrolled formulae (Bautista Morelos 2018, eq. 37, 38): angle δ along the groove, rad, and
     /// height z, m. It bends the roller's circle around the cylinder, so it misses [`Self::wall_point`]
     /// by about R_f³/(6R²)·sin³φ.
     pub fn wall_unrolled(&self, theta: f64, radius: f64, wall: Wall) -> [f64; 2] {

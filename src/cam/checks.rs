@@ -57,7 +57,7 @@ impl Check {
     }
 }
 
-/// The three classes of CAM-DAS (004).
+/// The three classes of CAM-DAS (Serrano Muñoz 2010).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Every check passes and the acceleration is continuous.
@@ -86,7 +86,7 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// Why, in one sentence for a student.
     pub reason: String,
-    /// The class CAM-DAS itself would give (004, §7.3.5), stricter by one derivative: a jump of jerk makes
+    /// The class CAM-DAS itself would give (Serrano Muñoz 2010, §7.3.5), stricter by one derivative: a jump of jerk makes
     /// a cam not fit for high speed, a jump of acceleration unacceptable but for constant breadth.
     pub cam_das: Verdict,
 }

@@ -6,7 +6,7 @@ use crate::law::Law;
 use crate::poly::stand_in;
 use std::f64::consts::TAU;
 
-/// Eccentric disc under a flat face: d = r + e sin θ (thesis 000), simple harmonic motion. m.
+/// Eccentric disc under a flat face: d = r + e sin θ (Campillo de Blas 2017), simple harmonic motion. m.
 ///
 /// Fails when the eccentricity is not smaller than the radius: the shaft would lie outside the disc.
 pub fn eccentric_disc(disc_radius: f64, eccentricity: f64) -> Result<Cam> {

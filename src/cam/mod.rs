@@ -1,6 +1,6 @@
 //! A cam: a law of motion with a follower, its profile, its checks, its smallest size.
 //!
-//! Signs (INTERFACE conventions): the cam turns counter-clockwise by θ, the follower moves along +y, a
+//! Signs (theory §6): the cam turns counter-clockwise by θ, the follower moves along +y, a
 //! point fixed in space is seen in the cam's frame turned by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]].
 //! The profile is therefore traversed clockwise; curvature is positive where the cam is convex.
 

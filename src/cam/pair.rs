@@ -1,4 +1,4 @@
-//! Two equal cams on one shaft over a plate, the second some angle ahead (thesis 000: half a turn): the
+//! Two equal cams on one shaft over a plate, the second some angle ahead (Campillo de Blas 2017: half a turn): the
 //! shaft rides on the higher one.
 
 use super::{Cam, Follower};
@@ -138,7 +138,7 @@ impl Pair {
         &self.handovers
     }
 
-    /// Force on the plate, N: the carrier's F₀ + … + mω²a (FACTS §1), between handovers.
+    /// Force on the plate, N: the carrier's F₀ + … + mω²a (theory §1), between handovers.
     pub fn force(&self, drive: &Drive, theta: f64) -> f64 {
         drive.force(self.height.svaj(theta))
     }

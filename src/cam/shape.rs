@@ -99,7 +99,7 @@ impl Cam {
     }
 
     /// Least length of the flat (or mushroom's) face, m: how far the contact wanders on it; max v − min v
-    /// for a flat translating face (thesis 000). `None` for rollers and knife edges.
+    /// for a flat translating face (Campillo de Blas 2017). `None` for rollers and knife edges.
     pub fn face_width(&self) -> Option<f64> {
         self.contact_travel()
             .map(|(low, high)| high.value - low.value)

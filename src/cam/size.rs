@@ -1,4 +1,4 @@
-//! The smallest cam for a law: closed forms of FACTS §6.
+//! The smallest cam for a law: closed forms of theory §6.
 
 use super::{Cam, Follower};
 use crate::error::{Error, Result};

@@ -9,7 +9,7 @@ use crate::emit::reproduce::{Class, reproduce};
 use crate::emit::thesis_run;
 use crate::error::Result;
 
-/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
+/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the experiment of Campillo de Blas (2017).
 pub fn run(out: &Path) -> Result<u8> {
     let folder = Folder::open(out)?;
     let result = reproduce()?;

@@ -14,7 +14,7 @@ use realfft::RealFftPlanner;
 pub const MARGIN: f64 = 0.05;
 /// Part of the lift-off speed from which the contact itself is run.
 pub const NEAR_LIFTOFF: f64 = 0.95;
-/// RMS error of the rigid model, as part of the mean force, that is still nothing (FACTS §10: 0.20 % at
+/// RMS error of the rigid model, as part of the mean force, that is still nothing (theory §10: 0.20 % at
 /// 50 Hz for smooth walking targets).
 pub const RIGID_ENOUGH: f64 = 0.002;
 

@@ -34,7 +34,7 @@ fn a_grazing_force_is_no_flight() {
 
 #[test]
 fn the_landing_does_not_depend_on_the_number_of_points() {
-    // FACTS §10 eccentric at 35 rad/s: the landing converges faster than second order.
+    // theory §10 eccentric at 35 rad/s: the landing converges faster than second order.
     let exact = 204.980_906_f64;
     let at = |n: usize| {
         let drive = thesis::real(35.0);
@@ -66,7 +66,7 @@ fn the_landing_does_not_depend_on_the_number_of_points() {
 
 #[test]
 fn two_cams_hand_over_at_the_crossing_with_the_step_of_their_slopes() {
-    // Thesis: two equal double harmonics 180° apart; s(θ) = s(θ + π) where one falls and the other rises.
+    // theory §3: two equal double harmonics 180° apart; s(θ) = s(θ + π) where one falls and the other rises.
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
     let one = recover(&cam.follower, &cam.profile(1440), 0.0).unwrap().law;

@@ -25,7 +25,7 @@ pub(super) fn run_cam(cam: &Cam, drive: &Drive, e: f64) -> ContactRun {
 
 #[test]
 fn plastic_flights_land_where_facts_10_says() {
-    // FACTS §10: leaves, lands (degrees), flight (s), landing speed, largest gap (mm).
+    // theory §10: leaves, lands (degrees), flight (s), landing speed, largest gap (mm).
     for (cam, speed, leaves, lands, flight, landing, gap) in [
         (
             thesis::eccentric(),
@@ -71,7 +71,7 @@ fn plastic_flights_land_where_facts_10_says() {
 fn bounces_at_restitution_one_half_follow_the_sequences_of_facts_10() {
     let run = run_cam(&thesis::eccentric(), &thesis::real(35.0), 0.5);
     let at: Vec<f64> = run.impacts.iter().map(|i| i.at.to_degrees()).collect();
-    // FACTS §10 counts the eccentric's bounces one turn on: 591.08° is 231.08° (a flight of 386° is
+    // theory §10 counts the eccentric's bounces one turn on: 591.08° is 231.08° (a flight of 386° is
     // impossible at a rebound of 0.108 m/s, which falls back within 0.022 s).
     for (got, stated) in at
         .iter()

@@ -29,7 +29,7 @@ pub fn force_at_least(drive: &Drive, margin: f64) -> LinearLimit {
 }
 
 /// Line pressure under a flat face at most `pressure` Pa, exact: F ≤ π L p²/E*·(Rb + s + a), because the
-/// radius of curvature is itself linear in the law (FACTS §6). `None` for a roller, whose curvature is
+/// radius of curvature is itself linear in the law (theory §6). `None` for a roller, whose curvature is
 /// not; it is checked instead.
 pub fn hertz_at_most(
     drive: &Drive,

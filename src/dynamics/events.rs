@@ -44,7 +44,7 @@ struct Engine<'a> {
 /// Runs one mass on one or more profiles of a shaft (drive's speed positive or zero), from contact at the
 /// first angle, until the motion repeats.
 ///
-/// Source of the events: FACTS §10. Gravity and preload are the drive's rest force.
+/// Source of the events: theory §10. Gravity and preload are the drive's rest force.
 pub fn run(
     surfaces: &[Surface],
     drive: &Drive,

@@ -127,7 +127,7 @@ fn modified_trapezoid() -> Law {
 
 #[test]
 fn residual_vibrations_are_the_closed_forms_to_1e_6() {
-    // FACTS §7: λ = rise time over natural period; undamped.
+    // theory §7: λ = rise time over natural period; undamped.
     for i in 0..200 {
         let lambda = 0.513 + 0.0713 * f64::from(i);
         let ratio = TAU * lambda;
@@ -155,7 +155,7 @@ fn residual_vibrations_are_the_closed_forms_to_1e_6() {
 
 #[test]
 fn the_worst_residual_vibrations_are_those_of_the_table() {
-    // FACTS §7, worst over λ ∈ [5, 6] and [10, 11], two digits.
+    // theory §7, worst over λ ∈ [5, 6] and [10, 11], two digits.
     let p345 = power(&[0.0, 0.0, 0.0, 10.0, -15.0, 6.0]);
     let p4567 = power(&[0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]);
     for (law, near, far) in [
@@ -330,7 +330,7 @@ fn stiff_and_slow_machines_end_in_the_rigid_force() {
 
 #[test]
 fn a_stiff_smooth_machine_above_50_hertz_is_rigid_within_0_2_percent() {
-    // FACTS §10 states 0.20 % BW RMS at 50 Hz, 0.60 % at 30 Hz, 0.05 % at 100 Hz for smooth walking
+    // theory §10 states 0.20 % BW RMS at 50 Hz, 0.60 % at 30 Hz, 0.05 % at 100 Hz for smooth walking
     // targets; the eccentric is smoother: the error of its one harmonic is r²·(amplitude)/√2.
     let cam = thesis::eccentric();
     let drive = thesis::real(thesis::SPEED);

@@ -21,7 +21,7 @@ pub struct Material {
     pub poisson: f64,
 }
 
-/// Steel: 206.8 GPa, 0.3 (FACTS §10).
+/// Steel: 206.8 GPa, 0.3 (theory §10).
 pub const STEEL: Material = Material {
     young: 206.8e9,
     poisson: 0.3,
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn steel_rollers_press_with_658_8_megapascals_over_0_0966_millimetres() {
-        // FACTS §10: 1 kN, 10 mm, radii 10 and 50 mm.
+        // theory §10: 1 kN, 10 mm, radii 10 and 50 mm.
         let contact = line(1000.0, 0.01, 100.0 + 20.0, modulus(STEEL, STEEL));
         assert!(
             (contact.pressure / 658.8e6 - 1.0).abs() < 1e-4,

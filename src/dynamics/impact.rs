@@ -1,7 +1,7 @@
 //! Impacts: prescribed restitution, or a compliant Hunt–Crossley contact that returns it exactly.
 //!
 //! f = K δⁿ (1 + χ δ̇/v₀). Separating the variables in the phase plane, the speed returned is e·v₀ when
-//! χ(1 + e) = ln[(1 + χ)/(1 − χe)] (FACTS §10), whatever K, n, m and v₀.
+//! χ(1 + e) = ln[(1 + χ)/(1 − χe)] (theory §10), whatever K, n, m and v₀.
 
 use crate::error::{Error, Result};
 
@@ -93,7 +93,7 @@ impl Restitution {
 
 /// The damping factor χ with which a Hunt–Crossley impact returns restitution `e` exactly, e in (0, 1].
 ///
-/// Root of ln[(1 + χ)/(1 − χe)] − χ(1 + e) in (0, 1/e); unique there. Source: FACTS §10.
+/// Root of ln[(1 + χ)/(1 − χe)] − χ(1 + e) in (0, 1/e); unique there. Source: theory §10.
 pub fn exact_chi(e: f64) -> f64 {
     if e >= 1.0 {
         return 0.0;

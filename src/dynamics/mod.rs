@@ -9,7 +9,7 @@
 //!
 //! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis,
 //! [`polydyne`] shapes the cam so that a follower that gives ends where it should;
-//! [`experiment`] runs the thesis's cams again.
+//! [`experiment`] runs the cams of Campillo de Blas (2017) again.
 
 mod backwards;
 pub mod choose;

@@ -186,7 +186,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// `simulate --json` (INTERFACE), followed by `details`.
+    /// `simulate --json`, followed by `details`.
     pub fn json(&self) -> Value {
         let impacts: Vec<Value> = self.impacts.iter().map(impact_json).collect();
         json!({

@@ -5,7 +5,7 @@
 //! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
 //! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
 //! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
-//! step of the angle once, not twice, and there is no facet anywhere (FACTS §10). Where each follower
+//! step of the angle once, not twice, and there is no facet anywhere (theory §10). Where each follower
 //! stands over a contact point is [`super::stance`]'s business.
 
 use super::slopes::spline_slopes;
@@ -124,7 +124,7 @@ pub fn recover_over(
 
 /// The lift over a base circle that a closed outline drawn by hand gives a flat face.
 ///
-/// A polyline is not a cam: it hops from facet to facet (FACTS §10). Its support function is smoothed to
+/// A polyline is not a cam: it hops from facet to facet (theory §10). Its support function is smoothed to
 /// the fewest harmonics that stay within `tolerance`, m, of it; no more than half as many as there are
 /// points. Fails when there is no such curve, or when it is not convex.
 pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -> Result<Emitted> {

@@ -72,7 +72,7 @@ fn a_profile_undercut_for_a_flat_face_is_refused() {
 
 #[test]
 fn a_polyline_by_hand_is_smoothed_within_its_tolerance_or_refused() {
-    // Forty points on the thesis's cam, rounded to a tenth of a millimetre as by a mouse.
+    // Forty points on a cam of theory §3, rounded to a tenth of a millimetre as by a mouse.
     let cam = thesis::double_harmonic();
     let outline: Vec<[f64; 2]> = cam
         .profile(40)

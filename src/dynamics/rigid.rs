@@ -1,7 +1,7 @@
 //! Rigid bodies that stay in contact: force, torque and what they ask of parts and motor.
 //!
-//! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (FACTS §1); the camshaft gives
-//! T = F·v, plus μ|F|·d against the turning under a flat face (thesis 000, eq. 27).
+//! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (theory §1); the camshaft gives
+//! T = F·v, plus μ|F|·d against the turning under a flat face (Campillo de Blas 2017, eq. 27).
 
 use super::piecewise_force::combination;
 use crate::cam::Follower;

@@ -7,7 +7,7 @@ use crate::dynamics::thesis;
 use crate::units::G;
 
 fn spring_loaded(speed: f64) -> Drive {
-    // FACTS §10: k = 5000 N/m, preload kδ with δ = 0.01 m, m = 1 kg; lift measured from the lowest point.
+    // theory §10: k = 5000 N/m, preload kδ with δ = 0.01 m, m = 1 kg; lift measured from the lowest point.
     Drive {
         kind: DriveKind::FixedAxis,
         rest_force: 5000.0 * 0.01,
@@ -25,7 +25,7 @@ fn touch_at(cam: &Cam, drive: &Drive, friction: f64, theta: f64) -> Touch {
 
 #[test]
 fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
-    // FACTS §10, g = 9.81.
+    // theory §10, g = 9.81.
     let eccentric = liftoff_speed(&thesis::eccentric().law, &thesis::real(11.624)).unwrap();
     assert!(
         (eccentric / (G / 0.01).sqrt() - 1.0).abs() < 1e-12,
@@ -38,7 +38,7 @@ fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
 
 #[test]
 fn spring_loaded_eccentric_jumps_at_122_474() {
-    // ω = √(k(2e + δ)/(m e)), FACTS §10: at the top the spring is compressed 2e + δ.
+    // ω = √(k(2e + δ)/(m e)), theory §10: at the top the spring is compressed 2e + δ.
     let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
     for speed in [50.0, -50.0] {
         let jump = liftoff_speed(&law, &spring_loaded(speed)).unwrap();
@@ -108,7 +108,7 @@ fn thesis_friction_torque_is_equation_27() {
 
 #[test]
 fn thesis_eccentric_slides_at_0_465_metres_per_second() {
-    // FACTS §3: 0.465 m/s at 90°; entraining ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
+    // theory §3: 0.465 m/s at 90°; entraining ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
     let at = touch_at(
         &thesis::eccentric(),
         &thesis::real(11.624),

@@ -1,4 +1,4 @@
-//! The two cams of thesis 000 (FACTS §3) and the numbers of its machine.
+//! The two cams of Campillo de Blas (2017) (theory §3) and the numbers of its machine.
 
 use crate::cam::{Cam, Follower};
 use crate::drive::{Drive, DriveKind};

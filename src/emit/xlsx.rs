@@ -1,4 +1,4 @@
-//! The workbook: CAM-DAS's own table (004, "Exportar-Excel"), cell for cell, and the summary.
+//! The workbook: CAM-DAS's own table (Serrano Muñoz 2010, "Exportar-Excel"), cell for cell, and the summary.
 
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;

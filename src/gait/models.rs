@@ -202,13 +202,13 @@ mod tests {
 
     #[test]
     fn li_2010_meets_its_landmarks_and_carries_the_body() {
-        // load_models.md: at 1.9 Hz P1 1.139 @22 %, V 0.669 @49 %, P2 0.980 @74 %.
+        // theory §12: at 1.9 Hz P1 1.139 @22 %, V 0.669 @49 %, P2 0.980 @74 %.
         let p = turning_points(|x| li_2010(1.9, x / (0.76 * 1.9)));
         assert!(is_near(p[0], 0.22, 1.139), "{p:?}");
         assert!(is_near(p[1], 0.49, 0.669), "{p:?}");
         assert!(is_near(p[2], 0.74, 0.980), "{p:?}");
         // Mean of the sine series over a stance, in closed form: even waves vanish, odd ones give
-        // 2/(n pi). Two feet: 1.015 body weights at 1.6 Hz, 1.027 at 2.2 Hz. (load_models.md says
+        // 2/(n pi). Two feet: 1.015 body weights at 1.6 Hz, 1.027 at 2.2 Hz. (theory §12 says
         // 1.005-1.017, which is the sum of 101 samples divided by 101 instead of 100.)
         for f in [1.6, 1.75, 1.9, 2.05, 2.2] {
             let odd =
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn iso_22675_meets_its_landmarks() {
-        // load_models.md: 1.000 at 151 ms, 0.668 at 300 ms, 0.987 at 447 ms, 0 at 0 and 600 ms.
+        // theory §12: 1.000 at 151 ms, 0.668 at 300 ms, 0.987 at 447 ms, 0 at 0 and 600 ms.
         let p = turning_points(|x| iso_22675(0.6 * x));
         assert!(is_near(p[0], 151.0 / 600.0, 1.0), "{p:?}");
         assert!(is_near(p[1], 300.0 / 600.0, 0.668), "{p:?}");
@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn young_at_185_hz_asks_for_a_stroke_of_49_2_mm() {
-        // FACTS §1: d'' = g Σ aᵢ sin(i w t + pᵢ) integrates to d = -g Σ aᵢ/(i w)² sin(i w t + pᵢ).
+        // theory §1: d'' = g Σ aᵢ sin(i w t + pᵢ) integrates to d = -g Σ aᵢ/(i w)² sin(i w t + pᵢ).
         // Only harmonics that crest together give the 49.2 mm; in sine phase it would be 47.6 mm.
         let h = harmonics("young", 1.85);
         let w = TAU * 1.85;
@@ -262,7 +262,7 @@ mod tests {
 
     #[test]
     fn coefficients_are_the_published_ones_at_two_hertz() {
-        // load_models.md evaluated by hand at f = 2 Hz.
+        // theory §12 evaluated by hand at f = 2 Hz.
         let a = |name| -> Vec<f64> { harmonics(name, 2.0).iter().map(|h| h.0).collect() };
         let expect: &[(&str, &[f64])] = &[
             ("blanchard", &[0.2571428571]),

@@ -1,7 +1,7 @@
 //! The polynomial through boundary conditions of any order at any angles (Hermite–Birkhoff).
 //!
 //! Solved for Bernstein coefficients on the whole interval: monomials of degree 8 already have a condition
-//! number of 1.7e6 (FACTS §2). Monomial coefficients are for output only,
+//! number of 1.7e6 (theory §2). Monomial coefficients are for output only,
 //! [`bernstein::to_power`](crate::poly::bernstein::to_power).
 
 use crate::error::{Error, Result};

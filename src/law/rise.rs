@@ -1,6 +1,6 @@
 //! The catalogue of motions from one lift to another, normalised: s from 0 to 1 over x from 0 to 1.
 //!
-//! Peak factors (FACTS §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
+//! Peak factors (theory §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
 //! Cj·h/β³; Ct = max|a·v| scales the inertia torque.
 
 mod shapes;
@@ -32,7 +32,7 @@ pub enum Rise {
     /// Quarter-period end of a harmonic: arrives with v = π/2 and stops at x = 1.
     SemiharmonicEnd,
     /// Half a cycloid: rests at x = 0 and leaves with v = 2 (CAM-DAS prints π/2, which is the
-    /// semiharmonic's; FACTS §5).
+    /// semiharmonic's; theory §5).
     SemicycloidalStart,
     /// Half a cycloid: arrives with v = 2 and stops at x = 1.
     SemicycloidalEnd,
@@ -61,7 +61,7 @@ pub enum Rise {
         /// 5 or 7.
         degree: usize,
     },
-    /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (thesis 002).
+    /// 12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷ (Bautista Morelos 2018).
     BerzakD,
     /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
     Gutman13,

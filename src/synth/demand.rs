@@ -255,7 +255,7 @@ impl Demand {
         }
     }
 
-    /// Closure of the moving axis (FACTS §1): mean(F) = M g, free fall, the least stroke.
+    /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the least stroke.
     fn diagnose_closure(&mut self, scene: &Scene) {
         let Some(curve) = &self.target else { return };
         let (mass, speed) = (self.drive.mass, self.drive.speed);

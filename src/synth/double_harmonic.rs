@@ -1,4 +1,4 @@
-//! The double-harmonic family: one rise, one fall and a rest (thesis 000), placed for the force.
+//! The double-harmonic family: one rise, one fall and a rest (Campillo de Blas 2017), placed for the force.
 //!
 //! For given angles of rise and fall and a given start the law is h·shape(θ), and the best lift h is the
 //! solution of one linear equation. Only the three angles are searched, by Nelder–Mead from several fixed

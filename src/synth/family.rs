@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::scene::{Minimise, Scene};
 
 /// The first rungs of the ladder as families: harmonics in closed form where every limit and the accuracy
-/// hold with them, because then they are the optimum already (FACTS §1); a spline otherwise. The spline
+/// hold with them, because then they are the optimum already (theory §1); a spline otherwise. The spline
 /// says what the harmonics missed.
 pub fn ladder(scene: &Scene, demand: &Demand) -> Result<Found> {
     let law = &scene.law;

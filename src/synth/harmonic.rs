@@ -1,4 +1,4 @@
-//! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (FACTS §1).
+//! The spectral inverse: ŝₙ = F̂ₙ/(k + i c n ω − m n²ω²), harmonic by harmonic (theory §1).
 
 use super::demand::Demand;
 use crate::error::{Error, Result};

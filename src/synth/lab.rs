@@ -236,7 +236,7 @@ mod tests {
         (sum / f64::from(n)).sqrt()
     }
 
-    /// FACTS §9: cone exact, Bernstein rows a little too strict, samples too lax; exchange equals the cone.
+    /// theory §9: cone exact, Bernstein rows a little too strict, samples too lax; exchange equals the cone.
     #[test]
     fn cone_and_exchange_agree_and_rows_stand_on_the_safe_side() {
         let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();

@@ -39,7 +39,7 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
         list.push_range("stroke", 0, h, window);
     }
     if let (Some(width), "flat-translating") = (limits.face_width, scene.cam.follower.as_str()) {
-        // The contact wanders by v (FACTS §6).
+        // The contact wanders by v (theory §6).
         list.push_range("face_width", 1, width, Some(FACE_END));
     }
     let timed = [
@@ -86,7 +86,7 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
     list.limits
 }
 
-/// Limits of the profile that are linear once the cam's size is given (FACTS §6).
+/// Limits of the profile that are linear once the cam's size is given (theory §6).
 fn on_the_cam(scene: &Scene, list: &mut List) {
     let (cam, limits) = (&scene.cam, &scene.limits);
     if cam.follower == "flat-translating" {
@@ -134,7 +134,7 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
 }
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs. Flat face:
-/// −(s + a) − Rb ≤ −ρ. Roller: v − e ≤ tan φ₁·(s + D), −(v − e) ≤ tan φ₂·(s + D), Rp = ‖(D, e)‖ (FACTS §6).
+/// −(s + a) − Rb ≤ −ρ. Roller: v − e ≤ tan φ₁·(s + D), −(v − e) ≤ tan φ₂·(s + D), Rp = ‖(D, e)‖ (theory §6).
 ///
 /// The radius is what is minimised, or it stays below the scene's limit while something else is.
 pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {

@@ -100,7 +100,7 @@ impl Loads {
 
     /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
     /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
-    /// (FACTS §6, §10).
+    /// (theory §6, §10).
     fn pressure_slack(&self, at: Svaj, size: Size, p: Pressure) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         let force = self.drive.force(at);

@@ -32,7 +32,7 @@
 //! of its size. From 250 spans on the coefficients of s, v, a and j are unknowns of their own, tied by
 //! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), and Clarabel takes the active set's place: cost linear in the spans, digits kept.
 //!
-//! **SOCP.** Prime radius R, height D and offset e join x (FACTS §6):
+//! **SOCP.** Prime radius R, height D and offset e join x (theory §6):
 //!
 //! ```text
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
@@ -395,7 +395,7 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
     let wanted = scene.rms.unwrap_or(0.005) * mean;
     let (mut found, _) = inverted(demand, scene.law.harmonics, wanted)?;
     let count = found.law.waves(0).len();
-    // When every limit holds the spectral inverse is already the optimum (FACTS §1).
+    // When every limit holds the spectral inverse is already the optimum (theory §1).
     let program = spline::harmonic_program(scene, demand, count, &found.law);
     if program.limits.is_empty() || !breaks_a_limit(&program, &found) {
         return Ok(found);

@@ -1,5 +1,5 @@
 //! Limits that are not convex in the law, as h(s, v, a, j, D, e) ≥ 0 with its derivatives: a roller's
-//! curvature, and curvature and pressure angle of followers on an arm (FACTS §6), beside the loads.
+//! curvature, and curvature and pressure angle of followers on an arm (theory §6), beside the loads.
 
 use super::loads::Loads;
 use crate::law::{Law, Svaj};
@@ -215,7 +215,7 @@ fn roller(at: Svaj, size: Size) -> Slack {
 }
 
 /// W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′: the tangent in the fixed frame is
-/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (FACTS §6
+/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (theory §6
 /// in other letters).
 fn arm_curvature(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
@@ -254,7 +254,7 @@ fn arm_pressure(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> S
     }
 }
 
-/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of FACTS §6, the face's offset added.
+/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of theory §6, the face's offset added.
 fn face_curvature(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
     let (sin, cos) = (rest + at.s).sin_cos();
     let q = 1.0 + at.v;

@@ -65,7 +65,7 @@ fn minimise_peak(program: &mut Program, order: usize) {
 
 #[test]
 fn least_energy_rest_to_rest_is_3_4_5_and_4_5_6_7() {
-    // FACTS §8: 12, 720, 100800 for n = 2, 3, 4.
+    // theory §8: 12, 720, 100800 for n = 2, 3, 4.
     for (n, degree, expected) in [(2, 3, 12.0), (3, 5, 720.0), (4, 7, 100_800.0)] {
         let program = with_energy(rest_to_rest(n, degree, &[0.0, 0.3, 1.0]), n);
         let solution = program.solve().unwrap();
@@ -84,7 +84,7 @@ fn free_end_acceleration_gives_jerk_energy_120() {
 
 #[test]
 fn least_peaks_are_4_32_and_384() {
-    // FACTS §8: switches at (1 − cos kπ/n)/2 put the optimum inside the spline space.
+    // theory §8: switches at (1 − cos kπ/n)/2 put the optimum inside the spline space.
     for (n, expected) in [(2_usize, 4.0), (3, 32.0), (4, 384.0)] {
         let breaks: Vec<f64> = (0..=n)
             .map(|k| 0.5 * (1.0 - (k as f64 * PI / n as f64).cos()))
@@ -99,7 +99,7 @@ fn least_peaks_are_4_32_and_384() {
 
 #[test]
 fn least_peak_acceleration_under_a_jerk_limit_follows_the_closed_form() {
-    // FACTS §8: A*(J) = (J/4)(1 − √(1 − 32/J)); breaks on the ramp ends make it exact.
+    // theory §8: A*(J) = (J/4)(1 − √(1 − 32/J)); breaks on the ramp ends make it exact.
     for (jerk, n, expected) in [(32.0, 8, 8.0), (36.0, 12, 6.0), (50.0, 20, 5.0)] {
         let mut program = rest_to_rest(3, 3, &uniform(n));
         program.limits = two_sided(3, jerk);
@@ -130,7 +130,7 @@ fn rise_and_return(n: usize, degree: usize, breaks: &[f64]) -> Program {
 
 #[test]
 fn dwell_rise_return_optima_are_found() {
-    // FACTS §8: min ∫a² = 192, min ∫j² = 20480, min peak |a| = 16, min peak |j| = 48(2 + √2).
+    // theory §8: min ∫a² = 192, min ∫j² = 20480, min peak |a| = 16, min peak |j| = 48(2 + √2).
     for (n, degree, expected) in [(2, 3, 192.0), (3, 5, 20_480.0)] {
         let program = with_energy(rise_and_return(n, degree, &uniform(4)), n);
         let value = program.objective(&program.solve().unwrap().x);
@@ -160,7 +160,7 @@ fn a_jerk_limit_below_32_is_infeasible() {
 
 #[test]
 fn a_jerk_limit_on_quintics_holds_between_samples() {
-    // FACTS §9: one sample per span lets a limit of 50 reach 197.9; exchange must not.
+    // theory §9: one sample per span lets a limit of 50 reach 197.9; exchange must not.
     let mut program = with_energy(rest_to_rest(3, 5, &uniform(16)), 2);
     program.limits = two_sided(3, 50.0);
     let solution = program.solve().unwrap();
@@ -313,7 +313,7 @@ fn a_crest_on_a_break_is_held_like_any_other() {
 
 #[test]
 fn best_single_polynomials_of_least_peak_acceleration_are_found() {
-    // FACTS §8, to the digits printed there; an even degree adds nothing to the odd one below.
+    // theory §8, to the digits printed there; an even degree adds nothing to the odd one below.
     let table = [
         (5, 5.7735, 1e-4),
         (6, 5.7735, 1e-4),

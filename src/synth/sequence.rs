@@ -2,7 +2,7 @@
 //! curvature, and curvature and pressure angle of followers on an arm.
 //!
 //! With X = D + s, Y = v − e, w = X² + Y² and ρ = ρ_cam,min + R_f the pitch curve is nowhere sharper than ρ
-//! where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0 (FACTS §6). That is not convex. It is linearised about the last
+//! where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0 (theory §6). That is not convex. It is linearised about the last
 //! law at the places where it is near zero, the convex program is solved again, and the step is shortened
 //! until the true h holds all around: every limit that is convex holds along the whole step.
 //! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3

@@ -335,7 +335,7 @@ pub fn verdict(
     )
 }
 
-/// A moved axis is held down by its weight alone: the cam cannot pull it (FACTS §1).
+/// A moved axis is held down by its weight alone: the cam cannot pull it (theory §1).
 fn lifts_off(demand: &Demand, cam: &Cam, force: &ForceReport) -> Option<String> {
     let drive = &demand.drive;
     let slack = 1e-9 * force.max_n.abs().max(drive.rest_force.abs());

@@ -121,7 +121,7 @@ pub fn footbridge() -> Synthesis {
     }
 }
 
-/// The degree-8 polynomial of paper 001 on its roller (FACTS §2): Rp 3 in, roller 1 in, no offset.
+/// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
 pub fn heel_tester() -> Synthesis {
     let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
     let c = [
@@ -151,7 +151,8 @@ pub fn heel_tester() -> Synthesis {
         LBF * (a.1 + (b.1 - a.1) * u * u * (3.0 - 2.0 * u))
     };
     let samples: Vec<f64> = (0..500).map(|i| force(f64::from(i) / 1000.0)).collect();
-    let target = ForceCurve::from_samples("paper 001, critical points", 0.5, samples).unwrap();
+    let target =
+        ForceCurve::from_samples("Vargas and León 2024, critical points", 0.5, samples).unwrap();
     let cam = Cam {
         law,
         follower: Follower::RollerTranslating {

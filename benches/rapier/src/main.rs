@@ -1,7 +1,7 @@
 //! The eccentric at 35 rad/s above lift-off, plastic landing: error of the follower's height against wall
 //! time, by rapier's time steps and by gaitcam's events, beside the closed form.
 //!
-//! A plate of 1 kg rides on the cam: seen from the shaft block this is the thesis's moving axis. Rapier is
+//! A plate of 1 kg rides on the cam: seen from the shaft block this is the moving axis of theory §1. Rapier is
 //! given the exact contour, a ball whose centre is carried round a circle; gaitcam the emitted points.
 //! The result is joined to reports/dynamics.md:
 //! `cargo run --release --manifest-path benches/rapier/Cargo.toml > benches/rapier/measured.csv`.

@@ -293,7 +293,7 @@ fn stepped(n: usize, interpolate: bool) -> f64 {
     f64::NAN
 }
 
-/// The thesis's eccentric at 35 rad/s: where the mass lands.
+/// The eccentric of theory §3 at 35 rad/s: where the mass lands.
 pub fn flight(watch: &Watch) -> Result<Chart> {
     let truth = landing();
     let mut rows = Vec::new();

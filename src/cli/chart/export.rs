@@ -11,7 +11,7 @@ use crate::law::{Extent, Rise, Segment, program};
 /// Points between two neighbours at which the chord is held against the profile.
 const BETWEEN: usize = 16;
 
-/// Dwell-rise-dwell-fall with a roller: FACTS §6's reference cam.
+/// Dwell-rise-dwell-fall with a roller: theory §6's reference cam.
 fn cam() -> Result<Cam> {
     let quarter = |motion: Rise, lift: f64| Segment {
         motion,

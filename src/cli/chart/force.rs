@@ -18,7 +18,7 @@ const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 /// Part of the mean force that the default scene asks for.
 const DEFAULT_ACCURACY: f64 = 0.005;
 
-/// Step-to-step spread and the accuracy beyond which nobody can tell (FACTS §11).
+/// Step-to-step spread and the accuracy beyond which nobody can tell (theory §11).
 fn levels() -> Vec<(f64, String)> {
     vec![
         (0.03, "step-to-step spread of a walker, 3 %".to_string()),
@@ -223,7 +223,7 @@ fn values(force: impl Fn(f64) -> f64) -> f64 {
         .sum()
 }
 
-/// The double harmonic of thesis 000 with unit lift: up in half the stance, down in the other.
+/// The double harmonic of Campillo de Blas (2017) with unit lift: up in half the stance, down in the other.
 fn rise_and_fall(x: f64, end: f64) -> f64 {
     if x >= end {
         return 0.0;

@@ -37,7 +37,7 @@ impl Stance {
         })
     }
 
-    /// The conditions of paper 001: rest in force, velocity and acceleration at both ends, the critical
+    /// The conditions of Vargas and León (2024): rest in force, velocity and acceleration at both ends, the critical
     /// points' values, and `extra` further points at equal steps.
     pub fn conditions(&self, target: &ForceCurve, extra: usize) -> Vec<Condition> {
         let mut out = Vec::new();

@@ -51,7 +51,7 @@ pub(super) fn motors(out: &mut String) -> Result<()> {
     line(
         out,
         &format!(
-            "Least squares on the logarithms of the thesis's table: t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (the thesis: 347.9·x^−0.967, 66.6 %)."
+            "Least squares on the logarithms of the table in Campillo de Blas (2017): t = {c:.1}·x^{p:.4}, so 6 s for 11.1 turns takes {power:.1} % (stated there: 347.9·x^−0.967, 66.6 %)."
         ),
     );
     for (name, cam, _) in cams() {

@@ -1,4 +1,4 @@
-//! The thesis's experiment run again: ideal and real machine, lift-off, bounces, and what spoiled its
+//! The experiment of Campillo de Blas (2017) run again: ideal and real machine, lift-off, bounces, and what spoiled its
 //! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
 //! [`peers`], which a benchmark measured.
 
@@ -22,10 +22,10 @@ use std::fmt::Write;
 /// Rows of an emitted profile in this report.
 const POINTS: usize = 1440;
 
-/// The text of reports/dynamics.md. Fails only if one of the thesis's cams could not be run.
+/// The text of reports/dynamics.md. Fails only if one of the two cams could not be run.
 pub fn report() -> Result<String> {
     let mut out = String::from(
-        "# The thesis's experiment, run again\n\n\
+        "# The experiment of Campillo de Blas (2017), run again\n\n\
          Two cams (an eccentric of 30 mm about a centre 10 mm off; a double harmonic of 10 mm in 135°, back in 135°, dwell 90°), \
          a mass of 1 kg, 111 rpm (11.624 rad/s). Every number below comes from the emitted profile points, not from the law; \
          the law serves as the independent answer.\n\n",

@@ -1,4 +1,4 @@
-//! Thesis 002: the desmodromic barrel cam (FACTS §4).
+//! Bautista Morelos (2018): the desmodromic barrel cam (theory §4).
 
 use super::{Class, LAST_DIGITS, Row, Rows};
 use crate::cam::{BarrelGroove, Rollers, Wall};
@@ -13,7 +13,7 @@ const FLOOR: f64 = 0.021;
 const SURFACE: f64 = 0.030;
 
 pub(super) fn rows() -> Result<Vec<Row>> {
-    let mut rows = Rows::of("Thesis 002, desmodromic barrel cam");
+    let mut rows = Rows::of("Bautista Morelos (2018), desmodromic barrel cam");
     let segments = [0.04, -0.04].map(|lift| Segment {
         motion: Rise::BerzakD,
         lift,

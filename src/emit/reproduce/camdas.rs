@@ -1,4 +1,4 @@
-//! CAM-DAS: what its manual prints of its examples (FACTS §5), and misprints of its formulae.
+//! CAM-DAS: what its manual prints of its examples (theory §5), and misprints of its formulae.
 
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
 use crate::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint, constant_breadth_cam};
@@ -45,7 +45,7 @@ fn at_degrees(law: &Law, order: usize) -> (f64, f64) {
 }
 
 pub(super) fn rows() -> Result<Vec<Row>> {
-    let mut rows = Rows::of("CAM-DAS (004)");
+    let mut rows = Rows::of("Serrano Muñoz (2010), CAM-DAS");
     kinematics(&mut rows)?;
     geometry(&mut rows)?;
     formulae(&mut rows)?;

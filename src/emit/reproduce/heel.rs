@@ -1,4 +1,4 @@
-//! Paper 001: the hydraulic heel tester (FACTS §2).
+//! Vargas and León (2024): the hydraulic heel tester (theory §2).
 
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
 use crate::cam::{Cam, Follower};
@@ -53,7 +53,7 @@ fn law() -> Result<(Law, Vec<f64>)> {
 }
 
 pub(super) fn rows() -> Result<Vec<Row>> {
-    let mut rows = Rows::of("Paper 001, hydraulic heel tester");
+    let mut rows = Rows::of("Vargas and León (2024), hydraulic heel tester");
     let (law, coefficients) = law()?;
     let drive_given = drive(SPEED);
     for (k, stated) in [
@@ -264,7 +264,7 @@ pub(super) fn picture() -> Result<Picture> {
     .map(str::to_string);
     Ok(overlay::diagrams(
         "Heel tester",
-        "force of paper 001",
+        "force of Vargas and León (2024)",
         &names,
         &[strip(
             "force, lb",

@@ -1,4 +1,4 @@
-//! The thesis's four iterations as a comparison of methods, with the optimum beside them.
+//! The four iterations of Campillo de Blas (2017) as a comparison of methods, with the optimum beside them.
 //!
 //! Yardstick: RMS distance of the force to the wanted one (Young, 1.85 Hz, both feet, scaled to 1 kg),
 //! as the law stands and turned to where it fits best.
@@ -127,7 +127,7 @@ fn iteration_2() -> Result<Law> {
     Ok(Law::from_poly(PiecewisePoly::new(breaks, 3, coef), true))
 }
 
-/// The four iterations, the eccentric, and the optimum at the thesis's stroke and at its own.
+/// The four iterations, the eccentric, and the optimum at that thesis's stroke and at its own.
 pub fn methods() -> Result<Vec<Method>> {
     let target = target()?;
     let drive = thesis::real(thesis::SPEED);
@@ -164,7 +164,7 @@ pub fn methods() -> Result<Vec<Method>> {
     Ok(out)
 }
 
-/// The law that comes nearest to the force with the stroke given, on the thesis's machine.
+/// The law that comes nearest to the force with the stroke given, on the machine of Campillo de Blas (2017).
 fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     let text = include_str!("../../../scenes/footbridge_thesis_scale.toml");
     let mut table: toml::Table = text
@@ -182,7 +182,7 @@ fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
 /// The comparison as a table of the report.
 pub(super) fn table(out: &mut String, methods: &[Method]) {
     out.push_str(
-        "\n## Four iterations and the optimum\n\nThesis 000 chose its law by eye. Here its iterations stand against one yardstick: the RMS distance of the force to the wanted one \
+        "\n## Four iterations and the optimum\n\nCampillo de Blas (2017) chose its law by eye. Here its iterations stand against one yardstick: the RMS distance of the force to the wanted one \
          (Young, 1.85 Hz, both feet, scaled to M = 1 kg), as the law stands and turned to where it fits best. Iteration 2's accelerations are not printed; three times the lift per rad² is chosen.\n\n\
          | law | stroke, mm | RMS, N | RMS turned, N | turned by, ° | largest jerk, m/s³ | jump of velocity, m/s | force, N |\n|---|---:|---:|---:|---:|---:|---:|---:|\n",
     );
@@ -226,7 +226,7 @@ pub(super) fn picture(methods: &[Method]) -> Picture {
         curves.push(m.curve.clone());
     }
     overlay::diagrams(
-        "Thesis 000",
+        "Campillo de Blas (2017)",
         "force of every iteration, turned to its best phase",
         &names,
         &[

@@ -173,7 +173,7 @@ fn same_digits(stated: &str, value: f64) -> bool {
 pub struct Reproduction {
     /// Every number.
     pub rows: Vec<Row>,
-    /// The thesis's four iterations and the optimum.
+    /// The four iterations of Campillo de Blas (2017) and the optimum.
     pub methods: Vec<Method>,
     /// Pictures with the names of their files, without ending.
     pub pictures: Vec<(&'static str, Picture)>,

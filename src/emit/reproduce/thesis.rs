@@ -1,11 +1,11 @@
-//! Thesis 000: eccentric and double-harmonic cams, motor table (FACTS §3).
+//! Campillo de Blas (2017): eccentric and double-harmonic cams, motor table (theory §3).
 
 use super::{Class, LAST_DIGITS, Row, Rows};
 use crate::dynamics::{motor, thesis};
 use crate::error::Result;
 
 pub(super) fn rows() -> Result<Vec<Row>> {
-    let mut rows = Rows::of("Thesis 000, walking simulator");
+    let mut rows = Rows::of("Campillo de Blas (2017), walking simulator");
     let drive = thesis::real(thesis::SPEED);
     let eccentric = thesis::eccentric();
     let reach = |cam: &crate::cam::Cam| cam.law.extremes(0).1.value + thesis::BASE_RADIUS;
@@ -126,7 +126,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
     Ok(rows.list)
 }
 
-/// The table of motor power against the time for 11.1 turns, with the thesis's fit and the better one.
+/// The table of motor power against the time for 11.1 turns, with the fit of Campillo de Blas (2017) and the better one.
 fn motor_rows(rows: &mut Rows) -> Result<()> {
     let (factor, power) = motor::power_law(&thesis::MOTOR_TABLE)?;
     let wanted = 6.0;

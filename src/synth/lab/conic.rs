@@ -134,7 +134,7 @@ impl Conic {
             .collect()
     }
 
-    /// most ∓ s⁽ᵏ⁾ = b₀(1−u)² + 2b₁u(1−u) + b₂u² ≥ 0 exactly when b₁ = m + λ, λ ≥ 0, m² ≤ b₀b₂ (FACTS §9).
+    /// most ∓ s⁽ᵏ⁾ = b₀(1−u)² + 2b₁u(1−u) + b₂u² ≥ 0 exactly when b₁ = m + λ, λ ≥ 0, m² ≤ b₀b₂ (theory §9).
     fn cones(&mut self, bound: &Bound) {
         for piece in 0..self.pieces() {
             let b = self.bernstein(piece, bound.order, bound.order + 2);
