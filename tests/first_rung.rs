@@ -32,7 +32,7 @@ fn four_harmonics_of_youngs_load_are_its_law() {
         (design.family.as_str(), design.solver.tier.name()),
         ("harmonic", "spectral")
     );
-    // Young's model has the mean and four harmonics (theory §3): the inverse leaves nothing.
+    // Young's model has the mean and four harmonics (theory §12): the inverse leaves nothing.
     assert_eq!(design.coefficients.len(), 9);
     assert!(design.force.rms_error_percent_of_mean < 1e-4);
     assert!(design.infeasible.is_none() && design.checks.iter().all(|c| c.pass));

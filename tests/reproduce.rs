@@ -3,7 +3,7 @@
 use gaitcam::emit::reproduce::{Class, reproduce};
 
 #[test]
-fn stated_and_recomputed_numbers_are_those_of_the_facts() {
+fn stated_and_recomputed_numbers_are_those_of_the_theory_page() {
     let result = reproduce().unwrap();
     // Quantity (its beginning), recomputed value, tolerance: the digits that docs/theory.md shows.
     for (quantity, value, tolerance) in [

@@ -46,7 +46,7 @@ fn monomial_condition(degree: usize) -> f64 {
 }
 
 #[test]
-fn gram_condition_numbers_are_those_of_facts_9() {
+fn gram_condition_numbers_are_the_computed_ones() {
     for (degree, stated) in [(5, 1.5e7), (8, 4.9e11), (16, 6.7e23)] {
         let found = monomial_condition(degree);
         assert!(
@@ -542,7 +542,7 @@ fn taylor(order: usize) -> impl Fn(f64, [f64; 2]) -> [f64; 2] + Copy {
 }
 
 #[test]
-fn integrators_break_where_facts_10_says() {
+fn integrators_become_unstable_at_their_known_limits() {
     let leapfrog = |h: f64, [x, v]: [f64; 2]| {
         let half = v - 0.5 * h * x;
         let x = x + h * half;
@@ -565,7 +565,7 @@ fn integrators_break_where_facts_10_says() {
 }
 
 #[test]
-fn lift_off_speeds_are_those_of_facts_10() {
+fn lift_off_speeds_have_their_closed_form() {
     for (cam, stated) in [
         (thesis::eccentric(), 31.320920),
         (thesis::double_harmonic(), 23.490690),

@@ -24,7 +24,7 @@ pub(super) fn run_cam(cam: &Cam, drive: &Drive, e: f64) -> ContactRun {
 }
 
 #[test]
-fn plastic_flights_land_where_facts_10_says() {
+fn plastic_flights_land_at_the_closed_form_angles() {
     // theory §10: leaves, lands (degrees), flight (s), landing speed, largest gap (mm).
     for (cam, speed, leaves, lands, flight, landing, gap) in [
         (
@@ -68,7 +68,7 @@ fn plastic_flights_land_where_facts_10_says() {
 }
 
 #[test]
-fn bounces_at_restitution_one_half_follow_the_sequences_of_facts_10() {
+fn bounces_at_restitution_one_half_follow_the_computed_sequences() {
     let run = run_cam(&thesis::eccentric(), &thesis::real(35.0), 0.5);
     let at: Vec<f64> = run.impacts.iter().map(|i| i.at.to_degrees()).collect();
     // theory §10 counts the eccentric's bounces one turn on: 591.08° is 231.08° (a flight of 386° is

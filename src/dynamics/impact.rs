@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn common_formulas_return_what_facts_10_says() {
+    fn common_damping_formulas_miss_the_restitution_asked_for() {
         // Hunt–Crossley 3(1 − e)/2, Lankarani–Nikravesh 3(1 − e²)/4, Flores 8(1 − e)/(5e), asked for e = 0.5.
         for (chi, stated) in [(0.75, 0.663), (0.5625, 0.725), (1.6, 0.470)] {
             assert!((returned_restitution(chi) - stated).abs() < 5e-4);

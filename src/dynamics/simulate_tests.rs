@@ -47,7 +47,7 @@ fn rigid_and_contact_agree_on_the_thesis_cams_to_1e_6_newtons() {
 }
 
 #[test]
-fn the_thesis_forces_are_those_of_facts_3() {
+fn the_forces_of_campillos_cams_are_the_closed_forms() {
     for (cam, low, high) in [
         (thesis::eccentric(), 8.4588, 11.1612),
         (thesis::double_harmonic(), 7.40791, 11.16117),
