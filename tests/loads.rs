@@ -145,7 +145,10 @@ fn limits_that_leave_no_law_say_so_with_the_smallest_relaxation() {
         assert_eq!(why.conflict, [name]);
         let to = why.relaxations[0].to.unwrap();
         assert!(
-            to > asked && why.words.contains(&in_units(Measures::Sliding, name, to)),
+            to > asked
+                && why
+                    .words
+                    .contains(&in_units(Measures::Translating, name, to)),
             "{}",
             why.words
         );

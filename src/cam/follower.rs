@@ -80,23 +80,6 @@ pub enum Follower {
 }
 
 impl Follower {
-    /// The name users write in a scene.
-    pub fn name(&self) -> &'static str {
-        let knife = self.roller_radius() == 0.0;
-        match self {
-            Follower::FlatTranslating { .. } => "flat-translating",
-            Follower::RollerTranslating { .. } if knife => "knife-translating",
-            Follower::RollerTranslating { .. } => "roller-translating",
-            Follower::MushroomTranslating { .. } => "mushroom-translating",
-            Follower::RollerOscillating { .. } if knife => "knife-oscillating",
-            Follower::RollerOscillating { .. } => "roller-oscillating",
-            Follower::MushroomOscillating { .. } => "mushroom-oscillating",
-            Follower::FlatOscillating { .. } => "flat-oscillating",
-            Follower::TranslatingCam { .. } => "translating-cam",
-            Follower::Barrel { .. } => "barrel",
-        }
-    }
-
     /// Radius of the base circle, the largest circle about the centre inside the profile's dwell at
     /// s = 0; the base height of a translating cam, the radius of a barrel.
     pub fn base_radius(&self) -> f64 {
@@ -164,24 +147,6 @@ impl Follower {
             Follower::MushroomTranslating { arc_radius, .. }
             | Follower::MushroomOscillating { arc_radius, .. } => arc_radius,
         }
-    }
-
-    /// Whether the face is flat.
-    pub fn is_flat(&self) -> bool {
-        matches!(
-            self,
-            Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. }
-        )
-    }
-
-    /// Whether the follower swings about a pivot, so that its law is in rad.
-    pub fn is_oscillating(&self) -> bool {
-        matches!(
-            self,
-            Follower::RollerOscillating { .. }
-                | Follower::MushroomOscillating { .. }
-                | Follower::FlatOscillating { .. }
-        )
     }
 
     /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. It has ends then, even

@@ -1,8 +1,6 @@
 //! What a design's quantities are measured in. Lifts are lengths or, of an arm, angles; a cam turns through
 //! angles or slides along a length; forces follow the lift. Every number shown to people passes here.
 
-use super::Follower;
-
 /// A unit people use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
@@ -34,38 +32,27 @@ impl Unit {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measures {
     /// The follower slides on a cam that turns: m over rad.
-    Sliding,
+    Translating,
     /// The follower swings on a cam that turns: rad over rad, moments in place of forces.
-    Swinging,
+    Oscillating,
     /// The cam itself slides: m of lift over m of travel.
     Straight,
 }
 
-impl Follower {
-    /// What its law is measured in.
-    pub fn measures(&self) -> Measures {
-        match self {
-            Follower::TranslatingCam { .. } => Measures::Straight,
-            _ if self.is_oscillating() => Measures::Swinging,
-            _ => Measures::Sliding,
-        }
-    }
-}
-
 impl Measures {
     fn swings(self) -> bool {
-        self == Measures::Swinging
+        self == Measures::Oscillating
     }
 
     /// Lift and its derivatives by the cam's angle (or travel), up to order 4.
     pub fn lift(self, order: usize) -> Unit {
         let order = order.min(4);
         match self {
-            Measures::Sliding => unit(
+            Measures::Translating => unit(
                 MM.factor,
                 ["mm", "mm/rad", "mm/rad²", "mm/rad³", "mm/rad⁴"][order],
             ),
-            Measures::Swinging => unit(
+            Measures::Oscillating => unit(
                 DEGREES.factor,
                 ["°", "°/rad", "°/rad²", "°/rad³", "°/rad⁴"][order],
             ),
@@ -214,26 +201,26 @@ mod tests {
             u.after(&format!("{:.4}", u.factor * x))
         };
         let ten = 10_f64.to_radians();
-        assert_eq!(shown(Measures::Swinging, "stroke", ten), "10.0000°");
-        assert_eq!(shown(Measures::Sliding, "stroke", 0.01), "10.0000 mm");
-        assert_eq!(shown(Measures::Swinging, "jerk", 9.0), "9.0000 rad/s³");
+        assert_eq!(shown(Measures::Oscillating, "stroke", ten), "10.0000°");
+        assert_eq!(shown(Measures::Translating, "stroke", 0.01), "10.0000 mm");
+        assert_eq!(shown(Measures::Oscillating, "jerk", 9.0), "9.0000 rad/s³");
         assert_eq!(shown(Measures::Straight, "jerk", 9.0), "9.0000 m/s³");
-        assert_eq!(shown(Measures::Swinging, "force_min", 2.0), "2.0000 N·m");
+        assert_eq!(shown(Measures::Oscillating, "force_min", 2.0), "2.0000 N·m");
         assert_eq!(
-            shown(Measures::Swinging, "second_curvature", 2e-3),
+            shown(Measures::Oscillating, "second_curvature", 2e-3),
             "2.0000 mm"
         );
         assert_eq!(
-            shown(Measures::Swinging, "cam.prime_radius", 2e-3),
+            shown(Measures::Oscillating, "cam.prime_radius", 2e-3),
             "2.0000 mm"
         );
         assert_eq!(
-            shown(Measures::Sliding, "pressure_angle_rise", ten),
+            shown(Measures::Translating, "pressure_angle_rise", ten),
             "10.0000°"
         );
-        assert_eq!(shown(Measures::Sliding, "spans", 8.0), "8.0000");
+        assert_eq!(shown(Measures::Translating, "spans", 8.0), "8.0000");
         assert_eq!(Measures::Straight.place(0.16, 1), "160.0 mm");
-        assert_eq!(Measures::Swinging.place(-0.0, 1), "0.0°");
+        assert_eq!(Measures::Oscillating.place(-0.0, 1), "0.0°");
         assert_eq!(Measures::Straight.speed_words(0.5, 2), "0.50 m/s");
     }
 }

@@ -144,7 +144,7 @@ struct Pressed {
 
 /// The drive whose force is drawn: where nothing presses, one unit of moved mass.
 fn pressed(synthesis: &Synthesis) -> (Drive, Pressed) {
-    let swings = synthesis.cam.follower.measures() == Measures::Swinging;
+    let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
     let words = |head, axis, curve| Pressed { head, axis, curve };
     let mut drive = synthesis.drive;
     if synthesis.is_idle() {

@@ -22,7 +22,7 @@ pub struct Strip {
 
 /// Strips over the cam angle one above the other, one colour per name (colours repeat after six).
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
-    diagrams_over(Measures::Sliding.angle_words(), head, what, names, rows)
+    diagrams_over(Measures::Translating.angle_words(), head, what, names, rows)
 }
 
 /// The same over another quantity.

@@ -377,11 +377,11 @@ impl CamSpec {
     /// What the law is measured in.
     pub fn measures(&self) -> Measures {
         if self.is_oscillating() {
-            Measures::Swinging
+            Measures::Oscillating
         } else if self.is_straight() {
             Measures::Straight
         } else {
-            Measures::Sliding
+            Measures::Translating
         }
     }
 

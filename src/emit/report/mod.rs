@@ -156,7 +156,7 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
     }
     if !synthesis.is_idle() {
         let name = match measures {
-            Measures::Swinging => "Moment",
+            Measures::Oscillating => "Moment",
             _ => "Force",
         };
         let range = range(force.min_n, force.max_n, 4);
@@ -208,7 +208,7 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
 /// The diagrams.
 fn figures(out: &mut String, synthesis: &Synthesis) {
     out.push_str(match synthesis.cam.follower.measures() {
-        Measures::Swinging => "<h2>Moment on the arm</h2>\n",
+        Measures::Oscillating => "<h2>Moment on the arm</h2>\n",
         _ => "<h2>Force</h2>\n",
     });
     comparison(out, synthesis);

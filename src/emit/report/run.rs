@@ -55,7 +55,7 @@ pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running) {
 
 fn cards(out: &mut String, synthesis: &Synthesis, outcome: &Outcome) {
     let measures = synthesis.cam.follower.measures();
-    let moment = measures == Measures::Swinging;
+    let moment = measures == Measures::Oscillating;
     let unit = measures.force().name;
     let [push, torque] = if measures == Measures::Straight {
         ["Push on the cam", "N"]

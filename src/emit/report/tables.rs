@@ -156,7 +156,7 @@ fn drive(synthesis: &Synthesis) -> Rows {
         _ => ("one turn", std::f64::consts::TAU),
     };
     let at_rest = match measures {
-        Measures::Swinging => "moment at rest",
+        Measures::Oscillating => "moment at rest",
         _ => "force at rest",
     };
     let mut rows = vec![
@@ -170,7 +170,7 @@ fn drive(synthesis: &Synthesis) -> Rows {
     }
     if d.spring_rate != 0.0 {
         let name = match measures {
-            Measures::Swinging => "moment per angle",
+            Measures::Oscillating => "moment per angle",
             _ => "force per lift",
         };
         rows.push((name, shown(measures.spring_rate(), d.spring_rate)));
@@ -226,7 +226,7 @@ fn cam(synthesis: &Synthesis) -> Rows {
             rows.push(("prime circle", mm(follower.prime_radius())));
         }
         rows.push(("roller radius", mm(follower.roller_radius())));
-        if follower.measures() == Measures::Sliding && !follower.is_unrolled() {
+        if follower.measures() == Measures::Translating && !follower.is_unrolled() {
             rows.push(("offset", mm(follower.offset())));
         }
     }

@@ -1,0 +1,180 @@
+//! The ten kinds of follower that a scene may name.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Follower, Measures};
+
+/// Kind of follower, without its lengths.
+///
+/// ```
+/// use gaitcam::cam::FollowerKind;
+///
+/// let kind = FollowerKind::named("roller-oscillating").unwrap();
+/// assert!(kind.is_oscillating() && kind.has_roller());
+/// assert_eq!(kind.name(), "roller-oscillating");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum FollowerKind {
+    /// A flat face that translates.
+    #[default]
+    FlatTranslating,
+    /// A roller that translates.
+    RollerTranslating,
+    /// A knife edge that translates.
+    KnifeTranslating,
+    /// A face rounded to an arc, convex towards the cam, that translates.
+    MushroomTranslating,
+    /// A roller on an arm.
+    RollerOscillating,
+    /// A knife edge on an arm.
+    KnifeOscillating,
+    /// A face rounded to an arc on an arm.
+    MushroomOscillating,
+    /// A flat face on an arm.
+    FlatOscillating,
+    /// A roller on a cam that translates instead of turning.
+    TranslatingCam,
+    /// A roller in the groove of a cylinder.
+    Barrel,
+}
+
+impl FollowerKind {
+    /// Every kind, in the order in which messages list them.
+    pub const ALL: [FollowerKind; 10] = [
+        FollowerKind::FlatTranslating,
+        FollowerKind::RollerTranslating,
+        FollowerKind::KnifeTranslating,
+        FollowerKind::MushroomTranslating,
+        FollowerKind::RollerOscillating,
+        FollowerKind::KnifeOscillating,
+        FollowerKind::MushroomOscillating,
+        FollowerKind::FlatOscillating,
+        FollowerKind::TranslatingCam,
+        FollowerKind::Barrel,
+    ];
+
+    /// The name that scenes use.
+    pub fn name(self) -> &'static str {
+        match self {
+            FollowerKind::FlatTranslating => "flat-translating",
+            FollowerKind::RollerTranslating => "roller-translating",
+            FollowerKind::KnifeTranslating => "knife-translating",
+            FollowerKind::MushroomTranslating => "mushroom-translating",
+            FollowerKind::RollerOscillating => "roller-oscillating",
+            FollowerKind::KnifeOscillating => "knife-oscillating",
+            FollowerKind::MushroomOscillating => "mushroom-oscillating",
+            FollowerKind::FlatOscillating => "flat-oscillating",
+            FollowerKind::TranslatingCam => "translating-cam",
+            FollowerKind::Barrel => "barrel",
+        }
+    }
+
+    /// The kind of this name, if there is one.
+    pub fn named(name: &str) -> Option<FollowerKind> {
+        FollowerKind::ALL.into_iter().find(|k| k.name() == name)
+    }
+
+    /// Whether the follower translates on a cam that turns in its plane: it may have an offset.
+    pub fn is_translating(self) -> bool {
+        matches!(
+            self,
+            FollowerKind::FlatTranslating
+                | FollowerKind::RollerTranslating
+                | FollowerKind::KnifeTranslating
+                | FollowerKind::MushroomTranslating
+        )
+    }
+
+    /// Whether the follower swings about a pivot, so that its law is in rad.
+    pub fn is_oscillating(self) -> bool {
+        matches!(
+            self,
+            FollowerKind::RollerOscillating
+                | FollowerKind::KnifeOscillating
+                | FollowerKind::MushroomOscillating
+                | FollowerKind::FlatOscillating
+        )
+    }
+
+    /// Whether its face is flat.
+    pub fn is_flat(self) -> bool {
+        matches!(
+            self,
+            FollowerKind::FlatTranslating | FollowerKind::FlatOscillating
+        )
+    }
+
+    /// Whether it touches the cam with a roller.
+    pub fn has_roller(self) -> bool {
+        matches!(
+            self,
+            FollowerKind::RollerTranslating
+                | FollowerKind::RollerOscillating
+                | FollowerKind::TranslatingCam
+                | FollowerKind::Barrel
+        )
+    }
+
+    /// Whether it touches the cam with an arc.
+    pub fn is_mushroom(self) -> bool {
+        matches!(
+            self,
+            FollowerKind::MushroomTranslating | FollowerKind::MushroomOscillating
+        )
+    }
+
+    /// What its law is measured in.
+    pub fn measures(self) -> Measures {
+        match self {
+            FollowerKind::TranslatingCam => Measures::Straight,
+            _ if self.is_oscillating() => Measures::Oscillating,
+            _ => Measures::Translating,
+        }
+    }
+}
+
+impl std::fmt::Display for FollowerKind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl Follower {
+    /// Its kind; a roller of radius 0 is a knife edge.
+    pub fn kind(&self) -> FollowerKind {
+        let knife = self.roller_radius() == 0.0;
+        match self {
+            Follower::FlatTranslating { .. } => FollowerKind::FlatTranslating,
+            Follower::RollerTranslating { .. } if knife => FollowerKind::KnifeTranslating,
+            Follower::RollerTranslating { .. } => FollowerKind::RollerTranslating,
+            Follower::MushroomTranslating { .. } => FollowerKind::MushroomTranslating,
+            Follower::RollerOscillating { .. } if knife => FollowerKind::KnifeOscillating,
+            Follower::RollerOscillating { .. } => FollowerKind::RollerOscillating,
+            Follower::MushroomOscillating { .. } => FollowerKind::MushroomOscillating,
+            Follower::FlatOscillating { .. } => FollowerKind::FlatOscillating,
+            Follower::TranslatingCam { .. } => FollowerKind::TranslatingCam,
+            Follower::Barrel { .. } => FollowerKind::Barrel,
+        }
+    }
+
+    /// What its law is measured in.
+    pub fn measures(&self) -> Measures {
+        self.kind().measures()
+    }
+
+    /// The name that scenes use.
+    pub fn name(&self) -> &'static str {
+        self.kind().name()
+    }
+
+    /// Whether the face is flat.
+    pub fn is_flat(&self) -> bool {
+        self.kind().is_flat()
+    }
+
+    /// Whether the follower swings about a pivot, so that its law is in rad.
+    pub fn is_oscillating(&self) -> bool {
+        self.kind().is_oscillating()
+    }
+}
