@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam::gait::{Feet, ReadOptions, cycle, read, stances};
+use gaitcam::force::{Feet, ReadOptions, cycle, read, stances};
 
 fn main() {
     divan::main();

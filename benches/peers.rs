@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::synth::lab::{Bound, Task};
 

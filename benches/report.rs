@@ -17,7 +17,7 @@ use gaitcam::dynamics::profile_curve::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::{Error, Result};
-use gaitcam::gait::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
+use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};

@@ -5,7 +5,7 @@
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use gaitcam::error::{Error, Result};
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
 use rayon::prelude::*;

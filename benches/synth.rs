@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use gaitcam::cam::smallest_prime_circle;
 use gaitcam::drive::Drive;
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
 use gaitcam::synth::lab::{Between, Bound, Settings, Task, spectral};

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use gaitcam::error::{Error, Result};
-use gaitcam::gait::{Feet, catalogue, csv, model};
+use gaitcam::force::{Feet, catalogue, csv, model};
 
 /// File, model, step frequency (Hz), load (N) and feet of each curve.
 pub const CURVES: &[(&str, &str, Option<f64>, f64, Feet)] = &[

@@ -25,11 +25,11 @@
 //! # From end to end
 //!
 //! ```
-//! use gaitcam::{gait, scene, synth};
+//! use gaitcam::{force, scene, synth};
 //!
 //! let table: toml::Table = scene::DEFAULT.parse()?;
 //! let scene = scene::read(&table)?;
-//! let target = gait::model("young", Some(1.85), 700.0, gait::Feet::Both)?;
+//! let target = force::model("young", Some(1.85), 700.0, force::Feet::Both)?;
 //! let design = synth::synthesise(&scene, Some(&target))?;
 //!
 //! assert!(design.force.rms_error_percent_of_mean <= 0.5);
@@ -42,7 +42,7 @@
 //!
 //! # The house
 //!
-//! A force is wanted ([`gait`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
+//! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
 //! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over ([`emit`]). Modules import
 //! downwards only.
 #![forbid(unsafe_code)]
@@ -53,7 +53,7 @@ pub mod units;
 
 pub mod poly;
 
-pub mod gait;
+pub mod force;
 
 pub mod law;
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use gaitcam::cam::Verdict;
-use gaitcam::gait;
+use gaitcam::force;
 use gaitcam::scene::{self, Scene, Source};
 use gaitcam::synth::{Synthesis, synthesise};
 
@@ -33,11 +33,11 @@ fn designed(path: &Path) -> (Scene, Synthesis) {
             name,
             step_frequency_hz,
             body_weight_n,
-        } => gait::model(name, *step_frequency_hz, *body_weight_n, g.feet).unwrap(),
+        } => force::model(name, *step_frequency_hz, *body_weight_n, g.feet).unwrap(),
         Source::File { path: file, .. } => {
             let file = path.parent().unwrap().join(file);
             let bytes = fs::read(&file).unwrap();
-            gait::force_curve(&file, &bytes, &gait::ReadOptions::default(), g.feet).unwrap()
+            force::force_curve(&file, &bytes, &force::ReadOptions::default(), g.feet).unwrap()
         }
     });
     let design = synthesise(&scene, target.as_ref());

@@ -1,6 +1,6 @@
 //! The proof that comes with a law says what a second solve confirms.
 
-use gaitcam::gait::{Feet, model};
+use gaitcam::force::{Feet, model};
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, synthesise};
 

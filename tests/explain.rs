@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use gaitcam::explain::{choices, chord_error, force_change, force_of_points};
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::synthesise;
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! What a scene gets that names no family: harmonics in closed form while they pass, a spline otherwise.
 
-use gaitcam::gait::{Feet, model};
+use gaitcam::force::{Feet, model};
 use gaitcam::scene::{self, Family, Scene};
 use gaitcam::synth::{Synthesis, synthesise};
 

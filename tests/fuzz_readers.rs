@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use gaitcam::gait::{Feet, ForceUnit, ReadOptions, cycle, force_curve, json, read, stances, table};
+use gaitcam::force::{
+    Feet, ForceUnit, ReadOptions, cycle, force_curve, json, read, stances, table,
+};
 
 /// Everything that a user's file goes through.
 fn exercise(bytes: &[u8], options: &ReadOptions) {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::gait::{Foot, ReadOptions, Recording, read, stances};
+use gaitcam::force::{Foot, ReadOptions, Recording, read, stances};
 
 #[path = "support/c3d.rs"]
 mod c3d;

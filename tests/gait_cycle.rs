@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::gait::{
+use gaitcam::force::{
     Cycle, Feet, ReadOptions, Recording, Stances, csv, cycle, force_curve, json, overlay, read,
     stances, table,
 };

@@ -5,7 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gaitcam::gait::{
+use gaitcam::force::{
     Cycle, Feet, Foot, ReadOptions, Recording, Stance, Stances, Why, cycle, metadata_name, read,
     stances,
 };
@@ -315,7 +315,7 @@ fn middle(mut v: Vec<f64>) -> f64 {
 
 /// Medians over stances of forces (N) and positions (%): P1, V, P2.
 fn medians(s: &Stances) -> [(f64, f64); 3] {
-    let of = |pick: fn(&Stance) -> Option<gaitcam::gait::Point>| {
+    let of = |pick: fn(&Stance) -> Option<gaitcam::force::Point>| {
         let all: Vec<_> = s.used.iter().filter_map(pick).collect();
         (
             middle(all.iter().map(|p| p.force_n).collect()),
@@ -395,7 +395,7 @@ fn tables_of_stances_take_their_masses_from_the_subjects() {
         assert!(
             s.used
                 .iter()
-                .all(|s| s.foot.map(gaitcam::gait::Foot::name) == Some(side))
+                .all(|s| s.foot.map(gaitcam::force::Foot::name) == Some(side))
         );
         highs.extend(s.used.iter().map(|s| highest(s) / (s.mass_kg.unwrap() * G)));
         assert!((both(&r, &s).curve.mean_n() / (r.mass_kg.unwrap() * G) - 1.0).abs() < 0.01);
@@ -494,7 +494,7 @@ fn marked_strikes_and_turns_name_the_feet() {
         let (_, s) = open(&folder, file);
         s.used
             .iter()
-            .map(|s| s.foot.map_or("-", gaitcam::gait::Foot::name))
+            .map(|s| s.foot.map_or("-", gaitcam::force::Foot::name))
             .collect()
     };
     assert_eq!(feet("c3d/HC002D06.c3d"), ["right", "left"]);

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam::gait::{Feet, Foot, ReadOptions, Recording, cycle, read, stances};
+use gaitcam::force::{Feet, Foot, ReadOptions, Recording, cycle, read, stances};
 
 const RATE: f64 = 200.0;
 const STRIDE_S: f64 = 1.1;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::gait::{Feet, ReadOptions, Recording, cycle, read, stances};
+use gaitcam::force::{Feet, ReadOptions, Recording, cycle, read, stances};
 
 const RATE: f64 = 200.0;
 const STRIDE_S: f64 = 1.1;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gaitcam::gait::{Feet, ReadOptions, catalogue, force_curve, model};
+use gaitcam::force::{Feet, ReadOptions, catalogue, force_curve, model};
 use gaitcam::units::LBF;
 
 #[path = "../examples/gait_curves.rs"]

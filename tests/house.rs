@@ -6,7 +6,7 @@ use std::path::Path;
 /// Lowest floor first: a module may use those before it. The law stands before the drive, because a force
 /// is computed from a law.
 const FLOORS: [&str; 14] = [
-    "error", "units", "poly", "gait", "law", "drive", "cam", "dynamics", "scene", "synth",
+    "error", "units", "poly", "force", "law", "drive", "cam", "dynamics", "scene", "synth",
     "explain", "emit", "sweep", "cli",
 ];
 

@@ -2,7 +2,7 @@
 
 use gaitcam::cam::{Check, Measures};
 use gaitcam::dynamics::{hertz, touch::touch};
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, Tier, in_units, synthesise};
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ fn design(text: &str, changes: &[&str]) -> Synthesis {
     let target: Option<ForceCurve> = scene
         .gait
         .as_ref()
-        .map(|g| gaitcam::gait::model("young", Some(1.85), 700.0, g.feet).unwrap());
+        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
     synthesise(&scene, target.as_ref()).unwrap()
 }
 

@@ -2,7 +2,7 @@
 
 use gaitcam::dynamics::flexible::residual_vibration;
 use gaitcam::dynamics::{hertz, touch::touch};
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, synthesise};
@@ -17,7 +17,7 @@ fn design(text: &str, changes: &[&str]) -> Synthesis {
     let target: Option<ForceCurve> = scene
         .gait
         .as_ref()
-        .map(|g| gaitcam::gait::model("young", Some(1.85), 700.0, g.feet).unwrap());
+        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
     synthesise(&scene, target.as_ref()).unwrap()
 }
 

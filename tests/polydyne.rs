@@ -1,7 +1,7 @@
 //! A scene with a follower that gives: the cam is cut so that the follower's end moves as the law asks.
 
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, synthesise};
 use std::f64::consts::TAU;
@@ -22,7 +22,7 @@ fn design(text: &str, changes: &[&str]) -> Synthesis {
     let target: Option<ForceCurve> = scene
         .gait
         .as_ref()
-        .map(|g| gaitcam::gait::model("young", Some(1.85), 700.0, g.feet).unwrap());
+        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
     synthesise(&scene, target.as_ref()).unwrap()
 }
 

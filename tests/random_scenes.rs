@@ -1,7 +1,7 @@
 //! Whatever a scene asks for: words, a cam that keeps every limit on a dense scan, or a conflict whose
 //! smallest relaxation does build.
 
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, synthesise};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! A scene that is refused says what would do, and that does; a little less does not.
 
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Synthesis, relaxed, synthesise};
 

@@ -5,7 +5,7 @@ use gaitcam::cam::{Cam, Follower, ProfilePoint, Verdict, judge, smallest_prime_c
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::rigid::liftoff_speed;
 use gaitcam::dynamics::thesis;
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::{PiecewisePoly, SplineSpace, bernstein, gauss_legendre};
 use gaitcam::scene;

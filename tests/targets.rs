@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::gait::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Against, Synthesis, synthesise, trade};
 

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use gaitcam::gait::{Feet, ReadOptions, cycle, read, stances};
+use gaitcam::force::{Feet, ReadOptions, cycle, read, stances};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     if let Ok(r) = read(Path::new("fuzz"), bytes, &ReadOptions::default()) {

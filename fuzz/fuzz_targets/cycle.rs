@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use gaitcam::gait::{Feet, ReadOptions, force_curve};
+use gaitcam::force::{Feet, ReadOptions, force_curve};
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let _ = force_curve(Path::new("fuzz"), bytes, &ReadOptions::default(), Feet::Both);

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::dynamics::{Model, simulate};
 use crate::error::Result;
 use crate::explain::{choices, chord_error, force_change, force_of_points, run};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::Scene;
 use crate::synth::{Synthesis, synthesise};
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::{BAD_INPUT, BUILT, GaitArgs, files, input, say};
 use crate::emit;
 use crate::error::{Error, Place, Result};
-use crate::gait::{self, Feet, ReadOptions};
+use crate::force::{self, Feet, ReadOptions};
 use crate::units::{Dimension, parse};
 
 /// Stances drawn in the picture; the mean is of all.
@@ -83,40 +83,40 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
         metadata: input::metadata(path),
     };
     let bytes = input::read_bytes(path)?;
-    if let Some(curve) = gait::one_cycle(path, &bytes, &options)? {
+    if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
         if let Some(place) = place {
             let from = format!("cycle of {}", path.display());
-            files::write_whole(place, gait::csv(&curve, &[&from]).as_bytes())?;
+            files::write_whole(place, force::csv(&curve, &[&from]).as_bytes())?;
         }
         return Ok(Described {
-            text: format!("{}\n{}", path.display(), gait::cycle_table(&curve)),
-            object: gait::cycle_json(&curve),
+            text: format!("{}\n{}", path.display(), force::cycle_table(&curve)),
+            object: force::cycle_json(&curve),
             fault: None,
         });
     }
-    let recording = gait::read(path, &bytes, &options)?;
+    let recording = force::read(path, &bytes, &options)?;
     drop(bytes);
-    let stances = gait::stances(&recording);
+    let stances = force::stances(&recording);
     let cycle =
-        gait::cycle(&recording, &stances, feet).map_err(|e| e.at(Place::File(path.to_path_buf())));
+        force::cycle(&recording, &stances, feet).map_err(|e| e.at(Place::File(path.to_path_buf())));
     let shown = cycle.as_ref().map_err(ToString::to_string);
     let text = format!(
         "{}\n{}",
         path.display(),
-        gait::table(
+        force::table(
             &recording,
             &stances,
             shown.as_ref().map_err(String::as_str).copied()
         )
     );
-    let object = gait::json(&recording, &stances, cycle.as_ref().ok());
+    let object = force::json(&recording, &stances, cycle.as_ref().ok());
     if let (Some(place), Ok(cycle)) = (place, &cycle) {
         let from = format!("mean cycle of {}", path.display());
         files::write_whole(
             place,
-            gait::csv(&cycle.curve, &[&from, &cycle.how]).as_bytes(),
+            force::csv(&cycle.curve, &[&from, &cycle.how]).as_bytes(),
         )?;
-        if let Some(overlay) = gait::overlay(&recording, &stances, DRAWN) {
+        if let Some(overlay) = force::overlay(&recording, &stances, DRAWN) {
             let name = path
                 .file_name()
                 .map_or_else(String::new, |n| n.to_string_lossy().into());

@@ -7,7 +7,7 @@ use toml::Table;
 
 use super::SceneArgs;
 use crate::error::{Error, Place, Result};
-use crate::gait::{self, ForceCurve};
+use crate::force::{self, ForceCurve};
 use crate::scene::{self, Scene, Source};
 
 /// A scene with the folder that its paths are relative to.
@@ -95,7 +95,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
             step_frequency_hz,
             body_weight_n,
         } => {
-            let curve = gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
+            let curve = force::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
             curve
                 .map(Some)
                 .map_err(|e| e.at(Place::Key("gait.model".to_string())))
@@ -117,7 +117,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
                         .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
                 })
                 .transpose()?;
-            let options = gait::ReadOptions {
+            let options = force::ReadOptions {
                 time: time.clone(),
                 force: force.clone(),
                 unit,
@@ -125,7 +125,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
                 mass_kg: *mass_kg,
                 metadata: metadata(&path),
             };
-            gait::force_curve(&path, &bytes, &options, gait.feet).map(Some)
+            force::force_curve(&path, &bytes, &options, gait.feet).map(Some)
         }
     }
 }
@@ -142,7 +142,7 @@ fn find(folder: &Path, path: &Path) -> PathBuf {
 
 /// The table of subjects that lies beside a table of stances, if there is one.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
-    fs::read(gait::metadata_name(path)?).ok()
+    fs::read(force::metadata_name(path)?).ok()
 }
 
 /// A whole file.

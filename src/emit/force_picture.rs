@@ -10,7 +10,7 @@ use super::plots::{Layout, ends_of, key, over_the_law, strips, title};
 use super::samples::{motion, number};
 use crate::cam::Measures;
 use crate::drive::Drive;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::synth::Synthesis;
 
 /// Points of the target and of its band.

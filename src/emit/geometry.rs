@@ -1,7 +1,7 @@
 //! What every drawing of a cam needs besides its profile: directions, poses, angles of the rows.
 
 use crate::cam::{Cam, Follower};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::law::Law;
 
 /// Turns `p` by `theta` rad, counter-clockwise: from the cam's frame into the fixed one.

@@ -7,7 +7,7 @@ use super::picture::Picture;
 use super::picture::palette::{BLUE, GREEN, INK, ORANGE, QUIET};
 use super::plots::{Layout, key, key_and_levels, strips, title};
 use super::sheet::{Canvas, Drawn};
-use crate::gait::{Cycle, Foot, Overlay};
+use crate::force::{Cycle, Foot, Overlay};
 use crate::units::G;
 
 /// A curve as it is drawn.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::table::Reader;
 use super::{Band, Gait, Phase, PhaseWeight, Source};
 use crate::error::{Error, Result};
-use crate::gait::Feet;
+use crate::force::Feet;
 use crate::units::Dimension;
 
 /// Weight of the walker that the load models were published for, N.

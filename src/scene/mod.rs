@@ -17,7 +17,7 @@ use crate::cam::{Closure, Measures};
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::train::Train;
 use crate::error::{Place, Result};
-use crate::gait::Feet;
+use crate::force::Feet;
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
 #[derive(Debug, Clone, PartialEq)]

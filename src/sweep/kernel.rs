@@ -15,7 +15,7 @@ use super::results::{Results, Row};
 use super::spectral::Shape;
 use super::{NamedScene, closed};
 use crate::error::{Error, Place, Result};
-use crate::gait::{self, ForceCurve};
+use crate::force::{self, ForceCurve};
 use crate::scene::{self, Gait, Scene, Source};
 use crate::synth::synthesise;
 
@@ -227,7 +227,7 @@ impl<'a> Kernel<'a> {
                 name,
                 step_frequency_hz,
                 body_weight_n,
-            } => gait::model(name, *step_frequency_hz, *body_weight_n, gait.feet)
+            } => force::model(name, *step_frequency_hz, *body_weight_n, gait.feet)
                 .map(Some)
                 .map_err(|e| e.at(Place::Key("gait.model".to_string()))),
         }
@@ -272,13 +272,13 @@ impl<'a> Kernel<'a> {
             let curve = (self.targets)(index, scene).ok()?;
             return Some((Shape::of_curve(curve)?, false));
         };
-        let fourier = gait::fourier(name, *step_frequency_hz, gait.feet).ok()?;
+        let fourier = force::fourier(name, *step_frequency_hz, gait.feet).ok()?;
         let harmonics = fourier
-            .and_then(|(period_s, terms)| Shape::of_harmonics(period_s, terms, gait::SAMPLES));
+            .and_then(|(period_s, terms)| Shape::of_harmonics(period_s, terms, force::SAMPLES));
         if let Some(shape) = harmonics {
             return Some((shape, true));
         }
-        let curve = gait::model(name, *step_frequency_hz, 1.0, gait.feet).ok()?;
+        let curve = force::model(name, *step_frequency_hz, 1.0, gait.feet).ok()?;
         Some((Shape::of_curve(curve)?, false))
     }
 }

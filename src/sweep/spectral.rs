@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use super::interpolant::Bumps;
 use super::trig;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, amplitudes};
 

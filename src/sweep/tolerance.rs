@@ -241,13 +241,13 @@ impl Spread {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gait::Feet;
+    use crate::force::Feet;
     use crate::scene;
     use crate::synth::synthesise;
 
     fn design() -> Synthesis {
         let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
-        let target = crate::gait::model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+        let target = crate::force::model("young", Some(1.85), 700.0, Feet::Both).unwrap();
         synthesise(&scene, Some(&target)).unwrap()
     }
 

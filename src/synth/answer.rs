@@ -3,7 +3,7 @@
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::polydyne::Miss;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Error, Result};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::{Band, Phase, PhaseWeight, Scene};
 
 /// The target in step with the cam, and the machine that turns lift into force.

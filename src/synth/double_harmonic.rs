@@ -184,7 +184,7 @@ fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gait::ForceCurve;
+    use crate::force::ForceCurve;
     use crate::scene;
 
     #[test]

@@ -16,7 +16,7 @@ use super::problem::{Failure, Limit, Meaning, Program};
 use super::{equality, harmonic};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::SplineSpace;
 
@@ -214,7 +214,7 @@ fn refused(failure: &Failure) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gait::{Feet, model};
+    use crate::force::{Feet, model};
 
     fn task<'a>(target: &'a ForceCurve, bounds: &'a [Bound]) -> Task<'a> {
         let drive = Drive::moving_axis(target.mean_n() / 9.81, 9.81, TAU / target.period_s);

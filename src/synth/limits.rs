@@ -7,7 +7,7 @@ use super::problem::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RA
 use super::sequence::ENLARGED;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::error::Result;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::poly::PiecewisePoly;
 use crate::scene::{Minimise, Scene};
 

@@ -103,7 +103,7 @@ pub use trade::{Against, Trade, trade};
 
 use crate::cam::{Cam, Check};
 use crate::error::{Error, Place, Result};
-use crate::gait::{ForceCurve, doubt};
+use crate::force::{ForceCurve, doubt};
 use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use crate::scene::{Family, Minimise, Scene, Source};
 use demand::Demand;

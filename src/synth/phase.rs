@@ -12,7 +12,7 @@ use argmin::solver::brent::BrentOpt;
 use super::demand::Demand;
 use super::{find_law, on_base_circle, verify};
 use crate::error::{Error, Result};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::{Phase, Scene};
 
 /// Phases looked at before the search.

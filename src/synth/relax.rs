@@ -11,7 +11,7 @@ use super::knob::{
     AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, KNOBS, Knob, PressureAngle, Rise, STEEPEST,
 };
 use crate::cam::Verdict;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::Scene;
 
 /// The value is found to this part of it; costly designs to `COARSE`.

@@ -9,7 +9,7 @@ use super::limits;
 use super::objective::Quadratic;
 use super::problem::{Equality, Failure, Limit, PEAK, Program, Solution};
 use crate::error::{Error, Result};
-use crate::gait::{ForceCurve, spread_rms_n};
+use crate::force::{ForceCurve, spread_rms_n};
 use crate::law::Law;
 use crate::poly::SplineSpace;
 use crate::scene::{Dwell, Family, Minimise, Scene, Weigh};

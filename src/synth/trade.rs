@@ -5,7 +5,7 @@
 
 use super::{Synthesis, synthesise};
 use crate::error::{Error, Place, Result};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::{Family, Minimise, Scene};
 
 /// What the force error is traded against.

@@ -2,7 +2,7 @@
 
 use gaitcam::cam::{Cam, Check, Follower, Verdict, smallest_base_radius};
 use gaitcam::drive::Drive;
-use gaitcam::gait::ForceCurve;
+use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
 use gaitcam::synth::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};

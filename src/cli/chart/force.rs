@@ -9,7 +9,7 @@ use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::drive::Drive;
 use crate::emit::chart::{Across, Chart, Row};
 use crate::error::{Error, Result};
-use crate::gait::{Feet, ForceCurve, model};
+use crate::force::{Feet, ForceCurve, model};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::synth::lab::{Task, first_rung, spectral};
 

@@ -10,7 +10,7 @@ use super::{Watch, footbridge, force_error};
 use crate::cam::smallest_prime_circle;
 use crate::emit::chart::{self, Across, Chart, Row};
 use crate::error::{Error, Result};
-use crate::gait::{self, Feet, ForceCurve, ReadOptions};
+use crate::force::{self, Feet, ForceCurve, ReadOptions};
 use crate::law::{Extent, Law, Rise, Segment, program};
 use crate::scene;
 use crate::synth::lab::{self, Bound, Task};
@@ -159,7 +159,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Line>> {
     let text = include_str!("../../../scenes/heel_tester_fitted.toml");
     let points = include_bytes!("../../../data/gait_curves/heel_tester_critical_points.csv");
     let name = Path::new("heel_tester_critical_points.csv");
-    let target = gait::force_curve(name, points, &ReadOptions::default(), Feet::One)?;
+    let target = force::force_curve(name, points, &ReadOptions::default(), Feet::One)?;
     let mut out = Vec::new();
     let cases: [(&'static str, &[&str]); 2] = [
         (

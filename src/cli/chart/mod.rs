@@ -17,7 +17,7 @@ use super::{BUILT, ChartArgs, say};
 use crate::drive::Drive;
 use crate::emit::chart::{self, Row};
 use crate::error::Result;
-use crate::gait::{Feet, ForceCurve, model};
+use crate::force::{Feet, ForceCurve, model};
 use crate::law::Law;
 
 /// Measures every chart and writes tables and pictures.

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::drive::Drive;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::law::Condition;
 use crate::poly::bernstein;
 

@@ -5,7 +5,7 @@ use super::{Watch, footbridge, force_error};
 use crate::drive::Drive;
 use crate::emit::chart::{Across, Chart, Row};
 use crate::error::Result;
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::synth::lab::{Answer, Between, Bound, Settings, Task};
 
 /// The exact optimum, by which every answer is judged.

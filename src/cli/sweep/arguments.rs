@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::SweepArgs;
 use crate::cli::{SceneArgs, input};
 use crate::error::{Error, Place, Result};
-use crate::gait::ForceCurve;
+use crate::force::ForceCurve;
 use crate::scene::Scene;
 use crate::sweep::{Axis, Design, Key, List, NamedScene, Plan, Values};
 

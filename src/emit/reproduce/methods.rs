@@ -11,7 +11,7 @@ use crate::dynamics::thesis;
 use crate::emit::overlay;
 use crate::emit::picture::Picture;
 use crate::error::{Error, Result};
-use crate::gait::{self, Feet, ForceCurve};
+use crate::force::{self, Feet, ForceCurve};
 use crate::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use crate::poly::PiecewisePoly;
 use crate::scene;
@@ -46,7 +46,7 @@ pub struct Method {
 }
 
 fn target() -> Result<ForceCurve> {
-    let curve = gait::model("young", Some(1.85), 700.0, Feet::Both)?;
+    let curve = force::model("young", Some(1.85), 700.0, Feet::Both)?;
     let factor = thesis::MASS * G / curve.mean_n();
     Ok(curve.scaled(factor))
 }

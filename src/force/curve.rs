@@ -1,0 +1,272 @@
+//! One cycle of wanted vertical force.
+
+use std::f64::consts::TAU;
+
+use crate::error::{Error, Result};
+use crate::poly::{PiecewisePoly, bernstein};
+
+/// Samples of one cycle of a load model and of the mean cycle of a recording.
+pub const SAMPLES: usize = 1024;
+
+/// Of a slope per sample, in the Bernstein coefficients of a cubic.
+const THIRD: f64 = 1.0 / 3.0;
+
+/// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
+///
+/// Sample `i` of `n` stands at cam angle θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ForceCurve {
+    /// What the curve is, for reports: "Young 2001, 1.85 Hz" or "walk1.forces, 3 strides".
+    pub name: String,
+    /// Duration of one cycle, s; positive.
+    pub period_s: f64,
+    /// Force at equal steps of phase, N; at least 4 samples, all finite.
+    pub force_n: Vec<f64>,
+    /// Step-to-step standard deviation at the same phases, N, where several cycles were averaged.
+    pub spread_n: Option<Vec<f64>>,
+    /// Mass of the walker, kg, where it is known.
+    pub mass_kg: Option<f64>,
+}
+
+impl ForceCurve {
+    /// A curve from equal-phase samples of one cycle (the first sample is not repeated at the end).
+    ///
+    /// Fails on fewer than 4 samples, on a value that is not finite, on a period that is not positive.
+    pub fn from_samples(name: &str, period_s: f64, force_n: Vec<f64>) -> Result<Self> {
+        if force_n.len() < 4 {
+            return Err(Error::new(format!(
+                "a force cycle of {} samples says nothing about its shape",
+                force_n.len()
+            ))
+            .help("give at least 4 samples per cycle"));
+        }
+        if let Some(i) = force_n.iter().position(|f| !f.is_finite()) {
+            return Err(Error::new(format!("force sample {i} is {}", force_n[i]))
+                .help("every sample must be a finite number of newtons"));
+        }
+        if !(period_s.is_finite() && period_s > 0.0) {
+            return Err(Error::new(format!("a cycle cannot last {period_s} s"))
+                .help("the period must be positive"));
+        }
+        Ok(ForceCurve {
+            name: name.to_string(),
+            period_s,
+            force_n,
+            spread_n: None,
+            mass_kg: None,
+        })
+    }
+
+    /// Mean force over the cycle, N.
+    pub fn mean_n(&self) -> f64 {
+        // Eight sums side by side: one alone waits for every addition.
+        let mut sums = [0.0; 8];
+        let eights = self.force_n.chunks_exact(8);
+        let rest: f64 = eights.remainder().iter().sum();
+        for eight in eights {
+            for (sum, f) in sums.iter_mut().zip(eight) {
+                *sum += f;
+            }
+        }
+        (sums.iter().sum::<f64>() + rest) / self.force_n.len() as f64
+    }
+}
+
+impl ForceCurve {
+    /// Smallest and largest sample, N.
+    pub fn range_n(&self) -> (f64, f64) {
+        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 8];
+        for eight in self.force_n.chunks(8) {
+            for ([low, high], &f) in ranges.iter_mut().zip(eight) {
+                // Samples are finite: plain comparisons do.
+                *low = if f < *low { f } else { *low };
+                *high = if f > *high { f } else { *high };
+            }
+        }
+        ranges
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, [low, high]| {
+                (r.0.min(*low), r.1.max(*high))
+            })
+    }
+
+    /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.
+    pub fn at(&self, theta: f64) -> f64 {
+        let n = self.force_n.len();
+        let x = (theta / TAU).rem_euclid(1.0) * n as f64;
+        let i = (x as usize).min(n - 1);
+        let u = x - i as f64;
+        bernstein::eval(&self.cubic(i), u)
+    }
+
+    /// The whole cycle as a piecewise cubic over θ ∈ [0, 2π], N.
+    pub fn curve(&self) -> PiecewisePoly {
+        let n = self.force_n.len();
+        // TAU·n/n need not be TAU: the last break is set, not computed.
+        let breaks = (0..n)
+            .map(|i| TAU * i as f64 / n as f64)
+            .chain([TAU])
+            .collect();
+        let coef = self.cubics().into_iter().flatten().collect();
+        PiecewisePoly::new(breaks, 3, coef)
+    }
+
+    /// Bernstein coefficients of the cubic between each sample and the next, N.
+    pub fn cubics(&self) -> Vec<[f64; 4]> {
+        let f = &self.force_n;
+        let n = f.len();
+        // Two samples before the first and three after the last, so that nothing wraps in the loops.
+        let mut around = Vec::with_capacity(n + 5);
+        around.extend_from_slice(&f[n - 2..]);
+        around.extend_from_slice(f);
+        around.extend_from_slice(&f[..3]);
+        let slopes = slopes(&around);
+        let ends = f.iter().zip(&around[3..]);
+        let thirds = slopes.iter().zip(&slopes[1..]);
+        (ends.zip(thirds))
+            .map(|((f0, f1), (s0, s1))| [*f0, f0 + THIRD * s0, f1 - THIRD * s1, *f1])
+            .collect()
+    }
+
+    /// The curve with every force multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let times = |x: &Vec<f64>| x.iter().map(|f| f * factor).collect();
+        ForceCurve {
+            force_n: times(&self.force_n),
+            spread_n: self.spread_n.as_ref().map(times),
+            ..self.clone()
+        }
+    }
+
+    /// The same cycle begun at another phase, rad: sample 0 of the new curve is the old one at `phase`.
+    #[must_use]
+    pub fn begun_at(&self, phase: f64) -> Self {
+        let n = self.force_n.len();
+        let moved = |curve: &Self| {
+            (0..n)
+                .map(|i| curve.at(phase + TAU * i as f64 / n as f64))
+                .collect()
+        };
+        let spread_n = self
+            .spread_n
+            .as_ref()
+            .map(|s| moved(&self.with_forces(s.clone())));
+        ForceCurve {
+            force_n: moved(self),
+            spread_n,
+            ..self.clone()
+        }
+    }
+
+    /// The same cycle with other forces, N, one for each sample.
+    #[must_use]
+    pub fn with_forces(&self, force_n: Vec<f64>) -> Self {
+        ForceCurve {
+            force_n,
+            spread_n: None,
+            ..self.clone()
+        }
+    }
+
+    /// Bernstein coefficients of the cubic between samples i and i + 1.
+    fn cubic(&self, i: usize) -> [f64; 4] {
+        let n = self.force_n.len();
+        let (f0, f1) = (self.force_n[i], self.force_n[(i + 1) % n]);
+        [
+            f0,
+            f0 + THIRD * self.slope(i),
+            f1 - THIRD * self.slope(i + 1),
+            f1,
+        ]
+    }
+
+    /// Slope per sample at sample `i`.
+    fn slope(&self, i: usize) -> f64 {
+        let n = self.force_n.len();
+        slope([n - 2, n - 1, 0, 1, 2].map(|k| self.force_n[(i + k) % n]))
+    }
+}
+
+/// Slopes at all samples but the first two and the last two.
+fn slopes(f: &[f64]) -> Vec<f64> {
+    let n = f.len() - 4;
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + n]);
+    (0..n)
+        .map(|i| slope([a[i], b[i], c[i], d[i], e[i]]))
+        .collect()
+}
+
+/// Slope per sample at the middle of five samples: the fourth-order centred difference, held within three
+/// times the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's
+/// bound). At a local extreme of the samples half that bound applies to either sign, so that a smooth peak
+/// between two samples is not flattened.
+fn slope(f: [f64; 5]) -> f64 {
+    let (before, after) = (f[2] - f[1], f[3] - f[2]);
+    let centred = (2.0 * THIRD) * (f[3] - f[1]) - (0.25 * THIRD) * (f[4] - f[0]);
+    let (own, next) = (before.abs(), after.abs());
+    let smaller = if own < next { own } else { next };
+    let steady = before * after > 0.0;
+    let bound = if steady { 3.0 } else { 1.5 } * smaller;
+    // Without branches, so that several slopes are worked out at once.
+    let held = if centred > bound { bound } else { centred };
+    let held = if held < -bound { -bound } else { held };
+    let backwards = steady & (centred * before < 0.0);
+    if backwards { 0.0 } else { held }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smooth_curves_are_interpolated_to_third_order_or_better() {
+        let f = |x: f64| 700.0 + 250.0 * x.sin() + 40.0 * (3.0 * x).cos();
+        let worst = |n: usize| {
+            let samples = (0..n).map(|i| f(TAU * i as f64 / n as f64)).collect();
+            let curve = ForceCurve::from_samples("test", 0.5, samples).unwrap();
+            (0..5000)
+                .map(|i| TAU * f64::from(i) / 5000.0)
+                .fold(0.0_f64, |m, x| m.max((curve.at(x) - f(x)).abs()))
+        };
+        let (coarse, fine) = (worst(128), worst(1024));
+        assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
+    }
+
+    #[test]
+    fn a_cycle_begun_elsewhere_is_the_same_cycle() {
+        let samples = (0..200)
+            .map(|i| 700.0 + 250.0 * (TAU * f64::from(i) / 200.0).sin())
+            .collect();
+        let mut curve = ForceCurve::from_samples("test", 0.5, samples).unwrap();
+        curve.spread_n = Some((0..200).map(f64::from).collect());
+        // A quarter turn is fifty samples.
+        let moved = curve.begun_at(TAU / 4.0);
+        for i in 0..200 {
+            assert!((moved.force_n[i] - curve.force_n[(i + 50) % 200]).abs() < 1e-9);
+        }
+        assert!((moved.spread_n.unwrap()[0] - 50.0).abs() < 1e-9);
+        let there_and_back = curve.begun_at(0.3).begun_at(-0.3);
+        for (a, b) in there_and_back.force_n.iter().zip(&curve.force_n) {
+            // Third order at a crest: 2e-4 N at 1024 samples (above) are 0.027 N at 200.
+            assert!((a - b).abs() < 0.03, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_step_is_not_overshot() {
+        let samples = (0..40)
+            .map(|i| if (10..30).contains(&i) { 800.0 } else { 0.0 })
+            .collect();
+        let curve = ForceCurve::from_samples("step", 1.0, samples).unwrap();
+        let (low, high) = curve.curve().extremes();
+        assert!(low.value >= 0.0 && high.value <= 800.0);
+    }
+
+    #[test]
+    fn impossible_cycles_are_refused() {
+        assert!(ForceCurve::from_samples("x", 1.0, vec![1.0]).is_err());
+        assert!(ForceCurve::from_samples("x", 0.0, vec![1.0; 8]).is_err());
+        assert!(ForceCurve::from_samples("x", 1.0, vec![1.0, f64::NAN, 1.0, 1.0]).is_err());
+    }
+}

@@ -1,0 +1,65 @@
+//! Published models of the force of both feet together: a Fourier series in the step frequency.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::phases;
+
+/// What the amplitudes and phases of a model are; one entry per harmonic, phases added, radians.
+pub(super) type Harmonics = Vec<(f64, f64)>;
+
+/// Amplitudes and added phases of the continuous models at step frequency `f`, Hz.
+pub(super) fn harmonics(name: &str, f: f64) -> Harmonics {
+    let in_phase = |amplitudes: &[f64]| amplitudes.iter().map(|&a| (a, 0.0)).collect();
+    let lagging = |a1: f64| vec![(a1, 0.0), (0.1, -FRAC_PI_2), (0.1, -FRAC_PI_2)];
+    match name {
+        "blanchard" => in_phase(&[180.0 / 700.0]),
+        "bachmann" => lagging((0.4 + 0.25 * (f - 2.0)).clamp(0.4, 0.5)),
+        "setra" => lagging(0.4),
+        "rebelo" => {
+            let a2 = if f > 1.5 { 0.15 * f - 0.125 } else { 0.0 };
+            in_phase(&[0.43 * f - 0.38, a2, 0.1])
+        }
+        "kerr" => {
+            let a1 = ((-0.2649 * f + 1.3206) * f - 1.7597) * f + 0.7613;
+            in_phase(&[a1, 0.07, 0.05])
+        }
+        "young" => cresting_together([
+            (0.37 * (f - 0.95)).min(0.5),
+            0.054 + 0.0044 * 2.0 * f,
+            0.026 + 0.0050 * 3.0 * f,
+            0.010 + 0.0051 * 4.0 * f,
+        ]),
+        "young-design" => cresting_together([
+            (0.41 * (f - 0.95)).min(0.56),
+            0.069 + 0.0056 * 2.0 * f,
+            0.033 + 0.0064 * 3.0 * f,
+            0.013 + 0.0065 * 4.0 * f,
+        ]),
+        "sci-p354" => cresting_together([
+            0.436 * (f - 0.95),
+            0.006 * (2.0 * f + 12.3),
+            0.007 * (3.0 * f + 5.2),
+            0.007 * (4.0 * f + 2.0),
+        ]),
+        // The only one left of the continuous models.
+        _ => in_phase(&[0.37 * (f - 1.0), 0.1, 0.06, 0.06, 0.06]),
+    }
+}
+
+/// The added phases 0, -pi/2, pi, pi/2 of SCI P354: all four harmonics are cosines of the time since
+/// a quarter step, so they crest together there.
+fn cresting_together(amplitudes: [f64; 4]) -> Harmonics {
+    let phases = [0.0, -FRAC_PI_2, PI, FRAC_PI_2];
+    amplitudes.into_iter().zip(phases).collect()
+}
+
+/// One step of 1 + Σ aᵢ sin(2π i x + pᵢ), sampled.
+pub(super) fn continuous(harmonics: &[(f64, f64)]) -> Vec<f64> {
+    let at = |x: f64| {
+        let waves = harmonics.iter().zip(1..);
+        1.0 + waves
+            .map(|(&(a, p), i)| a * (TAU * f64::from(i) * x + p).sin())
+            .sum::<f64>()
+    };
+    phases().map(at).collect()
+}

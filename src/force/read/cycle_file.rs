@@ -1,0 +1,340 @@
+//! Texts that hold exactly one cycle: equal or unequal samples, or the critical points of a curve.
+//!
+//! A comment line says so, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
+//! table below has a time and a force column and perhaps one of spread.
+
+use std::path::Path;
+
+use super::columns::{Role, role, words};
+use super::keys;
+use super::text::{Lines, Position, column, detect, next_table, numbers, plain, text, unit_label};
+use crate::error::{Error, Result};
+use crate::force::curve::{ForceCurve, SAMPLES};
+use crate::force::recording::{ForceUnit, ReadOptions};
+
+/// Lines at the start of a text among which the mark must stand.
+const HEAD: usize = 40;
+
+/// What a text holds, by its mark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Cycle,
+    CriticalPoints,
+}
+
+/// Reads a text that says it is one cycle; `None` for any other file.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+    let bytes = &*plain(bytes);
+    let comments: Vec<String> = Lines::new(bytes)
+        .take(HEAD)
+        .filter(|(_, l)| l.first() == Some(&b'#'))
+        .map(|(_, l)| text(l).trim_start_matches('#').trim().to_string())
+        .collect();
+    let Some(kind) = comments.iter().find_map(|c| kind(c)) else {
+        return Ok(None);
+    };
+    let layout = detect(bytes);
+    let table = next_table(bytes, layout, Position { offset: 0, line: 1 }).ok_or_else(|| {
+        Error::file(path, "no table of numbers found").help("give columns time_s and force_n")
+    })?;
+    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+    let place = |wanted: fn(&Role) -> bool| roles.iter().position(wanted);
+    let time = match &options.time {
+        Some(name) => column(path, &table, name)?,
+        None => place(|r| *r == Role::Time)
+            .ok_or_else(|| missing(path, table.start.line, "time", &table.names))?,
+    };
+    let force = match options.force.first() {
+        Some(name) => column(path, &table, name)?,
+        None => place(|r| matches!(r, Role::Force { .. }))
+            .ok_or_else(|| missing(path, table.start.line, "force", &table.names))?,
+    };
+    let spread = table
+        .names
+        .iter()
+        .position(|n| words(n).first().is_some_and(|w| w == "spread" || w == "sd"));
+    let mut wanted: Vec<usize> = [Some(time), Some(force), spread]
+        .into_iter()
+        .flatten()
+        .collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
+    let read = numbers(path, bytes, layout, &table, &wanted, Some(slot(time)))?;
+    let line = |i: usize| table.start.line + i;
+    let (times, forces) = (&read.columns[slot(time)], &read.columns[slot(force)]);
+    if let Some(bad) = read.skipped.first() {
+        return Err(
+            Error::line(path, *bad, "this is not a row of a time and a force")
+                .help("a cycle must be complete"),
+        );
+    }
+    for c in &read.columns {
+        if let Some(i) = c.iter().position(|x| !x.is_finite()) {
+            return Err(
+                Error::line(path, line(i), "a value is missing or not a number")
+                    .help("a cycle must be complete"),
+            );
+        }
+    }
+    let keys = keys::read(&comments, layout.comma);
+    let mass_kg = options.mass_kg.or(keys.mass_kg);
+    let unit = options
+        .unit
+        .or(unit_label(&table, force))
+        .unwrap_or(ForceUnit::Newton);
+    let factor = unit.newtons(mass_kg).ok_or_else(|| {
+        Error::line(
+            path,
+            line(0),
+            format!("force is in {} and the body mass is not known", unit.name()),
+        )
+        .help("give the mass with --mass")
+    })?;
+    let scaled = |v: &[f64]| -> Vec<f64> { v.iter().map(|x| x * factor).collect() };
+    let period = comments.iter().find_map(|c| period(c));
+    let name = path
+        .file_name()
+        .and_then(|n| n.to_str())
+        .unwrap_or("cycle")
+        .to_string();
+    let at = |e: Error| e.at(crate::error::Place::File(path.to_path_buf()));
+    let mut curve = match kind {
+        Kind::CriticalPoints => critical(path, &name, times, &scaled(forces), period)?,
+        Kind::Cycle => sampled(path, &name, times, &scaled(forces), period).map_err(at)?,
+    };
+    if let (Kind::Cycle, Some(s)) = (kind, spread) {
+        let spread =
+            sampled(path, &name, times, &scaled(&read.columns[slot(s)]), period).map_err(at)?;
+        curve.spread_n = Some(spread.force_n);
+    }
+    curve.mass_kg = mass_kg;
+    Ok(Some(curve))
+}
+
+fn kind(comment: &str) -> Option<Kind> {
+    let lower = comment.to_lowercase();
+    if lower.starts_with("critical points") {
+        Some(Kind::CriticalPoints)
+    } else if lower == "cycle"
+        || lower.starts_with("cycle,")
+        || lower.starts_with("cycle ")
+        || lower.starts_with("cycle:")
+    {
+        Some(Kind::Cycle)
+    } else {
+        None
+    }
+}
+
+fn missing(path: &Path, line: usize, what: &str, names: &[String]) -> Error {
+    Error::line(
+        path,
+        line.saturating_sub(1).max(1),
+        format!("no {what} column"),
+    )
+    .help(format!("the columns are {}", names.join(", ")))
+}
+
+/// `period_s = 0.5` or `period 0.5 s` in a comment.
+fn period(comment: &str) -> Option<f64> {
+    let lower = comment.to_lowercase();
+    let rest = &lower[lower.find("period")? + "period".len()..];
+    let rest = rest
+        .trim_start_matches("_s")
+        .trim_start_matches([' ', '=', ':']);
+    let end = rest
+        .find(|c: char| !(c.is_ascii_digit() || ".e+-".contains(c)))
+        .unwrap_or(rest.len());
+    rest[..end]
+        .parse()
+        .ok()
+        .filter(|p: &f64| p.is_finite() && *p > 0.0)
+}
+
+/// A cycle from samples: as they stand where they are equal in time, else on equal phases.
+fn sampled(
+    path: &Path,
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    period: Option<f64>,
+) -> Result<ForceCurve> {
+    let n = times.len();
+    if n < 4 {
+        return Err(Error::new(format!(
+            "a force cycle of {n} samples says nothing about its shape"
+        ))
+        .help("give at least 4 samples per cycle"));
+    }
+    let span = times[n - 1] - times[0];
+    if span <= 0.0 {
+        return Err(Error::new("time stands still"));
+    }
+    let step = span / (n - 1) as f64;
+    let period = period.unwrap_or(span + step);
+    if span > period * (1.0 + 1e-9) {
+        return Err(Error::new(format!(
+            "the samples last {span} s, longer than the period of {period} s"
+        )));
+    }
+    // The first sample may be repeated at the end.
+    let closed = (span - period).abs() < 1e-6 * period;
+    let count = if closed { n - 1 } else { n };
+    let even = period / count as f64;
+    let strays = times
+        .iter()
+        .enumerate()
+        .any(|(i, t)| (t - times[0] - i as f64 * even).abs() > 0.01 * even);
+    if !strays {
+        return ForceCurve::from_samples(name, period, force[..count].to_vec());
+    }
+    let mut points: Vec<(f64, f64)> = times
+        .iter()
+        .zip(force)
+        .map(|(t, f)| (t - times[0], *f))
+        .collect();
+    points.dedup_by(|b, a| b.0 <= a.0);
+    through(path, name, points, period)
+}
+
+/// A curve through critical points, level at every peak and valley, monotone between them.
+fn critical(
+    path: &Path,
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    period: Option<f64>,
+) -> Result<ForceCurve> {
+    let period = period.ok_or_else(|| {
+        Error::file(path, "the period of the critical points is not given")
+            .help("write \"# period_s = 0.5\" above the table")
+    })?;
+    let first = times.first().copied().unwrap_or(0.0);
+    let points: Vec<(f64, f64)> = times
+        .iter()
+        .zip(force)
+        .map(|(t, f)| (t - first, *f))
+        .collect();
+    if points.windows(2).any(|w| w[1].0 <= w[0].0) || points.len() < 2 {
+        return Err(Error::file(
+            path,
+            "critical points must be at least two, at different times",
+        ));
+    }
+    through(path, name, points, period)
+}
+
+/// Piecewise cubic through points of one period, sampled at equal phases.
+///
+/// Slopes are those of Fritsch and Butland (monotone between points, zero at extrema), periodic.
+fn through(
+    path: &Path,
+    name: &str,
+    mut points: Vec<(f64, f64)>,
+    period: f64,
+) -> Result<ForceCurve> {
+    let (last, first) = (points[points.len() - 1], points[0]);
+    if last.0 > period * (1.0 + 1e-9) {
+        return Err(Error::file(
+            path,
+            format!(
+                "a point at {} s lies beyond the period of {period} s",
+                last.0
+            ),
+        ));
+    }
+    if last.0 > period * (1.0 - 1e-9) {
+        points.pop();
+    }
+    points.push((period, first.1));
+    let n = points.len() - 1;
+    let chord = |i: usize| (points[i + 1].1 - points[i].1) / (points[i + 1].0 - points[i].0);
+    let width = |i: usize| points[i + 1].0 - points[i].0;
+    let slope = |i: usize| {
+        let (a, b) = ((i + n - 1) % n, i % n);
+        let (da, db) = (chord(a), chord(b));
+        if da * db <= 0.0 {
+            return 0.0;
+        }
+        let (wa, wb) = (2.0 * width(b) + width(a), width(b) + 2.0 * width(a));
+        (wa + wb) / (wa / da + wb / db)
+    };
+    let mut piece = 0;
+    let force = (0..SAMPLES).map(|k| {
+        let t = period * k as f64 / SAMPLES as f64;
+        while piece + 1 < n && points[piece + 1].0 <= t {
+            piece += 1;
+        }
+        let h = width(piece);
+        let x = (t - points[piece].0) / h;
+        let (a, b) = (points[piece].1, points[piece + 1].1);
+        let (p, q) = (h * slope(piece), h * slope(piece + 1));
+        // Cubic Hermite basis.
+        let y = x - 1.0;
+        a * (1.0 + 2.0 * x) * y * y + b * x * x * (3.0 - 2.0 * x) + p * x * y * y + q * x * x * y
+    });
+    ForceCurve::from_samples(name, period, force.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(t: &str) -> Result<ForceCurve> {
+        read(Path::new("c.csv"), t.as_bytes(), &ReadOptions::default()).map(|c| c.expect("a cycle"))
+    }
+
+    #[test]
+    fn a_marked_cycle_is_taken_as_it_stands() {
+        let c = curve("# cycle, period_s = 0.8\ntime_s,force_n,spread_n\n0,1,0.1\n0.2,2,0.2\n0.4,3,0.3\n0.6,4,0.4\n").unwrap();
+        assert_eq!(
+            (c.period_s, &c.force_n[..]),
+            (0.8, &[1.0, 2.0, 3.0, 4.0][..])
+        );
+        assert_eq!(c.spread_n.unwrap(), [0.1, 0.2, 0.3, 0.4]);
+        let closed = curve("# cycle\n# period 0.6 s\ntime_s,force_lbf\n0,1\n0.2,2\n0.4,3\n0.6,1\n");
+        assert!(closed.is_err(), "three samples are too few");
+    }
+
+    #[test]
+    fn critical_points_are_met_level_and_without_overshoot() {
+        let c = curve("# critical points, period_s = 0.5\ntime_s,force_n\n0,0\n0.125,100\n0.25,50\n0.375,80\n0.4375,0\n").unwrap();
+        let n = c.force_n.len();
+        for (k, f) in [
+            (0, 0.0),
+            (n / 4, 100.0),
+            (n / 2, 50.0),
+            (3 * n / 4, 80.0),
+            (7 * n / 8, 0.0),
+        ] {
+            assert!((c.force_n[k] - f).abs() < 1e-9);
+        }
+        assert!(c.force_n.iter().all(|f| (-1e-9..=100.0 + 1e-9).contains(f)));
+        assert!(c.force_n[7 * n / 8..].iter().all(|f| f.abs() < 1e-9));
+    }
+
+    #[test]
+    fn a_faulty_cycle_is_refused_by_line() {
+        let message = |t: &str| curve(t).unwrap_err().to_string();
+        assert!(message("# cycle\ntime_s,force_n\n0,1\n1,nan\n2,3\n3,3\n").contains("line 4"));
+        assert!(
+            message("# cycle\ntime_s,force_n\n0,1\n2,2\n1,3\n3,3\n")
+                .contains("line 5: time goes backwards")
+        );
+        assert!(message("# cycle\ntime_s,height_m\n0,1\n2,2\n3,3\n").contains("no force column"));
+        assert!(message("# critical points\ntime_s,force_n\n0,1\n2,2\n").contains("period"));
+    }
+
+    #[test]
+    fn files_without_the_mark_are_not_cycles() {
+        assert_eq!(
+            read(
+                Path::new("a"),
+                b"# cycles of a walk\ntime,fz\n0,1\n1,2\n",
+                &ReadOptions::default()
+            ),
+            Ok(None)
+        );
+    }
+}

@@ -1,0 +1,14 @@
+//! Force columns of a file before anything is decided about them.
+
+use super::columns::Axis;
+use crate::force::recording::{Foot, ForceUnit};
+
+/// A raw column of force with what its name says.
+#[derive(Debug)]
+pub(super) struct RawForce {
+    pub name: String,
+    pub axis: Axis,
+    pub foot: Option<Foot>,
+    pub unit: Option<ForceUnit>,
+    pub values: Vec<f64>,
+}

@@ -1,0 +1,182 @@
+//! Recordings in delimited text: one row per sample.
+
+mod choose;
+mod format;
+mod header;
+mod headerless;
+mod layout;
+mod raw;
+mod stance_table;
+mod table;
+mod times;
+
+use std::path::Path;
+
+use choose::{Plan, plan};
+use format::format_name;
+use layout::{Fields, Layout};
+use raw::Raw;
+use table::{Numbers, Table, skip};
+use times::{time_base, time_unit};
+
+use super::columns::{Role, role};
+use super::number::trim;
+use super::raw::RawForce;
+use super::{keys, vertical};
+use crate::error::{Error, Result};
+use crate::force::recording::{ReadOptions, Recording};
+
+pub(super) use choose::{column, unit_label};
+pub(super) use layout::{Lines, Position, detect, plain, text};
+pub use stance_table::metadata_name;
+pub(super) use table::{next_table, numbers};
+
+/// Reads a delimited text; the first table with a force column counts.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    let bytes = &*plain(bytes);
+    let layout = detect(bytes);
+    let mut from = Position { offset: 0, line: 1 };
+    let mut head: Vec<String> = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
+    while let Some(table) = next_table(bytes, layout, from) {
+        let room = 600usize.saturating_sub(head.len());
+        head.extend(table.head.iter().take(room).cloned());
+        if stance_table::is_stance_table(&table.names) {
+            return stance_table::read(path, bytes, layout, &table, &head, options);
+        }
+        if table.names.is_empty() && options.force.iter().all(|f| f.parse::<usize>().is_ok()) {
+            if let Some(raw) = headerless::read(path, bytes, layout, &table, options)? {
+                return finish(path, layout, &table, &head, raw, options);
+            }
+        } else if let Some(plan) = plan(path, &table, options)? {
+            let raw = extract(path, bytes, layout, &table, &plan)?;
+            return finish(path, layout, &table, &head, raw, options);
+        }
+        seen.extend(
+            table
+                .names
+                .iter()
+                .take(200usize.saturating_sub(seen.len()))
+                .cloned(),
+        );
+        from = skip(bytes, layout, &table);
+    }
+    Err(nothing_found(path, bytes, layout, &seen))
+}
+
+fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {
+    if bytes.trim_ascii().is_empty() {
+        return Error::file(path, "the file is empty").help("give a recording of vertical force");
+    }
+    // A table whose rows start with words has no numbers to go by; its first line may name its columns.
+    let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
+    let head = Fields::new(first, layout).take(40).map(|f| text(trim(f)));
+    let head: Vec<String> = head.filter(|f| f.len() < 60).collect();
+    let names = if seen.is_empty() && head.len() > 1 {
+        &head[..]
+    } else {
+        seen
+    };
+    if names.is_empty() {
+        let start: String = text(&bytes[..bytes.len().min(60)])
+            .chars()
+            .take(40)
+            .collect();
+        return Error::file(path, "no table of numbers found")
+            .help(format!("the file starts with {start:?}"));
+    }
+    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
+    let force = names.iter().find(|n| matches!(role(n), Role::Force { .. }));
+    if let (true, Some(force)) = (seen.is_empty(), force) {
+        return Error::file(
+            path,
+            format!(
+                "the header names a column of force (\"{force}\"), but no row of numbers follows it"
+            ),
+        )
+        .help("export the samples as well; each row should start with a time or a number");
+    }
+    Error::file(path, "no column of vertical force found").help(format!(
+        "the columns are {}; name the force column with --force",
+        shown.join(", ")
+    ))
+}
+
+fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
+    let mut wanted: Vec<usize> = plan.force.iter().map(|f| f.0).chain(plan.time).collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let slot = |i: usize| wanted.iter().position(|&w| w == i);
+    let time_slot = plan.time.and_then(slot);
+    let Numbers {
+        mut columns,
+        skipped,
+    } = numbers(path, bytes, layout, table, &wanted, time_slot)?;
+    let samples = columns.first().map_or(0, Vec::len);
+    let times = time_slot.map(|t| std::mem::take(&mut columns[t]));
+    let mut forces = Vec::new();
+    for (i, axis, side) in &plan.force {
+        let Some(s) = slot(*i) else { continue };
+        forces.push(RawForce {
+            name: table.names[*i].trim().to_string(),
+            axis: *axis,
+            foot: *side,
+            unit: unit_label(table, *i),
+            values: std::mem::take(&mut columns[s]),
+        });
+    }
+    Ok(Raw {
+        times,
+        time_unit: plan.time.and_then(|t| time_unit(table, t)),
+        counts: plan.counts,
+        forces,
+        samples,
+        skipped,
+        notes: Vec::new(),
+    })
+}
+
+/// Puts raw columns on a time base and makes channels of vertical force of them.
+fn finish(
+    path: &Path,
+    layout: Layout,
+    table: &Table,
+    head: &[String],
+    raw: Raw,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let keys = keys::read(head, layout.comma);
+    let mut notes = raw.notes.clone();
+    if let Some(rows) = keys.rows.filter(|r| *r != raw.samples) {
+        notes.push(format!(
+            "the header announces {rows} rows, the file has {}",
+            raw.samples
+        ));
+    }
+    if let Some(line) = raw.skipped.first() {
+        notes.push(format!(
+            "lines that are not rows of numbers were passed over, first line {line}"
+        ));
+    }
+    if raw.samples < 2 {
+        return Err(Error::line(
+            path,
+            table.start.line,
+            format!("{} sample is not a recording", raw.samples),
+        )
+        .help("give at least one whole stance"));
+    }
+    let place = |e: Error| e.at(crate::error::Place::File(path.to_path_buf()));
+    let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
+    let mass = options.mass_kg.or(keys.mass_kg);
+    let mut recording =
+        vertical::recording(raw.forces, base, raw.samples, mass, options, None, notes)
+            .map_err(place)?;
+    recording.mass_from = match (options.mass_kg, keys.mass_kg) {
+        (Some(_), _) => "user".to_string(),
+        (None, Some(_)) => "file".to_string(),
+        (None, None) => String::new(),
+    };
+    recording.format = format_name(path, layout, table, head);
+    Ok(recording)
+}

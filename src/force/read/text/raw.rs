@@ -1,0 +1,19 @@
+//! The columns of a table that are read, before time and unit are decided.
+
+use crate::force::read::raw::RawForce;
+
+/// Raw columns with their time.
+#[derive(Debug)]
+pub(super) struct Raw {
+    /// Times as written, where there is a time column.
+    pub times: Option<Vec<f64>>,
+    /// Scale of the times to seconds, where their column says it.
+    pub time_unit: Option<f64>,
+    /// Whether times count samples.
+    pub counts: bool,
+    pub forces: Vec<RawForce>,
+    pub samples: usize,
+    pub skipped: Vec<usize>,
+    /// What a person should know about the choice of columns.
+    pub notes: Vec<String>,
+}

@@ -1,0 +1,179 @@
+//! From raw force columns to channels of upward force: which component, which unit, which sign.
+
+use super::baseline;
+use super::columns::Axis;
+use super::raw::RawForce;
+use super::timebase::TimeBase;
+use crate::error::{Error, Result};
+use crate::force::recording::{Foot, ForceUnit, ReadOptions, Recording};
+
+/// Largest force on the ground in walking that is believable, N.
+const HARDEST_N: f64 = 8000.0;
+/// Smallest peak of a walking force that is believable, N.
+const SOFTEST_N: f64 = 60.0;
+
+/// Makes the recording of raw columns on their time base; the format is left to the caller.
+///
+/// `zero`: samples that the file calls unloaded.
+pub(super) fn recording(
+    mut raw: Vec<RawForce>,
+    base: TimeBase,
+    samples: usize,
+    mass_kg: Option<f64>,
+    options: &ReadOptions,
+    zero: Option<(usize, usize)>,
+    mut notes: Vec<String>,
+) -> Result<Recording> {
+    keep_vertical(&mut raw, &mut notes);
+    let unit = unit(&raw, options, &mut notes)?;
+    let factor = unit.newtons(mass_kg).ok_or_else(|| {
+        Error::new(format!(
+            "force is in {} and the body mass is not known",
+            unit.name()
+        ))
+        .help("give the mass with --mass, for example --mass \"70 kg\"")
+    })?;
+    if base.is_uneven() {
+        notes.push("samples are uneven in time and were put on even steps".to_string());
+    }
+    let opensim_pair = is_opensim_pair(&raw);
+    let mut channels = Vec::with_capacity(raw.len());
+    for column in raw {
+        let mut values = base.resampled(column.values);
+        if factor != 1.0 {
+            for x in &mut values {
+                *x *= factor;
+            }
+        }
+        let mut channel = baseline::channel(column.name, values, base.rate_hz, zero);
+        channel.foot = column.foot;
+        channels.push(channel);
+    }
+    if opensim_pair {
+        for c in &mut channels {
+            let left = c.name.starts_with("1_");
+            c.foot = Some(if left { Foot::Left } else { Foot::Right });
+        }
+        notes.push("ground_force is taken for the right foot, 1_ground_force for the left (OpenSim's habit)".to_string());
+    }
+    let count = channels.first().map_or(samples, |c| c.force_n.len());
+    Ok(Recording {
+        format: String::new(),
+        rate_hz: base.rate_hz,
+        duration_s: count.saturating_sub(1) as f64 / base.rate_hz,
+        mass_kg,
+        mass_from: String::new(),
+        channels,
+        strikes: Vec::new(),
+        gaps_s: base.gaps_s,
+        notes,
+    })
+}
+
+/// OpenSim's example recordings call the right foot `ground_force` and the left one `1_ground_force`.
+fn is_opensim_pair(raw: &[RawForce]) -> bool {
+    raw.len() == 2 && raw.iter().all(|r| r.foot.is_none()) && {
+        let is = |name: &str| raw.iter().any(|r| r.name.to_lowercase().starts_with(name));
+        is("ground_force_v") && is("1_ground_force_v")
+    }
+}
+
+/// Keeps one component: the one the names call vertical, else the one that carries the load.
+fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<String>) {
+    let named = raw.iter().any(|r| r.axis == Axis::Vertical);
+    let components = raw.iter().any(|r| r.axis != Axis::Vertical);
+    let keep = if named && components {
+        // A column that is the only one of its owner and names no component, beside full triples,
+        // is a total or resultant only where it says vertical; the triples are then its parts.
+        Axis::Vertical
+    } else if named {
+        return;
+    } else {
+        let mut axes = [Axis::X, Axis::Y, Axis::Z].map(|a| (a, swing_of(raw, a)));
+        axes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let (best, second) = (axes[0], axes[1]);
+        if second.1 > 0.6 * best.1 {
+            notes.push(format!(
+                "components {:?} and {:?} are of like size; {:?} is taken for vertical",
+                best.0, second.0, best.0
+            ));
+        }
+        best.0
+    };
+    raw.retain(|r| r.axis == keep);
+}
+
+/// Sum over the plates of how far a component swings from its median.
+fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
+    let columns = raw.iter().filter(|r| r.axis == axis);
+    columns.map(|r| swing(&r.values)).sum()
+}
+
+/// How far the values reach from their resting level, ignoring single outliers: 98th percentile.
+fn swing(values: &[f64]) -> f64 {
+    let step = values.len() / 8192 + 1;
+    let mut v: Vec<f64> = values
+        .iter()
+        .step_by(step)
+        .copied()
+        .filter(|x| x.is_finite())
+        .collect();
+    if v.is_empty() {
+        return 0.0;
+    }
+    v.sort_by(f64::total_cmp);
+    let at = |q: f64| v[((v.len() - 1) as f64 * q) as usize];
+    // The resting level is zero unless the readings never come near it.
+    let rest = if at(0.0) > 0.0 {
+        at(0.0)
+    } else if at(1.0) < 0.0 {
+        at(1.0)
+    } else {
+        0.0
+    };
+    (at(0.99) - rest).abs().max((at(0.01) - rest).abs())
+}
+
+/// The unit of the columns: the user's word, then a believable label, then what the size suggests.
+fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<String>) -> Result<ForceUnit> {
+    if let Some(unit) = options.unit {
+        return Ok(unit);
+    }
+    let peak = raw.iter().map(|r| swing(&r.values)).fold(0.0, f64::max);
+    let believable = |u: ForceUnit| {
+        let newtons = peak
+            * u.newtons(Some(options.mass_kg.unwrap_or(70.0)))
+                .unwrap_or(1.0);
+        (SOFTEST_N..=HARDEST_N).contains(&newtons)
+    };
+    let label = raw.iter().find_map(|r| r.unit);
+    if let Some(unit) = label
+        && (believable(unit) || peak == 0.0)
+    {
+        return Ok(unit);
+    }
+    // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
+    if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
+        notes.push(format!(
+            "no force above {peak:.3} N; if these are body weights, give --unit BW and --mass"
+        ));
+        return Ok(ForceUnit::Newton);
+    }
+    let guess = if believable(ForceUnit::Newton) || peak < 0.3 {
+        ForceUnit::Newton
+    } else if (0.3..=6.0).contains(&peak) {
+        ForceUnit::BodyWeight
+    } else {
+        ForceUnit::Newton
+    };
+    if let Some(label) = label.filter(|l| *l != guess) {
+        notes.push(format!(
+            "the label {} cannot be right for a peak of {peak:.3}; taken for {}",
+            label.name(),
+            guess.name()
+        ));
+    } else if guess != ForceUnit::Newton {
+        notes.push(format!("a peak of {peak:.3} is taken for {}", guess.name()));
+    }
+    Ok(guess)
+}

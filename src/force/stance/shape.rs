@@ -1,0 +1,169 @@
+//! The shape of one stance: its two peaks, the valley between, its impulse.
+
+use super::types::Point;
+
+/// A valley must be at least this part of the highest force below both peaks to count.
+const VALLEY: f64 = 0.01;
+
+/// Peaks, valley and impulse of one stance.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shape {
+    pub p1: Point,
+    pub valley: Option<Point>,
+    pub p2: Option<Point>,
+    pub impulse_ns: f64,
+    /// Humps that stand out by a tenth of the highest.
+    pub humps: usize,
+    /// Whether the force nearly falls to nothing in the middle, as between two steps on one plate.
+    pub holds_two_steps: bool,
+}
+
+/// Describes the force between two times, s from the first sample.
+///
+/// The valley is the point that lies deepest below the lower of the highest points before and after it,
+/// between 15 % and 85 % of the stance; the peaks are those highest points. A stance whose valley does not
+/// stand out has one peak only.
+pub(super) fn shape(force: &[f64], rate_hz: f64, start_s: f64, end_s: f64) -> Shape {
+    let last = force.len().saturating_sub(1);
+    let from = ((start_s * rate_hz).ceil() as usize).min(last);
+    let to = ((end_s * rate_hz).floor() as usize).clamp(from, last);
+    let samples = force.get(from..=to).unwrap_or(&[]);
+    let duration = (end_s - start_s).max(1.0 / rate_hz);
+    let point = |i: usize| {
+        let (force_n, shift) = vertex(samples, i);
+        let at = ((from + i) as f64 + shift) / rate_hz - start_s;
+        Point {
+            force_n,
+            at: (at / duration).clamp(0.0, 1.0),
+        }
+    };
+    let impulse_ns = samples.iter().sum::<f64>() / rate_hz;
+    let top = samples.iter().copied().fold(0.0, f64::max);
+    let highest = |range: std::ops::Range<usize>| {
+        range.fold(None, |best: Option<usize>, i| match best {
+            Some(b) if samples[b] >= samples[i] => Some(b),
+            _ => Some(i),
+        })
+    };
+    let humps = humps(samples, 0.1 * top);
+    let n = samples.len();
+    let valley = deepest(samples)
+        .filter(|&(_, depth)| depth > VALLEY * top)
+        .map(|(i, _)| i);
+    let pair = valley.and_then(|v| Some((highest(0..v)?, v, highest(v + 1..n)?)));
+    match pair {
+        Some((a, v, b)) => Shape {
+            p1: point(a),
+            valley: Some(point(v)),
+            p2: Some(point(b)),
+            impulse_ns,
+            humps,
+            holds_two_steps: samples[v] < 0.15 * top,
+        },
+        None => Shape {
+            p1: point(highest(0..n).unwrap_or(0)),
+            valley: None,
+            p2: None,
+            impulse_ns,
+            humps,
+            holds_two_steps: false,
+        },
+    }
+}
+
+/// Top of the parabola through a sample and its neighbours: force and shift in samples.
+///
+/// Only where the neighbours agree that it is an extremum; otherwise the sample itself.
+fn vertex(samples: &[f64], i: usize) -> (f64, f64) {
+    let Some(&y) = samples.get(i) else {
+        return (0.0, 0.0);
+    };
+    let (Some(&a), Some(&b)) = (
+        i.checked_sub(1).and_then(|j| samples.get(j)),
+        samples.get(i + 1),
+    ) else {
+        return (y, 0.0);
+    };
+    let bend = a - 2.0 * y + b;
+    if (a - y) * (b - y) <= 0.0 || bend == 0.0 {
+        return (y, 0.0);
+    }
+    let shift = 0.5 * (a - b) / bend;
+    (y - 0.25 * (a - b) * shift, shift)
+}
+
+/// The valley: sample in the middle part whose distance below the lower of its flanking maxima is greatest.
+fn deepest(samples: &[f64]) -> Option<(usize, f64)> {
+    let n = samples.len();
+    let mut after = vec![0.0f64; n + 1];
+    for i in (0..n).rev() {
+        after[i] = after[i + 1].max(samples[i]);
+    }
+    let mut before = 0.0f64;
+    let mut best: Option<(usize, f64)> = None;
+    let middle = (15 * n).div_ceil(100)..(85 * n) / 100;
+    for (i, &y) in samples.iter().enumerate() {
+        let depth = before.min(after[i + 1]) - y;
+        if middle.contains(&i) && best.is_none_or(|b| depth > b.1) {
+            best = Some((i, depth));
+        }
+        before = before.max(y);
+    }
+    best
+}
+
+/// Number of maxima that stand out by `height` on both sides.
+fn humps(samples: &[f64], height: f64) -> usize {
+    let (mut count, mut rising) = (0, true);
+    let mut extreme = 0.0f64;
+    for &y in samples {
+        if rising {
+            extreme = extreme.max(y);
+            if y < extreme - height {
+                count += 1;
+                rising = false;
+                extreme = y;
+            }
+        } else {
+            extreme = extreme.min(y);
+            if y > extreme + height {
+                rising = true;
+                extreme = y;
+            }
+        }
+    }
+    count + usize::from(rising && extreme > height)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn peaks_and_valley_of_a_known_stance_are_placed_between_the_samples() {
+        // F = 1000 (sin πx + 0.35 sin 3πx): extrema where cos πx (1 - 3·1.05 + 4.2·cos²πx) = 0.
+        let n = 61;
+        let f = |x: f64| 1000.0 * ((PI * x).sin() + 0.35 * (3.0 * PI * x).sin());
+        let v: Vec<f64> = (0..n).map(|i| f(f64::from(i) / 60.0)).collect();
+        let s = shape(&v, 100.0, 0.0, 0.6);
+        let x = (2.15f64 / 4.2).sqrt().acos() / PI;
+        assert!((s.p1.at - x).abs() < 2e-3, "{s:?}");
+        assert!((s.p1.force_n - f(x)).abs() < 1.0, "{s:?}");
+        assert!((s.valley.unwrap().at - 0.5).abs() < 1e-9);
+        assert!((s.valley.unwrap().force_n - 650.0).abs() < 1e-9);
+        assert!((s.p2.unwrap().at - (1.0 - x)).abs() < 2e-3);
+        assert_eq!(s.humps, 2);
+    }
+
+    #[test]
+    fn one_hump_has_no_valley() {
+        let v: Vec<f64> = (0..=60)
+            .map(|i| 1500.0 * (PI * f64::from(i) / 60.0).sin())
+            .collect();
+        let s = shape(&v, 240.0, 0.0, 0.25);
+        assert!(s.valley.is_none() && s.p2.is_none());
+        assert!((s.p1.at - 0.5).abs() < 1e-9 && (s.p1.force_n - 1500.0).abs() < 1e-9);
+        assert!((s.impulse_ns - 1500.0 * 0.25 * 2.0 / PI).abs() < 0.1);
+    }
+}
