@@ -14,7 +14,7 @@ use sides::name_feet;
 
 use super::recording::{Foot, Recording};
 
-pub(super) use sides::same_foot;
+pub(crate) use sides::same_foot;
 pub use types::{Point, Rejected, Stance, Stances, Why};
 
 /// Finds the stances of a recording.

@@ -33,7 +33,7 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
 /// Whether two stances that follow each other are of one foot; `None` where that cannot be told.
 ///
 /// In walking the next foot lands before this one has left; the same foot only after its swing.
-pub(super) fn same_foot(a: &Stance, b: &Stance) -> Option<bool> {
+pub(crate) fn same_foot(a: &Stance, b: &Stance) -> Option<bool> {
     if let (Some(a), Some(b)) = (a.foot, b.foot) {
         return Some(a == b);
     }

@@ -29,11 +29,7 @@ pub(crate) struct Table {
 /// Finds the next table at or after a position.
 ///
 /// A table starts at the first of two lines that are rows of numbers (or the last line of the text).
-pub(crate) fn next_table(
-    bytes: &[u8],
-    layout: Layout,
-    from: Position,
-) -> Option<Table> {
+pub(crate) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option<Table> {
     let mut head: VecDeque<&[u8]> = VecDeque::new();
     let mut lines = Lines::from(bytes, from);
     while let Some((at, line)) = lines.next() {
