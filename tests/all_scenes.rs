@@ -78,7 +78,7 @@ fn every_scene_is_built_and_every_check_passes() {
             "{name}: {}",
             design.reason
         );
-        assert_eq!(design.cam.follower.name(), scene.cam.follower, "{name}");
+        assert_eq!(design.cam.follower.kind(), scene.cam.follower, "{name}");
     }
 }
 

@@ -2,33 +2,20 @@
 
 use super::table::Reader;
 use super::{CamSpec, ConjugateSpec, Family, Scene};
-use crate::cam::Closure;
+use crate::cam::{Closure, FollowerKind};
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
 use crate::units::Dimension;
 
 /// Plate thickness of solids when nothing is said, m.
 const THICKNESS: f64 = 0.01;
-/// Every follower with the name users write.
-const FOLLOWERS: [&str; 10] = [
-    "flat-translating",
-    "roller-translating",
-    "knife-translating",
-    "mushroom-translating",
-    "roller-oscillating",
-    "knife-oscillating",
-    "mushroom-oscillating",
-    "flat-oscillating",
-    "translating-cam",
-    "barrel",
-];
 /// Most turns of a barrel's groove.
 const MOST_TURNS: usize = 100;
 
 /// Reads `[cam]`. Keys that a follower does not have are refused.
 pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
     let mut spec = CamSpec {
-        follower: FOLLOWERS[0].to_string(),
+        follower: FollowerKind::default(),
         base_radius: None,
         prime_radius: None,
         offset: None,
@@ -47,15 +34,15 @@ pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
         conjugate: None,
     };
     let Some(mut r) = reader else { return Ok(spec) };
-    let kinds = FOLLOWERS.map(|k| (k, k));
-    let kind = r.choice("follower", &kinds)?.unwrap_or(FOLLOWERS[0]);
-    spec.follower = kind.to_string();
+    let kinds = FollowerKind::ALL.map(|k| (k.name(), k));
+    let kind = r.choice("follower", &kinds)?.unwrap_or_default();
+    spec.follower = kind;
     spec.thickness = r
         .positive("thickness", Dimension::Length)?
         .unwrap_or(THICKNESS);
     spec.base_radius = r.positive("base_radius", Dimension::Length)?;
     spec.prime_radius = r.positive("prime_radius", Dimension::Length)?;
-    if kind != "translating-cam" {
+    if kind != FollowerKind::TranslatingCam {
         spec.bore = r.positive("bore", Dimension::Length)?;
     }
     let needed = |r: &mut Reader, key, why: &str, example: &str| {
@@ -63,27 +50,23 @@ pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
         r.positive(key, Dimension::Length)?
             .ok_or_else(|| Error::key(&name, why).help(format!("write for example {example}")))
     };
-    match kind {
-        "roller-translating" | "roller-oscillating" | "translating-cam" | "barrel" => {
-            spec.roller_radius = needed(
-                &mut r,
-                "roller_radius",
-                "a roller follower needs it",
-                "\"10 mm\"",
-            )?;
-        }
-        "mushroom-translating" | "mushroom-oscillating" => {
-            spec.roller_radius = needed(
-                &mut r,
-                "arc_radius",
-                "a mushroom needs its arc",
-                "\"60 mm\"",
-            )?;
-        }
-        _ => {}
+    if kind.has_roller() {
+        spec.roller_radius = needed(
+            &mut r,
+            "roller_radius",
+            "a roller follower needs it",
+            "\"10 mm\"",
+        )?;
+    } else if kind.is_mushroom() {
+        spec.roller_radius = needed(
+            &mut r,
+            "arc_radius",
+            "a mushroom needs its arc",
+            "\"60 mm\"",
+        )?;
     }
     // The main job's default scene may be changed to any translating follower.
-    if kind.ends_with("-translating") {
+    if kind.is_translating() {
         spec.offset = r.quantity("offset", Dimension::Length)?;
         spec.breadth = r.positive("breadth", Dimension::Length)?;
     }
@@ -97,7 +80,7 @@ pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
             })?;
         spec.pivot_distance = Some(pivot);
         spec.pivot_beside = r.flag("pivot_beside")?.unwrap_or(false);
-        if kind == "flat-oscillating" {
+        if kind == FollowerKind::FlatOscillating {
             spec.face_offset = r.quantity("face_offset", Dimension::Length)?.unwrap_or(0.0);
         } else {
             spec.arm = Some(needed(
@@ -108,9 +91,9 @@ pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
             )?);
         }
     }
-    if kind == "translating-cam" {
+    if kind == FollowerKind::TranslatingCam {
         spec.travel = r.positive("travel", Dimension::Length)?;
-    } else if kind == "barrel" {
+    } else if kind == FollowerKind::Barrel {
         spec.turns = r.count("turns", 1, MOST_TURNS)?.unwrap_or(1);
         spec.depth = r.positive("depth", Dimension::Length)?;
         spec.eccentricity = r.positive("roller_eccentricity", Dimension::Length)?;
@@ -225,7 +208,7 @@ fn force_needs_a_sliding_follower(scene: &Scene) -> Result<()> {
             "gait",
             format!(
                 "a wanted force shapes a lift in metres over one turn, which {} does not make",
-                cam.follower
+                cam.follower.name()
             ),
         )
         .help("use a translating follower, or leave [gait] out and give a programme"));

@@ -2,13 +2,15 @@
 
 use super::table::Reader;
 use super::{CamSpec, DriveSpec};
+use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
 use crate::error::{Error, Result};
 use crate::units::{Dimension, G};
 
 pub fn read(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
     // Only a cam that turns under a sliding follower can carry its own shaft.
-    let usual = if cam.is_oscillating() || cam.is_straight() || cam.follower == "barrel" {
+    let usual = if cam.is_oscillating() || cam.is_straight() || cam.follower == FollowerKind::Barrel
+    {
         DriveKind::FixedAxis
     } else {
         DriveKind::MovingAxis

@@ -2,6 +2,7 @@
 //! sweep over families or followers can leave them standing.
 
 use super::{Family, Scene};
+use crate::cam::FollowerKind;
 
 impl Scene {
     /// One remark for each key that changes nothing here.
@@ -35,7 +36,9 @@ impl Scene {
                 )
             })
             .collect();
-        if self.cam.follower == "flat-translating" && self.cam.offset.is_some_and(|e| e != 0.0) {
+        if self.cam.follower == FollowerKind::FlatTranslating
+            && self.cam.offset.is_some_and(|e| e != 0.0)
+        {
             out.push(
                 "cam.offset changes nothing: a flat face is the same on every line beside the cam's centre"
                     .to_string(),

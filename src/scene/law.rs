@@ -3,7 +3,8 @@
 use super::load::lift_dimension;
 use super::table::Reader;
 use super::{CamSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
-use crate::error::{Error, Result};
+use crate::error::{Error, Place, Result};
+use crate::law::Rise;
 use crate::units::Dimension;
 
 /// Most spans of a spline: beyond this the law is a table, not a law.
@@ -87,9 +88,11 @@ pub fn read(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Resul
         d.finish()?;
     }
     for mut s in r.tables("segment")? {
-        let key = s.name("angle");
+        let (key, named) = (s.name("angle"), s.name("motion"));
+        let motion = Rise::from_name(s.text("motion")?.unwrap_or(Rise::Dwell.name()))
+            .map_err(|e| e.at(Place::Key(named)))?;
         spec.segments.push(SegmentSpec {
-            motion: s.text("motion")?.unwrap_or("dwell").to_string(),
+            motion,
             lift: s.quantity("lift", length(0))?.unwrap_or(0.0),
             angle: if cam.is_straight() {
                 let length = s.name("length");
@@ -137,7 +140,7 @@ fn weigh(r: &mut Reader, has_force: bool, cam: &CamSpec) -> Result<Option<Weigh>
                 .help("add [gait], or leave it out"),
         );
     }
-    let sized = cam.follower.ends_with("-translating") && cam.follower != "mushroom-translating";
+    let sized = cam.follower.is_translating() && !cam.follower.is_mushroom();
     let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
     if weigh.prime_radius.is_some() && !(sized && free) {
         return Err(

@@ -13,11 +13,12 @@ pub use load::{read, read_keys, set};
 
 use std::path::PathBuf;
 
-use crate::cam::{Closure, Measures};
+use crate::cam::{Closure, FollowerKind, Measures};
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::train::Train;
 use crate::error::{Place, Result};
 use crate::force::Feet;
+use crate::law::Rise;
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
 #[derive(Debug, Clone, PartialEq)]
@@ -254,8 +255,8 @@ pub struct Dwell {
 /// One segment of a programme.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SegmentSpec {
-    /// Name of the motion in the catalogue; `dwell` for rest.
-    pub motion: String,
+    /// The motion; [`Rise::Dwell`] for rest.
+    pub motion: Rise,
     /// Change of lift, m (or rad), negative for a fall.
     pub lift: f64,
     /// Angle, rad.
@@ -322,8 +323,8 @@ pub struct LawSpec {
 /// The cam and its follower; lengths in m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CamSpec {
-    /// Kind of follower, as written.
-    pub follower: String,
+    /// Kind of follower.
+    pub follower: FollowerKind,
     /// Base radius; `None` = smallest that meets the limits.
     pub base_radius: Option<f64>,
     /// Prime radius; `None` = smallest that meets the limits.
@@ -371,23 +372,17 @@ pub struct ConjugateSpec {
 impl CamSpec {
     /// Whether the follower swings about a pivot, so that the law is in rad.
     pub fn is_oscillating(&self) -> bool {
-        self.follower.ends_with("-oscillating")
+        self.follower.is_oscillating()
     }
 
     /// What the law is measured in.
     pub fn measures(&self) -> Measures {
-        if self.is_oscillating() {
-            Measures::Oscillating
-        } else if self.is_straight() {
-            Measures::Straight
-        } else {
-            Measures::Translating
-        }
+        self.follower.measures()
     }
 
     /// Whether the cam slides instead of turning, so that the law runs over metres of travel.
     pub fn is_straight(&self) -> bool {
-        self.follower == "translating-cam"
+        self.follower == FollowerKind::TranslatingCam
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::results::{NUMBERS, Outcome, Row};
 use super::spectral::{Fit, Shape, Unit};
-use crate::cam::Verdict;
+use crate::cam::{FollowerKind, Verdict};
 use crate::drive::{Drive, DriveKind};
 use crate::scene::{Family, Minimise, Scene};
 use crate::synth::Tier;
@@ -19,7 +19,7 @@ const USUAL_RMS: f64 = 0.005;
 pub fn suits(scene: &Scene) -> bool {
     let law = &scene.law;
     law.family == Family::Harmonic
-        && scene.cam.follower == "flat-translating"
+        && scene.cam.follower == FollowerKind::FlatTranslating
         && scene.gait.is_some()
         && matches!(law.minimise, None | Some(Minimise::ForceError))
         && law.points.is_empty()

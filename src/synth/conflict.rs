@@ -111,7 +111,7 @@ fn short(value: &str) -> String {
 /// A bore around which no cam fits under the limit on the prime radius, where the scene leaves the size open.
 pub fn bore_against_size(scene: &Scene) -> Option<Infeasible> {
     let (bore, limit) = (scene.cam.bore?, scene.limits.prime_radius?);
-    let roller = if scene.cam.follower.starts_with("flat") {
+    let roller = if scene.cam.follower.is_flat() {
         0.0
     } else {
         scene.cam.roller_radius

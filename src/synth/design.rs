@@ -3,8 +3,8 @@
 use super::demand::Demand;
 use super::machine;
 use crate::cam::{
-    BarrelGroove, Cam, Conjugate, Follower, Rollers, SizeLimits, smallest_base_radius,
-    smallest_for, smallest_prime_circle,
+    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
+    smallest_base_radius, smallest_for, smallest_prime_circle,
 };
 use crate::error::{Error, Place, Result};
 use crate::law::Law;
@@ -38,12 +38,12 @@ pub fn cam(scene: &Scene, demand: &Demand, law: Law, pressing: &Law) -> Result<C
     if let Some(breadth) = scene.cam.breadth {
         return constant_breadth(scene, law, breadth);
     }
-    match scene.cam.follower.as_str() {
-        "flat-translating" => {
+    match scene.cam.follower {
+        FollowerKind::FlatTranslating => {
             let follower = flat(scene, demand, &law, pressing);
             Ok(Cam { law, follower })
         }
-        "roller-translating" | "knife-translating" => {
+        FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating => {
             let follower = roller(scene, demand, &law, pressing)?;
             Ok(Cam { law, follower })
         }
@@ -150,9 +150,9 @@ fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
             "the breadth is twice the base radius (roller: prime radius) plus the lift",
         )));
     }
-    let follower = match spec.follower.as_str() {
-        "flat-translating" => Follower::FlatTranslating { base_radius: place },
-        "mushroom-translating" => Follower::MushroomTranslating {
+    let follower = match spec.follower {
+        FollowerKind::FlatTranslating => Follower::FlatTranslating { base_radius: place },
+        FollowerKind::MushroomTranslating => Follower::MushroomTranslating {
             prime_radius: place.hypot(offset),
             offset,
             arc_radius: spec.roller_radius,
@@ -320,42 +320,46 @@ fn other(scene: &Scene, base_radius: f64) -> Result<Follower> {
     let missing = |key: &str| Error::key(&format!("cam.{key}"), "this follower needs it");
     let pivot = || spec.pivot_distance.ok_or_else(|| missing("pivot_distance"));
     let arm = || spec.arm.ok_or_else(|| missing("arm"));
-    Ok(match spec.follower.as_str() {
-        "mushroom-translating" => Follower::MushroomTranslating {
+    Ok(match spec.follower {
+        FollowerKind::MushroomTranslating => Follower::MushroomTranslating {
             prime_radius,
             offset: spec.offset.unwrap_or(0.0),
             arc_radius: spec.roller_radius,
         },
-        "roller-oscillating" | "knife-oscillating" => Follower::RollerOscillating {
-            pivot_distance: pivot()?,
-            arm: arm()?,
-            prime_radius,
-            roller_radius: spec.roller_radius,
-        },
-        "mushroom-oscillating" => Follower::MushroomOscillating {
+        FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
+            Follower::RollerOscillating {
+                pivot_distance: pivot()?,
+                arm: arm()?,
+                prime_radius,
+                roller_radius: spec.roller_radius,
+            }
+        }
+        FollowerKind::MushroomOscillating => Follower::MushroomOscillating {
             pivot_distance: pivot()?,
             arm: arm()?,
             prime_radius,
             arc_radius: spec.roller_radius,
         },
-        "flat-oscillating" => Follower::FlatOscillating {
+        FollowerKind::FlatOscillating => Follower::FlatOscillating {
             pivot_distance: pivot()?,
             face_offset: spec.face_offset,
             base_radius,
         },
-        "translating-cam" => Follower::TranslatingCam {
+        FollowerKind::TranslatingCam => Follower::TranslatingCam {
             base_height: base_height(scene),
             roller_radius: spec.roller_radius,
         },
-        "barrel" => Follower::Barrel {
+        FollowerKind::Barrel => Follower::Barrel {
             radius: base_radius,
             roller_radius: spec.roller_radius,
         },
-        other => {
-            return Err(Error::key(
-                "cam.follower",
-                format!("\"{other}\" is not known here"),
-            ));
+        FollowerKind::FlatTranslating => Follower::FlatTranslating { base_radius },
+        FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating => {
+            Follower::RollerTranslating {
+                prime_radius,
+                offset: spec.offset.unwrap_or(0.0),
+                roller_radius: spec.roller_radius,
+            }
         }
     })
 }

@@ -5,6 +5,7 @@ use super::loads::{Loads, Pressure};
 use super::nonconvex::{Beyond, Follower, Size};
 use super::problem::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
 use super::sequence::ENLARGED;
+use crate::cam::FollowerKind;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::error::Result;
 use crate::force::ForceCurve;
@@ -38,7 +39,7 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
         let window = super::spline::level_is_known(scene, demand).then_some(LOWEST);
         list.push_range("stroke", 0, h, window);
     }
-    if let (Some(width), "flat-translating") = (limits.face_width, scene.cam.follower.as_str()) {
+    if let (Some(width), FollowerKind::FlatTranslating) = (limits.face_width, scene.cam.follower) {
         // The contact wanders by v (theory §6).
         list.push_range("face_width", 1, width, Some(FACE_END));
     }
@@ -89,7 +90,7 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
 /// Limits of the profile that are linear once the cam's size is given (theory §6).
 fn on_the_cam(scene: &Scene, list: &mut List) {
     let (cam, limits) = (&scene.cam, &scene.limits);
-    if cam.follower == "flat-translating" {
+    if cam.follower == FollowerKind::FlatTranslating {
         if let (Some(base), Some(rho)) = (cam.base_radius, limits.curvature) {
             let meaning = Meaning::Value {
                 factor: -1.0,
@@ -105,7 +106,7 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
         }
         return;
     }
-    if let Some(prime) = prime_radius(scene).filter(|_| cam.follower.ends_with("-translating")) {
+    if let Some(prime) = prime_radius(scene).filter(|_| cam.follower.is_translating()) {
         let e = cam.offset.unwrap_or(0.0);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
         if let Some(angle) = limits.pressure_angle_rise {
@@ -162,7 +163,7 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
     let mut base = Limit::new("base_circle", [-1.0, 0.0, 0.0, 0.0, 0.0], 0.0, length);
     base.meaning = Meaning::Structure;
     program.limits.push(base);
-    if scene.cam.follower == "flat-translating" {
+    if scene.cam.follower == FollowerKind::FlatTranslating {
         let rho = limits.curvature.unwrap_or(0.0);
         let mut limit = Limit::new("curvature", [-1.0, 0.0, -1.0, 0.0, 0.0], -rho, length);
         limit.extra[RADIUS] = -1.0;
@@ -245,8 +246,10 @@ fn bent(scene: &Scene) -> Option<Follower> {
     let (cam, limits) = (&scene.cam, &scene.limits);
     let rho = limits.curvature.unwrap_or(0.0);
     let pitch = rho + cam.roller_radius;
-    match cam.follower.as_str() {
-        "roller-translating" | "knife-translating" | "mushroom-translating" => {
+    match cam.follower {
+        FollowerKind::RollerTranslating
+        | FollowerKind::KnifeTranslating
+        | FollowerKind::MushroomTranslating => {
             let offset = cam.offset.unwrap_or(0.0);
             let rise = match prime_radius(scene) {
                 Some(prime) => (prime * prime - offset * offset).max(0.0).sqrt(),
@@ -259,7 +262,7 @@ fn bent(scene: &Scene) -> Option<Follower> {
                 rho: pitch,
             }))
         }
-        "roller-oscillating" | "knife-oscillating" => {
+        FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
             let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, prime_radius(scene)?);
             let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
             // A sharp edge has no radius of its own; a millionth of the cam's keeps the division finite.
@@ -272,7 +275,7 @@ fn bent(scene: &Scene) -> Option<Follower> {
                     .map(|angle| angle.map(f64::tan)),
             })
         }
-        "flat-oscillating" => {
+        FollowerKind::FlatOscillating => {
             let (pivot, base) = (cam.pivot_distance?, cam.base_radius?);
             Some(Follower::Face {
                 pivot,
@@ -288,17 +291,17 @@ fn bent(scene: &Scene) -> Option<Follower> {
 /// Whether the size of the cam is found together with the law: it is minimised or limited, and not given.
 pub fn size_is_sought(scene: &Scene) -> bool {
     let sized = [
-        "flat-translating",
-        "roller-translating",
-        "knife-translating",
+        FollowerKind::FlatTranslating,
+        FollowerKind::RollerTranslating,
+        FollowerKind::KnifeTranslating,
     ];
     let priced = match super::spline::objective(scene) {
         Minimise::Size => true,
         Minimise::Weighed(weigh) => weigh.prime_radius.is_some(),
         _ => false,
     };
-    let wanted = priced
-        || scene.limits.prime_radius.is_some() && sized.contains(&scene.cam.follower.as_str());
+    let wanted =
+        priced || scene.limits.prime_radius.is_some() && sized.contains(&scene.cam.follower);
     wanted && !size_is_given(scene)
 }
 

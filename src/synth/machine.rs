@@ -11,14 +11,14 @@ use super::demand::Demand;
 use super::nonconvex::{self, Beyond};
 use super::problem::{Equality, Limit, Meaning, Program, Solution};
 use super::{fight, limits, sequence};
-use crate::cam::{Cam, Check, Follower};
+use crate::cam::{Cam, Check, Follower, FollowerKind};
 use crate::drive::Drive;
 use crate::dynamics::design::hertz_at_most;
 use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::linear::gauss_points;
 use crate::dynamics::polydyne::end_error;
 use crate::dynamics::touch::touch;
-use crate::law::Law;
+use crate::law::{Law, Rise};
 use crate::poly::{Extreme, PiecewisePoly, stand_in};
 use crate::scene::Scene;
 use std::f64::consts::{PI, TAU};
@@ -39,7 +39,7 @@ pub fn rows(scene: &Scene, demand: &Demand) -> Vec<Limit> {
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
 pub fn pressed(scene: &Scene, demand: &Demand, base_radius: f64) -> Option<Limit> {
     let (cam, pressure) = (&scene.cam, scene.limits.hertz_pressure?);
-    if cam.follower != "flat-translating" {
+    if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
     let face = Follower::FlatTranslating { base_radius };
@@ -148,7 +148,7 @@ fn rests(scene: &Scene) -> Vec<(f64, f64)> {
     let mut all: Vec<(f64, f64)> = scene.law.dwells.iter().map(|d| (d.from, d.to)).collect();
     let mut at = 0.0;
     for segment in &scene.law.segments {
-        if segment.motion == "dwell" {
+        if segment.motion == Rise::Dwell {
             all.push((at, at + segment.angle));
         }
         at += segment.angle;

@@ -104,7 +104,7 @@ pub use trade::{Against, Trade, trade};
 use crate::cam::{Cam, Check};
 use crate::error::{Error, Place, Result};
 use crate::force::{ForceCurve, doubt};
-use crate::law::{Extent, Law, Rise, Segment, constant_breadth, program};
+use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::scene::{Family, Minimise, Scene, Source};
 use demand::Demand;
 
@@ -309,21 +309,16 @@ fn gathered(
 }
 
 fn from_program(scene: &Scene) -> Result<Found> {
-    let segments = scene
+    let segments: Vec<Segment> = scene
         .law
         .segments
         .iter()
-        .enumerate()
-        .map(|(i, s)| {
-            let motion = Rise::from_name(&s.motion)
-                .map_err(|e| e.at(Place::Key(format!("law.segment[{}].motion", i + 1))))?;
-            Ok(Segment {
-                motion,
-                lift: s.lift,
-                angle: s.angle,
-            })
+        .map(|s| Segment {
+            motion: s.motion.clone(),
+            lift: s.lift,
+            angle: s.angle,
         })
-        .collect::<Result<Vec<Segment>>>()?;
+        .collect();
     let law =
         assembled(scene, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
     Ok(Found {
