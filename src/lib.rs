@@ -42,8 +42,8 @@
 //!
 //! # The house
 //!
-//! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
-//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over ([`emit`]). Modules import
+//! A force is wanted ([`gait`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
+//! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
 //! downwards only.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -67,10 +67,4 @@ pub mod scene;
 
 pub mod synth;
 
-pub mod explain;
-
-pub mod emit;
-
 pub mod sweep;
-
-pub mod cli;

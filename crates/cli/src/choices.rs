@@ -1,0 +1,203 @@
+//! Why a design is as plain as it is: for every choice of model the number that decided it, and the next
+//! richer choice, which can be run to see what it changes.
+//!
+//! A law of twice the spans (or harmonics) contains the chosen one, and limits are convex. The force wanted
+//! is F*, the chosen law's F₁ and the richer one's F₂ are its projections on nested convex sets, so that
+//! ‖F₁ − F₂‖² ≤ ‖F₁ − F*‖² − ‖F₂ − F*‖²: the richer choice moves the force by less than the chosen one misses.
+
+use std::f64::consts::TAU;
+
+use gaitcam::cam::Cam;
+use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::{Machine, Run};
+use gaitcam::error::Result;
+use gaitcam::law::Law;
+use gaitcam::scene::{Family, Scene};
+use gaitcam::synth::Synthesis;
+
+/// One choice of model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// What was chosen: "family", "spans", …
+    pub subject: &'static str,
+    /// The choice.
+    pub chosen: String,
+    /// The number that decided.
+    pub because: String,
+    /// The next richer choice, or why there is none.
+    pub next: String,
+    /// The scene that asks for it, to be synthesised for its cost and its change.
+    pub richer: Option<Scene>,
+}
+
+/// Angles at which forces are compared: not those at which anything is fitted.
+const ANGLES: usize = 4001;
+
+/// Family, size and rung of a design.
+pub fn choices(scene: &Scene, design: &Synthesis) -> Vec<Choice> {
+    let mut out = vec![family(scene, design)];
+    out.extend(size(scene, design));
+    out.push(tier(design));
+    out
+}
+
+/// How well the force is met, against what is asked.
+fn accuracy(scene: &Scene, design: &Synthesis) -> String {
+    let missed = format!(
+        "misses the force by {:.4} % RMS of its mean",
+        design.force.rms_error_percent_of_mean
+    );
+    match scene.rms {
+        _ if design.target.is_none() => "no force is to be met".to_string(),
+        Some(rms) => format!("{missed}, {:.4} % is allowed", 100.0 * rms),
+        None => missed,
+    }
+}
+
+fn family(scene: &Scene, design: &Synthesis) -> Choice {
+    let asked = scene.law.family;
+    let status = &design.solver.status;
+    let because = match asked {
+        Family::Auto => format!("the simplest that passes every check: {status}"),
+        Family::Ladder => format!("the lowest rung that passes every check: {status}"),
+        _ => format!("the scene asks for it; it {}", accuracy(scene, design)),
+    };
+    let (next, richer) = match design.family.as_str() {
+        "double-harmonic" => ("harmonics", Some(Family::Harmonic)),
+        "harmonic" => (
+            "a spline, which also holds dwells and points",
+            Some(Family::Spline),
+        ),
+        "spline" => ("none: a spline follows any force; give it more spans", None),
+        _ => ("none: the scene gives the law itself", None),
+    };
+    Choice {
+        subject: "family",
+        chosen: format!("{} of degree {}", design.family, design.degree),
+        because,
+        next: next.to_string(),
+        richer: richer.map(|family| with(scene, |s| s.law.family = family)),
+    }
+}
+
+/// Spans or harmonics, doubled: the richer law contains the chosen one.
+fn size(scene: &Scene, design: &Synthesis) -> Option<Choice> {
+    let (subject, count): (_, usize) = match design.family.as_str() {
+        "spline" => (
+            "spans",
+            (scene.law.spans).unwrap_or_else(|| design.cam.law.poly().pieces()),
+        ),
+        "harmonic" => ("harmonics", design.cam.law.waves(0).len()),
+        _ => return None,
+    };
+    let twice = 2 * count;
+    let given = scene.law.spans.or(scene.law.harmonics).is_some();
+    let because = if given {
+        format!("the scene asks for it; it {}", accuracy(scene, design))
+    } else {
+        format!("the fewest tried; it {}", accuracy(scene, design))
+    };
+    let richer = with(scene, |s| {
+        if subject == "spans" {
+            (s.law.family, s.law.spans) = (Family::Spline, Some(twice));
+        } else {
+            (s.law.family, s.law.harmonics) = (Family::Harmonic, Some(twice));
+        }
+    });
+    Some(Choice {
+        subject,
+        chosen: count.to_string(),
+        because,
+        next: twice.to_string(),
+        richer: Some(richer),
+    })
+}
+
+fn tier(design: &Synthesis) -> Choice {
+    let solver = &design.solver;
+    let next = match (solver.tier.name(), design.binding.len()) {
+        ("spectral" | "equality", _) => {
+            "a program with the limits as rows: an optimum that breaks none of them stays the optimum, so nothing would change"
+        }
+        ("qp", _) => {
+            "a cone program with the cam's size among its variables, when the size is asked for"
+        }
+        ("socp", _) => "a sequence of convex programs, when the roller's curvature is broken",
+        _ => "none",
+    };
+    Choice {
+        subject: "solver",
+        chosen: solver.tier.name().to_string(),
+        because: format!(
+            "{}; {} limit(s) bind, {} iterations",
+            solver.status,
+            design.binding.len(),
+            solver.iterations
+        ),
+        next: next.to_string(),
+        richer: None,
+    }
+}
+
+fn with(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Scene {
+    let mut out = scene.clone();
+    change(&mut out);
+    out
+}
+
+/// RMS difference of the forces of two designs over a turn, N.
+pub fn force_change(one: &Synthesis, other: &Synthesis) -> f64 {
+    rms_difference(one, one.pressing(), other.pressing())
+}
+
+fn rms_difference(design: &Synthesis, one: &Law, other: &Law) -> f64 {
+    let drive = &design.drive;
+    let square: f64 = (0..ANGLES)
+        .map(|i| TAU * (i as f64 + 0.5) / ANGLES as f64)
+        .map(|x| (drive.force(one.svaj(x)) - drive.force(other.svaj(x))).powi(2))
+        .sum();
+    (square / ANGLES as f64).sqrt()
+}
+
+/// Largest distance between the profile and the chords of `n` points at equal steps, m.
+pub fn chord_error(cam: &Cam, n: usize) -> f64 {
+    let twice = if cam.law.is_closed() {
+        2 * n
+    } else {
+        2 * n - 1
+    };
+    let rows = cam.profile(twice);
+    (1..rows.len())
+        .step_by(2)
+        .map(|i| {
+            let (a, q, b) = (&rows[i - 1], &rows[i], &rows[(i + 1) % rows.len()]);
+            let (dx, dy) = (b.x - a.x, b.y - a.y);
+            let length = dx.hypot(dy);
+            let cross = (q.x - a.x) * dy - (q.y - a.y) * dx;
+            if length > 0.0 {
+                (cross / length).abs()
+            } else {
+                0.0
+            }
+        })
+        .fold(0.0, f64::max)
+}
+
+/// RMS distance, N, between the force of the law and that of the curve through `n` emitted points.
+///
+/// Fails where the follower cannot be put back on the points ([`recover`]).
+pub fn force_of_points(design: &Synthesis, n: usize) -> Result<f64> {
+    let emitted = recover(&design.cam.follower, &design.cam.profile(n), 0.0)?;
+    Ok(rms_difference(design, &design.cam.law, &emitted.law))
+}
+
+/// The emitted cam on a machine without spring or slack, to be run.
+pub fn run(design: &Synthesis, points: usize) -> Run {
+    Run {
+        profile: design.cam.profile(points),
+        target: None,
+        cam: design.cam.clone(),
+        drive: design.drive,
+        machine: Machine::default(),
+    }
+}

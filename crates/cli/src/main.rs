@@ -1,0 +1,8 @@
+//! The `gaitcam` command.
+#![forbid(unsafe_code)]
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ExitCode::from(gaitcam_cli::run(std::env::args_os()))
+}

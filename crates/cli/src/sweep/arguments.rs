@@ -1,0 +1,248 @@
+//! From arguments to a plan: scenes, lists, recordings, and the force curves that rows name.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+use serde_json::{Value, json};
+
+use super::SweepArgs;
+use crate::{SceneArgs, input};
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::Scene;
+use gaitcam::sweep::{Axis, Design, Key, List, NamedScene, Plan, Values};
+
+/// A plan with the folders that the paths of its scenes are relative to.
+pub struct Sweep {
+    /// The plan.
+    pub plan: Plan,
+    /// One folder per base scene.
+    pub folders: Vec<PathBuf>,
+    /// Files in the folders of recordings that are none.
+    pub skipped: Vec<String>,
+}
+
+/// Force curves of recordings kept in memory.
+const KEPT_CURVES: usize = 256;
+
+/// Reads scenes, list and axes.
+pub fn plan(args: &SweepArgs) -> Result<Sweep> {
+    let files: Vec<Option<&PathBuf>> = if args.scenes.is_empty() {
+        vec![None]
+    } else {
+        args.scenes.iter().map(Some).collect()
+    };
+    let mut scenes = Vec::new();
+    let mut folders = Vec::new();
+    let Recordings {
+        files: records,
+        skipped,
+    } = recordings(&args.recordings)?;
+    let mut set = args.set.clone();
+    if let Some(first) = records.first() {
+        // A scene that leaves its recording to the command line is whole with any of them.
+        set.push(format!("gait.file={}", toml::Value::from(first.as_str())));
+    }
+    for file in files {
+        let input = input::scene(&SceneArgs {
+            scene: file.cloned(),
+            set: set.clone(),
+        })?;
+        scenes.push(NamedScene {
+            name: file.map_or(input.scene.name.clone(), |f| f.display().to_string()),
+            table: input.table,
+        });
+        folders.push(input.folder);
+    }
+    let mut axes = Vec::new();
+    if !records.is_empty() {
+        axes.push(Axis {
+            key: Key::words("gait.file"),
+            values: Values::Words(records.into_iter().map(Arc::from).collect()),
+        });
+    }
+    for text in &args.vary {
+        axes.push(Axis::parse(text, args.sample.is_some())?);
+    }
+    let design = match args.sample {
+        None => Design::Grid,
+        Some(count) => Design::Sample {
+            method: args.method(),
+            count,
+            seed: args.seed,
+        },
+    };
+    let list = args.list.as_deref().map(list).transpose()?;
+    if axes.is_empty() && list.is_none() && scenes.len() == 1 {
+        return Err(Error::argument("--vary", "an empty grid: nothing varies")
+            .help("write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER"));
+    }
+    Ok(Sweep {
+        plan: Plan {
+            scenes,
+            list,
+            axes,
+            design,
+        },
+        folders,
+        skipped,
+    })
+}
+
+/// What a journal must agree with: the plan, and the program, since another version may design otherwise.
+pub fn description(sweep: &Sweep) -> Value {
+    let mut description = sweep.plan.description();
+    for (i, folder) in sweep.folders.iter().enumerate() {
+        description["scenes"][i]["folder"] = json!(folder.display().to_string());
+    }
+    description["version"] = json!(env!("CARGO_PKG_VERSION"));
+    description
+}
+
+/// Rows of a csv whose header names keys.
+fn list(path: &Path) -> Result<List> {
+    let bytes = input::read_bytes(path)?;
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(&bytes[..]);
+    let fault = |e: csv::Error| {
+        let line = e.position().map_or(1, |p| p.line() as usize);
+        Error::line(path, line, e.to_string())
+    };
+    let names = reader.headers().map_err(fault)?.clone();
+    let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
+    for record in reader.records() {
+        let record = record.map_err(fault)?;
+        for (column, cell) in columns.iter_mut().zip(&record) {
+            if cell.is_empty() {
+                let line = record.position().map_or(1, |p| p.line() as usize);
+                return Err(
+                    Error::line(path, line, "a value is missing").help("every row needs every key")
+                );
+            }
+            column.push(cell.to_string());
+        }
+    }
+    if columns.first().is_none_or(Vec::is_empty) {
+        return Err(Error::file(path, "an empty grid: there is no row")
+            .help("the first line names keys, each further line gives their values"));
+    }
+    let columns = names
+        .iter()
+        .zip(&columns)
+        .map(|(name, values)| Axis::list(name, values.iter().map(String::as_str)))
+        .collect::<Result<Vec<Axis>>>()
+        .map_err(|e| Error::file(path, e.to_string()))?;
+    Ok(List { columns })
+}
+
+/// Endings of recordings; a folder may hold anything else beside them.
+const ENDINGS: [&str; 13] = [
+    "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
+];
+/// First words of texts about a folder, and of the table of subjects beside tables of stances.
+const ABOUT: [&str; 7] = [
+    "readme",
+    "license",
+    "licence",
+    "copying",
+    "notice",
+    "sources",
+    "changelog",
+];
+
+/// The files of `--recordings`.
+#[derive(Default)]
+struct Recordings {
+    files: Vec<String>,
+    skipped: Vec<String>,
+}
+
+/// Every file given, and every recording inside a folder given, in the order of names; hidden files are
+/// left out without a word.
+fn recordings(paths: &[PathBuf]) -> Result<Recordings> {
+    let mut found = Recordings::default();
+    for path in paths {
+        if is_file(path)? {
+            found.files.push(path.to_string_lossy().into_owned());
+        } else {
+            collect(path, &mut found)?;
+        }
+    }
+    if found.files.is_empty() && !paths.is_empty() {
+        let what = match found.skipped.len() {
+            0 => "an empty grid: there is no file".to_string(),
+            n => format!("an empty grid: none of {n} files is called as recordings are"),
+        };
+        return Err(Error::argument("--recordings", what)
+            .help(format!("recordings end in .{}", ENDINGS.join(", ."))));
+    }
+    Ok(found)
+}
+
+fn unreadable(path: &Path, e: &std::io::Error) -> Error {
+    Error::file(path, format!("cannot be read ({e})")).help("check the path")
+}
+
+fn is_file(path: &Path) -> Result<bool> {
+    let about = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?;
+    Ok(about.is_file())
+}
+
+fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
+    let mut inside = std::fs::read_dir(folder)
+        .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
+        .map_err(|e: std::io::Error| unreadable(folder, &e))
+        .map(|all: Vec<PathBuf>| all)?;
+    inside.sort();
+    for path in inside {
+        let name = path
+            .file_name()
+            .map_or_else(String::new, |n| n.to_string_lossy().into());
+        if name.starts_with('.') {
+            continue;
+        }
+        if !is_file(&path)? {
+            collect(&path, found)?;
+        } else if is_called_a_recording(&name.to_lowercase()) {
+            found.files.push(path.to_string_lossy().into_owned());
+        } else {
+            found.skipped.push(name);
+        }
+    }
+    Ok(())
+}
+
+fn is_called_a_recording(name: &str) -> bool {
+    let Some((stem, ending)) = name.rsplit_once('.') else {
+        return false;
+    };
+    ENDINGS.contains(&ending)
+        && !ABOUT.iter().any(|about| stem.starts_with(about))
+        && !stem.ends_with("metadata")
+}
+
+/// Reads the force curves that scenes name, each once while it is in use.
+pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
+    let kept: Mutex<HashMap<String, Result<ForceCurve>>> = Mutex::new(HashMap::new());
+    move |index, scene| {
+        let name = format!("{index} {:?}", scene.gait);
+        if let Some(curve) = kept.lock().ok().and_then(|k| k.get(&name).cloned()) {
+            return curve;
+        }
+        let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
+        let curve = input::target(scene, folder).and_then(|curve| {
+            curve.ok_or_else(|| {
+                Error::new("there is no force curve").at(Place::Key("gait".to_string()))
+            })
+        });
+        if let Ok(mut kept) = kept.lock() {
+            if kept.len() >= KEPT_CURVES {
+                kept.clear();
+            }
+            kept.insert(name, curve.clone());
+        }
+        curve
+    }
+}

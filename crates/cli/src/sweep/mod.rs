@@ -1,0 +1,179 @@
+//! `gaitcam sweep`: thousands of designs into one table, none lost.
+
+mod arguments;
+mod finish;
+mod journal;
+mod tolerance;
+mod work;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+
+use super::{BUILT, NO_SUCH_CAM, say};
+use gaitcam::error::{Error, Result};
+use gaitcam::sweep::{Kernel, Method};
+use finish::Counts;
+use journal::Journal;
+pub use journal::beside;
+
+/// Stopped by Ctrl-C, as shells count it.
+const INTERRUPTED: u8 = 130;
+/// More rows than this are asked for twice.
+const MANY: u128 = 100_000_000;
+/// More rows than this have no numbers here.
+const MOST: u128 = 1 << 53;
+
+/// What to sweep and where to put it.
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    /// Scene files; without one, the built-in footbridge
+    pub scenes: Vec<PathBuf>,
+    /// Change a value in every scene: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Vary a value: 'gait.step_frequency=1.5 Hz:2.4 Hz:10' or law.family=spline,harmonic (may be repeated)
+    #[arg(long, value_name = "KEY=VALUES")]
+    pub vary: Vec<String>,
+    /// Rows of values together: a csv whose header names keys
+    #[arg(long, value_name = "FILE.csv")]
+    pub list: Option<PathBuf>,
+    /// One design for each recording: files or folders (may be repeated)
+    #[arg(long, value_name = "PATH")]
+    pub recordings: Vec<PathBuf>,
+    /// Spread N points over the varied ranges ('KEY=START:STOP') instead of a grid
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub sample: Option<u64>,
+    /// How the points are spread
+    #[arg(long, default_value = "latin", value_parser = ["latin", "sobol"])]
+    pub design: String,
+    /// Where the random numbers of the sample start
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// The table: FILE.csv or FILE.parquet
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Go on with a sweep that was stopped
+    #[arg(long)]
+    pub resume: bool,
+    /// Threads; without it, one per core
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub jobs: Option<u16>,
+    /// Go ahead even with more than a hundred million rows
+    #[arg(long)]
+    pub yes: bool,
+    /// Scatter one design as it is made: 'profile=0.02 mm', base_radius, mass, speed (may be repeated)
+    #[arg(long, value_name = "PART=±VALUE")]
+    pub tolerance: Vec<String>,
+    /// Force error that a made cam may have, for the yield: '2 %' of the mean
+    #[arg(long, requires = "tolerance")]
+    pub band: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl SweepArgs {
+    fn method(&self) -> Method {
+        if self.design == "sobol" {
+            Method::Sobol
+        } else {
+            Method::Latin
+        }
+    }
+}
+
+/// Runs the sweep; exit code 0 when the table is complete and holds a cam, 3 when it holds none.
+pub fn run(args: &SweepArgs) -> Result<u8> {
+    if !args.tolerance.is_empty() {
+        return tolerance::run(args);
+    }
+    let start = Instant::now();
+    // A row that fails by our own fault says so in the table; its trace would only hide the others.
+    std::panic::set_hook(Box::new(|_| {}));
+    let format = finish::Format::of(&args.out)?;
+    let sweep = arguments::plan(args)?;
+    let plan = &sweep.plan;
+    if let [first, ..] = &sweep.skipped[..] {
+        eprintln!(
+            "gaitcam: {} file(s) beside the recordings are skipped ({first}{})",
+            sweep.skipped.len(),
+            if sweep.skipped.len() > 1 { " …" } else { "" }
+        );
+    }
+    let rows = plan.rows();
+    if rows > MOST || (rows > MANY && !args.yes) {
+        let error = Error::argument("--vary", format!("{rows} combinations"));
+        return Err(if rows > MOST {
+            error.help("no machine finishes them: take fewer values, or --sample N")
+        } else {
+            error.help("take fewer values, or --sample N, or say --yes")
+        });
+    }
+    plan.validate()?;
+    let description = arguments::description(&sweep);
+    let mut journal = match Journal::open(&args.out, &description, args.resume)? {
+        journal::Opened::Finished => {
+            say(&format!("{} is already complete.", args.out.display()));
+            return Ok(BUILT);
+        }
+        journal::Opened::Journal(journal) => journal,
+    };
+    if let Some(repair) = journal.repaired() {
+        eprintln!("gaitcam: {repair}");
+    }
+    let clock = || start.elapsed().as_secs_f64();
+    let targets = arguments::targets(&sweep.folders);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &targets, &clock);
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(args.jobs.map_or(0, usize::from))
+        .build()
+        .map_err(|e| Error::argument("--jobs", e.to_string()))?;
+    let stop = work::stop_on_ctrl_c();
+    let before = journal.rows();
+    let computed = Instant::now();
+    work::compute(plan, &kernel, &pool, &mut journal, &stop)?;
+    let seconds = computed.elapsed().as_secs_f64();
+    if u128::from(journal.rows()) < rows {
+        eprintln!(
+            "gaitcam: stopped after {} of {rows} rows; nothing is lost, go on with --resume",
+            journal.rows()
+        );
+        return Ok(INTERRUPTED);
+    }
+    let counts = finish::table(plan, &kernel, &pool, &mut journal, &args.out, format)?;
+    journal.finish(&args.out, &description)?;
+    report(args, &counts, rows as u64 - before, seconds);
+    Ok(if counts.built > 0 { BUILT } else { NO_SUCH_CAM })
+}
+
+fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
+    let rate = computed as f64 / seconds.max(1e-9);
+    if args.json {
+        let object = serde_json::json!({
+            "file": args.out.display().to_string(), "rows": counts.rows, "built": counts.built,
+            "acceptable": counts.acceptable, "infeasible": counts.infeasible, "errors": counts.errors,
+            "computed": computed, "seconds": seconds, "rows_per_s": rate,
+        });
+        say(&serde_json::to_string_pretty(&object).unwrap_or_default());
+        return;
+    }
+    say(&format!(
+        "{} rows in {}: {} built ({} acceptable), {} infeasible, {} at fault",
+        counts.rows,
+        args.out.display(),
+        counts.built,
+        counts.acceptable,
+        counts.infeasible,
+        counts.errors
+    ));
+    if computed > 0 {
+        say(&format!(
+            "{computed} designs in {seconds:.2} s, {rate:.0} a second"
+        ));
+    }
+    if let Some(first) = &counts.first_error {
+        say(&format!("First fault, row {}: {}", first.0, first.1));
+    }
+}

@@ -1,0 +1,203 @@
+//! `gaitcam sweep --tolerance`: manufacturing scatter around one design.
+
+use std::fmt::Write;
+
+use rayon::prelude::*;
+
+use super::SweepArgs;
+use super::journal::beside;
+use gaitcam_output::folder::write_whole;
+use crate::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
+use gaitcam_output::sweep_plots::{Quantity, histogram};
+use gaitcam_output::sweep_report::{Page, Table, html};
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
+use gaitcam::synth::synthesise;
+use gaitcam::units::{Dimension, parse};
+
+/// Samples where nobody says how many.
+const SAMPLES: u64 = 10_000;
+/// Most samples: they are held in memory.
+const MOST: u64 = 20_000_000;
+
+/// Scatters the design, writes the samples and a report; exit code 3 when there is no design to scatter.
+pub fn run(args: &SweepArgs) -> Result<u8> {
+    if !args.vary.is_empty()
+        || args.list.is_some()
+        || !args.recordings.is_empty()
+        || args.scenes.len() > 1
+    {
+        return Err(Error::argument(
+            "--tolerance",
+            "scatters one design and goes with no other variation",
+        )
+        .help("fix the scene with --set"));
+    }
+    if args.out.extension().is_none_or(|e| e != "csv") {
+        return Err(Error::argument(
+            "--out",
+            "the samples of --tolerance are written as .csv",
+        ));
+    }
+    let tolerances = args
+        .tolerance
+        .iter()
+        .map(|t| Tolerance::parse(t))
+        .collect::<Result<Vec<_>>>()?;
+    let band = args
+        .band
+        .as_deref()
+        .map(|b| {
+            parse(b, Dimension::Ratio).map_err(|e| e.at(Place::Argument("--band".to_string())))
+        })
+        .transpose()?;
+    let count = args.sample.unwrap_or(SAMPLES);
+    if count > MOST {
+        return Err(
+            Error::argument("--sample", format!("{count} samples")).help(format!("up to {MOST}"))
+        );
+    }
+    let input = input::scene(&SceneArgs {
+        scene: args.scenes.first().cloned(),
+        set: args.set.clone(),
+    })?;
+    let target = input.target()?;
+    let design = synthesise(&input.scene, target.as_ref())?;
+    if let Some(infeasible) = &design.infeasible {
+        eprintln!(
+            "gaitcam: there is no design to scatter: {}",
+            infeasible.words
+        );
+        return Ok(NO_SUCH_CAM);
+    }
+    let scatter = Scatter::new(&design)?;
+    let made: Vec<Made> = (0..count)
+        .into_par_iter()
+        .map(|i| scatter.sample(&tolerances, i, count, args.seed))
+        .collect();
+    write_whole(&args.out, table(&made).as_bytes())?;
+    let percents: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
+    let spread = Spread::of(&percents, band.map(|b| 100.0 * b));
+    let Some(spread) = spread else {
+        return Err(Error::argument("--sample", "no sample"));
+    };
+    let own = design.force.rms_error_percent_of_mean;
+    let page = beside(&args.out, ".report.html");
+    write_whole(
+        &page,
+        report(args, &design.name, own, percents, &spread, band).as_bytes(),
+    )?;
+    if args.json {
+        let object = serde_json::json!({
+            "samples": count, "own_percent": own, "mean_percent": spread.mean, "deviation_percent": spread.deviation,
+            "p5_percent": spread.quantiles[0], "median_percent": spread.quantiles[1], "p95_percent": spread.quantiles[2],
+            "largest_percent": spread.largest, "band_percent": band.map(|b| 100.0 * b), "yield": spread.within,
+        });
+        say(&serde_json::to_string_pretty(&object).unwrap_or_default());
+    } else {
+        say(&words(&design.name, own, count, &spread, band));
+        say(&format!(
+            "Samples in {}, pictures in {}.",
+            args.out.display(),
+            page.display()
+        ));
+    }
+    Ok(BUILT)
+}
+
+fn table(made: &[Made]) -> String {
+    let mut out = String::from(
+        "row,profile_m,base_radius_m,mass_kg,speed_rad_per_s,force_rms_error_n,force_rms_error_percent\n",
+    );
+    for (i, m) in made.iter().enumerate() {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            out,
+            "{i},{},{},{},{},{},{}",
+            m.profile_m,
+            m.base_radius_m,
+            m.mass_kg,
+            m.speed_rad_per_s,
+            m.force_rms_error_n,
+            m.force_rms_error_percent
+        );
+    }
+    out
+}
+
+fn words(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
+    let [p5, median, p95] = s.quantiles;
+    let mut out = format!(
+        "{name}: {count} cams as made; force error by design {own:.3} % of the mean\n  \
+         spread    mean {:.3} %, standard deviation {:.3} %, 5 % to 95 %: {p5:.3} % … {p95:.3} %, median {median:.3} %, largest {:.3} %",
+        s.mean, s.deviation, s.largest
+    );
+    if let (Some(band), Some(within)) = (band, s.within) {
+        let _ = write!(
+            out,
+            "\n  yield     {:.2} % stay within {:.3} %",
+            100.0 * within,
+            100.0 * band
+        );
+    }
+    out
+}
+
+fn report(
+    args: &SweepArgs,
+    name: &str,
+    own: f64,
+    percents: Vec<f64>,
+    s: &Spread,
+    band: Option<f64>,
+) -> String {
+    let quantity = Quantity {
+        label: "force error RMS, % of the mean".to_string(),
+        values: percents,
+        words: Vec::new(),
+    };
+    let mut levels = vec![(own, "by design")];
+    if let Some(band) = band {
+        levels.push((100.0 * band, "band"));
+    }
+    let picture = histogram(&format!("{name}: force error as made"), &quantity, &levels);
+    let percent = |x: f64| format!("{x:.3} %");
+    let mut cards = vec![
+        (
+            "By design".to_string(),
+            percent(own),
+            "of the mean force, RMS".to_string(),
+        ),
+        (
+            "Median as made".to_string(),
+            percent(s.quantiles[1]),
+            String::new(),
+        ),
+        (
+            "95 % stay below".to_string(),
+            percent(s.quantiles[2]),
+            String::new(),
+        ),
+        ("Largest".to_string(), percent(s.largest), String::new()),
+    ];
+    if let (Some(band), Some(within)) = (band, s.within) {
+        cards.push((
+            "Yield".to_string(),
+            percent(100.0 * within),
+            format!("within {:.3} %", 100.0 * band),
+        ));
+    }
+    html(&Page {
+        title: format!("{name}: manufacturing scatter"),
+        words: "Each sample makes the cam with errors spread evenly over their tolerances and runs it at once: how far is its force from the target?".to_string(),
+        cards,
+        pictures: vec![("Force error as made", &picture)],
+        tables: vec![(
+            "Tolerances",
+            Table {
+                head: vec!["tolerance".to_string()],
+                rows: args.tolerance.iter().map(|t| vec![t.clone()]).collect(),
+            },
+        )],
+    })
+}

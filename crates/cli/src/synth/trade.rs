@@ -1,0 +1,160 @@
+//! `gaitcam synth --front`: what one good costs in another, as a table and a picture.
+
+use std::path::PathBuf;
+
+use serde_json::json;
+
+use gaitcam_output::folder::Folder;
+use super::super::{BUILT, NO_SUCH_CAM, SynthArgs, input, say};
+use gaitcam_output::sweep_plots::{self, Quantity};
+use gaitcam::error::Result;
+use gaitcam::sweep::table::label;
+use gaitcam::synth::{Against, Trade, trade};
+
+/// Points of the front when nothing is said.
+const POINTS: u32 = 20;
+/// Columns of front.csv beside the quantity traded.
+const COLUMNS: [&str; 7] = [
+    "rms_error_n",
+    "rms_error_percent_of_mean",
+    "max_error_n",
+    "prime_radius_m",
+    "stroke_m",
+    "tier",
+    "verdict",
+];
+
+/// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.
+pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
+    let against = Against::from_pair(pair)?;
+    let input = input::scene(&args.scene)?;
+    let folder = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("out").join(format!("{}-front", input.scene.name)));
+    let folder = Folder::open(&folder)?;
+    let target = input.target()?;
+    let points = args.points.unwrap_or(POINTS) as usize;
+    let front = trade(&input.scene, target.as_ref(), against, points)?;
+    if front.is_empty() {
+        eprintln!("gaitcam: no point of the front can be built");
+        return Ok(NO_SUCH_CAM);
+    }
+    folder.write("front.csv", csv(against, &front).as_bytes())?;
+    let column = |name: &str, of: &dyn Fn(&Trade) -> f64| Quantity {
+        label: label(name),
+        values: front.iter().map(of).collect(),
+        words: Vec::new(),
+    };
+    let (unit, factor) = shown_in(against);
+    let x = Quantity {
+        label: format!("{}, {unit}", spoken(against)),
+        ..column(against.column(), &|t| factor * against.of(&t.design))
+    };
+    let y = column("rms_error_n", &|t| t.design.force.rms_error_n);
+    let line: Vec<(f64, f64)> = x
+        .values
+        .iter()
+        .copied()
+        .zip(y.values.iter().copied())
+        .collect();
+    let title = format!(
+        "{}: least force error at each {}",
+        input.scene.name,
+        spoken(against)
+    );
+    let picture = sweep_plots::front(&title, &x, &y, &line, None);
+    folder.write("front.svg", picture.svg().as_bytes())?;
+    folder.write("front.png", &picture.png())?;
+    if args.json {
+        let rows: Vec<_> = front
+            .iter()
+            .map(|t| {
+                json!({against.column(): against.of(&t.design), "allowed": t.allowed,
+                    "rms_error_n": t.design.force.rms_error_n,
+                    "max_error_n": t.design.force.max_error_n,
+                    "tier": t.design.solver.tier.name(), "verdict": t.design.verdict.name()})
+            })
+            .collect();
+        say(&serde_json::to_string_pretty(&rows).unwrap_or_default());
+    } else {
+        say(&words(&input.scene.name, against, &front));
+        say(&format!(
+            "Files in {}; open front.png first.",
+            folder.path().display()
+        ));
+    }
+    Ok(BUILT)
+}
+
+fn spoken(against: Against) -> String {
+    let name = Against::NAMES
+        .iter()
+        .find(|n| n.1 == against)
+        .map_or("", |n| n.0);
+    name.replace('_', " ")
+}
+
+/// The unit in which people read it, and SI's factor to it.
+fn shown_in(against: Against) -> (&'static str, f64) {
+    match against {
+        Against::PrimeRadius | Against::Stroke => ("mm", 1e3),
+        Against::Velocity => ("m/s", 1.0),
+        Against::Acceleration => ("m/s²", 1.0),
+        Against::Jerk => ("m/s³", 1.0),
+    }
+}
+
+fn csv(against: Against, front: &[Trade]) -> String {
+    let mut out = format!("allowed_{},{}", against.column(), against.column());
+    for name in COLUMNS.iter().filter(|n| **n != against.column()) {
+        out.push(',');
+        out.push_str(name);
+    }
+    out.push('\n');
+    for t in front {
+        let (d, f) = (&t.design, &t.design.force);
+        let cells = [
+            f.rms_error_n.to_string(),
+            f.rms_error_percent_of_mean.to_string(),
+            f.max_error_n.to_string(),
+            d.cam.follower.prime_radius().to_string(),
+            d.cam.law.stroke().to_string(),
+            d.solver.tier.name().to_string(),
+            d.verdict.name().to_string(),
+        ];
+        out.push_str(&format!("{},{}", t.allowed, against.of(d)));
+        for (name, cell) in COLUMNS.iter().zip(cells) {
+            if *name != against.column() {
+                out.push(',');
+                out.push_str(&cell);
+            }
+        }
+        out.push('\n');
+    }
+    out
+}
+
+fn words(name: &str, against: Against, front: &[Trade]) -> String {
+    let (unit, factor) = shown_in(against);
+    let mut out = vec![
+        format!("{name}: least force error at each {}", spoken(against)),
+        format!(
+            "  {:>16} {unit:<5} {:>14} {:>12}",
+            spoken(against),
+            "RMS error N",
+            "% of mean"
+        ),
+    ];
+    for t in front {
+        let f = &t.design.force;
+        out.push(format!(
+            "  {:>16.4} {:<5} {:>14.4} {:>12.4}",
+            factor * against.of(&t.design),
+            "",
+            f.rms_error_n,
+            f.rms_error_percent_of_mean
+        ));
+    }
+    out.join("\n")
+}

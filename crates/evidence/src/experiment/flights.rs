@@ -1,0 +1,158 @@
+//! Lift-off, flights and landings.
+
+use super::{POINTS, cams, line, picture, run_points, scene};
+use gaitcam::dynamics::contact::Phase;
+use gaitcam::dynamics::impact::{Restitution, exact_chi, returned_restitution};
+use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::simulate::simulate;
+use gaitcam::dynamics::{Model, rigid, thesis};
+use gaitcam::error::Result;
+use std::f64::consts::PI;
+
+pub(super) fn lift_off(out: &mut String) -> Result<()> {
+    line(out, "## Lift-off\n");
+    line(
+        out,
+        "| cam | emitted points rad/s | law rad/s | relative difference | lost at 1 − 1e-9 | lost at 1 + 1e-9 |",
+    );
+    line(out, "|---|---|---|---|---|---|");
+    for (name, cam, _) in cams() {
+        let drive = thesis::real(thesis::SPEED);
+        let emitted = recover(&cam.follower, &cam.profile(POINTS), 0.0)?.law;
+        let (Some(own), Some(law)) = (
+            rigid::liftoff_speed(&emitted, &drive),
+            rigid::liftoff_speed(&cam.law, &drive),
+        ) else {
+            continue;
+        };
+        let lost =
+            |factor: f64| run_points(&cam, POINTS, own * factor, 0.0).map(|r| r.lost_fraction());
+        line(
+            out,
+            &format!(
+                "| {name} | {own:.6} | {law:.6} | {:.1e} | {:.1e} | {:.1e} |",
+                (own / law - 1.0).abs(),
+                lost(1.0 - 1e-9)?,
+                lost(1.0 + 1e-9)?
+            ),
+        );
+    }
+    line(out, "\nThe eccentric's closed form is √(g/e).\n");
+    Ok(())
+}
+
+pub(super) fn bounces(out: &mut String) -> Result<()> {
+    line(out, "## Above lift-off\n");
+    line(
+        out,
+        "| cam | speed rad/s | e | leaves ° | lands ° | flight s | landing m/s | largest gap mm | lost % |",
+    );
+    line(out, "|---|---|---|---|---|---|---|---|---|");
+    for (name, cam, speed) in cams() {
+        for e in [0.0, 0.5] {
+            let run = run_points(&cam, POINTS, speed, e)?;
+            if let Some(hit) = run.impacts.first() {
+                line(
+                    out,
+                    &format!(
+                        "| {name} | {speed} | {e} | {:.6} | {:.6} | {:.9} | {:.7} | {:.6} | {:.4} |",
+                        hit.since.to_degrees(),
+                        hit.at.to_degrees(),
+                        (hit.at - hit.since) / speed,
+                        hit.speed,
+                        1e3 * hit.height,
+                        100.0 * run.lost_fraction()
+                    ),
+                );
+            }
+        }
+    }
+    line(out, "");
+    for (name, cam, speed) in cams() {
+        let run = run_points(&cam, POINTS, speed, 0.5)?;
+        let landings: Vec<String> = run
+            .impacts
+            .iter()
+            .take(5)
+            .map(|i| format!("{:.6}°", i.at.to_degrees()))
+            .collect();
+        let rest = run
+            .stretches
+            .windows(2)
+            .find_map(|w| match (w[0].phase, w[1].phase) {
+                (Phase::Flight(_), Phase::Contact { .. }) => Some(w[1].from.to_degrees()),
+                _ => None,
+            });
+        line(
+            out,
+            &format!(
+                "- {name}, e = 0.5: lands at {} …, rests at {:.3}°; {} landings, then the same again every turn.",
+                landings.join(", "),
+                rest.unwrap_or(f64::NAN),
+                run.impacts.len()
+            ),
+        );
+    }
+    line(out, "");
+    picture(
+        out,
+        "dynamics_gap",
+        "Gap between plate and cam above lift-off, plastic and bouncing",
+    );
+    Ok(())
+}
+
+pub(super) fn restitution(out: &mut String) {
+    line(out, "## Restitution of a compliant contact\n");
+    line(
+        out,
+        "f = Kδⁿ(1 + χ δ̇/v₀), K = 1e10 N/m^1.5, n = 1.5, 1 kg at 0.2 m/s.\n",
+    );
+    line(
+        out,
+        "| e asked | Hunt–Crossley 3(1 − e)/2 | Lankarani–Nikravesh 3(1 − e²)/4 | Flores 8(1 − e)/(5e) | exact χ | integrated with exact χ |",
+    );
+    line(out, "|---|---|---|---|---|---|");
+    for e in [0.1, 0.3, 0.5, 0.7, 0.9] {
+        let contact = Restitution::Compliant {
+            stiffness: 1e10,
+            exponent: 1.5,
+            restitution: e,
+        };
+        let back = contact.pulse(1.0, 0.2, 0.0).rebound / 0.2;
+        line(
+            out,
+            &format!(
+                "| {e} | {:.3} | {:.3} | {:.3} | {:.6} | {back:.8} |",
+                returned_restitution(1.5 * (1.0 - e)),
+                returned_restitution(0.75 * (1.0 - e * e)),
+                returned_restitution(1.6 * (1.0 - e) / e),
+                exact_chi(e)
+            ),
+        );
+    }
+    line(out, "");
+}
+
+pub(super) fn two_cams(out: &mut String) -> Result<()> {
+    line(out, "## Two cams on the shaft, half a turn apart\n");
+    let mut run = scene(&thesis::double_harmonic(), thesis::real(thesis::SPEED));
+    run.machine.second_cam = Some(PI);
+    let both = simulate(&run, Model::Contact)?;
+    let hits: Vec<String> = both
+        .impacts
+        .iter()
+        .take(2)
+        .map(|i| format!("{:.3}° at {:.4} m/s", i.at.to_degrees(), i.speed))
+        .collect();
+    line(
+        out,
+        &format!(
+            "The block rides on whichever cam stands higher. Where one falls and the other rises they meet with a step of slope, a blow: {}. Between the blows the force is {:.4} … {:.4} N.\n",
+            hits.join(", "),
+            both.force.min,
+            both.force.max
+        ),
+    );
+    Ok(())
+}

@@ -1,0 +1,313 @@
+//! The rungs of the solver one by one, and their cost against the number of spans.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use gaitcam_output::folder::Folder;
+use super::limits::violation;
+use super::{Watch, footbridge, force_error};
+use gaitcam::cam::smallest_prime_circle;
+use crate::chart::{self, Across, Chart, Row};
+use gaitcam::error::{Error, Result};
+use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
+use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::scene;
+use gaitcam::synth::lab::{self, Bound, Task};
+use gaitcam::synth::synthesise;
+
+/// Parts of the free law's peaks to which acceleration and jerk are held.
+const HELD: [f64; 3] = [0.95, 0.6, 0.3];
+/// Spans of the laws in the table.
+const SPANS: usize = 32;
+
+#[derive(Clone)]
+struct Line {
+    tier: &'static str,
+    problem: String,
+    seconds: f64,
+    quartiles: (f64, f64),
+    error: f64,
+    against: &'static str,
+}
+
+/// Measures the table and the picture and writes ladder.md, ladder.csv, ladder_spans.svg and .png.
+pub fn write(watch: &Watch, folder: &Folder, machine: &str) -> Result<()> {
+    let lines = [closed_forms(watch)?, programs(watch)?, scenes(watch)?].concat();
+    let spans = against_spans(watch)?;
+    let picture = chart::picture(&spans);
+    folder.write("ladder_spans.svg", picture.svg().as_bytes())?;
+    folder.write("ladder_spans.png", &picture.png())?;
+    folder.write("ladder.csv", csv(&lines, &spans).as_bytes())?;
+    folder.write("ladder.md", page(&lines, &spans, machine).as_bytes())
+}
+
+/// The spectral inverse and the closed-form prime circle.
+fn closed_forms(watch: &Watch) -> Result<Vec<Line>> {
+    let (target, drive) = footbridge()?;
+    let samples = (0..1000)
+        .map(|i| target.at(2.0 * PI * f64::from(i) / 1000.0))
+        .collect();
+    let thousand = ForceCurve::from_samples("1000 samples", target.period_s, samples)?;
+    let (law, timing) = watch.time(|| lab::spectral(&thousand, drive, 20));
+    let mut out = vec![Line {
+        tier: "spectral",
+        problem: "footbridge force, 1000 samples, 20 harmonics".to_string(),
+        seconds: timing.median,
+        quartiles: timing.quartiles,
+        error: force_error(&drive, &law?, &target),
+        against: "the force, RMS of the mean",
+    }];
+    let hump = hump(PI / 3.0)?;
+    let limit = PI / 6.0;
+    let (circle, timing) = watch.time(|| smallest_prime_circle(&hump, limit, limit, Some(0.0)));
+    // 3-4-5 rise and fall of 60° each, 30° on both sides, no offset.
+    let exact = 2.636_48;
+    out.push(Line {
+        tier: "prime circle",
+        problem: "3-4-5 rise and fall of 60°, 30° on both sides".to_string(),
+        seconds: timing.median,
+        quartiles: timing.quartiles,
+        error: (circle.radius / exact - 1.0).abs(),
+        against: "2.63648 (five digits)",
+    });
+    Ok(out)
+}
+
+fn hump(angle: f64) -> Result<Law> {
+    let segment = |motion: Rise, lift: f64, angle: f64| Segment {
+        motion,
+        lift,
+        angle,
+    };
+    let rest = segment(Rise::from_name("dwell")?, 0.0, 2.0 * PI - 2.0 * angle);
+    let poly = Rise::from_name("3-4-5")?;
+    program(
+        &[
+            segment(poly.clone(), 1.0, angle),
+            segment(poly, -1.0, angle),
+            rest,
+        ],
+        Extent::Turns(1),
+    )
+}
+
+/// One factorisation, the certified program by both methods, and the cheaper ways between samples.
+fn programs(watch: &Watch) -> Result<Vec<Line>> {
+    let (target, drive) = footbridge()?;
+    let free = Task {
+        target: &target,
+        drive,
+        degree: 5,
+        spans: SPANS,
+        bounds: &[],
+    };
+    let (law, timing) = watch.time(|| free.free());
+    let law = law?.law;
+    let mut out = vec![Line {
+        tier: "equality",
+        problem: format!("footbridge force, quintic, {SPANS} spans"),
+        seconds: timing.median,
+        quartiles: timing.quartiles,
+        error: force_error(&drive, &law, &target),
+        against: "the force, RMS of the mean",
+    }];
+    let peak = |order: usize| {
+        let (low, high) = law.extremes(order);
+        high.value.max(-low.value)
+    };
+    for part in HELD {
+        let bounds = [2, 3].map(|order| Bound {
+            order,
+            most: part * peak(order),
+        });
+        let task = Task {
+            bounds: &bounds,
+            ..free.clone()
+        };
+        let (answer, timing) = watch.time(|| task.exchange());
+        let ours = answer?.law;
+        let (other, slower) = watch.time(|| task.interior_point());
+        let error = |law: &Law| force_error(&drive, law, &target);
+        let apart = (error(&ours) / error(&other?.law) - 1.0).abs();
+        let what = format!(
+            "the same, acceleration and jerk held to {:.0} %",
+            100.0 * part
+        );
+        out.push(Line {
+            tier: "qp",
+            problem: format!("{what}: active set"),
+            seconds: timing.median,
+            quartiles: timing.quartiles,
+            error: violation(&ours, bounds[1].most),
+            against: "the jerk limit on a dense scan",
+        });
+        out.push(Line {
+            tier: "qp",
+            problem: format!("{what}: interior point"),
+            seconds: slower.median,
+            quartiles: slower.quartiles,
+            error: apart,
+            against: "force error of the active set",
+        });
+    }
+    Ok(out)
+}
+
+/// Whole syntheses whose tier is a cone program or a sequence of programs.
+fn scenes(watch: &Watch) -> Result<Vec<Line>> {
+    let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
+    let points = include_bytes!("../../../../data/gait_curves/heel_tester_critical_points.csv");
+    let name = Path::new("heel_tester_critical_points.csv");
+    let target = force::force_curve(name, points, &ReadOptions::default(), Feet::One)?;
+    let mut out = Vec::new();
+    let cases: [(&'static str, &[&str]); 2] = [
+        (
+            "a roller of 0.1 mm",
+            &["cam.roller_radius=0.1 mm", "limits.curvature=auto"],
+        ),
+        ("a roller of 1 in", &[]),
+    ];
+    for (roller, changes) in cases {
+        let mut table: toml::Table = text
+            .parse()
+            .map_err(|e| Error::new(format!("heel_tester_fitted: {e}")))?;
+        for change in changes {
+            scene::set(&mut table, change)?;
+        }
+        let scene = scene::read(&table)?;
+        let (design, timing) = watch.time(|| synthesise(&scene, Some(&target)));
+        let design = design?;
+        let gap = design
+            .solver
+            .certificate
+            .map_or(f64::NAN, |c| c.relative_gap);
+        out.push(Line {
+            tier: design.solver.tier.name(),
+            problem: format!(
+                "heel_tester_fitted, size minimised, {roller}: prime radius {:.3} mm",
+                1e3 * design.cam.follower.prime_radius()
+            ),
+            seconds: timing.median,
+            quartiles: timing.quartiles,
+            error: gap,
+            against: "its own dual bound",
+        });
+    }
+    Ok(out)
+}
+
+/// Time against spans, for the factorisation and for one limit.
+fn against_spans(watch: &Watch) -> Result<Chart> {
+    let (target, drive) = footbridge()?;
+    let sizes: &[usize] = if watch.quick {
+        &[8, 32, 128]
+    } else {
+        &[8, 16, 32, 64, 100, 200, 400, 1000, 2000, 5000, 10_000]
+    };
+    let mut rows = Vec::new();
+    for &spans in sizes {
+        let free = Task {
+            target: &target,
+            drive,
+            degree: 5,
+            spans,
+            bounds: &[],
+        };
+        let (answer, timing) = watch.time(|| free.free());
+        let mut push = |method: &str, timing: super::Timing| {
+            let seconds = timing.median;
+            let row = timing.row(method, format!("{spans} spans"), seconds);
+            rows.push(Row {
+                points: Some(spans),
+                ..row
+            });
+        };
+        push("equality: one factorisation", timing);
+        let (low, high) = answer?.law.extremes(2);
+        let bounds = [Bound {
+            order: 2,
+            most: 0.8 * high.value.max(-low.value),
+        }];
+        let task = Task {
+            bounds: &bounds,
+            ..free
+        };
+        let (_, timing) = watch.time(|| task.exchange());
+        push("qp: acceleration at 80 %", timing);
+    }
+    Ok(Chart {
+        file: "ladder_spans".to_string(),
+        title: "Cost against spans".to_string(),
+        task: "Quintic splines on the footbridge force of 1024 samples.".to_string(),
+        error: "time of one run, s, median".to_string(),
+        across: Across::Spans,
+        levels: Vec::new(),
+        advice: "One factorisation costs in proportion to the spans. With a limit the cost grows with the places where it touches, until from 250 spans on the derivatives are unknowns of their own and it is in proportion to the spans again. A cam needs 8 to 60.".to_string(),
+        rows,
+    })
+}
+
+fn csv(lines: &[Line], spans: &Chart) -> String {
+    let mut out =
+        String::from("tier,problem,seconds,first_quartile_s,third_quartile_s,error,against\n");
+    for l in lines {
+        let _ = writeln!(
+            out,
+            "{},\"{}\",{:e},{:e},{:e},{:e},\"{}\"",
+            l.tier, l.problem, l.seconds, l.quartiles.0, l.quartiles.1, l.error, l.against
+        );
+    }
+    for r in &spans.rows {
+        let _ = writeln!(
+            out,
+            "{},\"{}\",{:e},{:e},{:e},,",
+            if r.method.starts_with("qp") {
+                "qp"
+            } else {
+                "equality"
+            },
+            r.size,
+            r.seconds,
+            r.quartiles.0,
+            r.quartiles.1
+        );
+    }
+    out
+}
+
+fn page(lines: &[Line], spans: &Chart, machine: &str) -> String {
+    let mut out = format!(
+        "# The ladder of solvers\n\nEach rung on its own problems, measured by `gaitcam chart`. {machine}\n\n\
+         | tier | problem | time, median | quartiles | error | against |\n|---|---|---|---|---|---|\n"
+    );
+    let micro = |s: f64| format!("{:.1} µs", 1e6 * s);
+    for l in lines {
+        let _ = writeln!(
+            out,
+            "| {} | {} | {} | {} … {} | {:.1e} | {} |",
+            l.tier,
+            l.problem,
+            micro(l.seconds),
+            micro(l.quartiles.0),
+            micro(l.quartiles.1),
+            l.error,
+            l.against
+        );
+    }
+    let _ = write!(
+        out,
+        "\n## {}\n\n{} {}\n\n![{}]({}.png)\n\n| spans | rung | time, median |\n|---|---|---|\n",
+        spans.title, spans.task, spans.advice, spans.title, spans.file
+    );
+    for r in &spans.rows {
+        let _ = writeln!(
+            out,
+            "| {} | {} | {} |",
+            r.points.unwrap_or(0),
+            r.method,
+            micro(r.seconds)
+        );
+    }
+    out
+}

@@ -1,0 +1,90 @@
+//! Chart (b): a limit between the points at which it is written down.
+
+use super::{Watch, footbridge, force_error};
+use crate::chart::{Across, Chart};
+use gaitcam::error::Result;
+use gaitcam::law::Law;
+use gaitcam::synth::lab::{Between, Bound, Settings, Task};
+
+/// Jerk allowed, part of what the law takes without a limit.
+const ALLOWED: f64 = 0.5;
+const SPANS: usize = 14;
+
+/// Largest |jerk| of a law beyond `most`, part of it; 0 when kept.
+pub fn violation(law: &Law, most: f64) -> f64 {
+    let (low, high) = law.extremes(3);
+    (high.value.max(-low.value) / most - 1.0).max(0.0)
+}
+
+/// A jerk limit on a quintic of 32 spans, held in every way.
+pub fn chart(watch: &Watch) -> Result<Chart> {
+    let (target, drive) = footbridge()?;
+    let free = Task {
+        target: &target,
+        drive,
+        degree: 5,
+        spans: SPANS,
+        bounds: &[],
+    };
+    let (low, high) = free.free()?.law.extremes(3);
+    let most = ALLOWED * high.value.max(-low.value);
+    let bounds = [Bound { order: 3, most }];
+    let task = Task {
+        bounds: &bounds,
+        ..free
+    };
+    let tight = Settings {
+        tolerance: 1e-10,
+        ..Settings::default()
+    };
+    let truth = force_error(
+        &drive,
+        &task.conic(Between::Cone)?.solve(tight)?.law,
+        &target,
+    );
+    let mut rows = Vec::new();
+    let mut push = |mut row: crate::chart::Row, law: &Law| {
+        let (broken, error) = (violation(law, most), force_error(&drive, law, &target));
+        let loss = error / truth - 1.0;
+        row.error = broken.max(loss.abs());
+        row.note = format!("limit exceeded by {broken:.1e}, force error {loss:+.1e} of the best");
+        rows.push(row);
+    };
+    for count in [1, 2, 4, 8, 16, 32] {
+        let (answer, timing) = watch.time(|| {
+            task.conic(Between::Samples(count))?
+                .solve(Settings::default())
+        });
+        push(
+            timing.row("samples on every span", format!("{count}"), 0.0),
+            &answer?.law,
+        );
+    }
+    for (name, between) in [
+        ("Bernstein rows", Between::Coefficients),
+        ("exact cones", Between::Cone),
+    ] {
+        let (answer, timing) = watch.time(|| task.conic(between)?.solve(Settings::default()));
+        push(
+            timing.row(name, format!("{SPANS} spans"), 0.0),
+            &answer?.law,
+        );
+    }
+    let (answer, timing) = watch.time(|| task.exchange());
+    let mut row = timing.row("exchange at exact extrema", format!("{SPANS} spans"), 0.0);
+    row.default = true;
+    push(row, &answer?.law);
+    Ok(Chart {
+        file: "speed_accuracy_b".to_string(),
+        title: "(b) Limits between samples".to_string(),
+        task: format!(
+            "Quintic of {SPANS} spans on the footbridge force, jerk held to {:.0} % of what the free law takes.",
+            100.0 * ALLOWED
+        ),
+        error: "larger of: true excess over the limit, force error beyond the best possible (both relative)".to_string(),
+        across: Across::Time,
+        levels: Vec::new(),
+        advice: "Take the exchange, the default: certified on the continuum, exact, and faster than Bernstein rows, cones and every sampling; samples alone promise nothing between them.".to_string(),
+        rows,
+    })
+}

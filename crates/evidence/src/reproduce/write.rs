@@ -1,0 +1,58 @@
+//! `gaitcam reproduce`: the papers' numbers, computed again.
+
+use std::path::Path;
+
+use crate::experiment;
+use super::{Class, reproduce};
+use gaitcam_output::folder::Folder;
+use crate::thesis_run;
+use gaitcam::error::Result;
+
+/// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
+///
+/// # Errors
+///
+/// A folder or file that cannot be written.
+pub fn write(out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
+    let folder = Folder::open(out)?;
+    let result = reproduce()?;
+    folder.write("reproduction.md", result.markdown().as_bytes())?;
+    folder.write("reproduction.csv", result.csv().as_bytes())?;
+    folder.write("dynamics.md", experiment::report()?.as_bytes())?;
+    for (name, picture) in thesis_run::all()? {
+        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{name}.png"), &picture.png())?;
+    }
+    for (name, picture) in &result.pictures {
+        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{name}.png"), &picture.png())?;
+    }
+    let count = |class: Class| result.rows.iter().filter(|r| r.class == class).count();
+    let classes = [
+        Class::Agrees,
+        Class::Rounding,
+        Class::Sampling,
+        Class::Misprint,
+        Class::NotReproducible,
+        Class::Measured,
+        Class::NotStated,
+    ];
+    say(&format!("{} numbers of the papers:", result.rows.len()));
+    for class in classes {
+        say(&format!("  {:>4}  {}", count(class), class.name()));
+    }
+    for m in &result.methods {
+        say(&format!(
+            "  {:<36} {:.3} N RMS ({:.3} turned), stroke {:.2} mm",
+            m.name,
+            m.rms,
+            m.rms_turned,
+            1e3 * m.stroke
+        ));
+    }
+    say(&format!(
+        "Report in {}",
+        folder.path().join("reproduction.md").display()
+    ));
+    Ok(())
+}

@@ -1,0 +1,371 @@
+//! The cam with its follower in place, at true proportions.
+
+mod follower;
+mod table;
+
+use plotters::element::DashedPathElement;
+use plotters::prelude::*;
+
+use super::geometry::{Pose, face_reach, pose, turned};
+use super::outline::Edge;
+use super::picture::Picture;
+use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
+use super::plots::{Layout, title};
+use super::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
+use gaitcam::cam::{Follower, ProfilePoint};
+use gaitcam::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Vertices of the drawn curves.
+const POINTS: usize = 720;
+/// Dashes and gaps of the construction lines, points.
+const BASE: [f64; 2] = [7.0, 5.0];
+const PRIME: [f64; 2] = [13.0, 4.0];
+const PITCH: [f64; 2] = [4.0, 4.0];
+/// Blank part of the drawing around the cam, as a share of its size.
+const MARGIN: f64 = 0.04;
+
+/// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
+pub fn cam(synthesis: &Synthesis) -> Picture {
+    cam_in(synthesis, Layout::ALONE)
+}
+
+pub(super) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        title(canvas, layout, &synthesis.name, "the cam at θ = 0")?;
+        let e = layout.letters;
+        let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
+        let top = if layout.title { 4.2 * e } else { e };
+        let table = width - 21.0 * e;
+        let scene = Scene::new(synthesis);
+        let plane = scene.plane(canvas, [2.0 * e, table - e], [height - 1.5 * e, top]);
+        scene.draw(&plane)?;
+        scene.table(canvas, [table, top + 2.0 * e], e)
+    })
+}
+
+/// What is drawn, mm.
+struct Scene<'a> {
+    synthesis: &'a Synthesis,
+    rows: Vec<ProfilePoint>,
+    /// What is cut beside the profile: a groove's upper wall, or the second cam of a pair; m.
+    others: Vec<Vec<[f64; 2]>>,
+    start: f64,
+    pose: Pose,
+    base: f64,
+    prime: f64,
+    /// Largest reach of the profile from the centre.
+    reach: f64,
+}
+
+impl<'a> Scene<'a> {
+    fn new(synthesis: &'a Synthesis) -> Self {
+        let cam = &synthesis.cam;
+        let (start, length) = cam.law.extent();
+        let rows = if cam.follower.is_unrolled() {
+            // It has two ends, even where the law closes.
+            let step = length / (POINTS - 1) as f64;
+            (0..POINTS)
+                .map(|i| cam.point(start + step * i as f64))
+                .collect()
+        } else {
+            cam.profile(POINTS)
+        };
+        let others = Edge::all(synthesis)[1..]
+            .iter()
+            .map(|edge| edge.points(POINTS).iter().map(|e| e.p).collect())
+            .collect();
+        let reach = rows.iter().map(|p| p.x.hypot(p.y)).fold(0.0, f64::max) * MM;
+        Scene {
+            synthesis,
+            rows,
+            others,
+            start,
+            pose: pose(cam, start),
+            base: MM * cam.follower.base_radius(),
+            prime: MM * cam.follower.prime_radius(),
+            reach,
+        }
+    }
+
+    /// Whether the follower's face is an arc, of which only a part exists.
+    fn is_mushroom(&self) -> bool {
+        matches!(
+            self.synthesis.cam.follower,
+            Follower::MushroomTranslating { .. } | Follower::MushroomOscillating { .. }
+        )
+    }
+
+    fn has_roller(&self) -> bool {
+        if self.is_mushroom() {
+            return false;
+        }
+        self.prime != self.base || matches!(self.synthesis.cam.follower, Follower::Barrel { .. })
+    }
+
+    /// Whether the profile is drawn along a line: a straight cam, or a barrel unrolled.
+    fn is_straight(&self) -> bool {
+        matches!(
+            self.synthesis.cam.follower,
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
+        )
+    }
+
+    /// Where the arm is pivoted, mm.
+    fn pivot(&self) -> Option<[f64; 2]> {
+        self.synthesis
+            .cam
+            .follower
+            .pivot()
+            .map(|p| p.map(|x| MM * x))
+    }
+
+    /// Left, right, bottom, top of everything drawn.
+    fn bounds(&self) -> [f64; 4] {
+        let round = if self.is_straight() {
+            0.0
+        } else if self.has_roller() {
+            self.prime
+        } else {
+            self.base
+        };
+        let mut b = [-round, round, -round, round];
+        let mut hold = |x: f64, y: f64| {
+            b = [b[0].min(x), b[1].max(x), b[2].min(y), b[3].max(y)];
+        };
+        for p in &self.rows {
+            let now = |x: f64, y: f64| turned([MM * x, MM * y], self.start);
+            let [x, y] = now(p.x, p.y);
+            hold(x, y);
+            if self.has_roller() {
+                let [x, y] = now(p.pitch_x, p.pitch_y);
+                hold(x, y);
+            }
+        }
+        for &[x, y] in self.others.iter().flatten() {
+            let [x, y] = turned([MM * x, MM * y], self.start);
+            hold(x, y);
+        }
+        if let Some([x, y]) = self.pivot() {
+            let r = 0.06 * self.reach;
+            hold(x - r, y - r);
+            hold(x + r, y + r);
+        }
+        match self.pose {
+            Pose::Face { at, angle } if self.pivot().is_some() => {
+                let (_, high) = self.face();
+                hold(
+                    MM * at[0] + high * angle.cos(),
+                    MM * at[1] + high * angle.sin(),
+                );
+            }
+            Pose::Roller { centre, radius } if self.is_mushroom() => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - self.reach, y - MM * radius);
+                hold(x + self.reach, y - MM * radius + self.stem());
+            }
+            Pose::Roller { centre, radius } if self.pivot().is_some() => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - MM * radius, y - MM * radius);
+                hold(x + MM * radius, y + MM * radius);
+            }
+            Pose::Face { at, .. } => {
+                let (low, high) = self.face();
+                hold(low, MM * at[1]);
+                hold(high, MM * at[1] + self.stem());
+            }
+            Pose::Roller { centre, radius } => {
+                let [x, y] = centre.map(|c| MM * c);
+                hold(x - MM * radius, y);
+                hold(x + MM * radius, y + MM * radius + self.stem());
+            }
+        }
+        b
+    }
+
+    /// Length of the drawn stem.
+    fn stem(&self) -> f64 {
+        0.38 * self.reach
+    }
+
+    /// Ends of the face along x: where the contact goes, and a little more.
+    fn face(&self) -> (f64, f64) {
+        let (low, high) = face_reach(&self.synthesis.cam).unwrap_or((0.0, 0.0));
+        let more = 0.08 * self.reach;
+        (MM * low - more, MM * high + more)
+    }
+
+    /// Axes of one scale in both directions, centred in the space given.
+    fn plane<'c>(&self, canvas: &Canvas<'c>, across: [f64; 2], up: [f64; 2]) -> Plane<'c> {
+        let [left, right, bottom, top] = self.bounds();
+        let (w, h) = (right - left, top - bottom);
+        let blank = MARGIN * w.max(h);
+        let room = [across[1] - across[0], up[0] - up[1]];
+        let scale = (room[0] / (w + 2.0 * blank)).min(room[1] / (h + 2.0 * blank));
+        let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
+        let half = [0.5 * room[0] / scale, 0.5 * room[1] / scale];
+        plane(
+            canvas,
+            [middle[0] - half[0], middle[0] + half[0]],
+            [middle[1] - half[1], middle[1] + half[1]],
+            across,
+            up,
+        )
+    }
+
+    fn draw(&self, plane: &Plane) -> Drawn {
+        let here = |x: f64, y: f64| {
+            let [x, y] = turned([MM * x, MM * y], self.start);
+            (x, y)
+        };
+        let outline: Vec<(f64, f64)> = self.rows.iter().map(|p| here(p.x, p.y)).collect();
+        if self.is_straight() {
+            // The plate down to its foot.
+            let mut body = outline.clone();
+            if let (Some(first), Some(last)) = (outline.first(), outline.last()) {
+                let foot = self.foot();
+                body.extend([(last.0, foot), (first.0, foot)]);
+            }
+            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
+        } else if self.synthesis.cam.law.is_closed() {
+            let body = BLUE.mix(0.13).filled();
+            plane.draw(&Polygon::new(outline.clone(), body))?;
+        }
+        if !self.is_straight() {
+            dashed(plane, circle(self.base), GREEN, BASE)?;
+        }
+        if let Some(bore) = self.synthesis.bore.filter(|_| !self.is_straight()) {
+            let rim = circle(0.5 * MM * bore);
+            plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
+            plane.draw(&PathElement::new(rim, stroke(BLUE, 1.6)))?;
+        }
+        if self.has_roller() {
+            if !self.is_straight() {
+                dashed(plane, circle(self.prime), PURPLE, PRIME)?;
+            }
+            let pitch = self.rows.iter().map(|p| here(p.pitch_x, p.pitch_y));
+            dashed(plane, self.whole(pitch.collect()), ORANGE, PITCH)?;
+        }
+        self.beside(plane, here)?;
+        plane.draw(&PathElement::new(self.whole(outline), stroke(BLUE, 2.6)))?;
+        self.centre(plane)?;
+        self.follower(plane)?;
+        let contact = self.synthesis.cam.point(self.start);
+        dot(plane, here(contact.x, contact.y), RED)?;
+        let sharpest = self.synthesis.cam.curvature().convex;
+        if sharpest.value.is_finite() {
+            let p = self.synthesis.cam.point(sharpest.at);
+            let (x, y) = here(p.x, p.y);
+            let ring = EmptyElement::at((x, y)) + Circle::new((0, 0), units(5.5), stroke(RED, 2.0));
+            plane.draw(&ring)?;
+        }
+        Ok(())
+    }
+
+    /// A groove's upper wall with the body above it, or the second cam of a pair.
+    fn beside(&self, plane: &Plane, here: impl Fn(f64, f64) -> (f64, f64)) -> Drawn {
+        for other in &self.others {
+            let edge: Vec<(f64, f64)> = other.iter().map(|&[x, y]| here(x, y)).collect();
+            if !self.is_straight() {
+                plane.draw(&Polygon::new(edge.clone(), PURPLE.mix(0.1).filled()))?;
+                plane.draw(&PathElement::new(self.whole(edge), stroke(PURPLE, 2.2)))?;
+                continue;
+            }
+            let top = edge.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
+            let mut body = edge.clone();
+            if let (Some(first), Some(last)) = (edge.first(), edge.last()) {
+                let ceiling = top + 0.04 * self.reach;
+                body.extend([(last.0, ceiling), (first.0, ceiling)]);
+            }
+            plane.draw(&Polygon::new(body, BLUE.mix(0.13).filled()))?;
+            plane.draw(&PathElement::new(edge, stroke(BLUE, 2.6)))?;
+        }
+        Ok(())
+    }
+
+    /// Height of a straight cam's foot in its drawing.
+    fn foot(&self) -> f64 {
+        let low = self
+            .rows
+            .iter()
+            .map(|p| MM * p.y)
+            .fold(f64::INFINITY, f64::min);
+        match self.synthesis.cam.follower {
+            Follower::TranslatingCam { .. } => low.min(0.0),
+            _ => low - 0.04 * self.reach,
+        }
+    }
+
+    /// Closes the curve of a closed law.
+    fn whole(&self, mut curve: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+        if !self.is_straight() && self.synthesis.cam.law.is_closed() && !curve.is_empty() {
+            curve.push(curve[0]);
+        }
+        curve
+    }
+
+    /// Centre mark and the sense of rotation.
+    fn centre(&self, plane: &Plane) -> Drawn {
+        if self.is_straight() {
+            return Ok(());
+        }
+        let arm = 0.07 * self.reach;
+        for path in [[(-arm, 0.0), (arm, 0.0)], [(0.0, -arm), (0.0, arm)]] {
+            plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
+        }
+        dot(plane, (0.0, 0.0), INK)?;
+        // Counter-clockwise, as the cam turns, on the side where the cam has most room for it.
+        let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
+        let middle = self.bulk().unwrap_or(0.7);
+        let (from, to) = (middle - 1.05, middle + 1.05);
+        let arc: Vec<(f64, f64)> = (0..=60)
+            .map(|i| {
+                let a = from + (to - from) * f64::from(i) / 60.0;
+                (r * a.cos(), r * a.sin())
+            })
+            .collect();
+        plane.draw(&PathElement::new(arc, stroke(INK, 2.0)))?;
+        let head = 0.16 * r;
+        let tip = to + head / r;
+        let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
+        let arrow = vec![
+            corner(r, tip),
+            corner(r + 0.5 * head, to - 0.3 * head / r),
+            corner(r - 0.5 * head, to - 0.3 * head / r),
+        ];
+        plane.draw(&Polygon::new(arrow, INK.filled()))
+    }
+
+    /// Direction from the centre to the middle of the profile, rad; `None` where the cam is about round.
+    fn bulk(&self) -> Option<f64> {
+        let n = self.rows.len().max(1) as f64;
+        let (x, y) = self
+            .rows
+            .iter()
+            .fold((0.0, 0.0), |(x, y), p| (x + MM * p.x / n, y + MM * p.y / n));
+        let [x, y] = turned([x, y], self.start);
+        (x.hypot(y) > 0.1 * self.reach).then(|| y.atan2(x))
+    }
+}
+
+fn circle(radius: f64) -> Vec<(f64, f64)> {
+    (0..=240)
+        .map(|i| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / 240.0).sin_cos();
+            (radius * cos, radius * sin)
+        })
+        .collect()
+}
+
+fn dashed(plane: &Plane, path: Vec<(f64, f64)>, colour: RGBAColor, [on, off]: [f64; 2]) -> Drawn {
+    plane.draw(&DashedPathElement::new(
+        path,
+        units(on),
+        units(off),
+        stroke(colour, 1.6),
+    ))
+}
+
+fn dot(plane: &Plane, at: (f64, f64), colour: RGBAColor) -> Drawn {
+    plane.draw(&Circle::new(at, units(4.0), colour.filled()))
+}

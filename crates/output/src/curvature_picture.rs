@@ -1,0 +1,118 @@
+//! The picture of curvature and contact.
+
+use plotters_backend::text_anchor::VPos;
+
+use super::panel::padded;
+use super::picture::Picture;
+use super::picture::palette::{BLUE, GREEN, RED};
+use super::plots::{Layout, over_the_law, strips, title};
+use super::samples::{motion, number};
+use gaitcam::synth::Synthesis;
+
+/// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
+const CAP: f64 = 2.2;
+
+/// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
+pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let cam = &synthesis.cam;
+        let e = layout.letters;
+        let measures = cam.follower.measures();
+        let across = |t: f64| measures.angle().factor * t;
+        let points: Vec<_> = motion(&cam.law)
+            .iter()
+            .map(|(t, _)| cam.point(*t))
+            .collect();
+        title(canvas, layout, &synthesis.name, "curvature and contact")?;
+        let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * e);
+
+        let rho: Vec<(f64, f64)> = points
+            .iter()
+            .map(|p| (across(p.theta), 1000.0 * p.rho))
+            .collect();
+        let cap = cap(synthesis, &rho);
+        let sharpest = cam.curvature().convex;
+        let shown = rho.iter().map(|p| p.1).filter(|r| r.abs() <= cap);
+        let y = padded(shown.chain([0.0, 1000.0 * sharpest.value]), 0.18);
+        let panel = over_the_law(canvas, synthesis, frames[0], y, e)?;
+        // The radius passes through infinity where the flank turns from convex to concave.
+        for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
+            panel.curve(part, BLUE, 2.2)?;
+        }
+        for check in synthesis.checks.iter().filter(|c| c.name == "curvature") {
+            let name = format!("limit {} mm", number(1000.0 * check.limit, 3));
+            panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
+        }
+        if sharpest.value.is_finite() {
+            let at = across(sharpest.at);
+            panel.mark_on_ground(at, 1000.0 * sharpest.value, true, BLUE)?;
+        }
+        panel.quantity("radius ρ, mm", 5.7 * e)?;
+
+        if let Some((low, high)) = cam.contact_travel() {
+            let y = padded(
+                [low.value, high.value].map(|v| 1000.0 * v).into_iter(),
+                0.26,
+            );
+            let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
+            let contact: Vec<(f64, f64)> = motion(&cam.law)
+                .iter()
+                .map(|(t, m)| (across(*t), 1000.0 * cam.contact_along(*m)))
+                .collect();
+            panel.curve(&contact, GREEN, 2.2)?;
+            panel.mark_on_ground(across(high.at), 1000.0 * high.value, true, GREEN)?;
+            panel.mark_on_ground(across(low.at), 1000.0 * low.value, false, GREEN)?;
+            panel.quantity("contact, mm", 5.7 * e)?;
+            return panel.across(measures.angle_words());
+        }
+        let (low, high) = synthesis.pressure_angle_extremes();
+        let limits = synthesis.checks.iter().filter_map(pressure_limit);
+        let ends = [low.value, high.value].map(f64::to_degrees);
+        let y = padded(ends.into_iter().chain(limits.clone()).chain([0.0]), 0.2);
+        let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
+        let phi: Vec<(f64, f64)> = points
+            .iter()
+            .map(|p| {
+                let angle = match &synthesis.groove {
+                    Some(groove) => groove.pressure_angle(p.theta, groove.depth().0),
+                    None => p.pressure_angle,
+                };
+                (across(p.theta), angle.to_degrees())
+            })
+            .collect();
+        panel.curve(&phi, GREEN, 2.2)?;
+        for limit in limits {
+            let side = if limit < 0.0 { VPos::Top } else { VPos::Bottom };
+            let name = format!("limit {}°", number(limit, 3));
+            panel.level(limit, Some((&name, side)), RED)?;
+        }
+        panel.mark_on_ground(across(high.at), ends[1], true, GREEN)?;
+        panel.mark_on_ground(across(low.at), ends[0], false, GREEN)?;
+        panel.quantity("pressure angle, °", 5.7 * e)?;
+        panel.across(measures.angle_words())
+    })
+}
+
+/// Largest radius of curvature drawn, mm. Beside a disc's own size everything larger is straight; what is
+/// unrolled has no such size, and shows three quarters of its radii.
+fn cap(synthesis: &Synthesis, rho: &[(f64, f64)]) -> f64 {
+    let cam = &synthesis.cam;
+    let size = 1000.0 * CAP * cam.follower.prime_radius().max(cam.law.stroke());
+    if !cam.follower.is_unrolled() {
+        return size;
+    }
+    let mut all: Vec<f64> = rho.iter().map(|p| p.1.abs()).collect();
+    all.retain(|r| r.is_finite());
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() * 3 / 4).map_or(size, |r| r.max(size))
+}
+
+/// The signed level of a pressure-angle limit, degrees.
+fn pressure_limit(check: &gaitcam::cam::Check) -> Option<f64> {
+    if !check.name.starts_with("pressure_angle") {
+        return None;
+    }
+    let falling = check.name.ends_with("fall");
+    let limit = check.limit.abs().to_degrees();
+    Some(if falling { -limit } else { limit })
+}

@@ -1,0 +1,137 @@
+//! The path of a milling cutter's centre, and where the cutter would gouge the cam.
+
+use std::fmt::Write;
+
+use gaitcam::error::{Error, Result};
+use gaitcam::synth::Synthesis;
+
+/// Depth below which touching is not gouging, m: rounding of the profile.
+const TOUCH: f64 = 1e-9;
+
+/// The cutter's centre at one cam angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutterPoint {
+    /// Cam angle of the profile point being cut, rad.
+    pub theta: f64,
+    /// Centre of the cutter, cam frame, m.
+    pub x: f64,
+    /// Centre of the cutter, cam frame, m.
+    pub y: f64,
+}
+
+/// Why a cutter takes away what should stay.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Gouge {
+    /// The cutter is wider than a hollow of the profile.
+    Hollow {
+        /// Cam angle of the tightest hollow, rad.
+        at: f64,
+        /// Radius of the hollow, m: the largest cutter that fits it.
+        radius: f64,
+    },
+    /// While cutting at one angle the cutter reaches into the profile elsewhere.
+    Elsewhere {
+        /// Cam angle being cut, rad.
+        at: f64,
+        /// Cam angle whose profile is damaged, rad.
+        damaged: f64,
+        /// Depth of the damage, m.
+        depth: f64,
+    },
+    /// The profile itself is undercut: no cutter makes it.
+    Undercut {
+        /// Cam angle of the sharpest point, rad.
+        at: f64,
+    },
+}
+
+/// A cutter path with what is wrong with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutterPath {
+    /// The path; it closes on its first point for a closed law.
+    pub points: Vec<CutterPoint>,
+    /// Empty when the cutter leaves the cam as designed.
+    pub gouges: Vec<Gouge>,
+}
+
+/// Path of a cutter of radius `tool` (m) around the outside of the cam: the profile's parallel at that
+/// distance, taken along the exact normals at `points` equal steps of the cam angle.
+///
+/// Fails on a tool radius that is not positive. Gouging is looked for in the hollows by the exact
+/// curvature, and elsewhere on the `points` of the profile.
+pub fn path(synthesis: &Synthesis, tool: f64, points: usize) -> Result<CutterPath> {
+    if !(tool.is_finite() && tool > 0.0) {
+        return Err(
+            Error::new(format!("a cutter of radius {tool} m cuts nothing"))
+                .help("give a positive tool radius"),
+        );
+    }
+    let cam = &synthesis.cam;
+    let rows = cam.profile(points);
+    let path: Vec<CutterPoint> = rows
+        .iter()
+        .map(|p| {
+            let [nx, ny] = synthesis.cam.normal(p);
+            CutterPoint {
+                theta: p.theta,
+                x: p.x + tool * nx,
+                y: p.y + tool * ny,
+            }
+        })
+        .collect();
+    let mut gouges = Vec::new();
+    let curvature = cam.curvature();
+    if curvature.undercut {
+        gouges.push(Gouge::Undercut {
+            at: curvature.convex.at,
+        });
+    }
+    if let Some(hollow) = curvature.concave.filter(|c| -c.value < tool) {
+        gouges.push(Gouge::Hollow {
+            at: hollow.at,
+            radius: -hollow.value,
+        });
+    }
+    let profile: Vec<[f64; 2]> = rows.iter().map(|p| [p.x, p.y]).collect();
+    if gouges.is_empty()
+        && let Some((i, k, depth)) = deepest(&path, &profile, tool)
+    {
+        gouges.push(Gouge::Elsewhere {
+            at: path[i].theta,
+            damaged: path[k].theta,
+            depth,
+        });
+    }
+    Ok(CutterPath {
+        points: path,
+        gouges,
+    })
+}
+
+/// The deepest bite of the cutter into any profile point: index cut, index damaged, depth.
+fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
+    let mut worst: Option<(usize, usize, f64)> = None;
+    for (i, c) in path.iter().enumerate() {
+        for (k, p) in profile.iter().enumerate() {
+            let (dx, dy) = (p[0] - c.x, p[1] - c.y);
+            if dx.abs() >= tool || dy.abs() >= tool {
+                continue;
+            }
+            let depth = tool - dx.hypot(dy);
+            if depth > TOUCH && worst.is_none_or(|w| depth > w.2) {
+                worst = Some((i, k, depth));
+            }
+        }
+    }
+    worst
+}
+
+/// The path as a table: `theta_rad,x_m,y_m`, full precision.
+pub fn csv(path: &CutterPath) -> String {
+    let mut out = String::from("theta_rad,x_m,y_m\n");
+    for p in &path.points {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "{:?},{:?},{:?}", p.theta, p.x, p.y);
+    }
+    out
+}

@@ -1,0 +1,93 @@
+//! What every drawing of a cam needs besides its profile: directions, poses, angles of the rows.
+
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::force::ForceCurve;
+use gaitcam::law::Law;
+
+/// Turns `p` by `theta` rad, counter-clockwise: from the cam's frame into the fixed one.
+pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
+    let (sin, cos) = theta.sin_cos();
+    [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
+}
+
+/// Angles of `n` rows at equal steps: a closed law does not repeat its first, an open one ends on its last.
+pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
+    let (start, length) = law.extent();
+    let steps = if law.is_closed() {
+        n
+    } else {
+        n.saturating_sub(1).max(1)
+    };
+    (0..n).map(move |i| start + length * i as f64 / steps as f64)
+}
+
+/// Force wanted at `theta`, N: the target's cycle spread over the law's extent.
+pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
+    let (start, length) = law.extent();
+    target.at(std::f64::consts::TAU * ((theta - start) / length))
+}
+
+/// The part of the follower that touches the cam, in the fixed frame, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pose {
+    /// A face through `at`, along the direction `angle` (rad) from +x.
+    Face {
+        /// The foot of the stem.
+        at: [f64; 2],
+        /// Direction of the face.
+        angle: f64,
+    },
+    /// A roller, or the tip of a knife edge (radius 0).
+    Roller {
+        /// Centre of the roller.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+    },
+}
+
+/// Where the follower stands when the cam has turned to `theta`.
+///
+/// A swinging face runs from the foot of its pivot along the arm; its reach counts from there.
+pub fn pose(cam: &Cam, theta: f64) -> Pose {
+    let point = cam.point(theta);
+    let [nx, ny] = cam.motion(theta);
+    match cam.follower {
+        Follower::FlatTranslating { .. } => Pose::Face {
+            at: [0.0, cam.into_space(theta, [point.x, point.y])[1]],
+            angle: 0.0,
+        },
+        Follower::FlatOscillating {
+            pivot_distance,
+            face_offset,
+            ..
+        } => Pose::Face {
+            at: [pivot_distance + face_offset * nx, face_offset * ny],
+            // From the pivot the arm points to (−σ cos ξ, sin ξ): a quarter turn from the normal.
+            angle: if pivot_distance > 0.0 {
+                nx.atan2(-ny)
+            } else {
+                (-nx).atan2(ny)
+            },
+        },
+        _ => Pose::Roller {
+            centre: cam.into_space(theta, [point.pitch_x, point.pitch_y]),
+            radius: cam.follower.roller_radius(),
+        },
+    }
+}
+
+/// The face a flat follower needs: how far the contact wanders, m, to −x and to +x of the cam's centre, or
+/// along the arm from the foot of the pivot; `None` for others.
+pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
+    if !cam.follower.is_flat() {
+        return None;
+    }
+    cam.contact_travel()
+        .map(|(low, high)| (low.value, high.value))
+}
+
+/// Whether lift is an angle: its columns then read rad in place of m.
+pub fn oscillates(follower: &Follower) -> bool {
+    follower.is_oscillating()
+}

@@ -1,0 +1,345 @@
+//! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::Timing;
+use gaitcam::synth::{End, ForceReport, Infeasible, Relaxation, Synthesis};
+
+/// The summary of a design.
+///
+/// Extremes are those of the continuous law. An infeasible outcome also says which limits conflict and
+/// what the smallest change of each would be (`to` is null where none helps).
+pub fn summary(synthesis: &Synthesis, time: Timing) -> Value {
+    // Plain structs of numbers and strings with string keys: this cannot fail.
+    serde_json::to_value(Summary::new(synthesis, time)).unwrap_or(Value::Null)
+}
+
+#[derive(Serialize)]
+struct Summary<'a> {
+    name: &'a str,
+    outcome: &'static str,
+    verdict: &'static str,
+    reason: &'a str,
+    force: Force,
+    drive: DriveSummary,
+    law: LawSummary<'a>,
+    cam: CamSummary,
+    checks: Vec<CheckSummary<'a>>,
+    binding: Vec<BindingSummary<'a>>,
+    easing: Vec<EasingSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    infeasible: Option<InfeasibleSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    relaxations: Vec<RelaxationSummary<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    relaxed_together: Vec<RelaxationSummary<'a>>,
+    remarks: &'a [String],
+    solver: Solver<'a>,
+    time: Total,
+}
+
+#[derive(Serialize)]
+struct Force {
+    rms_error_n: f64,
+    max_error_n: f64,
+    rms_error_percent_of_mean: f64,
+    target_mean_n: f64,
+    mean_n: f64,
+    min_n: f64,
+    max_n: f64,
+}
+
+#[derive(Serialize)]
+struct DriveSummary {
+    kind: &'static str,
+    mass_kg: f64,
+    speed_rad_per_s: f64,
+}
+
+#[derive(Serialize)]
+struct LawSummary<'a> {
+    family: &'a str,
+    pieces: usize,
+    degree: usize,
+    coefficients: &'a [f64],
+    /// Phase of the force cycle at cam angle 0.
+    phase_rad: f64,
+    stroke_m: f64,
+    v_max_m_per_rad: f64,
+    v_min_m_per_rad: f64,
+    a_max_m_per_rad2: f64,
+    a_min_m_per_rad2: f64,
+    j_max_m_per_rad3: f64,
+    j_min_m_per_rad3: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polydyne: Option<PolydyneSummary>,
+}
+
+/// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
+/// acceleration and jerk above are the cam's. Misses are those of the flexible run: of this cam, and of one
+/// cut to the end's own law.
+#[derive(Serialize)]
+struct PolydyneSummary {
+    stiffness_n_per_m: f64,
+    damping_n_s_per_m: f64,
+    end_stroke_m: f64,
+    end_miss_m: Option<f64>,
+    force_miss_rms_n: Option<f64>,
+    force_miss_max_n: Option<f64>,
+    plain_force_miss_rms_n: Option<f64>,
+}
+
+impl PolydyneSummary {
+    fn new(end: &End) -> Self {
+        PolydyneSummary {
+            stiffness_n_per_m: end.stiffness,
+            damping_n_s_per_m: end.damping,
+            end_stroke_m: end.law.stroke(),
+            end_miss_m: end.miss.map(|m| m.lift.value),
+            force_miss_rms_n: end.miss.map(|m| m.force_rms),
+            force_miss_max_n: end.miss.map(|m| m.force_max),
+            plain_force_miss_rms_n: end.plain_miss.map(|m| m.force_rms),
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct CamSummary {
+    follower: &'static str,
+    base_radius_m: f64,
+    prime_radius_m: f64,
+    offset_m: f64,
+    rho_min_m: f64,
+    rho_min_at_rad: f64,
+    pressure_angle_max_rad: f64,
+    pressure_angle_min_rad: f64,
+    face_width_m: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct CheckSummary<'a> {
+    name: &'a str,
+    worst: f64,
+    limit: f64,
+    at_rad: f64,
+    pass: bool,
+}
+
+#[derive(Serialize)]
+struct BindingSummary<'a> {
+    limit: &'a str,
+    multiplier: f64,
+    at_rad: f64,
+}
+
+/// What easing a limit by 1 % buys; `objective` names `before` and `after` with their unit.
+#[derive(Serialize)]
+struct EasingSummary<'a> {
+    limit: &'a str,
+    from: f64,
+    to: f64,
+    objective: &'a str,
+    before: f64,
+    after: f64,
+}
+
+#[derive(Serialize)]
+struct CertificateSummary {
+    duality_gap: f64,
+    relative_gap: f64,
+    stationarity: f64,
+    violation: f64,
+}
+
+#[derive(Serialize)]
+struct InfeasibleSummary<'a> {
+    conflict: &'a [String],
+    relaxations: Vec<RelaxationSummary<'a>>,
+    words: &'a str,
+}
+
+#[derive(Serialize)]
+struct RelaxationSummary<'a> {
+    limit: &'a str,
+    from: f64,
+    to: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Solver<'a> {
+    tier: &'static str,
+    status: &'a str,
+    iterations: usize,
+    solve_s: f64,
+    certified: bool,
+    certificate: Option<CertificateSummary>,
+}
+
+#[derive(Serialize)]
+struct Total {
+    total_s: f64,
+}
+
+impl<'a> Summary<'a> {
+    fn new(synthesis: &'a Synthesis, time: Timing) -> Self {
+        let solver = &synthesis.solver;
+        Summary {
+            name: &synthesis.name,
+            outcome: if synthesis.infeasible.is_some() {
+                "infeasible"
+            } else {
+                "built"
+            },
+            verdict: synthesis.verdict.name(),
+            reason: &synthesis.reason,
+            force: Force::new(&synthesis.force),
+            drive: DriveSummary {
+                kind: synthesis.drive.kind.name(),
+                mass_kg: synthesis.drive.mass,
+                speed_rad_per_s: synthesis.drive.speed,
+            },
+            law: LawSummary::new(synthesis),
+            cam: CamSummary::new(synthesis),
+            checks: synthesis
+                .checks
+                .iter()
+                .map(|c| CheckSummary {
+                    name: &c.name,
+                    worst: c.worst,
+                    limit: c.limit,
+                    at_rad: c.at,
+                    pass: c.pass,
+                })
+                .collect(),
+            binding: synthesis
+                .binding
+                .iter()
+                .map(|b| BindingSummary {
+                    limit: &b.limit,
+                    multiplier: b.multiplier,
+                    at_rad: b.at,
+                })
+                .collect(),
+            easing: synthesis
+                .easing
+                .iter()
+                .map(|e| EasingSummary {
+                    limit: &e.limit,
+                    from: e.from,
+                    to: e.to,
+                    objective: &e.objective,
+                    before: e.before,
+                    after: e.after,
+                })
+                .collect(),
+            infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
+            relaxations: synthesis
+                .relaxations
+                .iter()
+                .map(RelaxationSummary::new)
+                .collect(),
+            relaxed_together: synthesis
+                .together
+                .iter()
+                .map(RelaxationSummary::new)
+                .collect(),
+            remarks: &synthesis.remarks,
+            solver: Solver {
+                tier: solver.tier.name(),
+                status: &solver.status,
+                iterations: solver.iterations,
+                solve_s: time.solve_s,
+                certified: solver.certified,
+                certificate: solver.certificate.map(|c| CertificateSummary {
+                    duality_gap: c.duality_gap,
+                    relative_gap: c.relative_gap,
+                    stationarity: c.stationarity,
+                    violation: c.violation,
+                }),
+            },
+            time: Total {
+                total_s: time.total_s,
+            },
+        }
+    }
+}
+
+impl Force {
+    fn new(f: &ForceReport) -> Self {
+        Force {
+            rms_error_n: f.rms_error_n,
+            max_error_n: f.max_error_n,
+            rms_error_percent_of_mean: f.rms_error_percent_of_mean,
+            target_mean_n: f.target_mean_n,
+            mean_n: f.mean_n,
+            min_n: f.min_n,
+            max_n: f.max_n,
+        }
+    }
+}
+
+impl<'a> LawSummary<'a> {
+    fn new(synthesis: &'a Synthesis) -> Self {
+        let law = &synthesis.cam.law;
+        let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] = [1, 2, 3].map(|k| law.extremes(k));
+        LawSummary {
+            family: &synthesis.family,
+            pieces: law.poly().pieces(),
+            degree: synthesis.degree,
+            coefficients: &synthesis.coefficients,
+            phase_rad: synthesis.phase,
+            stroke_m: law.stroke(),
+            v_max_m_per_rad: v_max.value,
+            v_min_m_per_rad: v_min.value,
+            a_max_m_per_rad2: a_max.value,
+            a_min_m_per_rad2: a_min.value,
+            j_max_m_per_rad3: j_max.value,
+            j_min_m_per_rad3: j_min.value,
+            polydyne: synthesis.end.as_ref().map(PolydyneSummary::new),
+        }
+    }
+}
+
+impl CamSummary {
+    fn new(synthesis: &Synthesis) -> Self {
+        let cam = &synthesis.cam;
+        let curvature = cam.curvature();
+        let (phi_min, phi_max) = synthesis.pressure_angle_extremes();
+        CamSummary {
+            follower: cam.follower.name(),
+            base_radius_m: cam.follower.base_radius(),
+            prime_radius_m: cam.follower.prime_radius(),
+            offset_m: cam.follower.offset(),
+            rho_min_m: curvature.convex.value,
+            rho_min_at_rad: curvature.convex.at,
+            pressure_angle_max_rad: phi_max.value,
+            pressure_angle_min_rad: phi_min.value,
+            face_width_m: cam.face_width(),
+        }
+    }
+}
+
+impl<'a> RelaxationSummary<'a> {
+    fn new(r: &'a Relaxation) -> Self {
+        RelaxationSummary {
+            limit: &r.limit,
+            from: r.from,
+            to: r.to,
+        }
+    }
+}
+
+impl<'a> InfeasibleSummary<'a> {
+    fn new(answer: &'a Infeasible) -> Self {
+        InfeasibleSummary {
+            conflict: &answer.conflict,
+            relaxations: answer
+                .relaxations
+                .iter()
+                .map(RelaxationSummary::new)
+                .collect(),
+            words: &answer.words,
+        }
+    }
+}

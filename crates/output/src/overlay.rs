@@ -1,0 +1,154 @@
+//! Several designs in one picture: diagrams over the angle, profiles on one centre.
+
+use plotters::prelude::*;
+
+use super::panel::{Panel, padded, ticks};
+use super::picture::Picture;
+use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
+use super::plots::{Layout, key, strips, title};
+use super::sheet::{plane, stroke};
+use gaitcam::cam::Measures;
+
+const COLOURS: [RGBAColor; 6] = [BLUE, ORANGE, GREEN, RED, PURPLE, INK];
+
+/// One diagram: what is drawn upwards, and one curve of (degrees, value) per name; empty ones are left out.
+#[derive(Debug, Clone)]
+pub struct Strip {
+    /// Quantity with its unit.
+    pub quantity: String,
+    /// One curve per name.
+    pub curves: Vec<Vec<(f64, f64)>>,
+}
+
+/// Strips over the cam angle one above the other, one colour per name (colours repeat after six).
+pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
+    diagrams_over(Measures::Translating.angle_words(), head, what, names, rows)
+}
+
+/// The same over another quantity.
+pub fn diagrams_over(
+    across: &str,
+    head: &str,
+    what: &str,
+    names: &[String],
+    rows: &[Strip],
+) -> Picture {
+    let rows: Vec<Strip> = rows
+        .iter()
+        .map(|row| Strip {
+            quantity: row.quantity.clone(),
+            curves: row.curves.iter().map(|c| whole(c)).collect(),
+        })
+        .collect();
+    let layout = Layout {
+        size: (1200, 300 + 260 * rows.len().max(1) as u32),
+        ..Layout::ALONE
+    };
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let e = layout.letters;
+        title(canvas, layout, head, what)?;
+        let mut frame = layout.frame();
+        let entries: Vec<(RGBAColor, f64, &str)> = names
+            .iter()
+            .enumerate()
+            .map(|(i, n)| (COLOURS[i % COLOURS.len()], 2.6, n.as_str()))
+            .collect();
+        // Names are listed below one another, three to a line.
+        for (line, part) in entries.chunks(3).enumerate() {
+            let y = frame.top + (0.4 + 1.6 * line as f64) * e;
+            key(canvas, [frame.left, y], 0.9 * e, part)?;
+        }
+        frame.top += (1.6 * names.len().div_ceil(3) as f64 + 0.8) * e;
+        let frames = strips(frame, &vec![1.0; rows.len()], 0.9 * e);
+        let all = rows.iter().flat_map(|r| &r.curves).flatten();
+        let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| {
+            (l.min(p.0), h.max(p.0))
+        });
+        let x = if low < high {
+            [low, high]
+        } else {
+            [0.0, 360.0]
+        };
+        for (k, row) in rows.iter().enumerate() {
+            let y = padded(row.curves.iter().flatten().map(|p| p.1), 0.08);
+            let panel = if across.contains('θ') {
+                Panel::new(canvas, frames[k], x, y, e)?
+            } else {
+                Panel::over(canvas, frames[k], x, ticks(x[0], x[1], 8.0), y, e)?
+            };
+            for (i, curve) in row.curves.iter().enumerate().filter(|c| !c.1.is_empty()) {
+                panel.curve(curve, COLOURS[i % COLOURS.len()], 2.2)?;
+            }
+            panel.quantity(&row.quantity, 5.7 * e)?;
+            if k + 1 == rows.len() {
+                panel.across(across)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// A curve whose next step would end a turn goes on to that end, where it meets its first point.
+fn whole(curve: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut out = curve.to_vec();
+    if let ([first, ..], [.., before, last]) = (curve, curve) {
+        let end = last.0 + (last.0 - before.0);
+        let turns = (end - first.0) / 360.0;
+        if turns > 0.5 && (turns - turns.round()).abs() < 1e-6 {
+            out.push((first.0 + 360.0 * turns.round(), first.1));
+        }
+    }
+    out
+}
+
+/// Profiles at one scale about one centre; points in m.
+pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]>]) -> Picture {
+    let layout = Layout {
+        size: (1200, 1000),
+        ..Layout::ALONE
+    };
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let e = layout.letters;
+        title(canvas, layout, head, what)?;
+        for (i, name) in names.iter().enumerate() {
+            let entry = [(COLOURS[i % COLOURS.len()], 2.6, name.as_str())];
+            let y = (5.0 + 1.6 * i as f64) * e;
+            key(canvas, [2.0 * e, y], 0.9 * e, &entry)?;
+        }
+        let bounds = |k: usize| {
+            let values = curves.iter().flatten().map(|p| 1e3 * p[k]);
+            padded(values.chain([0.0]), 0.05)
+        };
+        let (across, up) = (bounds(0), bounds(1));
+        let (left, right) = (
+            0.25 * f64::from(layout.size.0),
+            f64::from(layout.size.0) - e,
+        );
+        let (top, bottom) = (4.6 * e, f64::from(layout.size.1) - e);
+        let scale =
+            ((right - left) / (across[1] - across[0])).min((bottom - top) / (up[1] - up[0]));
+        let spread = |[low, high]: [f64; 2], room: f64| {
+            let (middle, half) = (0.5 * (low + high), 0.5 * room / scale);
+            [middle - half, middle + half]
+        };
+        let plane = plane(
+            canvas,
+            spread(across, right - left),
+            spread(up, bottom - top),
+            [left, right],
+            [bottom, top],
+        );
+        for (i, curve) in curves.iter().enumerate() {
+            let path: Vec<(f64, f64)> = curve.iter().map(|p| (1e3 * p[0], 1e3 * p[1])).collect();
+            plane.draw(&PathElement::new(
+                path,
+                stroke(COLOURS[i % COLOURS.len()], 2.2),
+            ))?;
+        }
+        let cross = 0.04 * (across[1] - across[0]);
+        for path in [[(-cross, 0.0), (cross, 0.0)], [(0.0, -cross), (0.0, cross)]] {
+            plane.draw(&PathElement::new(path.to_vec(), stroke(INK, 1.4)))?;
+        }
+        Ok(())
+    })
+}

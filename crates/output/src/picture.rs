@@ -1,0 +1,213 @@
+//! Pictures as lists of shapes, and how they become SVG and PNG.
+
+use std::fmt::Write;
+
+use plotters::prelude::*;
+
+use super::raster;
+use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
+use super::svg::escaped;
+
+/// Colours that stay apart for colour-blind eyes (Okabe and Ito) on a white ground.
+#[allow(missing_docs)] // the names are the documentation
+pub mod palette {
+    use plotters::prelude::RGBAColor;
+
+    const fn opaque(r: u8, g: u8, b: u8) -> RGBAColor {
+        RGBAColor(r, g, b, 1.0)
+    }
+
+    pub const PAPER: RGBAColor = opaque(255, 255, 255);
+    pub const INK: RGBAColor = opaque(31, 36, 43);
+    pub const QUIET: RGBAColor = opaque(96, 104, 115);
+    pub const GRID: RGBAColor = opaque(229, 232, 237);
+    pub const AXIS: RGBAColor = opaque(158, 166, 177);
+    pub const BLUE: RGBAColor = opaque(0, 114, 178);
+    pub const ORANGE: RGBAColor = opaque(230, 159, 0);
+    pub const GREEN: RGBAColor = opaque(0, 158, 115);
+    pub const PURPLE: RGBAColor = opaque(190, 95, 155);
+    pub const RED: RGBAColor = opaque(213, 94, 0);
+
+    /// Names under which a page's style sheet may exchange the colours for its dark dress.
+    pub const NAMES: [(RGBAColor, &str); 10] = [
+        (PAPER, "paper"),
+        (INK, "ink"),
+        (QUIET, "quiet"),
+        (GRID, "grid"),
+        (AXIS, "axis"),
+        (BLUE, "blue"),
+        (ORANGE, "orange"),
+        (GREEN, "green"),
+        (PURPLE, "purple"),
+        (RED, "red"),
+    ];
+}
+
+/// A finished picture on a white ground.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    pub(super) width: u32,
+    pub(super) height: u32,
+    pub(super) shapes: Vec<Shape>,
+}
+
+impl Picture {
+    /// Draws on a sheet of given size in points (pixels of the PNG).
+        pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
+        let mut shapes = Vec::new();
+        let canvas = Recorder {
+            shapes: &mut shapes,
+            size: (width, height),
+        }
+        .into_drawing_area();
+        // The recorder takes everything; only plotters' own bookkeeping could object.
+        let drawn = draw(&canvas);
+        debug_assert!(drawn.is_ok());
+        drop(canvas);
+        Picture {
+            width,
+            height,
+            shapes,
+        }
+    }
+
+    /// A file of its own: fixed colours on white.
+    pub fn svg(&self) -> String {
+        let mut out = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
+             viewBox=\"0 0 {w} {h}\" font-family=\"{FAMILY}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"#fff\"/>\n",
+            w = self.width,
+            h = self.height
+        );
+        self.write_shapes(&mut out, false);
+        out.push_str("</svg>\n");
+        out
+    }
+
+    /// Part of a page: colours are the page's variables (`--ink`, `--blue` …), no ground.
+    ///
+    /// `attributes` are added to the element as they are.
+    pub(super) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
+        let mut out = format!(
+            "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",
+            self.width,
+            self.height,
+            title = escaped(title)
+        );
+        self.write_shapes(&mut out, true);
+        out.push_str("</svg>");
+        out
+    }
+
+    /// 8-bit RGB, one pixel per point.
+    pub fn png(&self) -> Vec<u8> {
+        raster::png(self)
+    }
+
+    fn write_shapes(&self, out: &mut String, variables: bool) {
+        for shape in &self.shapes {
+            // Writing to a String cannot fail.
+            let _ = match shape {
+                Shape::Line { points, ink, width } => {
+                    let paint = paint("stroke", *ink, variables);
+                    writeln!(
+                        out,
+                        "<path d=\"{}\" fill=\"none\" {paint} stroke-width=\"{}\" stroke-linejoin=\"round\"/>",
+                        path(points),
+                        short(*width)
+                    )
+                }
+                Shape::Area { points, ink } => {
+                    let paint = paint("fill", *ink, variables);
+                    writeln!(out, "<path d=\"{}Z\" {paint}/>", path(points))
+                }
+                Shape::Circle {
+                    centre: [x, y],
+                    radius,
+                    ink,
+                    width,
+                } => {
+                    let paint = match width {
+                        None => paint("fill", *ink, variables),
+                        Some(w) => format!(
+                            "fill=\"none\" {} stroke-width=\"{}\"",
+                            paint("stroke", *ink, variables),
+                            short(*w)
+                        ),
+                    };
+                    let (x, y, r) = (short(*x), short(*y), short(*radius));
+                    writeln!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {paint}/>")
+                }
+                Shape::Text {
+                    text,
+                    at: [x, y],
+                    size,
+                    ink,
+                    anchor,
+                    bold,
+                    upwards,
+                } => {
+                    let (x, y, size) = (short(*x), short(*y), short(*size));
+                    let anchor = match anchor {
+                        0.0 => "",
+                        1.0 => " text-anchor=\"end\"",
+                        _ => " text-anchor=\"middle\"",
+                    };
+                    let weight = if *bold { " font-weight=\"bold\"" } else { "" };
+                    let turn = if *upwards {
+                        format!(" transform=\"rotate(-90 {x} {y})\"")
+                    } else {
+                        String::new()
+                    };
+                    let paint = paint("fill", *ink, variables);
+                    writeln!(
+                        out,
+                        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{anchor}{weight}{turn} {paint}>{}</text>",
+                        escaped(text)
+                    )
+                }
+            };
+        }
+    }
+}
+
+/// Path data relative to the last point, which is the shortest.
+fn path(points: &[[f64; 2]]) -> String {
+    let mut d = String::with_capacity(8 * points.len());
+    let mut last = [0i64; 2];
+    for (i, p) in points.iter().enumerate() {
+        let now = p.map(|x| (x * 100.0).round() as i64);
+        let letter = if i == 0 { 'M' } else { 'l' };
+        let step = [now[0] - last[0], now[1] - last[1]].map(|k| short(k as f64 / 100.0));
+        let _ = write!(d, "{letter}{} {}", step[0], step[1]);
+        last = now;
+    }
+    d
+}
+
+/// At most two decimals, no trailing zeros.
+fn short(x: f64) -> String {
+    let rounded = (x * 100.0).round() / 100.0;
+    // Adding zero turns −0 into 0.
+    format!("{}", rounded + 0.0)
+}
+
+fn paint(property: &str, ink: Ink, variables: bool) -> String {
+    let [r, g, b] = ink.rgb;
+    let name = palette::NAMES
+        .iter()
+        .find(|(c, _)| variables && (c.0, c.1, c.2) == (r, g, b));
+    let colour = match name {
+        Some((_, name)) => format!("var(--{name})"),
+        None => format!("#{r:02x}{g:02x}{b:02x}"),
+    };
+    let mut out = if name.is_some() {
+        format!("style=\"{property}:{colour}\"")
+    } else {
+        format!("{property}=\"{colour}\"")
+    };
+    if ink.alpha < 1.0 {
+        let _ = write!(out, " {property}-opacity=\"{}\"", short(ink.alpha));
+    }
+    out
+}

@@ -1,0 +1,203 @@
+//! The pictures of a design and how they are laid out; here the law of motion itself.
+
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::panel::{Frame, Panel, dashes, padded, ticks};
+use super::picture::palette::{BLUE, GREEN, INK, PURPLE, QUIET, RED};
+use super::raster::text_width;
+use super::samples::motion;
+use super::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
+use gaitcam::cam::{Measures, Unit};
+use gaitcam::law::Svaj;
+use gaitcam::synth::Synthesis;
+
+pub use super::cam_picture::cam;
+pub(super) use super::curvature_picture::geometry_in;
+pub use super::force_picture::force;
+pub(super) use super::force_picture::{force_frame, force_in};
+pub use super::picture::Picture;
+
+/// Size of the pictures that stand alone, pixels.
+pub(super) const SIZE: (u32, u32) = (1200, 800);
+/// Size of their lettering.
+const LETTERS: f64 = 17.0;
+
+/// How a picture is laid out: alone, or as a figure of the report under a caption.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Layout {
+    /// Width and height, points.
+    pub size: (u32, u32),
+    /// Lettering, points.
+    pub letters: f64,
+    /// Whether the picture carries its own title.
+    pub title: bool,
+}
+
+impl Layout {
+    /// A file of its own.
+    pub const ALONE: Layout = Layout {
+        size: SIZE,
+        letters: LETTERS,
+        title: true,
+    };
+
+    /// A figure of the report.
+    pub const fn figure(height: u32) -> Self {
+        Layout {
+            size: (FIGURE_WIDTH, height),
+            letters: 13.0,
+            title: false,
+        }
+    }
+
+    /// The outer frame of the diagrams.
+    pub fn frame(&self) -> Frame {
+        let e = self.letters;
+        Frame {
+            left: 6.8 * e,
+            right: f64::from(self.size.0) - 1.8 * e,
+            top: if self.title { 4.6 * e } else { 0.8 * e },
+            bottom: f64::from(self.size.1) - 4.0 * e,
+        }
+    }
+}
+
+/// Width of the report's figures, points.
+pub(super) const FIGURE_WIDTH: u32 = 820;
+
+/// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
+pub fn svaj(synthesis: &Synthesis) -> Picture {
+    svaj_in(synthesis, Layout::ALONE)
+}
+
+pub(super) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let law = &synthesis.cam.law;
+        let measures = synthesis.cam.follower.measures();
+        let across = |t: f64| measures.angle().factor * t;
+        let motion = motion(law);
+        let names = ["s", "v", "a", "j"];
+        let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
+        let colours = [BLUE, GREEN, RED, PURPLE];
+        title(canvas, layout, &synthesis.name, "law of motion")?;
+        let frames = strips(layout.frame(), &[1.0; 4], 0.9 * layout.letters);
+        for k in 0..4 {
+            let Unit { factor, name: unit } = measures.lift(k);
+            let curve: Vec<(f64, f64)> = motion
+                .iter()
+                .map(|(t, m)| (across(*t), factor * pick[k](m)))
+                .collect();
+            let (low, high) = law.extremes(k);
+            let ends = [low.value, high.value].map(|v| factor * v);
+            let y = padded(ends.into_iter(), 0.26);
+            let panel = over_the_law(canvas, synthesis, frames[k], y, layout.letters)?;
+            panel.curve(&curve, colours[k], 2.4)?;
+            if ends[1] > ends[0] {
+                panel.mark(across(high.at), ends[1], true, colours[k])?;
+                panel.mark(across(low.at), ends[0], false, colours[k])?;
+            }
+            panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
+            if k == 3 {
+                panel.across(measures.angle_words())?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// A diagram over the whole law: degrees, or mm of travel.
+pub(super) fn over_the_law<'a, 'c>(
+    canvas: &'c Canvas<'a>,
+    synthesis: &Synthesis,
+    frame: Frame,
+    y: [f64; 2],
+    size: f64,
+) -> Result<Panel<'a, 'c>, DrawingAreaErrorKind<std::convert::Infallible>> {
+    let measures = synthesis.cam.follower.measures();
+    let x = ends_of(synthesis).map(|t| measures.angle().factor * t);
+    match measures {
+        Measures::Straight => Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, size),
+        _ => Panel::new(canvas, frame, x, y, size),
+    }
+}
+
+pub(super) fn ends_of(synthesis: &Synthesis) -> [f64; 2] {
+    let (start, length) = synthesis.cam.law.extent();
+    [start, start + length]
+}
+
+/// Splits a frame into strips of given shares, one above the other.
+pub(super) fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
+    let total: f64 = shares.iter().sum();
+    let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
+    let mut top = frame.top;
+    shares
+        .iter()
+        .map(|share| {
+            let bottom = top + free * share / total;
+            let strip = Frame {
+                top,
+                bottom,
+                ..frame
+            };
+            top = bottom + gap;
+            strip
+        })
+        .collect()
+}
+
+/// The design's name and what is shown.
+pub(super) fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> Drawn {
+    if !layout.title {
+        return Ok(());
+    }
+    let e = layout.letters;
+    let at = [layout.frame().left, 2.2 * e];
+    let big = Lettering::new(1.35 * e, INK).bold();
+    write(canvas, name, at, big)?;
+    // Bold runs about a tenth wider than regular.
+    let after = at[0] + 1.35 * e * 1.12 * text_width(name) + 0.9 * e;
+    write(
+        canvas,
+        what,
+        [after, at[1]],
+        Lettering::new(1.35 * e, QUIET),
+    )
+}
+
+/// Swatches with their names, from the left.
+pub(super) fn key(
+    canvas: &Canvas,
+    place: [f64; 2],
+    size: f64,
+    entries: &[(RGBAColor, f64, &str)],
+) -> Drawn {
+    key_and_levels(canvas, place, size, entries, &[])
+}
+
+/// The same with dashed levels ([`Panel::level`]) after them.
+pub(super) fn key_and_levels(
+    canvas: &Canvas,
+    [mut x, y]: [f64; 2],
+    size: f64,
+    entries: &[(RGBAColor, f64, &str)],
+    levels: &[(RGBAColor, &str)],
+) -> Drawn {
+    let levels = levels.iter().map(|&(colour, name)| (colour, None, name));
+    let curves = entries
+        .iter()
+        .map(|&(c, width, name)| (c, Some(width), name));
+    for (colour, width, name) in curves.chain(levels) {
+        let ends = [[x, y], [x + 2.0 * size, y]];
+        match width {
+            Some(width) => line(canvas, &ends, stroke(colour, width))?,
+            None => dashes(canvas, ends, colour)?,
+        }
+        x += 2.6 * size;
+        let lettering = Lettering::new(size, INK).anchored(HPos::Left, VPos::Center);
+        write(canvas, name, [x, y], lettering)?;
+        x += size * text_width(name) + 1.7 * size;
+    }
+    Ok(())
+}

@@ -1,0 +1,416 @@
+//! The cam in motion: a drawing whose parts the page's script turns and lifts.
+
+use std::fmt::Write;
+
+use super::Running;
+use super::motion::{STEPS, angle_unit, motion, placed, slide};
+use gaitcam::cam::{Cam, Follower, ProfilePoint};
+use gaitcam::dynamics::two_cams::shifted;
+use crate::geometry::{Pose, angles, face_reach, pose};
+use gaitcam::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Vertices of the outline.
+const POINTS: usize = 720;
+
+/// What the drawing must hold, mm, y up: left, right, bottom, top.
+struct Room {
+    left: f64,
+    right: f64,
+    bottom: f64,
+    top: f64,
+}
+
+impl Room {
+    fn hold(&mut self, [x, y]: [f64; 2], margin: f64) {
+        self.left = self.left.min(x - margin);
+        self.right = self.right.max(x + margin);
+        self.bottom = self.bottom.min(y - margin);
+        self.top = self.top.max(y + margin);
+    }
+}
+
+/// The drawing, its controls and the live values; of a run where there is one.
+pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
+    let cam = &synthesis.cam;
+    let rows = cam.profile(POINTS);
+    let slides = slide(cam) > 0.0;
+    let mut room = Room {
+        left: 0.0,
+        right: 0.0,
+        bottom: 0.0,
+        top: 0.0,
+    };
+    let reach = reach(cam, &rows);
+    let stem = 0.34 * reach;
+    if slides {
+        let travel = slide(cam) * cam.law.extent().1;
+        let half = (0.5 * travel).min(4.0 * reach);
+        room.hold([-half, -0.15 * reach], 0.0);
+        room.hold([half, reach], 0.0);
+    } else {
+        room.hold([0.0, 0.0], reach);
+    }
+    for follower in followers(synthesis) {
+        for theta in angles(&follower.cam.law, STEPS) {
+            let (at, _) = placed(follower.cam, theta);
+            let ([x, y], r) = (
+                at.map(|q| follower.sign * MM * q),
+                MM * follower.cam.follower.roller_radius(),
+            );
+            room.hold([x, y], r);
+            if follower.cam.follower.pivot().is_none() {
+                room.hold([x, y + follower.sign * (stem + r)], 0.0);
+            }
+        }
+        if let Some(pivot) = follower.cam.follower.pivot() {
+            room.hold(pivot.map(|q| follower.sign * MM * q), 0.1 * reach);
+        }
+        if let (Some((low, high)), None) = (face_reach(follower.cam), follower.cam.follower.pivot())
+        {
+            room.hold([MM * low, 0.0], 0.1 * reach);
+            room.hold([MM * high, 0.0], 0.1 * reach);
+        }
+    }
+    if let Some(r) = running {
+        let gap = r.outcome.rows.iter().fold(0.0_f64, |m, row| m.max(row.gap));
+        if !cam.follower.is_oscillating() {
+            room.top += MM * gap;
+        }
+    }
+    let blank = 0.04 * (room.right - room.left);
+    let (width, height) = (
+        room.right - room.left + 2.0 * blank,
+        room.top - room.bottom + 2.0 * blank,
+    );
+    let _ = write!(
+        out,
+        "<div class=\"stage\">\n<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
+         aria-label=\"The moving cam lifts its follower\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
+         <g id=\"cam-turning\">",
+        room.left - blank,
+        -room.top - blank
+    );
+    if slides {
+        sliding_body(out, cam, &rows, room.bottom - blank);
+    } else {
+        turning_body(out, synthesis, running, &rows);
+    }
+    out.push_str("</g>\n");
+    let mark = 0.06 * reach;
+    if !slides {
+        let _ = writeln!(
+            out,
+            "<path d=\"M{:.3} 0H{mark:.3}M0 {:.3}V{mark:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"1.4\"/>",
+            -mark, -mark
+        );
+    }
+    for follower in followers(synthesis) {
+        draw_follower(out, &follower, reach, stem);
+    }
+    let dot = 0.008 * width.max(height);
+    let _ = write!(
+        out,
+        "<g id=\"cam-push\" data-reach=\"{:.3}\"><path d=\"M0 0H1M.82 .09L1 0L.82 -.09\" style=\"stroke:var(--red)\" stroke-width=\"2.4\"/></g>\
+         <circle id=\"cam-contact\" r=\"{dot:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
+        1.2 * stem
+    );
+    controls(out, synthesis, running);
+    out.push_str("</div>\n");
+    // Only numbers and units: nothing here can end the script element.
+    let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
+    let _ = writeln!(
+        out,
+        "<script type=\"application/json\" id=\"motion\">{data}</script>"
+    );
+}
+
+/// One follower on the drawing; the second of a pair is seen turned by half a turn.
+struct Drawn<'a> {
+    cam: &'a Cam,
+    sign: f64,
+    id: &'static str,
+}
+
+fn followers(synthesis: &Synthesis) -> Vec<Drawn<'_>> {
+    let mut all = vec![Drawn {
+        cam: &synthesis.cam,
+        sign: 1.0,
+        id: "cam-follower",
+    }];
+    if let Some(pair) = &synthesis.conjugate {
+        all.push(Drawn {
+            cam: &pair.second,
+            sign: -1.0,
+            id: "cam-second",
+        });
+    }
+    all
+}
+
+/// How far the body of the cam reaches, mm: from its centre, or up where it slides.
+fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
+    let up = |p: &ProfilePoint| {
+        if slide(cam) > 0.0 {
+            (p.pitch_y + cam.follower.roller_radius()).abs()
+        } else {
+            p.x.hypot(p.y).max(p.pitch_x.hypot(p.pitch_y))
+        }
+    };
+    MM * rows.iter().map(up).fold(0.0, f64::max)
+}
+
+fn turning_body(
+    out: &mut String,
+    synthesis: &Synthesis,
+    running: Option<&Running>,
+    rows: &[ProfilePoint],
+) {
+    let cam = &synthesis.cam;
+    let closed = cam.law.is_closed();
+    let mut others: Vec<Vec<ProfilePoint>> = Vec::new();
+    if let Some(pair) = &synthesis.conjugate {
+        others.push(pair.second_profile(POINTS));
+    }
+    if let Some(angle) = running.and_then(|r| r.second_cam) {
+        let law = shifted(&cam.law, angle);
+        let follower = cam.follower;
+        others.push(Cam { law, follower }.profile(POINTS));
+    }
+    for other in &others {
+        let outline = path(other.iter().map(|p| [p.x, p.y]), closed);
+        let _ = write!(
+            out,
+            "<path d=\"{outline}\" style=\"fill:var(--purple);stroke:var(--purple)\" fill-opacity=\".12\" stroke-width=\"1.8\"/>"
+        );
+    }
+    let outline = path(rows.iter().map(|p| [p.x, p.y]), closed);
+    let base = MM * cam.follower.base_radius();
+    let _ = write!(
+        out,
+        "<path d=\"{outline}\" style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"/>\
+         <circle r=\"{base:.4}\" style=\"stroke:var(--green)\" stroke-dasharray=\"6 4\" stroke-width=\"1.3\"/>\
+         <path d=\"M0 0V{:.4}\" style=\"stroke:var(--quiet)\" stroke-width=\"1.2\"/>",
+        0.8 * base
+    );
+    if cam.follower.roller_radius() > 0.0 {
+        pitch(
+            out,
+            path(rows.iter().map(|p| [p.pitch_x, p.pitch_y]), closed),
+        );
+    }
+}
+
+fn pitch(out: &mut String, path: String) {
+    let _ = write!(
+        out,
+        "<path d=\"{path}\" style=\"stroke:var(--orange)\" stroke-dasharray=\"3 3\" stroke-width=\"1.3\"/>"
+    );
+}
+
+/// A slide down to its foot, or the unrolled groove of a barrel with both walls; a closed law is shown
+/// once more on either side.
+fn sliding_body(out: &mut String, cam: &Cam, rows: &[ProfilePoint], foot: f64) {
+    let travel = slide(cam) * cam.law.extent().1 / MM;
+    let rounds: &[f64] = if cam.law.is_closed() {
+        &[-1.0, 0.0, 1.0]
+    } else {
+        &[0.0]
+    };
+    let along = |f: fn(&ProfilePoint) -> [f64; 2]| -> Vec<[f64; 2]> {
+        rounds
+            .iter()
+            .flat_map(|k| rows.iter().map(move |p| (k, f(p))))
+            .map(|(k, [x, y])| [x + k * travel, y])
+            .collect()
+    };
+    let lower = along(|p| [p.x, p.y]);
+    let look =
+        "style=\"fill:var(--blue);stroke:var(--blue)\" fill-opacity=\".16\" stroke-width=\"2.2\"";
+    let body = match cam.follower {
+        Follower::Barrel { .. } => {
+            let upper = along(|p| [2.0 * p.pitch_x - p.x, 2.0 * p.pitch_y - p.y]);
+            path(lower.into_iter().chain(upper.into_iter().rev()), true)
+        }
+        _ => {
+            let (first, last) = (lower[0][0], lower[lower.len() - 1][0]);
+            let ground = [[last, foot / MM], [first, foot / MM]];
+            path(lower.into_iter().chain(ground), true)
+        }
+    };
+    let _ = write!(out, "<path d=\"{body}\" {look}/>");
+    pitch(
+        out,
+        path(along(|p| [p.pitch_x, p.pitch_y]).into_iter(), false),
+    );
+}
+
+/// The follower about its own origin: the foot of the stem, or the roller's centre. An arm lies along
+/// its own +x towards the pivot.
+fn draw_follower(out: &mut String, drawn: &Drawn, reach: f64, stem: f64) {
+    let (cam, id) = (drawn.cam, drawn.id);
+    let half = 0.04 * reach;
+    let look = "style=\"fill:var(--grid);stroke:var(--ink)\" stroke-width=\"1.6\"";
+    let _ = write!(out, "<g id=\"{id}\">");
+    let start = cam.law.extent().0;
+    match (pose(cam, start), cam.follower.pivot()) {
+        (Pose::Roller { radius, .. }, Some(_)) => {
+            let arm = arm(&cam.follower);
+            bar(out, 0.0, arm, half, look);
+            // A knife edge at the end of an arm is its tip.
+            let r = if radius > 0.0 {
+                MM * radius
+            } else {
+                0.4 * half
+            };
+            let _ = write!(out, "<circle r=\"{r:.4}\" {look}/>");
+            bearing(out, [0.0, 0.0], 0.2 * half);
+            bearing(out, [arm, 0.0], 0.5 * half);
+        }
+        (Pose::Roller { radius: 0.0, .. }, None) => {
+            let shoulder = 2.5 * half;
+            let _ = write!(
+                out,
+                "<path d=\"M0 0L{:.3} {shoulder:.3}V{stem:.3}H{half:.3}V{shoulder:.3}Z\" {look}/>",
+                -half
+            );
+        }
+        (Pose::Roller { radius, .. }, None) => {
+            let r = MM * radius;
+            let top = r + stem;
+            let _ = write!(
+                out,
+                "<path d=\"M{:.3} 0V{top:.3}H{half:.3}V0\" {look}/><circle r=\"{r:.4}\" {look}/>",
+                -half
+            );
+            bearing(out, [0.0, 0.0], 0.2 * half);
+        }
+        (Pose::Face { .. }, pivot) => {
+            let (low, high) = face_reach(cam).unwrap_or((0.0, 0.0));
+            let (more, thick) = (0.08 * reach, 0.035 * reach);
+            let (low, high) = (MM * low - more, MM * high + more);
+            // The face's own normal away from the cam is −y where the pivot lies on +x.
+            let up = pivot.map_or(1.0, |p| -p[0].signum());
+            if pivot.is_none() {
+                let _ = write!(
+                    out,
+                    "<path d=\"M{:.3} {thick:.3}V{stem:.3}H{half:.3}V{thick:.3}\" {look}/>",
+                    -half
+                );
+            }
+            let _ = write!(
+                out,
+                "<path d=\"M{low:.3} 0H{high:.3}V{:.3}H{low:.3}Z\" {look}/>",
+                up * thick
+            );
+            if let Follower::FlatOscillating { face_offset, .. } = cam.follower {
+                let _ = write!(
+                    out,
+                    "<path d=\"M0 {:.3}V0H{:.3}\" style=\"stroke:var(--ink)\" stroke-width=\"2.4\"/>",
+                    -up * MM * face_offset,
+                    if low + high < 0.0 { low } else { high }
+                );
+                bearing(out, [0.0, -up * MM * face_offset], 0.5 * half);
+            }
+        }
+    }
+    out.push_str("</g>\n");
+}
+
+fn bar(out: &mut String, from: f64, to: f64, half: f64, look: &str) {
+    let half = 0.7 * half;
+    let _ = write!(
+        out,
+        "<path d=\"M{from:.3} {:.3}H{to:.3}V{half:.3}H{from:.3}Z\" {look}/>",
+        -half
+    );
+}
+
+fn bearing(out: &mut String, [x, y]: [f64; 2], radius: f64) {
+    let _ = write!(
+        out,
+        "<circle cx=\"{x:.3}\" cy=\"{y:.3}\" r=\"{radius:.3}\" style=\"fill:var(--ink)\"/>"
+    );
+}
+
+/// Length of the arm, mm.
+fn arm(follower: &Follower) -> f64 {
+    match *follower {
+        Follower::RollerOscillating { arm, .. } | Follower::MushroomOscillating { arm, .. } => {
+            MM * arm
+        }
+        _ => 0.0,
+    }
+}
+
+fn controls(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
+    let cam = &synthesis.cam;
+    let (start, length) = cam.law.extent();
+    let (per, _) = angle_unit(cam);
+    let what = match cam.follower {
+        Follower::TranslatingCam { .. } => "travel of the cam",
+        _ => "cam angle",
+    };
+    let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, 4));
+    let _ = write!(
+        out,
+        "<div class=\"live\">\n<div><button id=\"play\" type=\"button\">Play</button></div>\n\
+         <label>{what}<input id=\"angle\" type=\"range\" min=\"{:.3}\" max=\"{:.3}\" step=\"any\" value=\"{:.3}\"></label>\n\
+         <label><span>speed: <span id=\"pace\"></span></span>\
+         <input id=\"speed\" type=\"range\" min=\"-2.3\" max=\"0\" step=\"0.05\" value=\"-1\"></label>\n<table>",
+        per * start,
+        per * (start + turns as f64 * length),
+        per * start
+    );
+    let moment = cam.follower.is_oscillating();
+    let mut rows = vec![
+        ("now-angle", what),
+        ("now-lift", "lift s"),
+        (
+            "now-force",
+            if moment {
+                "moment on the arm"
+            } else {
+                "force F"
+            },
+        ),
+        (
+            "now-torque",
+            if slide(cam) > 0.0 && !matches!(cam.follower, Follower::Barrel { .. }) {
+                "push on the cam"
+            } else {
+                "shaft torque T"
+            },
+        ),
+    ];
+    if running.is_some_and(|r| r.outcome.contact_lost) {
+        rows.push(("now-gap", "gap"));
+    }
+    rows.push(("now-rho", "radius ρ there"));
+    if !cam.follower.is_flat() {
+        rows.push(("now-phi", "pressure angle φ"));
+    }
+    for (id, name) in rows {
+        let _ = write!(out, "<tr><td>{name}</td><td id=\"{id}\">—</td></tr>");
+    }
+    out.push_str("</table>\n");
+    if synthesis.drive.kind == gaitcam::drive::DriveKind::MovingAxis {
+        out.push_str(
+            "<p class=\"note\">Seen from the shaft: in the machine the plate stands still and the shaft rises.</p>\n",
+        );
+    }
+    out.push_str("</div>\n");
+}
+
+/// Path data in mm, y up as in the cam's frame.
+fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
+    let mut d = String::new();
+    for (i, [x, y]) in points.enumerate() {
+        let letter = if i == 0 { 'M' } else { 'L' };
+        let _ = write!(d, "{letter}{:.4} {:.4}", MM * x, MM * y);
+    }
+    if closed {
+        d.push('Z');
+    }
+    d
+}

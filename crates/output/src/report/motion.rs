@@ -1,0 +1,255 @@
+//! What the page's script knows of the motion: one value per step, mm, N, degrees.
+
+use serde::Serialize;
+
+use super::Running;
+use gaitcam::cam::{Cam, Follower};
+use gaitcam::dynamics::outcome::Row;
+use gaitcam::dynamics::two_cams::shifted;
+use crate::geometry::{Pose, pose, turned};
+use crate::samples::lift_unit;
+use gaitcam::law::Svaj;
+use gaitcam::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Steps of one turn; the script goes straight from one to the next.
+pub const STEPS: usize = 480;
+/// Turns of a repetition that are shown; a longer one is cut.
+const MOST_TURNS: usize = 4;
+
+/// What the script reads; lists hold the last step's value again at the end.
+#[derive(Serialize)]
+pub struct Motion {
+    /// First angle of the cam in the unit shown.
+    start: f64,
+    /// One turn (or travel) in the unit shown.
+    length: f64,
+    turns: usize,
+    /// Time of one turn, s.
+    period: f64,
+    /// mm by which a cam that slides moves per unit of its angle; 0 for one that turns.
+    slide: f64,
+    /// The machine goes towards smaller angles.
+    back: bool,
+    angle_unit: &'static str,
+    unit: &'static str,
+    force_unit: &'static str,
+    /// Decimals of force and torque.
+    digits: [usize; 2],
+    s: Vec<Option<f64>>,
+    f: Vec<Option<f64>>,
+    t: Vec<Option<f64>>,
+    gap: Vec<Option<f64>>,
+    rho: Vec<Option<f64>>,
+    phi: Vec<Option<f64>>,
+    cx: Vec<Option<f64>>,
+    cy: Vec<Option<f64>>,
+    /// Direction of the force on the follower, degrees from +x.
+    push: Vec<Option<f64>>,
+    px: Vec<Option<f64>>,
+    py: Vec<Option<f64>>,
+    pa: Vec<Option<f64>>,
+    qx: Vec<Option<f64>>,
+    qy: Vec<Option<f64>>,
+    qa: Vec<Option<f64>>,
+}
+
+/// The unit of θ on the page, as (factor from SI, its name): travel for a cam that slides.
+pub fn angle_unit(cam: &Cam) -> (f64, &'static str) {
+    match cam.follower {
+        Follower::TranslatingCam { .. } => (MM, " mm"),
+        _ => (180.0 / std::f64::consts::PI, "°"),
+    }
+}
+
+/// mm by which the cam slides per rad (or m) of θ; 0 where it turns.
+pub fn slide(cam: &Cam) -> f64 {
+    match cam.follower {
+        Follower::TranslatingCam { .. } => MM,
+        Follower::Barrel { radius, .. } => MM * radius,
+        _ => 0.0,
+    }
+}
+
+/// Decimals with which values up to `most` show four digits.
+fn decimals(most: f64) -> usize {
+    if most > 0.0 && most.is_finite() {
+        (3 - most.log10().floor() as i32).clamp(0, 6) as usize
+    } else {
+        1
+    }
+}
+
+/// Four decimals are a tenth of a micrometre; what is not finite becomes null.
+fn rounded(x: f64) -> Option<f64> {
+    to(x, 1e4)
+}
+
+/// Forces and torques of small machines keep seven.
+fn to(x: f64, places: f64) -> Option<f64> {
+    x.is_finite().then(|| (x * places).round() / places)
+}
+
+/// A run's row between two rows, straight; the force of a landing is not smeared over the flight.
+fn row_at(rows: &[Row], theta: f64, step: f64) -> Row {
+    let n = rows.len();
+    let x = (theta - rows[0].theta) / step;
+    let (i, u) = (x.floor().rem_euclid(n as f64) as usize % n, x - x.floor());
+    let (a, b) = (rows[i], rows[(i + 1) % n]);
+    let flying = a.gap > 0.0 || b.gap > 0.0;
+    let mix = |p: f64, q: f64| {
+        if flying && u < 0.5 {
+            p
+        } else if flying {
+            q
+        } else {
+            p + u * (q - p)
+        }
+    };
+    Row {
+        contact_force: mix(a.contact_force, b.contact_force),
+        torque: mix(a.torque, b.torque),
+        lift: a.lift + u * (b.lift - a.lift),
+        gap: a.gap + u * (b.gap - a.gap),
+        ..a
+    }
+}
+
+/// Where the part that rides on the cam stands: foot or centre, m, and its direction, degrees.
+pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
+    match pose(cam, theta) {
+        Pose::Face { at, angle } => (at, angle.to_degrees()),
+        Pose::Roller { centre, .. } => {
+            let angle = cam.follower.pivot().map_or(0.0, |p| {
+                (p[1] - centre[1]).atan2(p[0] - centre[0]).to_degrees()
+            });
+            (centre, angle)
+        }
+    }
+}
+
+/// The motion of a design (its law and rigid force) or, where it was run, of the run.
+pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
+    let cam = &synthesis.cam;
+    let (start, length) = cam.law.extent();
+    let (factor, unit) = lift_unit(synthesis);
+    let (per, angle_unit) = angle_unit(cam);
+    let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, MOST_TURNS));
+    let later = running.and_then(|r| r.second_cam).map(|angle| Cam {
+        law: shifted(&cam.law, angle),
+        follower: cam.follower,
+    });
+    let mut out = Motion {
+        start: per * start,
+        length: per * length,
+        turns,
+        period: length / synthesis.drive.speed.abs(),
+        slide: slide(cam) / per,
+        back: synthesis.drive.speed < 0.0,
+        angle_unit,
+        unit,
+        force_unit: cam.follower.measures().force().name,
+        digits: [1, 1],
+        s: Vec::new(),
+        f: Vec::new(),
+        t: Vec::new(),
+        gap: Vec::new(),
+        rho: Vec::new(),
+        phi: Vec::new(),
+        cx: Vec::new(),
+        cy: Vec::new(),
+        push: Vec::new(),
+        px: Vec::new(),
+        py: Vec::new(),
+        pa: Vec::new(),
+        qx: Vec::new(),
+        qy: Vec::new(),
+        qa: Vec::new(),
+    };
+    let (mut force, mut torque) = (0.0_f64, 0.0_f64);
+    for i in 0..=STEPS * turns {
+        let theta = start + length * i as f64 / STEPS as f64;
+        // A law of one turn goes on; one that ends is met at its end, not at its beginning.
+        let within = if i % STEPS == 0 && i > 0 && !cam.law.is_closed() {
+            start + length
+        } else {
+            start + length * (i % STEPS) as f64 / STEPS as f64
+        };
+        let higher = match &later {
+            Some(second) if second.law.svaj(within).s > cam.law.svaj(within).s => second,
+            _ => cam,
+        };
+        let at = higher.law.svaj(within);
+        let row = match running {
+            Some(r) if !r.outcome.rows.is_empty() => {
+                let rows = &r.outcome.rows;
+                let step = length * r.outcome.period_turns as f64 / rows.len() as f64;
+                row_at(rows, theta, step)
+            }
+            _ => still(synthesis, within, at),
+        };
+        force = force.max(row.contact_force.abs());
+        torque = torque.max(row.torque.abs());
+        out.take(higher, within, at, &row, factor);
+        if let Some(pair) = &synthesis.conjugate {
+            let ([x, y], angle) = placed(&pair.second, within);
+            out.qx.push(rounded(-MM * x));
+            out.qy.push(rounded(-MM * y));
+            out.qa.push(rounded(angle + 180.0));
+        }
+    }
+    out.digits = [decimals(force), decimals(torque)];
+    out
+}
+
+/// The rigid machine at one point of the law.
+fn still(synthesis: &Synthesis, theta: f64, at: Svaj) -> Row {
+    let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
+    Row {
+        contact_force: force,
+        torque: force * at.v,
+        lift: at.s,
+        ..Row::default()
+    }
+}
+
+impl Motion {
+    fn take(&mut self, cam: &Cam, theta: f64, at: Svaj, row: &Row, factor: f64) {
+        let p = cam.point(theta);
+        let in_space = |p: [f64; 2]| match cam.follower {
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => cam.into_space(theta, p),
+            _ => turned(p, theta),
+        };
+        let [cx, cy] = in_space([p.x, p.y]);
+        let ([px, py], pa) = placed(cam, theta);
+        let motion = cam.motion(theta);
+        let flying = row.gap > 0.0;
+        // What rides on the cam keeps to it until it flies.
+        let raised = if flying { row.lift - at.s } else { 0.0 };
+        let (px, py, pa) = match cam.follower.pivot() {
+            None => (px + raised * motion[0], py + raised * motion[1], pa),
+            Some(pivot) => {
+                let turn = -raised * pivot[0].signum();
+                let [x, y] = turned([px - pivot[0], py - pivot[1]], turn);
+                (x + pivot[0], y + pivot[1], pa + turn.to_degrees())
+            }
+        };
+        // Beyond a hundred prime radii a flank is straight to the eye.
+        let straight = p.rho.abs() > 100.0 * cam.follower.prime_radius();
+        let touching = |x: f64| if flying { None } else { rounded(x) };
+        self.s.push(rounded(factor * row.lift));
+        self.f.push(to(row.contact_force, 1e7));
+        self.t.push(to(row.torque, 1e9));
+        self.gap.push(rounded(factor * row.gap));
+        self.rho
+            .push(if straight { None } else { touching(MM * p.rho) });
+        self.phi.push(touching(p.pressure_angle.to_degrees()));
+        self.cx.push(touching(MM * cx));
+        self.cy.push(touching(MM * cy));
+        let lean = motion[1].atan2(motion[0]) + p.pressure_angle;
+        self.push.push(rounded(lean.to_degrees()));
+        self.px.push(rounded(MM * px));
+        self.py.push(rounded(MM * py));
+        self.pa.push(rounded(pa));
+    }
+}

@@ -1,0 +1,321 @@
+//! The sheet that pictures are drawn on: a plotters backend that keeps shapes instead of pixels.
+//!
+//! One drawing then serves the SVG and the PNG alike. Plotters counts in whole units, so a sheet has
+//! [`UNITS`] of them per picture point: curves stay smooth and text is placed to a sixteenth of a point.
+
+use std::convert::Infallible;
+
+use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, Pos, VPos};
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind,
+};
+
+/// Sheet units per point.
+pub const UNITS: f64 = 16.0;
+/// The typeface, by the name the SVG asks for.
+pub const FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
+/// Height of the capitals in ems: text is centred on them.
+const CAPITAL: f64 = 0.729;
+
+/// An opaque or translucent colour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ink {
+    /// Red, green, blue.
+    pub rgb: [u8; 3],
+    /// Opacity, 0 … 1.
+    pub alpha: f64,
+}
+
+/// One thing on the sheet; lengths in points, y down.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs)] // the names are the documentation
+pub enum Shape {
+    /// An open line of given width.
+    Line {
+        points: Vec<[f64; 2]>,
+        ink: Ink,
+        width: f64,
+    },
+    /// A filled polygon.
+    Area { points: Vec<[f64; 2]>, ink: Ink },
+    /// A circle: filled, or drawn with a line of given width.
+    Circle {
+        centre: [f64; 2],
+        radius: f64,
+        ink: Ink,
+        width: Option<f64>,
+    },
+    /// A line of text on a baseline that starts, is centred or ends (0, ½, 1) at `at`.
+    Text {
+        text: String,
+        at: [f64; 2],
+        size: f64,
+        ink: Ink,
+        anchor: f64,
+        bold: bool,
+        upwards: bool,
+    },
+}
+
+/// Collects shapes from plotters.
+pub struct Recorder<'a> {
+    /// What was drawn so far, in order.
+    pub shapes: &'a mut Vec<Shape>,
+    /// Width and height of the sheet, points.
+    pub size: (u32, u32),
+}
+
+/// A part of the sheet, in sheet units.
+pub type Canvas<'a> = DrawingArea<Recorder<'a>, Shift>;
+/// A part of the sheet with axes.
+pub type Plane<'a> = DrawingArea<Recorder<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+/// Drawing succeeds unless plotters itself fails.
+pub type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
+
+type Recorded = Result<(), DrawingErrorKind<Infallible>>;
+
+fn points((x, y): BackendCoord) -> [f64; 2] {
+    [f64::from(x) / UNITS, f64::from(y) / UNITS]
+}
+
+fn ink(color: BackendColor) -> Ink {
+    let (r, g, b) = color.rgb;
+    Ink {
+        rgb: [r, g, b],
+        alpha: color.alpha,
+    }
+}
+
+impl DrawingBackend for Recorder<'_> {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        let units = UNITS as u32;
+        (self.size.0 * units, self.size.1 * units)
+    }
+
+    fn ensure_prepared(&mut self) -> Recorded {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Recorded {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Recorded {
+        // A sixteenth of a point is nothing to see.
+        Ok(())
+    }
+
+    fn draw_line<S: BackendStyle>(
+        &mut self,
+        from: BackendCoord,
+        to: BackendCoord,
+        style: &S,
+    ) -> Recorded {
+        self.draw_path([from, to], style)
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        (left, top): BackendCoord,
+        (right, bottom): BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Recorded {
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom)];
+        if fill {
+            return self.fill_polygon(corners, style);
+        }
+        self.draw_path(corners.into_iter().chain([corners[0]]), style)
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Recorded {
+        self.shapes.push(Shape::Line {
+            points: path.into_iter().map(points).collect(),
+            ink: ink(style.color()),
+            width: f64::from(style.stroke_width()) / UNITS,
+        });
+        Ok(())
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Recorded {
+        self.shapes.push(Shape::Circle {
+            centre: points(center),
+            radius: f64::from(radius) / UNITS,
+            ink: ink(style.color()),
+            width: (!fill).then(|| f64::from(style.stroke_width()) / UNITS),
+        });
+        Ok(())
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        vert: I,
+        style: &S,
+    ) -> Recorded {
+        self.shapes.push(Shape::Area {
+            points: vert.into_iter().map(points).collect(),
+            ink: ink(style.color()),
+        });
+        Ok(())
+    }
+
+    fn draw_text<S: BackendTextStyle>(
+        &mut self,
+        text: &str,
+        style: &S,
+        pos: BackendCoord,
+    ) -> Recorded {
+        let size = style.size() / UNITS;
+        let upwards = matches!(style.transform(), FontTransform::Rotate270);
+        let drop = match style.anchor().v_pos {
+            VPos::Top => CAPITAL * size,
+            VPos::Center => 0.5 * CAPITAL * size,
+            VPos::Bottom => 0.0,
+        };
+        let [x, y] = points(pos);
+        self.shapes.push(Shape::Text {
+            text: text.to_string(),
+            at: if upwards {
+                [x + drop, y]
+            } else {
+                [x, y + drop]
+            },
+            size,
+            ink: ink(style.color()),
+            anchor: match style.anchor().h_pos {
+                HPos::Left => 0.0,
+                HPos::Center => 0.5,
+                HPos::Right => 1.0,
+            },
+            bold: matches!(style.style(), FontStyle::Bold),
+            upwards,
+        });
+        Ok(())
+    }
+}
+
+/// Points to sheet units.
+pub fn units(length: f64) -> i32 {
+    (length * UNITS).round() as i32
+}
+
+/// A line style of `width` points.
+pub fn stroke(colour: RGBAColor, width: f64) -> ShapeStyle {
+    Color::stroke_width(&colour, units(width).max(1) as u32)
+}
+
+/// How a piece of text looks and which of its points is placed.
+#[derive(Clone, Copy)]
+pub struct Lettering {
+    /// Size of an em, points.
+    pub size: f64,
+    /// Colour.
+    pub colour: RGBAColor,
+    /// Weight.
+    pub bold: bool,
+    /// Horizontal anchor.
+    pub h: HPos,
+    /// Vertical anchor: top of the capitals, their middle, or the baseline.
+    pub v: VPos,
+    /// Written upwards instead of to the right.
+    pub upwards: bool,
+}
+
+impl Lettering {
+    /// Regular text that starts at its point, centred in height.
+    pub fn new(size: f64, colour: RGBAColor) -> Self {
+        Lettering {
+            size,
+            colour,
+            bold: false,
+            h: HPos::Left,
+            v: VPos::Center,
+            upwards: false,
+        }
+    }
+
+    /// The same, written upwards.
+    pub fn upwards(mut self) -> Self {
+        self.upwards = true;
+        self
+    }
+
+    /// The same, bold.
+    pub fn bold(mut self) -> Self {
+        self.bold = true;
+        self
+    }
+
+    /// The same, anchored elsewhere.
+    pub fn anchored(mut self, h: HPos, v: VPos) -> Self {
+        (self.h, self.v) = (h, v);
+        self
+    }
+
+    fn style(self) -> TextStyle<'static> {
+        let weight = if self.bold {
+            FontStyle::Bold
+        } else {
+            FontStyle::Normal
+        };
+        let font = FontDesc::new(FontFamily::Name(FAMILY), self.size * UNITS, weight);
+        let font = if self.upwards {
+            font.transform(FontTransform::Rotate270)
+        } else {
+            font
+        };
+        TextStyle {
+            font,
+            color: self.colour.to_backend_color(),
+            pos: Pos::new(self.h, self.v),
+        }
+    }
+}
+
+/// Writes `text` at a point of the canvas.
+pub fn write(canvas: &Canvas, text: &str, [x, y]: [f64; 2], lettering: Lettering) -> Drawn {
+    canvas.draw(&Text::new(
+        text.to_string(),
+        (units(x), units(y)),
+        lettering.style(),
+    ))
+}
+
+/// Draws a line through points of the canvas.
+pub fn line(canvas: &Canvas, through: &[[f64; 2]], style: ShapeStyle) -> Drawn {
+    let path: Vec<(i32, i32)> = through.iter().map(|&[x, y]| (units(x), units(y))).collect();
+    canvas.draw(&PathElement::new(path, style))
+}
+
+/// Lays axes on the canvas: `x` and `y` give the range of values over [left, right] and [bottom, top].
+pub fn plane<'a>(
+    canvas: &Canvas<'a>,
+    x: [f64; 2],
+    y: [f64; 2],
+    across: [f64; 2],
+    up: [f64; 2],
+) -> Plane<'a> {
+    canvas.apply_coord_spec(Cartesian2d::new(
+        x[0]..x[1],
+        y[0]..y[1],
+        (
+            units(across[0])..units(across[1]),
+            units(up[0])..units(up[1]),
+        ),
+    ))
+}

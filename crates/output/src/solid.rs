@@ -1,0 +1,209 @@
+//! The cam as a plate: a closed surface for printing and milling, as STL and 3MF.
+
+use std::io::Cursor;
+
+use stl_io::{Normal, Triangle, Vertex};
+
+use super::threemf;
+use gaitcam::error::{Error, Result};
+use gaitcam::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+
+/// A plate of one thickness, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plate {
+    /// Thickness; the plate lies on z = 0.
+    pub thickness: f64,
+    /// Diameter of the bore about the centre of rotation; none where absent.
+    pub bore: Option<f64>,
+    /// Vertices of the profile.
+    pub points: usize,
+}
+
+/// A closed triangle mesh, mm; triangles are counter-clockwise seen from outside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Vertices x, y, z.
+    pub vertices: Vec<[f64; 3]>,
+    /// Indices of each triangle's vertices.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// The plate's surface.
+///
+/// Every profile vertex gets a bore vertex on its own ray from the centre (without a bore: the centre),
+/// so the faces fall into wedges that cannot overlap. That needs a profile which every ray from the
+/// centre meets once; fails otherwise, and on a bore that does not fit, a thickness or number of points
+/// that makes no plate, an undercut profile, an open law.
+pub fn plate(synthesis: &Synthesis, plate: Plate) -> Result<Mesh> {
+    let cam = &synthesis.cam;
+    let thickness = MM * plate.thickness;
+    if !(thickness.is_finite() && thickness > 0.0) {
+        return Err(
+            Error::new(format!("a plate {} m thick is no solid", plate.thickness))
+                .help("give a positive thickness"),
+        );
+    }
+    if plate.points < 8 {
+        return Err(
+            Error::new(format!("{} profile points make no plate", plate.points))
+                .help("give at least 8"),
+        );
+    }
+    if !cam.law.is_closed() {
+        return Err(Error::new("the law is open: its profile encloses no plate")
+            .help("only a law that closes after its turn makes a disc cam"));
+    }
+    if cam.curvature().undercut {
+        return Err(Error::new("the profile is undercut: it crosses itself")
+            .help("enlarge the base circle or reduce the roller"));
+    }
+    // Counter-clockwise: the profile itself runs clockwise.
+    let outline: Vec<[f64; 2]> = cam
+        .profile(plate.points)
+        .iter()
+        .rev()
+        .map(|p| [MM * p.x, MM * p.y])
+        .collect();
+    let n = outline.len();
+    let turning = |i: usize| {
+        let (p, q) = (outline[i], outline[(i + 1) % n]);
+        p[0] * q[1] - p[1] * q[0] > 0.0
+    };
+    if !(0..n).all(turning) {
+        return Err(Error::new(
+            "a ray from the centre of rotation meets the profile more than once: no plate about that centre",
+        )
+        .help("enlarge the base circle"));
+    }
+    match plate.bore {
+        None => Ok(full(&outline, thickness)),
+        Some(bore) => {
+            let radius = 0.5 * MM * bore;
+            let free = clearance(&outline);
+            if !(radius > 0.0 && radius < free) {
+                return Err(Error::new(format!(
+                    "a bore of {} mm does not fit: the profile comes within {free:.3} mm of the centre",
+                    2.0 * radius
+                ))
+                .help("give a positive bore smaller than twice that distance"));
+            }
+            Ok(bored(&outline, radius, thickness))
+        }
+    }
+}
+
+/// Smallest distance of the polygon from the centre.
+fn clearance(outline: &[[f64; 2]]) -> f64 {
+    let n = outline.len();
+    (0..n)
+        .map(|i| {
+            let (p, q) = (outline[i], outline[(i + 1) % n]);
+            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+            let u = -(p[0] * dx + p[1] * dy) / (dx * dx + dy * dy);
+            let u = u.clamp(0.0, 1.0);
+            (p[0] + u * dx).hypot(p[1] + u * dy)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Ring vertices at both heights: index 2i below, 2i + 1 above.
+fn ring(points: &[[f64; 2]], thickness: f64) -> Vec<[f64; 3]> {
+    points
+        .iter()
+        .flat_map(|p| [[p[0], p[1], 0.0], [p[0], p[1], thickness]])
+        .collect()
+}
+
+fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
+    let n = outline.len();
+    let mut vertices = ring(outline, thickness);
+    vertices.extend([[0.0, 0.0, 0.0], [0.0, 0.0, thickness]]);
+    let (low, high) = (2 * n, 2 * n + 1);
+    let mut triangles = Vec::with_capacity(4 * n);
+    for i in 0..n {
+        let (a, b) = (2 * i, 2 * ((i + 1) % n));
+        triangles.push([a, b, b + 1]);
+        triangles.push([a, b + 1, a + 1]);
+        triangles.push([low, b, a]);
+        triangles.push([high, a + 1, b + 1]);
+    }
+    Mesh {
+        vertices,
+        triangles,
+    }
+}
+
+fn bored(outline: &[[f64; 2]], radius: f64, thickness: f64) -> Mesh {
+    let n = outline.len();
+    let bore: Vec<[f64; 2]> = outline
+        .iter()
+        .map(|p| {
+            let scale = radius / p[0].hypot(p[1]);
+            [scale * p[0], scale * p[1]]
+        })
+        .collect();
+    let mut vertices = ring(outline, thickness);
+    vertices.extend(ring(&bore, thickness));
+    let mut triangles = Vec::with_capacity(8 * n);
+    for i in 0..n {
+        let (a, b) = (2 * i, 2 * ((i + 1) % n));
+        let (c, d) = (2 * n + a, 2 * n + b);
+        // Outer wall, bore wall, upper face, lower face.
+        triangles.push([a, b, b + 1]);
+        triangles.push([a, b + 1, a + 1]);
+        triangles.push([d, c, c + 1]);
+        triangles.push([d, c + 1, d + 1]);
+        triangles.push([c + 1, a + 1, b + 1]);
+        triangles.push([c + 1, b + 1, d + 1]);
+        triangles.push([c, b, a]);
+        triangles.push([c, d, b]);
+    }
+    Mesh {
+        vertices,
+        triangles,
+    }
+}
+
+/// The plate as binary STL, mm. Fails as [`plate`] does.
+pub fn stl(synthesis: &Synthesis, form: Plate) -> Result<Vec<u8>> {
+    binary_stl(&plate(synthesis, form)?)
+}
+
+/// Any mesh as binary STL, mm. Fails only if the bytes cannot be put together.
+pub fn binary_stl(mesh: &Mesh) -> Result<Vec<u8>> {
+    let triangles: Vec<Triangle> = mesh
+        .triangles
+        .iter()
+        .map(|corners| {
+            let p = corners.map(|i| mesh.vertices[i]);
+            Triangle {
+                normal: Normal::new(facing(p).map(|x| x as f32)),
+                vertices: p.map(|v| Vertex::new(v.map(|x| x as f32))),
+            }
+        })
+        .collect();
+    let mut out = Cursor::new(Vec::new());
+    stl_io::write_stl(&mut out, triangles.iter())
+        .map_err(|e| Error::new(format!("the solid could not be written: {e}")))?;
+    Ok(out.into_inner())
+}
+
+/// Unit normal of a triangle.
+fn facing([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
+    let u = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    let v = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    let n = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
+    n.map(|x| x / length)
+}
+
+/// The plate as 3MF, mm. Fails as [`plate`] does.
+pub fn threemf(synthesis: &Synthesis, form: Plate) -> Result<Vec<u8>> {
+    threemf::package(&plate(synthesis, form)?, &synthesis.name)
+}

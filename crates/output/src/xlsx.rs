@@ -1,0 +1,240 @@
+//! The workbook: CAM-DAS's own table (Serrano Muñoz 2010, "Exportar-Excel"), cell for cell, and the summary.
+
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
+use serde_json::Value;
+
+use super::geometry::oscillates;
+use super::samples::lift_unit;
+use super::{Timing, json};
+use gaitcam::cam::{Measures, ProfilePoint};
+use gaitcam::error::{Error, Result};
+use gaitcam::synth::Synthesis;
+
+const MM: f64 = 1000.0;
+/// Row of the headings (row 10 of the sheet) and of the first angle.
+const HEADINGS: u32 = 9;
+const FIRST: u32 = 10;
+
+/// Workbook of two sheets: `cam`, with a row per degree in the columns CAM-DAS exports, and `summary`.
+///
+/// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
+/// be put together.
+pub fn workbook(synthesis: &Synthesis, time: Timing) -> Result<Vec<u8>> {
+    build(synthesis, time)
+        .map_err(|e| Error::new(format!("the workbook could not be written: {e}")))
+}
+
+fn build(synthesis: &Synthesis, time: Timing) -> std::result::Result<Vec<u8>, XlsxError> {
+    let mut book = Workbook::new();
+    // No clock: the same design gives the same bytes.
+    let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    book.set_properties(
+        &DocProperties::new()
+            .set_title(&synthesis.name)
+            .set_creation_datetime(&epoch),
+    );
+    cam_sheet(book.add_worksheet(), synthesis)?;
+    let sheet = book.add_worksheet();
+    sheet.set_name("summary")?;
+    sheet.set_column_width(0, 34)?;
+    sheet.set_column_width(1, 24)?;
+    let mut row = 0;
+    list(sheet, &mut row, "", &json::summary(synthesis, time))?;
+    book.save_to_buffer()
+}
+
+fn cam_sheet(sheet: &mut Worksheet, synthesis: &Synthesis) -> std::result::Result<(), XlsxError> {
+    let cam = &synthesis.cam;
+    let follower = &cam.follower;
+    let bold = Format::new().set_bold();
+    let heading = Format::new().set_bold().set_text_wrap();
+    sheet.set_name("cam")?;
+    sheet.set_freeze_panes(FIRST, 1)?;
+    sheet.write_with_format(
+        0,
+        0,
+        format!("Disc cam, {} follower", follower.name()),
+        &bold,
+    )?;
+    sheet.write_with_format(1, 0, &synthesis.name, &bold)?;
+    sheet.write(
+        2,
+        0,
+        format!("{}: {}", synthesis.verdict.name(), synthesis.reason),
+    )?;
+    sheet.write(
+        3,
+        0,
+        format!("Base radius {:.6} mm", MM * follower.base_radius()),
+    )?;
+    sheet.write(
+        4,
+        0,
+        format!("Prime radius {:.6} mm", MM * follower.prime_radius()),
+    )?;
+    sheet.write(
+        5,
+        0,
+        format!("Roller radius {:.6} mm", MM * follower.roller_radius()),
+    )?;
+    sheet.write(6, 0, format!("Offset {:.6} mm", MM * follower.offset()))?;
+    let measures = follower.measures();
+    let speed = measures
+        .speed()
+        .after(&format!("{:.6}", synthesis.drive.speed));
+    sheet.write(7, 0, format!("Speed {speed}"))?;
+    let columns = columns(synthesis);
+    for column in &columns {
+        sheet.write_with_format(HEADINGS, column.at, &column.name, &heading)?;
+    }
+    let (start, length) = cam.law.extent();
+    // A row for every degree, or every millimetre of travel.
+    let step = measures.angle().factor;
+    let last = (step * length + 1e-9).floor() as u32;
+    for i in 0..=last {
+        let theta = start + f64::from(i) / step;
+        let row = Row {
+            point: cam.point(theta),
+            motion: cam.law.svaj(theta),
+        };
+        for column in &columns {
+            let value = if column.at == 0 {
+                step * start + f64::from(i)
+            } else {
+                (column.value)(synthesis, &row)
+            };
+            // Excel knows no infinity: a flat spot's radius stays empty.
+            if value.is_finite() {
+                sheet.write(FIRST + i, column.at, value)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+struct Row {
+    point: ProfilePoint,
+    motion: gaitcam::law::Svaj,
+}
+
+struct Column {
+    at: u16,
+    name: String,
+    value: fn(&Synthesis, &Row) -> f64,
+}
+
+/// The columns of the kind of cam, with the letters CAM-DAS gives them.
+fn columns(synthesis: &Synthesis) -> Vec<Column> {
+    let (_, unit) = lift_unit(synthesis);
+    let mut out: Vec<Column> = Vec::new();
+    let mut add = |letter: u8, name: String, value: fn(&Synthesis, &Row) -> f64| {
+        let at = u16::from(letter - b'A');
+        out.push(Column { at, name, value });
+    };
+    let measures = synthesis.cam.follower.measures();
+    let across = match measures {
+        Measures::Straight => "Travel, mm",
+        _ => "Cam angle, °",
+    };
+    add(b'A', across.into(), |s, r| {
+        s.cam.follower.measures().angle().factor * r.point.theta
+    });
+    add(b'B', format!("Lift, {unit}"), |s, r| {
+        lift_unit(s).0 * r.motion.s
+    });
+    add(b'C', format!("Velocity, {unit}/s"), |s, r| {
+        lift_unit(s).0 * r.motion.v * s.drive.speed
+    });
+    add(b'D', format!("Acceleration, {unit}/s²"), |s, r| {
+        lift_unit(s).0 * r.motion.a * s.drive.speed.powi(2)
+    });
+    add(b'E', format!("Jerk, {unit}/s³"), |s, r| {
+        lift_unit(s).0 * r.motion.j * s.drive.speed.powi(3)
+    });
+    add(b'F', "Radius of curvature, mm".into(), |_, r| {
+        MM * r.point.rho
+    });
+    add(b'I', "Contour, radius, mm".into(), |_, r| {
+        MM * r.point.x.hypot(r.point.y)
+    });
+    add(b'J', "Contour, angle, °".into(), |_, r| {
+        polar(r.point.x, r.point.y)
+    });
+    add(b'L', "Contour, x, mm".into(), |_, r| MM * r.point.x);
+    add(b'M', "Contour, y, mm".into(), |_, r| MM * r.point.y);
+    let flat = synthesis.cam.face_width().is_some();
+    if flat && !oscillates(&synthesis.cam.follower) {
+        add(b'G', "Contact left of the centre, mm".into(), |_, r| {
+            (-MM * r.motion.v).max(0.0)
+        });
+        add(b'H', "Contact right of the centre, mm".into(), |_, r| {
+            (MM * r.motion.v).max(0.0)
+        });
+    } else if !flat {
+        add(b'G', "Pressure angle, °".into(), |_, r| {
+            r.point.pressure_angle.to_degrees()
+        });
+        add(b'O', "Pitch curve, radius, mm".into(), |_, r| {
+            MM * r.point.pitch_x.hypot(r.point.pitch_y)
+        });
+        add(b'P', "Pitch curve, angle, °".into(), |_, r| {
+            polar(r.point.pitch_x, r.point.pitch_y)
+        });
+        add(b'R', "Pitch curve, x, mm".into(), |_, r| {
+            MM * r.point.pitch_x
+        });
+        add(b'S', "Pitch curve, y, mm".into(), |_, r| {
+            MM * r.point.pitch_y
+        });
+    }
+    out
+}
+
+/// Angle from +x, degrees in [0, 360).
+fn polar(x: f64, y: f64) -> f64 {
+    let angle = y.atan2(x).to_degrees();
+    if angle < 0.0 { angle + 360.0 } else { angle }
+}
+
+/// The summary as rows `key, value`, nested keys joined by dots and counted from 1 in lists.
+fn list(
+    sheet: &mut Worksheet,
+    row: &mut u32,
+    key: &str,
+    value: &Value,
+) -> std::result::Result<(), XlsxError> {
+    let join = |name: &str| {
+        if key.is_empty() {
+            name.to_string()
+        } else {
+            format!("{key}.{name}")
+        }
+    };
+    match value {
+        Value::Object(map) => {
+            for (name, value) in map {
+                list(sheet, row, &join(name), value)?;
+            }
+            return Ok(());
+        }
+        Value::Array(items) => {
+            for (i, value) in items.iter().enumerate() {
+                list(sheet, row, &join(&(i + 1).to_string()), value)?;
+            }
+            return Ok(());
+        }
+        Value::Null => {}
+        Value::Bool(b) => {
+            sheet.write(*row, 1, *b)?;
+        }
+        Value::Number(n) => {
+            sheet.write(*row, 1, n.as_f64().unwrap_or(0.0))?;
+        }
+        Value::String(text) => {
+            sheet.write(*row, 1, text)?;
+        }
+    }
+    sheet.write(*row, 0, key)?;
+    *row += 1;
+    Ok(())
+}

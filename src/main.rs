@@ -1,8 +1,0 @@
-//! The `gaitcam` command.
-#![forbid(unsafe_code)]
-
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    ExitCode::from(gaitcam::cli::run(std::env::args_os()))
-}
