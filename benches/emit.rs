@@ -1,10 +1,10 @@
 //! What the hand-over costs, file by file and together.
 
-#[path = "../tests/designs/mod.rs"]
+#[path = "../crates/output/tests/it/designs/mod.rs"]
 mod designs;
 
 use divan::{Bencher, black_box};
-use gaitcam::emit::{self, Timing};
+use gaitcam_output::{self, Timing};
 
 fn main() {
     divan::main();
@@ -17,19 +17,19 @@ fn all_default_files(bencher: Bencher) {
     bencher.bench(|| {
         let s = black_box(&s);
         let pictures = [
-            emit::plots::svaj(s),
-            emit::plots::force(s),
-            emit::plots::cam(s),
+            output::plots::svaj(s),
+            output::plots::force(s),
+            output::plots::cam(s),
         ];
         (
-            emit::csv::law(s, 1440),
-            emit::csv::profile(s, 1440),
-            emit::json::summary(s, Timing::default()).to_string(),
-            emit::dxf::profile(s, 1440),
-            emit::svg::profile(s, 1440),
-            pictures.each_ref().map(emit::plots::Picture::svg),
-            pictures.each_ref().map(emit::plots::Picture::png),
-            emit::report::html(s, Timing::default()),
+            output::csv::law(s, 1440),
+            output::csv::profile(s, 1440),
+            output::json::summary(s, Timing::default()).to_string(),
+            output::dxf::profile(s, 1440),
+            output::svg::profile(s, 1440),
+            pictures.each_ref().map(output::plots::Picture::svg),
+            pictures.each_ref().map(output::plots::Picture::png),
+            output::report::html(s, Timing::default()),
         )
     });
 }
@@ -37,17 +37,17 @@ fn all_default_files(bencher: Bencher) {
 #[divan::bench]
 fn report(bencher: Bencher) {
     let s = designs::heel_tester();
-    bencher.bench(|| emit::report::html(black_box(&s), Timing::default()));
+    bencher.bench(|| output::report::html(black_box(&s), Timing::default()));
 }
 
 #[divan::bench]
 fn one_png(bencher: Bencher) {
     let s = designs::footbridge();
-    bencher.bench(|| emit::plots::force(black_box(&s)).png());
+    bencher.bench(|| output::plots::force(black_box(&s)).png());
 }
 
 #[divan::bench(args = [1e-4, 1e-5, 1e-6])]
 fn arcs(bencher: Bencher, tolerance: f64) {
     let s = designs::heel_tester();
-    bencher.bench(|| emit::biarc::fit(black_box(&s.cam), tolerance));
+    bencher.bench(|| output::biarc::fit(black_box(&s.cam), tolerance));
 }

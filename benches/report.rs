@@ -161,7 +161,7 @@ fn main() {
     charts(&mut report);
     let page = markdown(&report.0);
     print!("{page}");
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/benchmarks.md");
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports/benchmarks.md");
     std::fs::write(path, page).expect("reports/ can be written");
 }
 
@@ -532,7 +532,7 @@ fn sweeps(report: &mut Report) {
 
 /// What `gaitcam chart` and benches/peers/run.py last wrote.
 fn charts(report: &mut Report) {
-    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    let reports = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports");
     let page = std::fs::read_to_string(reports.join("speed_accuracy.md")).unwrap_or_default();
     let on = page.matches("The default lies on the front.").count();
     let off = page

@@ -40,9 +40,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # The house
+//! # The modules
 //!
-//! A force is wanted ([`gait`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
+//! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
 //! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
 //! downwards only.
 #![forbid(unsafe_code)]

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use gaitcam_output::folder::Folder;
 use super::input::read_bytes;
 use super::{BUILT, CompareArgs, say};
-use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 use gaitcam::error::{Error, Result};
+use gaitcam_output::folder::Folder;
+use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 
 /// One result read back.
 struct Design {

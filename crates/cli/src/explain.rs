@@ -4,9 +4,9 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
+use crate::choices::{choices, chord_error, force_change, force_of_points, run};
 use gaitcam::dynamics::{Model, simulate};
 use gaitcam::error::Result;
-use crate::choices::{choices, chord_error, force_change, force_of_points, run};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Synthesis, synthesise};

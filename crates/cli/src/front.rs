@@ -8,14 +8,14 @@ use clap::Args;
 use serde_json::{Value, json};
 use toml::Table;
 
-use gaitcam_output::folder::Folder;
 use super::sweep::beside;
 use super::{BUILT, NO_SUCH_CAM, SceneArgs, SynthArgs, input, say, synth};
-use gaitcam_output::sweep_plots::{self, Quantity};
-use gaitcam_output::sweep_report;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Front, Key, Point, objective};
+use gaitcam_output::folder::Folder;
+use gaitcam_output::sweep_plots::{self, Quantity};
+use gaitcam_output::sweep_report;
 use read::{Columns, Kept};
 
 /// Which table, which objectives.

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::{BAD_INPUT, BUILT, GaitArgs, input, say};
-use gaitcam_output as output;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, ReadOptions};
 use gaitcam::units::{Dimension, parse};
+use gaitcam_output as output;
 
 /// Stances drawn in the picture; the mean is of all.
 const DRAWN: usize = 60;
@@ -121,7 +121,10 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
                 .file_name()
                 .map_or_else(String::new, |n| n.to_string_lossy().into());
             let picture = output::recording::stances(&name, &overlay, cycle);
-            gaitcam_output::folder::write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
+            gaitcam_output::folder::write_whole(
+                &place.with_extension("svg"),
+                picture.svg().as_bytes(),
+            )?;
             gaitcam_output::folder::write_whole(&place.with_extension("png"), &picture.png())?;
         }
     }

@@ -1,10 +1,10 @@
 //! What a workshop takes: solids, arcs, a workbook, a cutter's path.
 
-use gaitcam_output::folder::Folder;
 use gaitcam::cam::{Measures, Wall};
-use gaitcam_output::{self as output, Timing, cutter::Gouge};
 use gaitcam::error::Result;
 use gaitcam::synth::Synthesis;
+use gaitcam_output::folder::Folder;
+use gaitcam_output::{self as output, Timing, cutter::Gouge};
 
 /// Vertices of a solid's profile and of the polylines beside the arcs.
 const VERTICES: usize = 720;

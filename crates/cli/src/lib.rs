@@ -220,7 +220,8 @@ fn dispatch(cli: Cli) -> Result<u8, Error> {
         }
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Chart(args)) => {
-            gaitcam_evidence::measure::write(args.quick, &args.out, &mut |line| say(line)).map(|()| BUILT)
+            gaitcam_evidence::measure::write(args.quick, &args.out, &mut |line| say(line))
+                .map(|()| BUILT)
         }
         Some(Command::Laws { json }) => laws::run(json),
     }

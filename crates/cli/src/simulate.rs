@@ -5,19 +5,19 @@ use std::time::Instant;
 
 use clap::Args;
 
-use gaitcam_output::folder::Folder;
 use super::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::hertz::STEEL;
 use gaitcam::dynamics::impact::Restitution;
 use gaitcam::dynamics::train::Train;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
-use gaitcam_output::Timing;
-use gaitcam_output::report::{Running, html_of_run};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::synthesise;
 use gaitcam::units::{Dimension, parse};
+use gaitcam_output::Timing;
+use gaitcam_output::folder::Folder;
+use gaitcam_output::report::{Running, html_of_run};
 
 /// Rows of the emitted profile that is run.
 const POINTS: usize = 1440;

@@ -6,12 +6,12 @@ mod trade;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use gaitcam_output::folder::Folder;
 use super::{BUILT, NO_SUCH_CAM, SynthArgs, explain, hand_over, input, say};
-use gaitcam_output::{self as output, Timing};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::synth::{Synthesis, relaxed, synthesise};
 use gaitcam::units::{Dimension, parse};
+use gaitcam_output::folder::Folder;
+use gaitcam_output::{self as output, Timing};
 
 /// Designs the cam and writes its files; exit code 3 when there is no such cam.
 pub fn run(args: &SynthArgs) -> Result<u8> {
@@ -127,16 +127,25 @@ fn write_files(
         total_s: start.elapsed().as_secs_f64(),
     };
     if design.infeasible.is_some() {
-        return folder.write("report.html", output::report::html(design, time()).as_bytes());
+        return folder.write(
+            "report.html",
+            output::report::html(design, time()).as_bytes(),
+        );
     }
     folder.write("law.csv", output::csv::law(design, points).as_bytes())?;
-    folder.write("profile.csv", output::csv::profile(design, points).as_bytes())?;
+    folder.write(
+        "profile.csv",
+        output::csv::profile(design, points).as_bytes(),
+    )?;
     if let Some(pair) = &design.conjugate {
         let second = output::csv::points(&pair.second_profile(points));
         folder.write("second_profile.csv", second.as_bytes())?;
     }
     folder.write("profile.dxf", &output::dxf::profile(design, points))?;
-    folder.write("profile.svg", output::svg::profile(design, points).as_bytes())?;
+    folder.write(
+        "profile.svg",
+        output::svg::profile(design, points).as_bytes(),
+    )?;
     for (name, picture) in [
         ("svaj", output::plots::svaj(design)),
         ("force", output::plots::force(design)),
@@ -145,7 +154,10 @@ fn write_files(
         folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         folder.write(&format!("{name}.png"), &picture.png())?;
     }
-    folder.write("report.html", output::report::html(design, time()).as_bytes())
+    folder.write(
+        "report.html",
+        output::report::html(design, time()).as_bytes(),
+    )
 }
 
 /// The sequence of convex programs, step by step.

@@ -1,11 +1,11 @@
 //! The pictures of reports/dynamics.md.
 
 use crate::chart::{self, Across, Chart, Row};
-use gaitcam_output::overlay::{Strip, diagrams};
-use gaitcam_output::picture::Picture;
 use crate::experiment::peers::rapier;
 use crate::experiment::pictures::{Picture as Curves, pictures};
 use gaitcam::error::Result;
+use gaitcam_output::overlay::{Strip, diagrams};
+use gaitcam_output::picture::Picture;
 
 /// Every picture of the report with its file name. Fails as the report does.
 pub fn all() -> Result<Vec<(&'static str, Picture)>> {

@@ -53,7 +53,7 @@ pub struct Picture {
 
 impl Picture {
     /// Draws on a sheet of given size in points (pixels of the PNG).
-        pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
+    pub fn drawn(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Self {
         let mut shapes = Vec::new();
         let canvas = Recorder {
             shapes: &mut shapes,

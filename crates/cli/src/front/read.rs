@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
-use gaitcam_output::sweep_plots::Quantity;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Key, NUMBERS};
+use gaitcam_output::sweep_plots::Quantity;
 
 /// Where the columns of a table are.
 #[derive(Debug, Clone, Default)]

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use gaitcam_output::folder::write_whole;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Results, differences, journal as format};
+use gaitcam_output::folder::write_whole;
 
 /// An open and locked journal.
 pub struct Journal {

@@ -12,9 +12,9 @@ use std::time::Instant;
 use clap::Args;
 
 use super::{BUILT, NO_SUCH_CAM, say};
+use finish::Counts;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Kernel, Method};
-use finish::Counts;
 use journal::Journal;
 pub use journal::beside;
 

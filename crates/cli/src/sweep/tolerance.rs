@@ -6,14 +6,14 @@ use rayon::prelude::*;
 
 use super::SweepArgs;
 use super::journal::beside;
-use gaitcam_output::folder::write_whole;
 use crate::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
-use gaitcam_output::sweep_plots::{Quantity, histogram};
-use gaitcam_output::sweep_report::{Page, Table, html};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::synthesise;
 use gaitcam::units::{Dimension, parse};
+use gaitcam_output::folder::write_whole;
+use gaitcam_output::sweep_plots::{Quantity, histogram};
+use gaitcam_output::sweep_report::{Page, Table, html};
 
 /// Samples where nobody says how many.
 const SAMPLES: u64 = 10_000;

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
-use gaitcam_output::folder::Folder;
 use super::super::{BUILT, NO_SUCH_CAM, SynthArgs, input, say};
-use gaitcam_output::sweep_plots::{self, Quantity};
 use gaitcam::error::Result;
 use gaitcam::sweep::table::label;
 use gaitcam::synth::{Against, Trade, trade};
+use gaitcam_output::folder::Folder;
+use gaitcam_output::sweep_plots::{self, Quantity};
 
 /// Points of the front when nothing is said.
 const POINTS: u32 = 20;

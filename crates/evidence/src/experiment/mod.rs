@@ -8,14 +8,14 @@ pub mod peers;
 pub mod pictures;
 mod running;
 
+use gaitcam::cam::Cam;
+use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, ContactRun, Limits};
 use gaitcam::dynamics::impact::Restitution;
 use gaitcam::dynamics::profile_curve::recover;
 use gaitcam::dynamics::simulate::{Machine, Run};
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
-use gaitcam::cam::Cam;
-use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use std::f64::consts::TAU;
 use std::fmt::Write;

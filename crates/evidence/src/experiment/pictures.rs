@@ -1,9 +1,9 @@
 //! Curves for the pictures of reports/dynamics.md.
 
 use super::{cams, scene, worst_force_error};
+use gaitcam::cam::Cam;
 use gaitcam::dynamics::impact::Restitution;
 use gaitcam::dynamics::{Model, Outcome, simulate, thesis};
-use gaitcam::cam::Cam;
 use gaitcam::error::Result;
 
 /// One curve of a picture.

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::Watch;
+use crate::chart::{Across, Chart};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{Train, steady};
@@ -10,7 +11,6 @@ use gaitcam::dynamics::impact::Restitution;
 use gaitcam::dynamics::linear::Linear;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
-use crate::chart::{Across, Chart};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 

@@ -1,12 +1,12 @@
 //! Chart (f): points written against the error of what is cut from them.
 
 use super::Watch;
-use gaitcam::cam::{Cam, Follower};
-use gaitcam_output::biarc;
 use crate::chart::{Across, Chart};
-use gaitcam_output::dxf::FAITHFUL;
+use gaitcam::cam::{Cam, Follower};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Rise, Segment, program};
+use gaitcam_output::biarc;
+use gaitcam_output::dxf::FAITHFUL;
 
 /// Points between two neighbours at which the chord is held against the profile.
 const BETWEEN: usize = 16;

@@ -5,9 +5,9 @@ use std::hint::black_box;
 use nalgebra::{DMatrix, DVector};
 
 use super::{Watch, footbridge, force_error, reference, rms_error};
+use crate::chart::{Across, Chart, Row};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::drive::Drive;
-use crate::chart::{Across, Chart, Row};
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};

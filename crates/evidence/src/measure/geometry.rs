@@ -3,8 +3,8 @@
 use std::ops::{Add, Mul};
 
 use super::Watch;
-use gaitcam::cam::{Cam, eccentric_disc};
 use crate::chart::{Across, Chart};
+use gaitcam::cam::{Cam, eccentric_disc};
 use gaitcam::error::Result;
 
 const RADIUS: f64 = 0.03;

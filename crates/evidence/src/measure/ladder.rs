@@ -4,17 +4,17 @@ use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam_output::folder::Folder;
 use super::limits::violation;
 use super::{Watch, footbridge, force_error};
-use gaitcam::cam::smallest_prime_circle;
 use crate::chart::{self, Across, Chart, Row};
+use gaitcam::cam::smallest_prime_circle;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
 use gaitcam::synth::lab::{self, Bound, Task};
 use gaitcam::synth::synthesise;
+use gaitcam_output::folder::Folder;
 
 /// Parts of the free law's peaks to which acceleration and jerk are held.
 const HELD: [f64; 3] = [0.95, 0.6, 0.3];

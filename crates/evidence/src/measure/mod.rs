@@ -14,12 +14,12 @@ use std::time::{Duration, Instant};
 
 use std::path::Path;
 
-use gaitcam_output::folder::Folder;
-use gaitcam::drive::Drive;
 use crate::chart::{self, Row};
+use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::Law;
+use gaitcam_output::folder::Folder;
 
 /// Measures every chart and writes tables and pictures.
 ///

@@ -2,8 +2,8 @@
 
 use super::limits::violation;
 use super::{Watch, footbridge, force_error};
-use gaitcam::drive::Drive;
 use crate::chart::{Across, Chart, Row};
+use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::lab::{Answer, Between, Bound, Settings, Task};

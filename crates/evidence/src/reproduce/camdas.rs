@@ -2,10 +2,10 @@
 
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
 use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint, constant_breadth_cam};
-use gaitcam_output::overlay;
-use gaitcam_output::picture::Picture;
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam_output::overlay;
+use gaitcam_output::picture::Picture;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Segments of (motion, lift, degrees).

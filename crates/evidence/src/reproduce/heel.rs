@@ -3,14 +3,14 @@
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
-use gaitcam_output::overlay;
-use gaitcam_output::picture::Picture;
 use gaitcam::error::{Error, Result};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
 use gaitcam::poly::{PiecewisePoly, bernstein};
 use gaitcam::scene;
 use gaitcam::synth::{Synthesis, synthesise};
 use gaitcam::units::LBF;
+use gaitcam_output::overlay;
+use gaitcam_output::picture::Picture;
 use std::f64::consts::{PI, TAU};
 
 const INCH: f64 = 0.0254;

@@ -8,8 +8,6 @@ use std::fmt::Write;
 use super::strip;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::thesis;
-use gaitcam_output::overlay;
-use gaitcam_output::picture::Picture;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{self, Feet, ForceCurve};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
@@ -17,6 +15,8 @@ use gaitcam::poly::PiecewisePoly;
 use gaitcam::scene;
 use gaitcam::synth::synthesise;
 use gaitcam::units::G;
+use gaitcam_output::overlay;
+use gaitcam_output::picture::Picture;
 use std::f64::consts::TAU;
 
 /// Angles at which forces are compared.

@@ -15,9 +15,9 @@ pub use write::write;
 
 use std::fmt::Write;
 
+use gaitcam::error::Result;
 use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
-use gaitcam::error::Result;
 
 /// What a difference between a stated and a recomputed number is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

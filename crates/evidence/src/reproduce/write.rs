@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use crate::experiment;
 use super::{Class, reproduce};
-use gaitcam_output::folder::Folder;
+use crate::experiment;
 use crate::thesis_run;
 use gaitcam::error::Result;
+use gaitcam_output::folder::Folder;
 
 /// Writes reproduction.md, reproduction.csv and the pictures, and dynamics.md: the thesis's experiment.
 ///

@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
+use crate::geometry::{Pose, angles, face_reach, pose};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::two_cams::shifted;
-use crate::geometry::{Pose, angles, face_reach, pose};
 use gaitcam::synth::Synthesis;
 
 const MM: f64 = 1000.0;

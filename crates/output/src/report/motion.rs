@@ -3,11 +3,11 @@
 use serde::Serialize;
 
 use super::Running;
+use crate::geometry::{Pose, pose, turned};
+use crate::samples::lift_unit;
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::dynamics::outcome::Row;
 use gaitcam::dynamics::two_cams::shifted;
-use crate::geometry::{Pose, pose, turned};
-use crate::samples::lift_unit;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Synthesis;
 

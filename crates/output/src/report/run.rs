@@ -5,8 +5,6 @@ use std::fmt::Write;
 use plotters::style::Color;
 
 use super::{Running, animation};
-use gaitcam::cam::Measures;
-use gaitcam::dynamics::outcome::{Model, Outcome};
 use crate::geometry::target_at;
 use crate::panel::{Frame, Panel, padded, ticks};
 use crate::picture::Picture;
@@ -14,6 +12,8 @@ use crate::picture::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plots::{Layout, force_frame, key, strips};
 use crate::samples::{number, range};
 use crate::svg::escaped;
+use gaitcam::cam::Measures;
+use gaitcam::dynamics::outcome::{Model, Outcome};
 use gaitcam::synth::Synthesis;
 
 /// Landings listed; a bounce that dies out has dozens.

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use gaitcam::cam::{Check, Follower, Measures, Unit};
 use crate::Timing;
 use crate::samples::{degrees, number, range};
 use crate::svg::escaped;
+use gaitcam::cam::{Check, Follower, Measures, Unit};
 use gaitcam::synth::{Synthesis, Tier};
 
 /// Share of a limit that counts as standing on it.

@@ -11,7 +11,7 @@ use gaitcam::scene::{self, Scene, Source};
 use gaitcam::synth::{Synthesis, synthesise};
 
 fn here() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
 fn all() -> Vec<PathBuf> {

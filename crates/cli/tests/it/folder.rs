@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 
 fn run(arguments: &[&str]) -> i32 {
     Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .args(arguments)
         .stdout(Stdio::null())
         .stderr(Stdio::null())

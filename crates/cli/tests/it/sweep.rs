@@ -7,7 +7,9 @@ use std::time::Duration;
 
 fn gaitcam() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gaitcam"));
-    command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("sweep");
+    command
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .arg("sweep");
     command
 }
 
@@ -328,7 +330,8 @@ fn unusable_recordings_and_impossible_scenes_are_rows_with_their_reason() {
     let folder = tempfile::tempdir().unwrap();
     let recordings = folder.path().join("recordings");
     fs::create_dir(&recordings).unwrap();
-    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/gait_curves/setra_2Hz_700N.csv");
+    let good = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .join("data/gait_curves/setra_2Hz_700N.csv");
     fs::copy(good, recordings.join("b.csv")).unwrap();
     fs::write(recordings.join("a.txt"), "no numbers here\n").unwrap();
     fs::write(recordings.join("c.csv"), "").unwrap();
@@ -403,7 +406,7 @@ fn lists_and_several_scenes_give_their_rows_in_order() {
 
 fn gaitcam_front(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .arg("front")
         .args(arguments)
         .output()

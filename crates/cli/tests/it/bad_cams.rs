@@ -27,7 +27,8 @@ fn synth(text: &str, changes: &[&str]) -> (i32, String) {
 }
 
 fn scene(name: &str) -> String {
-    let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+    let path = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+        .join(format!("scenes/{name}.toml"));
     fs::read_to_string(path).unwrap()
 }
 

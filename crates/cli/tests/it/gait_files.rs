@@ -13,7 +13,7 @@ use gaitcam::units::G;
 
 /// Folder of the recordings, beside the project or one level higher; `None`, said plainly, where it is missing.
 fn folder() -> Option<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let here = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     let places = ["../shared/data/gait", "../../shared/data/gait"].map(|p| here.join(p));
     let found = places.iter().find(|p| p.is_dir()).cloned();
     if found.is_none() {

@@ -1,10 +1,10 @@
 //! `gaitcam synth --explain`: the richer choice never moves the force by more than the accuracy stated.
 
 use assert_cmd::Command;
-use gaitcam::explain::{choices, chord_error, force_change, force_of_points};
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::synthesise;
+use gaitcam_cli::choices::{choices, chord_error, force_change, force_of_points};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 

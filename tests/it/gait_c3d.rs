@@ -4,9 +4,7 @@ use std::path::Path;
 
 use gaitcam::force::{Foot, ReadOptions, Recording, read, stances};
 
-#[path = "support/c3d.rs"]
-mod c3d;
-use c3d::{Build, Processor, build, one_stance};
+use crate::support::c3d::{Build, Processor, build, one_stance};
 
 const RATE: f64 = 500.0;
 

@@ -23,7 +23,7 @@ impl Shown {
 fn run(command: &str, scene: &str, set: &[&str]) -> Shown {
     let folder = tempfile::tempdir().unwrap();
     let mut all = Command::new(env!("CARGO_BIN_EXE_gaitcam"));
-    all.current_dir(env!("CARGO_MANIFEST_DIR"));
+    all.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
     all.args([command, &format!("scenes/{scene}.toml"), "--out"]);
     all.arg(folder.path());
     for change in set {

@@ -133,7 +133,10 @@ fn a_measured_walk_is_synthesised_no_finer_than_its_spread() {
     let folder = folder("measured");
     let recording = folder.join("walk.csv");
     wobbling_walk(&recording, 0.04);
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/measured_walk.toml");
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/measured_walk.toml"
+    );
     let refused = gaitcam(&["synth", scene]);
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8_lossy(&refused.stderr).into_owned();

@@ -10,7 +10,7 @@ const INCH: f64 = 0.0254;
 const POUND: f64 = 4.448_221_615_260_5;
 
 fn here() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
 struct Run {

@@ -5,11 +5,10 @@ use std::path::Path;
 
 use dxf::entities::EntityType;
 use gaitcam::cam::Wall;
-use gaitcam::emit;
 use gaitcam::synth::{Synthesis, synthesise};
 
 fn designed(scene: &str) -> Synthesis {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .join("scenes")
         .join(scene);
     let text = std::fs::read_to_string(path).unwrap();
@@ -26,7 +25,7 @@ struct Drawn {
 }
 
 fn drawn(s: &Synthesis) -> Drawn {
-    let bytes = emit::dxf::profile(s, 720);
+    let bytes = gaitcam_output::dxf::profile(s, 720);
     let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
     let mut out = Drawn {
         curves: Vec::new(),
@@ -110,7 +109,7 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
     assert!((d.curve("PROFILE").0[0][1] + 5.5).abs() < 1e-9);
     assert!((d.curve("UPPER_WALL").0[0][1] - 5.5).abs() < 1e-9);
 
-    let svg = emit::svg::profile(&s, 720);
+    let svg = gaitcam_output::svg::profile(&s, 720);
     for id in ["profile", "upper-wall", "pitch-curve"] {
         let d = path(&svg, id);
         assert!(!d.ends_with('Z'), "{id} closes");
@@ -120,7 +119,7 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
     }
     assert!(!svg.contains("<circle"));
     // The table has the same wall as the drawing.
-    let table = emit::csv::profile(&s, 720);
+    let table = gaitcam_output::csv::profile(&s, 720);
     let first: Vec<f64> = table
         .lines()
         .nth(1)
@@ -138,7 +137,7 @@ fn a_sliding_cam_has_a_foot_and_no_circles() {
     assert_eq!(d.circles, []);
     let (v, closed) = d.curve("PROFILE");
     assert!(!closed && (v[v.len() - 1][0] - 160.0).abs() < 1e-9);
-    let svg = emit::svg::profile(&s, 720);
+    let svg = gaitcam_output::svg::profile(&s, 720);
     assert!(!svg.contains("<circle") && !path(&svg, "profile").ends_with('Z'));
     assert_eq!(
         path(&svg, "foot"),
@@ -168,7 +167,7 @@ fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
                 .fold(f64::INFINITY, f64::min);
             assert!(near < 0.012, "{scene}: {v:?} is {near} mm off");
         }
-        assert!(path(&emit::svg::profile(&s, 360), "second-profile").ends_with('Z'));
+        assert!(path(&gaitcam_output::svg::profile(&s, 360), "second-profile").ends_with('Z'));
     }
 }
 

@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 
 fn gaitcam(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(PathBuf::from(env!("CARGO_MANIFEST_DIR")))
+        .current_dir(PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")))
         .args(arguments)
         .output()
         .unwrap()

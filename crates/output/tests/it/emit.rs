@@ -1,20 +1,18 @@
 //! Every file that is handed over, opened by a reader that did not write it.
 
-mod designs;
-
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::io::{Cursor, Read};
 
+use crate::designs::{footbridge, heel_tester, impossible};
 use calamine::{Data, Reader, Xlsx};
-use designs::{footbridge, heel_tester, impossible};
 use gaitcam::cam::{Cam, Follower};
-use gaitcam::emit::dxf::{Options, Version};
-use gaitcam::emit::solid::{Mesh, Plate};
-use gaitcam::emit::{self, Timing, biarc, cutter, solid};
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
 use gaitcam::synth::Synthesis;
+use gaitcam_output::dxf::{Options, Version};
+use gaitcam_output::solid::{Mesh, Plate};
+use gaitcam_output::{self, Timing, biarc, cutter, solid};
 use serde_json::Value;
 
 const TIME: Timing = Timing {
@@ -35,7 +33,7 @@ fn table(text: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
 #[test]
 fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
     let s = footbridge();
-    let (head, rows) = table(&emit::csv::law(&s, 1440));
+    let (head, rows) = table(&gaitcam_output::csv::law(&s, 1440));
     let promised = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n";
     assert_eq!(head.join(","), promised);
     assert_eq!(rows.len(), 1440);
@@ -61,14 +59,14 @@ fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
     }
     let mut classical = s;
     classical.target = None;
-    let (_, rows) = table(&emit::csv::law(&classical, 12));
+    let (_, rows) = table(&gaitcam_output::csv::law(&classical, 12));
     assert!(rows.iter().all(|r| r.len() == 7 && r[6].is_none()));
 }
 
 #[test]
 fn profile_csv_holds_the_contact_at_each_angle() {
     for s in [footbridge(), heel_tester()] {
-        let (head, rows) = table(&emit::csv::profile(&s, 1440));
+        let (head, rows) = table(&gaitcam_output::csv::profile(&s, 1440));
         let promised = "theta_rad,x_m,y_m,pitch_x_m,pitch_y_m,rho_m,pressure_angle_rad";
         assert_eq!(head.join(","), promised);
         for (row, p) in rows.iter().zip(s.cam.profile(1440)) {
@@ -145,24 +143,24 @@ fn summary_json_has_every_key_of_the_contract() {
         (heel_tester(), None),
         (impossible(), Some(".infeasible")),
     ] {
-        let text = emit::json::summary(&s, TIME).to_string();
+        let text = gaitcam_output::json::summary(&s, TIME).to_string();
         let read: Value = serde_json::from_str(&text).unwrap();
         let mut found = extra_keys(&contract, &read, "");
         found.retain(|key| !always.contains(&key.as_str()));
         assert_eq!(found, Vec::from_iter(more));
     }
-    let read = emit::json::summary(&footbridge(), TIME);
+    let read = gaitcam_output::json::summary(&footbridge(), TIME);
     assert_eq!(read["outcome"], "built");
     assert_eq!(read["solver"]["solve_s"], 0.001);
     assert_eq!(read["cam"]["follower"], "flat-translating");
     let stroke = read["law"]["stroke_m"].as_f64().unwrap();
     assert!((stroke - footbridge().cam.law.stroke()).abs() < 1e-15);
-    assert!(emit::json::summary(&heel_tester(), TIME)["cam"]["face_width_m"].is_null());
+    assert!(gaitcam_output::json::summary(&heel_tester(), TIME)["cam"]["face_width_m"].is_null());
 }
 
 #[test]
 fn an_infeasible_summary_names_the_conflict_and_writes_no_nan() {
-    let read = emit::json::summary(&impossible(), TIME);
+    let read = gaitcam_output::json::summary(&impossible(), TIME);
     assert_eq!(read["outcome"], "infeasible");
     assert_eq!(read["infeasible"]["conflict"][0], "stroke");
     assert_eq!(read["infeasible"]["relaxations"][0]["to"], 0.0483);
@@ -204,7 +202,7 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
             version,
             bore: Some(0.02),
         };
-        let bytes = emit::dxf::drawing(&s, options);
+        let bytes = gaitcam_output::dxf::drawing(&s, options);
         let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
         let (vertices, closed) = outline(&drawing, "PROFILE");
         assert!(closed && vertices.len() == 1440);
@@ -231,7 +229,7 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
 
 #[test]
 fn r12_drawings_hold_nothing_that_r12_does_not_know() {
-    let bytes = emit::dxf::profile(&heel_tester(), 360);
+    let bytes = gaitcam_output::dxf::profile(&heel_tester(), 360);
     let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
     let arcs = outline(&drawing, "PROFILE").0.len();
     let text = String::from_utf8(bytes).unwrap();
@@ -279,7 +277,7 @@ fn walk(vertices: &[[f64; 3]], per_arc: usize) -> Vec<[f64; 2]> {
 #[test]
 fn the_plain_drawing_is_within_a_tenth_of_a_micrometre_with_fewer_vertices_than_chords_need() {
     for s in [footbridge(), heel_tester()] {
-        let bytes = emit::dxf::profile(&s, 1440);
+        let bytes = gaitcam_output::dxf::profile(&s, 1440);
         let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
         let (vertices, closed) = outline(&drawing, "PROFILE");
         assert!(closed && vertices.len() < 720, "{}", vertices.len());
@@ -312,7 +310,7 @@ fn arcs_stay_within_the_tolerance_asked_and_join_smoothly() {
                 version: Version::R2000,
                 bore: None,
             };
-            let arcs = emit::dxf::arcs(&s, tolerance, options).unwrap();
+            let arcs = gaitcam_output::dxf::arcs(&s, tolerance, options).unwrap();
             assert!(arcs.deviation <= tolerance);
             assert!(arcs.arcs <= before, "looser tolerance, fewer arcs");
             before = arcs.arcs;
@@ -412,7 +410,7 @@ fn attribute(text: &str, name: &str) -> String {
 #[test]
 fn profile_svg_is_as_large_as_the_cam() {
     for s in [footbridge(), heel_tester(), impossible()] {
-        let svg = emit::svg::profile(&s, 1440);
+        let svg = gaitcam_output::svg::profile(&s, 1440);
         let all = elements(&svg);
         assert_eq!(all[0], "svg");
         let width: f64 = attribute(&svg, "width")
@@ -442,9 +440,9 @@ fn profile_svg_is_as_large_as_the_cam() {
 fn pictures_are_whole_and_nothing_is_cut_off() {
     for s in [footbridge(), heel_tester()] {
         for picture in [
-            emit::plots::svaj(&s),
-            emit::plots::force(&s),
-            emit::plots::cam(&s),
+            gaitcam_output::plots::svaj(&s),
+            gaitcam_output::plots::force(&s),
+            gaitcam_output::plots::cam(&s),
         ] {
             assert_eq!(elements(&picture.svg())[0], "svg");
             let bytes = picture.png();
@@ -475,7 +473,7 @@ fn pictures_are_whole_and_nothing_is_cut_off() {
 #[test]
 fn report_is_one_file_that_asks_nothing_of_the_network() {
     for s in [footbridge(), heel_tester()] {
-        let html = emit::report::html(&s, TIME);
+        let html = gaitcam_output::report::html(&s, TIME);
         let stroke_mm = 1000.0 * s.cam.law.stroke();
         let all = elements(&html);
         // The cam at work, force, law, cam, curvature.
@@ -502,7 +500,7 @@ fn report_is_one_file_that_asks_nothing_of_the_network() {
 
 #[test]
 fn the_report_of_an_impossible_cam_says_why_and_shows_none() {
-    let html = emit::report::html(&impossible(), TIME);
+    let html = gaitcam_output::report::html(&impossible(), TIME);
     let all = elements(&html);
     assert!(!all.contains(&"svg".to_string()) && !all.contains(&"script".to_string()));
     assert!(html.contains("footbridge &lt;stroke &amp; limit&gt;"));
@@ -684,7 +682,7 @@ fn a_plate_that_cannot_be_is_refused_with_the_reason() {
 #[test]
 fn the_workbook_has_the_columns_of_cam_das() {
     for (s, flat) in [(footbridge(), true), (heel_tester(), false)] {
-        let bytes = emit::xlsx::workbook(&s, TIME).unwrap();
+        let bytes = gaitcam_output::xlsx::workbook(&s, TIME).unwrap();
         let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).unwrap();
         assert_eq!(book.sheet_names(), ["cam", "summary"]);
         let sheet = book.worksheet_range("cam").unwrap();
@@ -778,10 +776,10 @@ fn the_same_design_gives_the_same_bytes() {
     };
     let files = || {
         [
-            emit::dxf::profile(&s, 360),
-            emit::plots::cam(&s).png(),
-            emit::report::html(&s, TIME).into_bytes(),
-            emit::xlsx::workbook(&s, TIME).unwrap(),
+            gaitcam_output::dxf::profile(&s, 360),
+            gaitcam_output::plots::cam(&s).png(),
+            gaitcam_output::report::html(&s, TIME).into_bytes(),
+            gaitcam_output::xlsx::workbook(&s, TIME).unwrap(),
             solid::threemf(&s, form).unwrap(),
         ]
     };
@@ -809,26 +807,26 @@ fn odd_ones() -> Vec<Synthesis> {
 #[test]
 fn odd_designs_are_handed_over_without_fault() {
     for s in odd_ones() {
-        assert_eq!(table(&emit::csv::law(&s, 100)).1.len(), 100);
-        assert_eq!(table(&emit::csv::profile(&s, 100)).1.len(), 100);
-        let drawing = emit::dxf::profile(&s, 100);
+        assert_eq!(table(&gaitcam_output::csv::law(&s, 100)).1.len(), 100);
+        assert_eq!(table(&gaitcam_output::csv::profile(&s, 100)).1.len(), 100);
+        let drawing = gaitcam_output::dxf::profile(&s, 100);
         let drawing = dxf::Drawing::load(&mut drawing.as_slice()).unwrap();
         assert_eq!(outline(&drawing, "PROFILE").1, s.cam.law.is_closed());
-        elements(&emit::svg::profile(&s, 100));
+        elements(&gaitcam_output::svg::profile(&s, 100));
         for picture in [
-            emit::plots::svaj(&s),
-            emit::plots::force(&s),
-            emit::plots::cam(&s),
+            gaitcam_output::plots::svaj(&s),
+            gaitcam_output::plots::force(&s),
+            gaitcam_output::plots::cam(&s),
         ] {
             let svg = picture.svg();
             elements(&svg);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
             assert!(picture.png().len() > 1000);
         }
-        let html = emit::report::html(&s, TIME);
+        let html = gaitcam_output::report::html(&s, TIME);
         elements(&html);
         assert!(!html.contains("NaN"));
-        assert!(emit::xlsx::workbook(&s, TIME).is_ok());
+        assert!(gaitcam_output::xlsx::workbook(&s, TIME).is_ok());
         let form = Plate {
             thickness: 0.01,
             bore: Some(0.01),
@@ -844,7 +842,7 @@ fn odd_designs_are_handed_over_without_fault() {
 #[test]
 fn the_report_of_a_run_moves_the_follower_as_it_ran() {
     use gaitcam::dynamics::{Machine, Model, Run, impact::Restitution, simulate};
-    use gaitcam::emit::report::{Running, html_of_run};
+    use gaitcam_output::report::{Running, html_of_run};
     // Far above lift-off: the follower flies for a part of every turn.
     let mut s = footbridge();
     s.drive.speed *= 2.2;

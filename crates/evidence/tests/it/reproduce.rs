@@ -1,6 +1,6 @@
 //! The reproduction says of the papers' numbers what independent calculation says (theory §2–§5, §7).
 
-use gaitcam::emit::reproduce::{Class, reproduce};
+use gaitcam_evidence::reproduce::{Class, reproduce};
 
 #[test]
 fn stated_and_recomputed_numbers_are_those_of_the_theory_page() {

@@ -1,0 +1,13 @@
+//! The command as users call it: files, messages, exit codes.
+
+mod all_scenes;
+mod bad_cams;
+mod bad_input;
+mod explain;
+mod folder;
+mod gait_command;
+mod gait_doubts;
+mod gait_files;
+mod main_job;
+mod sweep;
+mod words;

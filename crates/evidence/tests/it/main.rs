@@ -1,0 +1,4 @@
+//! The papers' numbers, and the methods that fail.
+
+mod reproduce;
+mod stability;
