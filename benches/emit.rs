@@ -17,19 +17,19 @@ fn all_default_files(bencher: Bencher) {
     bencher.bench(|| {
         let s = black_box(&s);
         let pictures = [
-            output::plots::svaj(s),
-            output::plots::force(s),
-            output::plots::cam(s),
+            gaitcam_output::plots::svaj(s),
+            gaitcam_output::plots::force(s),
+            gaitcam_output::plots::cam(s),
         ];
         (
-            output::csv::law(s, 1440),
-            output::csv::profile(s, 1440),
-            output::json::summary(s, Timing::default()).to_string(),
-            output::dxf::profile(s, 1440),
-            output::svg::profile(s, 1440),
-            pictures.each_ref().map(output::plots::Picture::svg),
-            pictures.each_ref().map(output::plots::Picture::png),
-            output::report::html(s, Timing::default()),
+            gaitcam_output::csv::law(s, 1440),
+            gaitcam_output::csv::profile(s, 1440),
+            gaitcam_output::json::summary(s, Timing::default()).to_string(),
+            gaitcam_output::dxf::profile(s, 1440),
+            gaitcam_output::svg::profile(s, 1440),
+            pictures.each_ref().map(gaitcam_output::plots::Picture::svg),
+            pictures.each_ref().map(gaitcam_output::plots::Picture::png),
+            gaitcam_output::report::html(s, Timing::default()),
         )
     });
 }
@@ -37,17 +37,17 @@ fn all_default_files(bencher: Bencher) {
 #[divan::bench]
 fn report(bencher: Bencher) {
     let s = designs::heel_tester();
-    bencher.bench(|| output::report::html(black_box(&s), Timing::default()));
+    bencher.bench(|| gaitcam_output::report::html(black_box(&s), Timing::default()));
 }
 
 #[divan::bench]
 fn one_png(bencher: Bencher) {
     let s = designs::footbridge();
-    bencher.bench(|| output::plots::force(black_box(&s)).png());
+    bencher.bench(|| gaitcam_output::plots::force(black_box(&s)).png());
 }
 
 #[divan::bench(args = [1e-4, 1e-5, 1e-6])]
 fn arcs(bencher: Bencher, tolerance: f64) {
     let s = designs::heel_tester();
-    bencher.bench(|| output::biarc::fit(black_box(&s.cam), tolerance));
+    bencher.bench(|| gaitcam_output::biarc::fit(black_box(&s.cam), tolerance));
 }

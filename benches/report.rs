@@ -221,10 +221,13 @@ fn main_job(report: &mut Report) {
     );
     let out = std::env::temp_dir().join(format!("gaitcam-bench-{}", std::process::id()));
     let seconds = times(|| {
-        let run = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-            .args(["synth", "--json", "--out"])
-            .arg(&out)
-            .output();
+        let run = Command::new(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../target/release/gaitcam"
+        ))
+        .args(["synth", "--json", "--out"])
+        .arg(&out)
+        .output();
         assert!(run.expect("gaitcam runs").status.success());
     });
     let _ = std::fs::remove_dir_all(&out);
