@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use gaitcam::force::{Feet, ReadOptions, catalogue, force_curve, model};
 use gaitcam::units::LBF;
 
-#[path = "../../examples/gait_curves.rs"]
+#[path = "../../../examples/gait_curves.rs"]
 #[allow(dead_code)]
 mod gait_curves;
 

@@ -6,7 +6,7 @@ use gaitcam::synth::{Synthesis, synthesise};
 
 fn solved(changes: &[&str]) -> Synthesis {
     let mut table: toml::Table =
-        toml::from_str(include_str!("../../scenes/footbridge.toml")).unwrap();
+        toml::from_str(include_str!("../../../scenes/footbridge.toml")).unwrap();
     for change in changes {
         scene::set(&mut table, change).unwrap();
     }

@@ -1,4 +1,4 @@
-//! Exports of laboratories' programs beyond those of `gait_layouts`, made here after their description: each is
+//! Exports of laboratories' programs beyond those of `layouts`, made here after their description: each is
 //! read, or refused with a plain sentence.
 
 use std::fmt::Write as _;

@@ -1,0 +1,8 @@
+//! Profiles, curvature, pressure angles, sizes, and cams that cannot be made.
+
+mod geometry;
+mod pair;
+mod papers;
+mod put_back;
+mod random;
+mod refused;

@@ -1,0 +1,3 @@
+//! The emitted cam on its machine.
+
+mod polydyne;

@@ -1,0 +1,4 @@
+//! Laws of motion and programmes of segments.
+
+mod programmes;
+mod tables;
