@@ -1,5 +1,6 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
+use super::qp::Certificate;
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::polydyne::Miss;
@@ -167,20 +168,6 @@ impl Easing {
         };
         (name, unit.name, unit.factor)
     }
-}
-
-/// How near to the optimum a law is proved to be.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Certificate {
-    /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a
-    /// force error's half mean square).
-    pub duality_gap: f64,
-    /// The same as a part of the objective's size.
-    pub relative_gap: f64,
-    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
-    pub stationarity: f64,
-    /// Largest violation of any limit on the continuum, as a part of its scale.
-    pub violation: f64,
 }
 
 /// One convex program of a sequence, as it was taken.

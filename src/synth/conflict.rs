@@ -2,8 +2,8 @@
 
 use super::answer::{Infeasible, Relaxation};
 use super::design::outside_bore;
-use super::objective::Quadratic;
-use super::problem::{Failure, Limit, PEAK, Program};
+use super::qp::Quadratic;
+use super::qp::{Failure, Limit, PEAK, Program};
 use crate::cam::Measures;
 use crate::scene::Scene;
 
@@ -171,7 +171,7 @@ fn relax(program: &Program, name: &str) -> Option<Relaxation> {
     elastic.gradient = nothing.gradient;
     elastic.lifted = nothing.lifted;
     elastic.limits.retain(|l| !l.is_peak());
-    elastic.cost = [0.0; super::problem::EXTRAS];
+    elastic.cost = [0.0; super::qp::EXTRAS];
     elastic.cost[PEAK] = 1.0;
     let is_number = |l: &Limit| l.name == name && l.meaning.value(l.bound).is_some();
     let first = *elastic.limits.iter().find(|l| is_number(l))?;

@@ -5,7 +5,7 @@ use super::answer::{Infeasible, Relaxation};
 use super::conflict::told;
 use super::loads::Loads;
 use super::nonconvex::Beyond;
-use super::problem::{Meaning, Program};
+use super::qp::{Meaning, Program};
 use super::sequence;
 use crate::cam::Measures;
 

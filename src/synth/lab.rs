@@ -9,11 +9,11 @@ mod conic;
 
 pub use conic::{Conic, Prepared};
 
-use super::basis::Basis;
 use super::demand::Demand;
-use super::objective::Quadratic;
-use super::problem::{Failure, Limit, Meaning, Program};
-use super::{equality, harmonic};
+use super::qp::Basis;
+use super::qp::Quadratic;
+use super::qp::{Failure, Limit, Meaning, Program};
+use super::{harmonic, qp};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
@@ -150,7 +150,7 @@ impl Task<'_> {
     /// The best law without the limits: one factorisation.
     pub fn free(&self) -> Result<Answer> {
         let program = self.program();
-        let x = equality::solve(&program).map_err(|f| refused(&f))?.x;
+        let x = qp::solve_equalities(&program).map_err(|f| refused(&f))?.x;
         Ok(Answer {
             law: program.basis.law(&x),
             iterations: 0,

@@ -3,7 +3,7 @@
 use super::demand::Demand;
 use super::loads::{Loads, Pressure};
 use super::nonconvex::{Beyond, Follower, Size};
-use super::problem::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
+use super::qp::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
 use super::sequence::ENLARGED;
 use crate::cam::FollowerKind;
 use crate::dynamics::hertz::{STEEL, modulus};

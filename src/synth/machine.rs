@@ -6,10 +6,10 @@
 //! cam whatever shaped it.
 
 use super::answer::{Infeasible, Step};
-use super::basis::{Basis, Entries};
 use super::demand::Demand;
 use super::nonconvex::{self, Beyond};
-use super::problem::{Equality, Limit, Meaning, Program, Solution};
+use super::qp::{Basis, Entries};
+use super::qp::{Equality, Limit, Meaning, Program, Solution};
 use super::{fight, limits, sequence};
 use crate::cam::{Cam, Check, Follower, FollowerKind};
 use crate::drive::Drive;

@@ -55,38 +55,25 @@
 //! them the program with its bound minimised gives the least relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
-mod active_set;
 mod answer;
-mod band;
-mod basis;
-mod certificate;
-mod cones;
 mod conflict;
-mod contacts;
 mod demand;
 mod design;
 mod double_harmonic;
-mod equality;
-mod exchange;
+mod easing;
 mod family;
 mod fight;
 mod harmonic;
 mod knob;
 pub mod lab;
-mod lifted;
 mod limits;
 mod loads;
 mod machine;
 mod nonconvex;
-mod objective;
-mod oracle;
 mod phase;
-mod polish;
 mod polydyne;
 mod polynomial;
-mod problem;
-#[cfg(test)]
-mod problem_tests;
+pub mod qp;
 mod relax;
 mod sequence;
 mod spline;
@@ -94,10 +81,10 @@ mod trade;
 mod verify;
 
 pub use answer::{
-    Binding, Certificate, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step,
-    Synthesis, Tier,
+    Binding, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Synthesis, Tier,
 };
 pub use conflict::in_units;
+pub use qp::Certificate;
 pub use relax::relaxed;
 pub use trade::{Against, Trade, trade};
 
@@ -275,13 +262,9 @@ fn beyond_convex(
 }
 
 /// Active rows as a user reads them: rows of one limit within half a piece are one contact.
-fn gathered(
-    program: &problem::Program,
-    solution: &problem::Solution,
-    pieces: usize,
-) -> Vec<Binding> {
+fn gathered(program: &qp::Program, solution: &qp::Solution, pieces: usize) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
-    let mut rows: Vec<&problem::Row> = solution.active.iter().collect();
+    let mut rows: Vec<&qp::Row> = solution.active.iter().collect();
     rows.sort_by(|a, b| {
         (a.limit, a.name, a.peak.at)
             .partial_cmp(&(b.limit, b.name, b.peak.at))
@@ -403,10 +386,10 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
                 "{count} harmonics, {} rounds of exchange; limits hold to {:.1e}",
                 solution.rounds, solution.violation
             );
-            let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
+            let certified = solution.violation <= qp::TOLERANCE * 1.000_001;
             found.solver = report(Tier::Qp, &status, solution.iterations, certified);
-            found.solver.certificate = Some(certificate::certificate(&program, &solution));
-            found.easing = certificate::easings(&program, &solution, Minimise::ForceError);
+            found.solver.certificate = Some(qp::certificate(&program, &solution));
+            found.easing = easing::easings(&program, &solution, Minimise::ForceError);
             found.coefficients = solution.x;
         }
         Err(_) if !demand.explain => return Err(Error::key("law", "no law keeps the limits")),
@@ -418,7 +401,7 @@ fn from_harmonics(scene: &Scene, demand: &Demand) -> Result<Found> {
 }
 
 /// Whether the spectral law breaks a limit, its lowest point standing on the base circle.
-fn breaks_a_limit(program: &problem::Program, found: &Found) -> bool {
+fn breaks_a_limit(program: &qp::Program, found: &Found) -> bool {
     let mut x = found.coefficients.clone();
     if program.constant_is_free() {
         x[0] -= found.law.extremes(0).0.value;
@@ -482,7 +465,7 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     };
     let solution = &fitted.solution;
     let binding = gathered(&fitted.program, &fitted.solution, fitted.spans);
-    let certified = solution.violation <= problem::TOLERANCE * 1.000_001;
+    let certified = solution.violation <= qp::TOLERANCE * 1.000_001;
     let holds = format!("limits hold to {:.1e}", solution.violation);
     let mut solver = match sequence {
         Some((steps, ended)) => {
@@ -518,8 +501,8 @@ fn from_spline(scene: &Scene, demand: &Demand) -> Result<Found> {
     };
     let minimised = spline::objective(scene);
     let easing = if infeasible.is_none() {
-        solver.certificate = Some(certificate::certificate(&fitted.program, solution));
-        let mut easing = certificate::easings(&fitted.program, solution, minimised);
+        solver.certificate = Some(qp::certificate(&fitted.program, solution));
+        let mut easing = easing::easings(&fitted.program, solution, minimised);
         if scene.gait.as_ref().is_some_and(|g| !g.weights.is_empty()) {
             for e in easing.iter_mut().filter(|e| e.objective == "rms_error_n") {
                 e.objective = "weighted_rms_error_n".to_string();

@@ -11,9 +11,9 @@
 //! roller always fits.
 
 use super::answer::Step;
-use super::basis::apply;
 use super::nonconvex::{Beyond, Follower, Size, clearance, relative};
-use super::problem::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
+use super::qp::apply;
+use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Steps before the sequence is called finished as it is.

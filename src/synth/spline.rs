@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 
 use super::answer::{Infeasible, Step};
-use super::basis::{Basis, Entries};
 use super::demand::Demand;
 use super::limits;
-use super::objective::Quadratic;
-use super::problem::{Equality, Failure, Limit, PEAK, Program, Solution};
+use super::qp::Quadratic;
+use super::qp::{Basis, Entries};
+use super::qp::{Equality, Failure, Limit, PEAK, Program, Solution};
 use crate::error::{Error, Result};
 use crate::force::{ForceCurve, spread_rms_n};
 use crate::law::Law;
@@ -85,7 +85,7 @@ pub fn fit(scene: &Scene, demand: &Demand) -> Result<Outcome> {
     let mut spans = 3;
     while spans < MOST_AUTO_SPANS {
         let program = program(scene, demand, spans, Vec::new())?;
-        match super::equality::solve(&program.0) {
+        match super::qp::solve_equalities(&program.0) {
             Ok(u) if rms(&program.1, &u.x) <= wanted => break,
             _ => spans += 1 + spans / 40,
         }
@@ -223,7 +223,7 @@ fn solve(scene: &Scene, demand: &Demand, spans: usize) -> Result<Outcome> {
     if !level && (limits::size_is_given(scene) || sought) {
         // The base circle is where the law is lowest, and a given size counts from there. Which angle
         // that is comes from the law without limits.
-        if let Ok(unlimited) = super::equality::solve(&program) {
+        if let Ok(unlimited) = super::qp::solve_equalities(&program) {
             let lowest = program.basis.law(&unlimited.x).extremes(0).0.at;
             rows = limits::linear(scene, demand, true);
             rows.extend(super::machine::rows(scene, demand));

@@ -3,7 +3,7 @@
 use super::answer::ForceReport;
 use super::conflict::in_units;
 use super::demand::Demand;
-use super::problem::TOLERANCE;
+use super::qp::TOLERANCE;
 use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
 use crate::drive::DriveKind;
 use crate::law::Law;

@@ -7,8 +7,8 @@ use clarabel::solver::{
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
 use crate::error::{Error, Result};
-use crate::synth::basis::{Basis, Entries};
-use crate::synth::problem::Failure;
+use crate::synth::qp::Failure;
+use crate::synth::qp::{Basis, Entries};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {

@@ -2,7 +2,7 @@
 
 use super::basis::Basis;
 use super::objective::{Quadratic, pointwise};
-use super::problem::{Equality, Failure, Limit, Meaning, PEAK, Program};
+use super::program::{Equality, Failure, Limit, Meaning, PEAK, Program};
 use crate::poly::SplineSpace;
 use std::f64::consts::PI;
 

@@ -282,8 +282,8 @@ impl Lifted {
 mod tests {
     use super::*;
     use crate::poly::gauss_legendre;
-    use crate::synth::basis::apply;
-    use crate::synth::objective::{Quadratic, pointwise};
+    use crate::synth::qp::basis::apply;
+    use crate::synth::qp::objective::{Quadratic, pointwise};
     use std::f64::consts::TAU;
 
     fn space(spans: usize) -> SplineSpace {

@@ -1,8 +1,8 @@
 //! The convex program over the coefficients of a law, and its solution by exchange of rows.
 //!
 //! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
-//! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `oracle` finds its exact worst points,
-//! `exchange` brings rows in, `active_set` and `contacts` solve over the coefficients alone, `cones` with sizes and
+//! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `separation` finds its exact worst points,
+//! `exchange` brings rows in, `active_set` and `local_reduction` solve over the coefficients alone, `clarabel` with sizes and
 //! peaks beside them.
 
 use super::band::ArrowMatrix;

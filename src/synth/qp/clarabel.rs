@@ -9,7 +9,7 @@ use clarabel::solver::{
 
 use super::basis::Entries;
 use super::lifted::Lifted;
-use super::problem::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row};
+use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row};
 
 /// What the interior-point method returns, in the program's own units.
 pub struct Point {

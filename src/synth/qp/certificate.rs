@@ -10,13 +10,38 @@
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). The rows are limits at exact places of the law, so
 //! the bound holds for the whole turn and not for samples of it.
 
-use super::answer::{Certificate, Easing};
 use super::basis::apply;
-use super::problem::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
-use crate::scene::Minimise;
+use super::program::{EXTRAS, Meaning, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution};
+
+/// How near to the optimum a law is proved to be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate {
+    /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a
+    /// force error's half mean square).
+    pub duality_gap: f64,
+    /// The same as a part of the objective's size.
+    pub relative_gap: f64,
+    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
+    pub stationarity: f64,
+    /// Largest violation of any limit on the continuum, as a part of its scale.
+    pub violation: f64,
+}
+
+/// What relaxing one limit by 1 % would do to the objective, to first order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sensitivity {
+    /// Name of the limit, or key of the scene where that is another.
+    pub limit: &'static str,
+    /// Its value, SI.
+    pub from: f64,
+    /// The value relaxed, SI.
+    pub to: f64,
+    /// Fall of the objective.
+    pub gain: f64,
+}
 
 /// Part of a limit by which it is eased to say what it costs.
-const EASED: f64 = 0.01;
+const RELAXED: f64 = 0.01;
 /// A demand whose part outside the span of those before it is below this share of its square length says
 /// nothing new.
 const DEPENDENT: f64 = 1e-20;
@@ -147,45 +172,24 @@ fn take_away(from: &mut [f64], unit: &[f64]) {
     }
 }
 
-/// What easing each binding limit by 1 % would do to the objective, to first order in the easing; the
-/// limits that are numbers of the scene, the dearest first.
-pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
-    let mut eased: Vec<Eased> = Vec::new();
+/// What relaxing each active limit by 1 % would do to the objective, to first order; the limits that are
+/// numbers of the scene, largest gain first.
+pub fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
+    let mut out: Vec<Sensitivity> = Vec::new();
     for row in &solution.active {
-        for one in eased_by(program, solution, row) {
-            match eased.iter_mut().find(|e| e.limit == one.limit) {
+        for one in of_row(program, solution, row) {
+            match out.iter_mut().find(|e| e.limit == one.limit) {
                 Some(known) => known.gain += one.gain,
-                None => eased.push(one),
+                None => out.push(one),
             }
         }
     }
-    eased.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    eased
-        .into_iter()
-        .map(|e| {
-            let (objective, before, after) = spoken(program, solution, minimised, e.gain);
-            Easing {
-                limit: e.limit.to_string(),
-                from: e.from,
-                to: e.to,
-                objective,
-                before,
-                after,
-            }
-        })
-        .collect()
+    out.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    out
 }
 
-struct Eased {
-    limit: &'static str,
-    from: f64,
-    to: f64,
-    /// Fall of the objective.
-    gain: f64,
-}
-
-/// The numbers of the scene that could ease one row.
-fn eased_by(program: &Program, solution: &Solution, row: &Row) -> Vec<Eased> {
+/// The numbers of the scene that could relax one row.
+fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
         return Vec::new();
     };
@@ -193,9 +197,9 @@ fn eased_by(program: &Program, solution: &Solution, row: &Row) -> Vec<Eased> {
     if let Some(from) = limit.meaning.value(limit.bound) {
         let slope = limit.meaning.slope(limit.bound);
         let typical = limit.scale * slope;
-        let by = EASED * if from == 0.0 { typical } else { from.abs() };
+        let by = RELAXED * if from == 0.0 { typical } else { from.abs() };
         let downwards = matches!(limit.meaning, Meaning::Value { factor, .. } if factor < 0.0);
-        out.push(Eased {
+        out.push(Sensitivity {
             limit: limit.meaning.key(limit.name),
             from,
             to: if downwards { from - by } else { from + by },
@@ -212,58 +216,12 @@ fn eased_by(program: &Program, solution: &Solution, row: &Row) -> Vec<Eased> {
         let tan = -limit.weights[0];
         let from = tan.atan();
         let height = rise + program.basis.law(&solution.x).svaj(row.peak.at).s;
-        out.push(Eased {
+        out.push(Sensitivity {
             limit: limit.name,
             from,
-            to: (1.0 + EASED) * from,
-            gain: row.multiplier * height * (1.0 + tan * tan) * EASED * from,
+            to: (1.0 + RELAXED) * from,
+            gain: row.multiplier * height * (1.0 + tan * tan) * RELAXED * from,
         });
     }
     out
-}
-
-/// A gain of the objective in the words and numbers of a user: name, before, after.
-fn spoken(
-    program: &Program,
-    solution: &Solution,
-    minimised: Minimise,
-    gain: f64,
-) -> (String, f64, f64) {
-    let root = |name: &str, before: f64| {
-        let after = (before * before - 2.0 * gain).max(0.0).sqrt();
-        (name.to_string(), before, after)
-    };
-    let mean_square = 2.0 * (program.objective(&solution.x) + program.constant);
-    match minimised {
-        Minimise::ForceError => root("rms_error_n", mean_square.max(0.0).sqrt()),
-        Minimise::Energy(order) => root(
-            &format!("rms_derivative_{order}"),
-            mean_square.max(0.0).sqrt(),
-        ),
-        Minimise::Peak(order) => {
-            let peak = solution.extra[PEAK];
-            (format!("peak_derivative_{order}"), peak, peak - gain)
-        }
-        Minimise::PeakForceError => {
-            let peak = solution.extra[PEAK];
-            ("max_error_n".to_string(), peak, peak - gain)
-        }
-        Minimise::Weighed(_) => {
-            let sizes: f64 = (1..EXTRAS)
-                .map(|k| program.cost[k] * solution.extra[k])
-                .sum();
-            let before = 0.5 * mean_square + sizes;
-            ("weighed".to_string(), before, before - gain)
-        }
-        Minimise::Size => {
-            let radius = if program.cone {
-                solution.extra[RADIUS]
-            } else if program.cost[RISE] != 0.0 {
-                solution.extra[RISE].hypot(solution.extra[OFFSET])
-            } else {
-                solution.extra[RADIUS]
-            };
-            ("radius_m".to_string(), radius, radius - gain)
-        }
-    }
 }

@@ -1,7 +1,7 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
-use super::cones::{Point, row_unit};
-use super::problem::{EXTRAS, PEAK, Program, Row};
+use super::clarabel::{Point, row_unit};
+use super::program::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 
 /// Larger systems are left as the solver gave them.

@@ -2,8 +2,8 @@
 //! solve again, until no limit is broken on the whole turn.
 
 use super::basis::apply;
-use super::problem::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution};
-use super::{active_set, cones, equality};
+use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution};
+use super::{active_set, equality};
 use crate::poly::Peak;
 
 /// A point that breaks limits by more than this part of their scale is not polished.
@@ -144,7 +144,7 @@ impl Program {
             LARGEST_MARGIN
         };
         for round in 1..=MAX_ROUNDS {
-            let point = match (cones::solve(self, &mut rows, margin), &best) {
+            let point = match (super::clarabel::solve(self, &mut rows, margin), &best) {
                 (Ok(point), _) => point,
                 // The room kept free is ours, not the user's: without it there is a solution.
                 (Err(_), Some(_)) if margin > 0.0 => break,

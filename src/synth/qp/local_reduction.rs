@@ -9,7 +9,7 @@
 use super::active_set::ActiveSet;
 use super::basis::{Basis, apply};
 use super::equality::Unlimited;
-use super::problem::{EXTRAS, Limit, Program, Row, Solution};
+use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
 
 /// Steps; three are usual.

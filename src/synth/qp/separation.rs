@@ -1,7 +1,7 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
 use super::basis::Basis;
-use super::problem::{EXTRAS, Limit, Meaning, Program, Row};
+use super::program::{EXTRAS, Limit, Meaning, Program, Row};
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 

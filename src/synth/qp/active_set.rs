@@ -8,9 +8,9 @@
 
 use super::band::ArrowFactor;
 use super::basis::{Entries, apply};
-use super::contacts;
 use super::equality::Unlimited;
-use super::problem::{EXTRAS, Program, Row, Solution};
+use super::local_reduction;
+use super::program::{EXTRAS, Program, Row, Solution};
 use crate::poly::Peak;
 
 /// Rounds of exchange before the interior-point method takes over.
@@ -68,7 +68,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         if candidate.violation < NEAR && attempts < ATTEMPTS {
             attempts += 1;
             let level = set.pinned_at;
-            if let Some(refined) = contacts::refine(program, unlimited, &candidate, level) {
+            if let Some(refined) = local_reduction::refine(program, unlimited, &candidate, level) {
                 return Ok(refined);
             }
         }

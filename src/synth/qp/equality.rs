@@ -2,7 +2,7 @@
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
-use super::problem::{Equality, Failure, Program};
+use super::program::{Equality, Failure, Program};
 
 /// Demands whose pivot falls below this part of the first are consequences of (or contradictions to) the
 /// others.

@@ -1,0 +1,51 @@
+//! Convex programs over the coefficients of a law, with limits that hold on the continuum.
+//!
+//! ```text
+//! minimise   ½ xᵀHx + gᵀx + cᵀy
+//! such that  E x = e
+//!            Σ wₖ s⁽ᵏ⁾(θ) + dᵀy ≤ bound + shape(θ)   for every θ of the limit's domain
+//!            R ≥ ‖(D, e)‖                            where the size is among the variables y
+//! ```
+//!
+//! The room knows piecewise polynomials and laws, and nothing of scenes, forces or cams.
+//!
+//! | file | |
+//! |---|---|
+//! | `program` | the program, its limits, rows and solution |
+//! | `basis` | B-splines or harmonics, rows on their coefficients |
+//! | `objective` | H and g of a distance or an energy |
+//! | `lifted` | the same over the derivatives' coefficients, for many spans |
+//! | `band` | Cholesky factor of a banded matrix with a border |
+//! | `equality` | the optimum under equalities alone |
+//! | `separation` | exact points at which a law violates its limits |
+//! | `active_set` | dual active-set method on the banded factor |
+//! | `local_reduction` | Newton's method on the contact points |
+//! | `exchange` | which method solves; rounds of separation and solution |
+//! | `clarabel` | the interior-point method |
+//! | `polish` | active rows solved as equalities, for the last digits |
+//! | `certificate` | duality gap, stationarity, sensitivities |
+
+mod active_set;
+mod band;
+mod basis;
+mod certificate;
+mod clarabel;
+mod equality;
+mod exchange;
+mod lifted;
+mod local_reduction;
+mod objective;
+mod polish;
+mod program;
+mod separation;
+#[cfg(test)]
+mod tests;
+
+pub use basis::{Basis, Entries, apply};
+pub use certificate::{Certificate, Sensitivity, certificate, sensitivities};
+pub use equality::solve as solve_equalities;
+pub use objective::Quadratic;
+pub use program::{
+    EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
+    RISE, Row, Solution, TOLERANCE,
+};
