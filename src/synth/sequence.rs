@@ -58,10 +58,9 @@ pub fn refine(
     beyond: Beyond,
 ) -> Option<(Solution, Vec<Step>, &'static str)> {
     // Between steps limits need not hold better than the next step will change them.
-    let program = &Program {
-        tolerance: STEP_TOLERANCE,
-        ..program.clone()
-    };
+    let mut program = program.clone();
+    program.settings.tolerance = STEP_TOLERANCE;
+    let program = &program;
     let present = program.present();
     let given = beyond.size();
     let sized = |extra: &[f64; EXTRAS]| sized(&beyond, &present, given, extra);

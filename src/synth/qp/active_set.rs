@@ -11,37 +11,15 @@ use super::basis::{Entries, apply};
 use super::equality::Unlimited;
 use super::local_reduction;
 use super::program::{EXTRAS, Program, Row, Solution};
+use super::settings::ActiveSetSettings;
 use crate::poly::Peak;
-
-/// Rounds of exchange before the interior-point method takes over.
-const MOST_ROUNDS: usize = 60;
-/// Steps over all rounds, per unknown, before it takes over.
-const STEPS_PER_UNKNOWN: usize = 60;
-/// More active rows than this are cheaper without a dense basis.
-const MOST_ACTIVE: usize = 400;
-/// A row counts as broken beyond this part of its limit's size; the rounds' own tolerance is far larger.
-const RESOLVED: f64 = 1e-12;
-/// When progress ends, a law that breaks limits by less than this is as good as numbers allow.
-const RESOLVED_AT_LAST: f64 = 1e-7;
-/// A row whose part outside the span of the active ones is below this share of its square length depends
-/// on them.
-const DEPENDENT: f64 = 1e-13;
-/// A new row this near (in units of its piece) to an old one of the same limit replaces it.
-const COINCIDENT: f64 = 1e-5;
-/// Contacts are moved all together once limits are broken by less than this part of their scale.
-const NEAR: f64 = 1e-3;
-/// … at most this often.
-const ATTEMPTS: usize = 8;
-/// The pin of an open level is moved at most this often.
-const PINNINGS: usize = 12;
-/// … until the level moves by no more than this part of the typical lift.
-const SETTLED: f64 = 1e-9;
 
 /// Solves a program without variables beside the law, starting from its optimum without limits.
 ///
 /// Returns the rows gathered so far when no step is left or progress ends: the interior-point method then
 /// has the last word on whether there is a solution.
 pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<Row>> {
+    let settings = &program.settings.active_set;
     let mut set = ActiveSet::new(program, unlimited);
     let mut rows: Vec<Row> = Vec::new();
     rows.extend(program.fixed.iter().chain(&program.seeds).cloned());
@@ -50,22 +28,26 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         program.add_neighbours(&mut rows, &set.x);
         add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
     }
-    if rows.len() > MOST_ACTIVE {
+    if rows.len() > settings.rows {
         return Err(rows);
     }
     let mut best: Option<Solution> = None;
     let mut since_best = 0;
     let mut attempts = 0;
-    for round in 1..=MOST_ROUNDS {
+    for round in 1..=settings.rounds {
         if set.settle(program, &mut rows).is_err() {
-            return best.filter(|b| b.violation < RESOLVED_AT_LAST).ok_or(rows);
+            return best
+                .filter(|b| b.violation < settings.resolved_at_last)
+                .ok_or(rows);
         }
         let broken = program.broken(&set.x, &none);
         if broken.is_empty() {
             return Ok(set.solution(program, &rows, round));
         }
         let candidate = set.solution(program, &rows, round);
-        if candidate.violation < NEAR && attempts < ATTEMPTS {
+        if candidate.violation < settings.local_reduction_from
+            && attempts < settings.local_reductions
+        {
             attempts += 1;
             let level = set.pinned_at;
             if let Some(refined) = local_reduction::refine(program, unlimited, &candidate, level) {
@@ -81,7 +63,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         } else {
             since_best += 1;
             // Rounding, not rows, is what is left.
-            let fine = |b: &Solution| b.violation < RESOLVED_AT_LAST;
+            let fine = |b: &Solution| b.violation < settings.resolved_at_last;
             if since_best >= 4 && best.as_ref().is_some_and(fine) {
                 return best.ok_or(rows);
             }
@@ -97,11 +79,12 @@ fn add_rows(
     broken: Vec<(usize, Peak)>,
     set: &mut ActiveSet,
 ) {
+    let coincident = program.settings.active_set.coincident;
     for (limit, peak) in broken {
         let same = |r: &Row| {
             r.limit == Some(limit)
                 && r.peak.piece == peak.piece
-                && (r.peak.u - peak.u).abs() < COINCIDENT
+                && (r.peak.u - peak.u).abs() < coincident
         };
         let row = program.row(limit, peak);
         match rows.iter().position(same) {
@@ -125,6 +108,7 @@ struct Member {
 }
 
 pub struct ActiveSet<'a> {
+    settings: ActiveSetSettings,
     factor: &'a ArrowFactor,
     /// y₀.
     free: Vec<f64>,
@@ -156,6 +140,7 @@ impl<'a> ActiveSet<'a> {
         level: f64,
     ) -> Self {
         let mut set = ActiveSet {
+            settings: program.settings.active_set,
             factor,
             free: unlimited.pull.clone(),
             x: unlimited.x.clone(),
@@ -171,7 +156,7 @@ impl<'a> ActiveSet<'a> {
         for demand in &program.equalities {
             let z = set.whitened(&demand.entries);
             let (d, rest, left) = set.split(&z);
-            if left > DEPENDENT * square(&z) {
+            if left > set.settings.dependent * square(&z) {
                 set.push(d, rest, left, None, demand.value, 0.0);
             }
         }
@@ -314,12 +299,12 @@ impl<'a> ActiveSet<'a> {
 
     /// Until no row is broken and the level, where it is open, has settled.
     fn settle(&mut self, program: &Program, rows: &mut [Row]) -> Result<(), Stuck> {
-        for _ in 0..PINNINGS {
+        for _ in 0..self.settings.pin_moves {
             self.keep_rows(program, rows)?;
             let Some((at, _)) = self.pin else {
                 return Ok(());
             };
-            if (self.x[at] - self.pinned_at).abs() <= SETTLED * program.length {
+            if (self.x[at] - self.pinned_at).abs() <= self.settings.pin_settled * program.length {
                 return Ok(());
             }
             self.move_pin(self.x[at]);
@@ -352,7 +337,7 @@ impl<'a> ActiveSet<'a> {
             let mut worst = (0.0, None);
             for (i, (row, unit)) in rows.iter().zip(&units).enumerate() {
                 let (value, rounding) = with_rounding(&row.entries, &self.x);
-                let gap = (value - row.bound - rounding) / unit - RESOLVED;
+                let gap = (value - row.bound - rounding) / unit - self.settings.resolved;
                 if gap > worst.0 && !self.members.iter().any(|m| m.row == Some(i)) {
                     worst = (gap, Some(i));
                 }
@@ -362,7 +347,7 @@ impl<'a> ActiveSet<'a> {
                 return Ok(());
             };
             self.bring_in(i, &rows[i])?;
-            if self.members.len() > MOST_ACTIVE {
+            if self.members.len() > self.settings.rows {
                 return Err(Stuck);
             }
         }
@@ -375,7 +360,7 @@ impl<'a> ActiveSet<'a> {
         let mut push = 0.0;
         loop {
             self.steps += 1;
-            if self.steps > STEPS_PER_UNKNOWN * self.x.len() {
+            if self.steps > self.settings.steps_per_unknown * self.x.len() {
                 return Err(Stuck);
             }
             let (d, rest, left) = self.split(&z);
@@ -390,7 +375,7 @@ impl<'a> ActiveSet<'a> {
                 }
             }
             let gap = apply(&row.entries, &self.x) - row.bound;
-            let full = (left > DEPENDENT * length).then_some(gap / left);
+            let full = (left > self.settings.dependent * length).then_some(gap / left);
             let (step, leaves) = match (full, blocking) {
                 (Some(full), Some((j, most))) if most < full => (most, Some(j)),
                 (Some(full), _) => (full, None),
@@ -422,7 +407,7 @@ impl<'a> ActiveSet<'a> {
     pub fn hold(&mut self, index: usize, row: &Row) -> bool {
         let z = self.whitened(&row.entries);
         let (d, rest, left) = self.split(&z);
-        let independent = left > DEPENDENT * square(&z);
+        let independent = left > self.settings.dependent * square(&z);
         if independent {
             self.push(d, rest, left, Some(index), row.bound, row.multiplier);
         }

@@ -21,12 +21,6 @@ pub struct Point {
     pub iterations: usize,
 }
 
-/// Clarabel's gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits,
-/// and the polishing step restores the digits.
-const SOLVER_TOLERANCE: f64 = 1e-9;
-/// Sums of so many roundings are kept free inside limits on laws of many spans.
-const ROUNDINGS: f64 = 256.0;
-
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
 /// limit's scale) is kept free inside every limit.
 pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
@@ -95,12 +89,13 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         cones.push(SupportedConeT::SecondOrderConeT(3));
     }
     let a = triplets.matrix(b.len(), columns.total);
+    let own = &program.settings.interior_point;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
-        .max_iter(200)
-        .tol_gap_abs(SOLVER_TOLERANCE)
-        .tol_gap_rel(SOLVER_TOLERANCE)
-        .tol_feas(SOLVER_TOLERANCE)
+        .max_iter(own.iterations)
+        .tol_gap_abs(own.tolerance)
+        .tol_gap_rel(own.tolerance)
+        .tol_feas(own.tolerance)
         .max_threads(1)
         .build()
         .map_err(|e| Failure::Solver(e.to_string()))?;
@@ -137,6 +132,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
 
 /// The unknowns that stand for the law: its coefficients, or for many spans those of its derivatives too.
 struct Unknowns<'a> {
+    roundings: f64,
     lifted: Option<&'a Lifted>,
     /// Highest derivative among them.
     order: usize,
@@ -145,10 +141,12 @@ struct Unknowns<'a> {
 
 impl<'a> Unknowns<'a> {
     fn new(program: &'a Program, rows: &[Row]) -> Self {
+        let roundings = program.settings.interior_point.roundings;
         let lifted = program.lifted.as_ref();
         let lifted = lifted.filter(|l| rows.iter().all(|r| l.carries(&r.weights)));
         let Some(lifted) = lifted else {
             return Unknowns {
+                roundings,
                 lifted,
                 order: 0,
                 count: program.basis.columns(),
@@ -157,6 +155,7 @@ impl<'a> Unknowns<'a> {
         let needed = rows.iter().map(|r| lifted.highest(&r.weights)).max();
         let order = lifted.used().max(needed.unwrap_or(0));
         Unknowns {
+            roundings,
             lifted: Some(lifted),
             order,
             count: (order + 1) * lifted.dimension(),
@@ -208,7 +207,7 @@ impl<'a> Unknowns<'a> {
             return 0.0;
         }
         let size: f64 = row.entries.iter().map(|e| e.1.abs()).sum();
-        ROUNDINGS * f64::EPSILON * size * length
+        self.roundings * f64::EPSILON * size * length
     }
 
     fn coefficients(&self, y: &[f64], length: f64) -> Vec<f64> {

@@ -4,12 +4,6 @@ use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
 use super::program::{Equality, Failure, Program};
 
-/// Demands whose pivot falls below this part of the first are consequences of (or contradictions to) the
-/// others.
-const DEPENDENT: f64 = 1e-11;
-/// A dependent demand may miss its value by this much of its own scale before it is a contradiction.
-const CONSISTENT: f64 = 1e-8;
-
 /// The optimum without limits and the factorisation that gave it.
 pub struct Unlimited {
     /// H made regular.
@@ -40,7 +34,7 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     let mut x = pull.clone();
     factor.solve(&mut x);
     if let Some(lifted) = &program.lifted {
-        for _ in 0..CORRECTIONS {
+        for _ in 0..program.settings.equality.refinements {
             let mut off = lifted.folded(lifted.pull(&lifted.derivatives(&x)));
             augment(program, pin, &x, &mut off);
             factor.solve(&mut off);
@@ -61,9 +55,6 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     })
 }
 
-/// Steps that give a law of many spans back the digits its matrix loses.
-const CORRECTIONS: usize = 3;
-
 /// Adds what `regular` adds to the objective to its gradient at `x`.
 fn augment(program: &Program, pin: Option<(usize, f64)>, x: &[f64], gradient: &mut [f64]) {
     let rho = penalty(program);
@@ -78,9 +69,6 @@ fn augment(program: &Program, pin: Option<(usize, f64)>, x: &[f64], gradient: &m
         gradient[at] += weight * x[at];
     }
 }
-
-/// Weight of a pin that limits may move, in units of H.
-const LIGHT_PIN: f64 = 1e-6;
 
 /// Weight of the demands' outer products, in units of H.
 fn penalty(program: &Program) -> f64 {
@@ -120,7 +108,11 @@ fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
             Basis::Harmonic { .. } => 0,
         };
         let moved = program.limits.iter().any(|l| l.weights[0] != 0.0) || !program.fixed.is_empty();
-        let weight = if moved { LIGHT_PIN * rho } else { rho };
+        let weight = if moved {
+            program.settings.equality.light_pin * rho
+        } else {
+            rho
+        };
         h.add(at, at, weight);
         pin = Some((at, weight));
     }
@@ -144,6 +136,7 @@ fn augmented_gradient(program: &Program) -> Vec<f64> {
 
 /// Moves `x` onto the demands along H⁻¹Eᵀ, taking them in order of their pivots.
 fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<Vec<f64>, Failure> {
+    let settings = &program.settings.equality;
     let demands = &program.equalities;
     let k = demands.len();
     let directions: Vec<Vec<f64>> = demands
@@ -175,7 +168,7 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
         let (best, pivot) = (p..k)
             .map(|q| (q, s[order[q]][order[q]]))
             .fold((p, f64::NEG_INFINITY), |b, c| if c.1 > b.1 { c } else { b });
-        if pivot < DEPENDENT {
+        if pivot < settings.dependent {
             rank = p;
             break;
         }
@@ -213,7 +206,7 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
         .map(|&i| &demands[i])
         .filter(|e| {
             let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
-            (apply(&e.entries, &x) - e.value).abs() > CONSISTENT * size.max(e.value.abs())
+            (apply(&e.entries, &x) - e.value).abs() > settings.consistent * size.max(e.value.abs())
         })
         .map(|e| e.name.clone())
         .collect();

@@ -6,23 +6,6 @@ use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, S
 use super::{active_set, equality};
 use crate::poly::Peak;
 
-/// A point that breaks limits by more than this part of their scale is not polished.
-const WORTH_POLISHING: f64 = 1e-5;
-/// Rounds of exchange before giving up; a handful is usual.
-const MAX_ROUNDS: usize = 60;
-/// Room inside a limit never exceeds this part of its scale.
-const LARGEST_MARGIN: f64 = 1e-6;
-/// … and on laws of many spans.
-const LARGEST_LIFTED_MARGIN: f64 = 1e-3;
-/// What the solver leaves unresolved on a second-order cone program.
-const CONE_MARGIN: f64 = 1e-7;
-/// … and on laws of many spans, which are not polished either.
-const LIFTED_MARGIN: f64 = 1e-8;
-/// After the first round on many spans only rows with less slack than this part of their scale stay.
-const NEAR: f64 = 0.2;
-/// A new row this near (in units of its piece) to an old one of the same limit replaces it.
-const COINCIDENT: f64 = 1e-4;
-
 impl Program {
     /// The optimum without limits, then with as many rows as they need.
     ///
@@ -53,7 +36,7 @@ impl Program {
         }
         match active_set::solve(self, &unlimited) {
             // Two crests that share a row can end a hair above a limit: once more with that hair kept free.
-            Ok(solution) if solution.violation > self.tolerance => {
+            Ok(solution) if solution.violation > self.settings.tolerance => {
                 let tighter = self.with_room(2.0 * solution.violation);
                 let again = active_set::solve(&tighter, &unlimited).ok();
                 Ok(again
@@ -126,24 +109,24 @@ impl Program {
     }
 
     fn exchange(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
+        let settings = &self.settings.exchange;
         let mut iterations = 0;
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
         let mut margin = if self.cone {
-            CONE_MARGIN
+            settings.cone_margin
         } else if self.lifted.is_some() {
-            LIFTED_MARGIN
+            settings.lifted_margin
         } else {
             0.0
         };
-        // Differences of many coefficients leave a jerk uncertain by more.
         let most = if self.lifted.is_some() {
-            LARGEST_LIFTED_MARGIN
+            settings.largest_lifted_margin
         } else {
-            LARGEST_MARGIN
+            settings.largest_margin
         };
-        for round in 1..=MAX_ROUNDS {
+        for round in 1..=settings.rounds {
             let point = match (super::clarabel::solve(self, &mut rows, margin), &best) {
                 (Ok(point), _) => point,
                 // The room kept free is ours, not the user's: without it there is a solution.
@@ -152,7 +135,7 @@ impl Program {
             };
             iterations += point.iterations;
             // Far from the end the next rows matter, not the last digits.
-            let rough = self.violation(&point.x, &point.extra) > WORTH_POLISHING;
+            let rough = self.violation(&point.x, &point.extra) > settings.polish_below;
             let (x, extra) = if rough {
                 (point.x, point.extra)
             } else {
@@ -199,17 +182,18 @@ impl Program {
         };
         let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * extra[k]).sum();
         let slack = row.bound - beside - apply(&row.entries, x);
-        slack < NEAR * limit.size(limit.bound) || row.weights == [0.0; 5]
+        slack < self.settings.exchange.near * limit.size(limit.bound) || row.weights == [0.0; 5]
     }
 
     /// Adds rows at the broken points. Earlier rows stay (two that straddle a contact close in on it like a
     /// secant); only one that all but coincides is replaced.
     fn add_rows(&self, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
+        let coincident = self.settings.exchange.coincident;
         for (limit, peak) in broken {
             let same = |r: &Row| {
                 r.limit == Some(limit)
                     && r.peak.piece == peak.piece
-                    && (r.peak.u - peak.u).abs() < COINCIDENT
+                    && (r.peak.u - peak.u).abs() < coincident
             };
             rows.retain(|r| !same(r));
             rows.push(self.row(limit, peak));

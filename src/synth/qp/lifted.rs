@@ -8,10 +8,9 @@
 //! proportion to the spans.
 
 use super::basis::{Basis, Entries};
+use super::settings::Settings;
 use crate::poly::SplineSpace;
 
-/// Spans from which on derivatives are unknowns of their own.
-pub const MANY: usize = 250;
 /// Highest derivative that limits or objectives ask for.
 const HIGHEST: usize = 4;
 
@@ -36,7 +35,7 @@ impl Lifted {
         let Basis::Spline { space, closed } = basis else {
             return None;
         };
-        if !closed || space.spans().len() < MANY {
+        if !closed || space.spans().len() < Settings::default().lifted_from {
             return None;
         }
         Some(Lifted::of(space))

@@ -12,17 +12,6 @@ use super::equality::Unlimited;
 use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
 
-/// Steps; three are usual.
-const STEPS: usize = 5;
-/// Steps that lead to violations this many times those at the start have lost their contacts.
-const ASTRAY: f64 = 30.0;
-/// Peaks as far below the bound as this part of the limit's scale are looked at.
-const BELOW: f64 = 0.05;
-/// A limit that falls by less than this part of its scale over a piece's width has no place of contact.
-const FLAT: f64 = 1e-6;
-/// A multiplier below this part of the largest, and below zero, means the contact is none.
-const PULLS: f64 = 1e-9;
-
 /// Improves a law whose contacts are nearly right; `level` is where an open level is pinned.
 ///
 /// Returns `None` where contacts are not of the simple kind or a limit is broken at a place that was none.
@@ -35,8 +24,9 @@ pub fn refine(
     let Basis::Spline { .. } = program.basis else {
         return None;
     };
+    let settings = &program.settings.local_reduction;
     let mut current = start.clone();
-    for _ in 0..STEPS {
+    for _ in 0..settings.steps {
         let rows = gathered(program, &current);
         let mut hessian = unlimited.hessian.clone();
         for row in &rows {
@@ -48,18 +38,18 @@ pub fn refine(
             return None;
         }
         set.refresh();
-        if set.weakest() < -PULLS {
+        if set.weakest() < -settings.negative_multiplier {
             return None;
         }
         let mut next = set.solution(program, &rows, start.rounds);
         next.iterations = current.iterations + 1;
         current = next;
-        if current.violation <= program.tolerance {
+        if current.violation <= program.settings.tolerance {
             // A row moved to where its contact went takes the curvature's part of the gradient along.
             current.active = gathered(program, &current);
             return Some(current);
         }
-        if current.violation > ASTRAY * start.violation {
+        if current.violation > settings.divergence * start.violation {
             return None;
         }
     }
@@ -72,7 +62,7 @@ fn gathered(program: &Program, solution: &Solution) -> Vec<Row> {
     let mut peaks: Vec<(usize, Peak)> = Vec::new();
     let near = |l: &Limit| {
         let bound = l.room(&extra);
-        bound - BELOW * l.scale.max(bound.abs())
+        bound - program.settings.local_reduction.below * l.scale.max(bound.abs())
     };
     program.each_peak_above(&solution.x, near, |index, peak| peaks.push((index, peak)));
     let mut out: Vec<Row> = Vec::new();
@@ -123,7 +113,8 @@ fn sharpness(program: &Program, x: &[f64], limit: &Limit, peak: &Peak) -> Option
     let twice = [0.0, 0.0, w[0], w[1], w[2], w[3]];
     let falls = -apply(&program.basis.row_on(peak.piece, peak.u, &twice), x);
     let width = program.width(peak.piece);
-    (falls * width * width > FLAT * limit.scale.max(limit.bound.abs())).then_some(falls)
+    let flat = program.settings.local_reduction.flat;
+    (falls * width * width > flat * limit.scale.max(limit.bound.abs())).then_some(falls)
 }
 
 /// Adds λ/(−c″) a′a′ᵀ for a contact inside its piece.

@@ -23,6 +23,7 @@
 //! | `exchange` | which method solves; rounds of separation and solution |
 //! | `clarabel` | the interior-point method |
 //! | `polish` | active rows solved as equalities, for the last digits |
+//! | `settings` | every tuning constant with its reason |
 //! | `certificate` | duality gap, stationarity, sensitivities |
 
 mod active_set;
@@ -38,6 +39,7 @@ mod objective;
 mod polish;
 mod program;
 mod separation;
+mod settings;
 #[cfg(test)]
 mod tests;
 
@@ -47,5 +49,9 @@ pub use equality::solve as solve_equalities;
 pub use objective::Quadratic;
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, Row, Solution, TOLERANCE,
+    RISE, Row, Solution,
+};
+pub use settings::{
+    ActiveSetSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,
+    LocalReductionSettings, Settings, TOLERANCE,
 };

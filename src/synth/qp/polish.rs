@@ -4,9 +4,6 @@ use super::clarabel::{Point, row_unit};
 use super::program::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 
-/// Larger systems are left as the solver gave them.
-const LARGEST: usize = 500;
-
 /// Improves the point where that is possible without breaking a row or turning a multiplier negative;
 /// otherwise returns it as it came. Multipliers of rows found inactive become 0.
 pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, [f64; EXTRAS]) {
@@ -28,7 +25,7 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
     let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
     let columns = n + free.len();
     let k = program.equalities.len() + active.len();
-    if columns + k > LARGEST {
+    if columns + k > program.settings.exchange.polish_size {
         return as_given;
     }
     // Work in units of `length` and scaled rows, as the solver did, so that pivots mean something.

@@ -9,6 +9,7 @@ use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
 use super::lifted::Lifted;
 use super::objective::Quadratic;
+use super::settings::{Settings, TOLERANCE};
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
@@ -196,10 +197,10 @@ pub struct Program {
     pub cost: [f64; EXTRAS],
     /// Rp ≥ ‖(D, e)‖.
     pub cone: bool,
-    /// A limit counts as kept when it is exceeded by no more than this part of its scale.
-    pub tolerance: f64,
     /// Typical size of the coefficients, m: the unit in which the solver works.
     pub length: f64,
+    /// Settings of its solution.
+    pub settings: Settings,
 }
 
 /// A row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
@@ -255,9 +256,6 @@ pub enum Failure {
     Solver(String),
 }
 
-/// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
-pub const TOLERANCE: f64 = 4e-10;
-
 impl Program {
     /// A program without limits.
     pub fn new(basis: Basis, objective: Quadratic, equalities: Vec<Equality>, length: f64) -> Self {
@@ -274,8 +272,8 @@ impl Program {
             seeds: Vec::new(),
             cost: [0.0; EXTRAS],
             cone: false,
-            tolerance: TOLERANCE,
             length,
+            settings: Settings::default(),
         }
     }
 
@@ -312,7 +310,7 @@ impl Program {
         }
         SIZES.iter().for_each(|&k| held.cost[k] = 0.0);
         held.cone = false;
-        held.tolerance = TOLERANCE;
+        held.settings.tolerance = TOLERANCE;
         held.seeds = solution
             .active
             .iter()

@@ -14,7 +14,7 @@ impl Program {
         let mut out = Vec::new();
         let allowed = |limit: &Limit| {
             let bound = limit.room(extra);
-            bound + self.tolerance * limit.size(bound)
+            bound + self.settings.tolerance * limit.size(bound)
         };
         self.each_peak_above(x, allowed, |index, peak| out.push((index, peak)));
         out
