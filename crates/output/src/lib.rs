@@ -7,33 +7,30 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-pub mod biarc;
-mod cam_picture;
-pub mod csv;
-mod curvature_picture;
-pub mod cutter;
-pub mod dxf;
+mod cad;
+mod data;
+mod escape;
+mod figures;
 pub mod folder;
-mod force_picture;
-mod geometry;
-pub mod groove;
-pub mod json;
-mod outline;
-pub mod overlay;
-mod panel;
-pub mod picture;
-pub mod plots;
-mod raster;
-pub mod recording;
+mod number;
+mod plot;
+mod pose;
 pub mod report;
-mod samples;
-pub mod sheet;
-pub mod solid;
-pub mod svg;
-pub mod sweep_plots;
-pub mod sweep_report;
-mod threemf;
-pub mod xlsx;
+
+pub use cad::{biarc, cutter, dxf, groove, mesh as solid, svg};
+pub use data::{csv, json, xlsx};
+pub use figures::{overlay, recording, sweep as sweep_plots};
+pub use plot::picture::{self, Picture};
+pub use plot::{palette, sheet};
+pub use report::sweep as sweep_report;
+
+/// The pictures of a design.
+pub mod plots {
+    pub use super::Picture;
+    pub use super::figures::cam::cam;
+    pub use super::figures::force::force;
+    pub use super::figures::law::svaj;
+}
 
 /// How long the work took, s; measured by the caller, since emitters read no clock.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

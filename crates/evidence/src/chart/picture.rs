@@ -4,8 +4,8 @@ use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{Across, Chart, Row};
-use gaitcam_output::picture::{Picture, palette};
 use gaitcam_output::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use gaitcam_output::{Picture, palette};
 
 const WIDTH: u32 = 900;
 const HEIGHT: u32 = 560;

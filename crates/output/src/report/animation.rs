@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
-use crate::geometry::{Pose, angles, face_reach, pose};
+use crate::pose::{Pose, angles, face_reach, pose};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::two_cams::shifted;
 use gaitcam::synth::Synthesis;

@@ -3,16 +3,21 @@
 mod animation;
 mod motion;
 mod run;
+pub mod sweep;
 mod tables;
 
 use std::fmt::Write;
 
-use super::Timing;
-use super::cam_picture::cam_in;
-use super::panel::Frame;
-use super::plots::{Layout, force_frame, force_in, geometry_in, svaj_in};
-use super::samples::{number, range};
-use super::svg::escaped;
+use crate::Timing;
+use crate::escape::escaped;
+use crate::figures::cam::cam_in;
+use crate::figures::curvature::geometry_in;
+use crate::figures::force::{force_frame, force_in};
+use crate::figures::law::svaj_in;
+use crate::number::{number, range};
+use crate::plot::axes::Frame;
+use crate::plot::layout::Layout;
+use crate::plot::picture::Picture;
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Synthesis;
@@ -250,7 +255,7 @@ fn figures(out: &mut String, synthesis: &Synthesis) {
     );
 }
 
-fn figure(out: &mut String, frame: Frame, id: &str, title: &str, picture: &super::plots::Picture) {
+fn figure(out: &mut String, frame: Frame, id: &str, title: &str, picture: &Picture) {
     let data = format!(
         " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\"",
         frame.left, frame.right, frame.top, frame.bottom

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Running;
-use crate::geometry::{Pose, pose, turned};
-use crate::samples::lift_unit;
+use crate::pose::lift_unit;
+use crate::pose::{Pose, pose, turned};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::dynamics::outcome::Row;
 use gaitcam::dynamics::two_cams::shifted;

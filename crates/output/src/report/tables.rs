@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use crate::Timing;
-use crate::samples::{degrees, number, range};
-use crate::svg::escaped;
+use crate::escape::escaped;
+use crate::number::{degrees, number, range};
 use gaitcam::cam::{Check, Follower, Measures, Unit};
 use gaitcam::synth::{Synthesis, Tier};
 

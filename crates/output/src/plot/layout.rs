@@ -1,31 +1,23 @@
-//! The pictures of a design and how they are laid out; here the law of motion itself.
+//! How a picture is laid out: alone or as a figure of the report; title, strips, key of the curves.
 
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::panel::{Frame, Panel, dashes, padded, ticks};
-use super::picture::palette::{BLUE, GREEN, INK, PURPLE, QUIET, RED};
-use super::raster::text_width;
-use super::samples::motion;
-use super::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
-use gaitcam::cam::{Measures, Unit};
-use gaitcam::law::Svaj;
+use super::axes::{Frame, Panel, dashes, ticks};
+use super::palette::{INK, QUIET};
+use super::png::text_width;
+use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
+use gaitcam::cam::Measures;
 use gaitcam::synth::Synthesis;
 
-pub use super::cam_picture::cam;
-pub(super) use super::curvature_picture::geometry_in;
-pub use super::force_picture::force;
-pub(super) use super::force_picture::{force_frame, force_in};
-pub use super::picture::Picture;
-
 /// Size of the pictures that stand alone, pixels.
-pub(super) const SIZE: (u32, u32) = (1200, 800);
+pub const SIZE: (u32, u32) = (1200, 800);
 /// Size of their lettering.
 const LETTERS: f64 = 17.0;
 
 /// How a picture is laid out: alone, or as a figure of the report under a caption.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Layout {
+pub struct Layout {
     /// Width and height, points.
     pub size: (u32, u32),
     /// Lettering, points.
@@ -64,50 +56,10 @@ impl Layout {
 }
 
 /// Width of the report's figures, points.
-pub(super) const FIGURE_WIDTH: u32 = 820;
-
-/// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
-pub fn svaj(synthesis: &Synthesis) -> Picture {
-    svaj_in(synthesis, Layout::ALONE)
-}
-
-pub(super) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
-    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let law = &synthesis.cam.law;
-        let measures = synthesis.cam.follower.measures();
-        let across = |t: f64| measures.angle().factor * t;
-        let motion = motion(law);
-        let names = ["s", "v", "a", "j"];
-        let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
-        let colours = [BLUE, GREEN, RED, PURPLE];
-        title(canvas, layout, &synthesis.name, "law of motion")?;
-        let frames = strips(layout.frame(), &[1.0; 4], 0.9 * layout.letters);
-        for k in 0..4 {
-            let Unit { factor, name: unit } = measures.lift(k);
-            let curve: Vec<(f64, f64)> = motion
-                .iter()
-                .map(|(t, m)| (across(*t), factor * pick[k](m)))
-                .collect();
-            let (low, high) = law.extremes(k);
-            let ends = [low.value, high.value].map(|v| factor * v);
-            let y = padded(ends.into_iter(), 0.26);
-            let panel = over_the_law(canvas, synthesis, frames[k], y, layout.letters)?;
-            panel.curve(&curve, colours[k], 2.4)?;
-            if ends[1] > ends[0] {
-                panel.mark(across(high.at), ends[1], true, colours[k])?;
-                panel.mark(across(low.at), ends[0], false, colours[k])?;
-            }
-            panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
-            if k == 3 {
-                panel.across(measures.angle_words())?;
-            }
-        }
-        Ok(())
-    })
-}
+pub const FIGURE_WIDTH: u32 = 820;
 
 /// A diagram over the whole law: degrees, or mm of travel.
-pub(super) fn over_the_law<'a, 'c>(
+pub fn over_the_law<'a, 'c>(
     canvas: &'c Canvas<'a>,
     synthesis: &Synthesis,
     frame: Frame,
@@ -122,13 +74,13 @@ pub(super) fn over_the_law<'a, 'c>(
     }
 }
 
-pub(super) fn ends_of(synthesis: &Synthesis) -> [f64; 2] {
+pub fn ends_of(synthesis: &Synthesis) -> [f64; 2] {
     let (start, length) = synthesis.cam.law.extent();
     [start, start + length]
 }
 
 /// Splits a frame into strips of given shares, one above the other.
-pub(super) fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
+pub fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
     let total: f64 = shares.iter().sum();
     let free = frame.bottom - frame.top - gap * (shares.len() as f64 - 1.0);
     let mut top = frame.top;
@@ -148,7 +100,7 @@ pub(super) fn strips(frame: Frame, shares: &[f64], gap: f64) -> Vec<Frame> {
 }
 
 /// The design's name and what is shown.
-pub(super) fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> Drawn {
+pub fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> Drawn {
     if !layout.title {
         return Ok(());
     }
@@ -167,7 +119,7 @@ pub(super) fn title(canvas: &Canvas, layout: Layout, name: &str, what: &str) -> 
 }
 
 /// Swatches with their names, from the left.
-pub(super) fn key(
+pub fn key(
     canvas: &Canvas,
     place: [f64; 2],
     size: f64,
@@ -177,7 +129,7 @@ pub(super) fn key(
 }
 
 /// The same with dashed levels ([`Panel::level`]) after them.
-pub(super) fn key_and_levels(
+pub fn key_and_levels(
     canvas: &Canvas,
     [mut x, y]: [f64; 2],
     size: f64,

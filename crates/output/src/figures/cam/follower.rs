@@ -3,9 +3,9 @@
 use plotters::prelude::*;
 
 use super::{MM, Scene, circle, dot};
-use crate::geometry::Pose;
-use crate::picture::palette::{AXIS, INK, PAPER};
-use crate::sheet::{Drawn, Plane, stroke};
+use crate::plot::palette::{AXIS, INK, PAPER};
+use crate::plot::sheet::{Drawn, Plane, stroke};
+use crate::pose::Pose;
 
 impl Scene<'_> {
     pub(super) fn follower(&self, plane: &Plane) -> Drawn {

@@ -2,18 +2,19 @@
 
 use plotters_backend::text_anchor::VPos;
 
-use super::panel::padded;
-use super::picture::Picture;
-use super::picture::palette::{BLUE, GREEN, RED};
-use super::plots::{Layout, over_the_law, strips, title};
-use super::samples::{motion, number};
+use crate::number::number;
+use crate::plot::axes::padded;
+use crate::plot::layout::{Layout, over_the_law, strips, title};
+use crate::plot::palette::{BLUE, GREEN, RED};
+use crate::plot::picture::Picture;
+use crate::pose::motion;
 use gaitcam::synth::Synthesis;
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
 const CAP: f64 = 2.2;
 
 /// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
-pub(super) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let cam = &synthesis.cam;
         let e = layout.letters;

@@ -2,12 +2,13 @@
 
 use plotters::prelude::*;
 
-use super::geometry::{angles, target_at};
-use super::panel::{Frame, Panel, padded};
-use super::picture::Picture;
-use super::picture::palette::{BLUE, ORANGE, QUIET, RED};
-use super::plots::{Layout, ends_of, key, over_the_law, strips, title};
-use super::samples::{motion, number};
+use crate::number::number;
+use crate::plot::axes::{Frame, Panel, padded};
+use crate::plot::layout::{Layout, ends_of, key, over_the_law, strips, title};
+use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
+use crate::plot::picture::Picture;
+use crate::pose::motion;
+use crate::pose::{angles, target_at};
 use gaitcam::cam::Measures;
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
@@ -21,7 +22,7 @@ pub fn force(synthesis: &Synthesis) -> Picture {
     force_in(synthesis, Layout::ALONE)
 }
 
-pub(super) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let law = synthesis.pressing();
         let e = layout.letters;
@@ -169,7 +170,7 @@ fn pressed(synthesis: &Synthesis) -> (Drive, Pressed) {
 }
 
 /// The diagrams' frame below the line that names the curves.
-pub(super) fn force_frame(layout: Layout) -> Frame {
+pub(crate) fn force_frame(layout: Layout) -> Frame {
     let frame = layout.frame();
     Frame {
         top: frame.top + 1.9 * layout.letters,

@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
 use ab_glyph_rasterizer::Rasterizer;
 
-use super::picture::Picture;
-use super::sheet::{Ink, Shape};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Ink, Shape};
 
 /// Corners of a round dot or line end.
 const CORNERS: usize = 24;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::geometry::{angles, oscillates, target_at};
+use crate::pose::{angles, oscillates, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::synth::Synthesis;
 

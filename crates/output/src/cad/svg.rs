@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use super::outline::{Edge, EdgePoint, marks};
+use crate::cad::outline::{Edge, EdgePoint, marks};
+use crate::escape::escaped;
 use gaitcam::synth::Synthesis;
 
 const MM: f64 = 1000.0;
@@ -112,22 +113,4 @@ fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
         d.push('Z');
     }
     d
-}
-
-/// Text made safe for element content and attributes.
-pub fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            // Control characters have no place in XML, even escaped.
-            c if c.is_control() && !matches!(c, '\n' | '\t') => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
 }

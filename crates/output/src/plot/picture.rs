@@ -4,51 +4,18 @@ use std::fmt::Write;
 
 use plotters::prelude::*;
 
-use super::raster;
+use super::palette;
+
 use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
-use super::svg::escaped;
-
-/// Colours that stay apart for colour-blind eyes (Okabe and Ito) on a white ground.
-#[allow(missing_docs)] // the names are the documentation
-pub mod palette {
-    use plotters::prelude::RGBAColor;
-
-    const fn opaque(r: u8, g: u8, b: u8) -> RGBAColor {
-        RGBAColor(r, g, b, 1.0)
-    }
-
-    pub const PAPER: RGBAColor = opaque(255, 255, 255);
-    pub const INK: RGBAColor = opaque(31, 36, 43);
-    pub const QUIET: RGBAColor = opaque(96, 104, 115);
-    pub const GRID: RGBAColor = opaque(229, 232, 237);
-    pub const AXIS: RGBAColor = opaque(158, 166, 177);
-    pub const BLUE: RGBAColor = opaque(0, 114, 178);
-    pub const ORANGE: RGBAColor = opaque(230, 159, 0);
-    pub const GREEN: RGBAColor = opaque(0, 158, 115);
-    pub const PURPLE: RGBAColor = opaque(190, 95, 155);
-    pub const RED: RGBAColor = opaque(213, 94, 0);
-
-    /// Names under which a page's style sheet may exchange the colours for its dark dress.
-    pub const NAMES: [(RGBAColor, &str); 10] = [
-        (PAPER, "paper"),
-        (INK, "ink"),
-        (QUIET, "quiet"),
-        (GRID, "grid"),
-        (AXIS, "axis"),
-        (BLUE, "blue"),
-        (ORANGE, "orange"),
-        (GREEN, "green"),
-        (PURPLE, "purple"),
-        (RED, "red"),
-    ];
-}
+use crate::escape::escaped;
+use crate::plot::png;
 
 /// A finished picture on a white ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
-    pub(super) width: u32,
-    pub(super) height: u32,
-    pub(super) shapes: Vec<Shape>,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) shapes: Vec<Shape>,
 }
 
 impl Picture {
@@ -87,7 +54,7 @@ impl Picture {
     /// Part of a page: colours are the page's variables (`--ink`, `--blue` …), no ground.
     ///
     /// `attributes` are added to the element as they are.
-    pub(super) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
+    pub(crate) fn svg_for_page(&self, id: &str, title: &str, attributes: &str) -> String {
         let mut out = format!(
             "<svg id=\"{id}\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{title}\"{attributes}>",
             self.width,
@@ -101,7 +68,7 @@ impl Picture {
 
     /// 8-bit RGB, one pixel per point.
     pub fn png(&self) -> Vec<u8> {
-        raster::png(self)
+        png::png(self)
     }
 
     fn write_shapes(&self, out: &mut String, variables: bool) {

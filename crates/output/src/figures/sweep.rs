@@ -3,12 +3,12 @@
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::panel::{Frame, padded, tick_text, ticks};
-use super::picture::Picture;
-use super::picture::palette::{AXIS, BLUE, GRID, INK, ORANGE, QUIET, RED};
-use super::raster::text_width;
-use super::samples::number;
-use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::number::number;
+use crate::plot::axes::{Frame, padded, tick_text, ticks};
+use crate::plot::palette::{AXIS, BLUE, GRID, INK, ORANGE, QUIET, RED};
+use crate::plot::picture::Picture;
+use crate::plot::png::text_width;
+use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
 
 /// Size of the pictures, points.
 const SIZE: (u32, u32) = (1100, 720);

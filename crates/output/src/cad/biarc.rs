@@ -3,7 +3,7 @@
 //! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
 //! biarc). Where they stray too far the interval is halved.
 
-use super::outline::{Edge, EdgePoint};
+use crate::cad::outline::{Edge, EdgePoint};
 use gaitcam::cam::Cam;
 
 /// Widest interval that one biarc is tried on, rad.

@@ -2,11 +2,11 @@
 
 use plotters::prelude::*;
 
-use super::panel::{Frame, Panel, padded, ticks};
-use super::picture::Picture;
-use super::picture::palette::{BLUE, GREEN, INK, ORANGE, QUIET};
-use super::plots::{Layout, key, key_and_levels, strips, title};
-use super::sheet::{Canvas, Drawn};
+use crate::plot::axes::{Frame, Panel, padded, ticks};
+use crate::plot::layout::{Layout, key, key_and_levels, strips, title};
+use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, QUIET};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Canvas, Drawn};
 use gaitcam::force::{Cycle, Foot, Overlay};
 use gaitcam::units::G;
 

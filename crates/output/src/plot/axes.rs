@@ -4,10 +4,10 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use super::picture::palette;
-use super::raster::text_width;
-use super::samples::number;
-use super::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::number::number;
+use crate::plot::palette;
+use crate::plot::png::text_width;
+use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
 
 /// Where a diagram stands on its sheet, points.
 #[derive(Debug, Clone, Copy)]
@@ -122,7 +122,7 @@ pub fn padded(values: impl Iterator<Item = f64>, share: f64) -> [f64; 2] {
 }
 
 /// The dashed line of a level between two places on the sheet.
-pub(super) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
+pub(crate) fn dashes(canvas: &Canvas, ends: [[f64; 2]; 2], colour: RGBAColor) -> Drawn {
     canvas.draw(&DashedPathElement::new(
         ends.map(|[x, y]| (units(x), units(y))),
         units(7.0),

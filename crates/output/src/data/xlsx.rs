@@ -3,9 +3,10 @@
 use rust_xlsxwriter::{DocProperties, ExcelDateTime, Format, Workbook, Worksheet, XlsxError};
 use serde_json::Value;
 
-use super::geometry::oscillates;
-use super::samples::lift_unit;
-use super::{Timing, json};
+use super::json;
+use crate::Timing;
+use crate::pose::lift_unit;
+use crate::pose::oscillates;
 use gaitcam::cam::{Measures, ProfilePoint};
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Synthesis;

@@ -1,6 +1,6 @@
 //! The walls of a barrel's groove as surfaces.
 
-use super::solid::Mesh;
+use crate::cad::mesh::Mesh;
 use gaitcam::cam::{BarrelGroove, Wall};
 
 const MM: f64 = 1000.0;

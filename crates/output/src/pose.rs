@@ -1,8 +1,12 @@
-//! What every drawing of a cam needs besides its profile: directions, poses, angles of the rows.
+//! What every drawing of a cam needs besides its profile: directions, poses, samples of the motion.
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
-use gaitcam::law::Law;
+use gaitcam::law::{Law, Svaj};
+use gaitcam::synth::Synthesis;
+
+/// Points per turn of a drawn curve: one per two pixels of a wide picture.
+const PER_LAW: f64 = 540.0;
 
 /// Turns `p` by `theta` rad, counter-clockwise: from the cam's frame into the fixed one.
 pub fn turned(p: [f64; 2], theta: f64) -> [f64; 2] {
@@ -90,4 +94,25 @@ pub fn face_reach(cam: &Cam) -> Option<(f64, f64)> {
 /// Whether lift is an angle: its columns then read rad in place of m.
 pub fn oscillates(follower: &Follower) -> bool {
     follower.is_oscillating()
+}
+
+/// Angles (rad) with the motion there. Both sides of every break are sampled, so jumps show as jumps.
+pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
+    let breaks = law.breaks();
+    let (_, length) = law.extent();
+    let mut out = Vec::new();
+    for (i, w) in breaks.windows(2).enumerate() {
+        let steps = ((w[1] - w[0]) / length * PER_LAW).ceil().max(2.0) as usize;
+        for k in 0..=steps {
+            let u = k as f64 / steps as f64;
+            out.push((w[0] + u * (w[1] - w[0]), law.svaj_on(i, u)));
+        }
+    }
+    out
+}
+
+/// The unit lift is shown in: factor from SI, and its name.
+pub fn lift_unit(synthesis: &Synthesis) -> (f64, &'static str) {
+    let unit = synthesis.cam.follower.measures().lift(0);
+    (unit.factor, unit.name)
 }

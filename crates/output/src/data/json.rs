@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::Timing;
+use crate::Timing;
 use gaitcam::synth::{End, ForceReport, Infeasible, Relaxation, Synthesis};
 
 /// The summary of a design.

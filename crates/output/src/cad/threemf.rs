@@ -6,8 +6,8 @@ use std::io::{Cursor, Write as _};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-use super::solid::Mesh;
-use super::svg::escaped;
+use crate::cad::mesh::Mesh;
+use crate::escape::escaped;
 use gaitcam::error::{Error, Result};
 
 const TYPES: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\

@@ -6,12 +6,12 @@ mod table;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use super::geometry::{Pose, face_reach, pose, turned};
-use super::outline::Edge;
-use super::picture::Picture;
-use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
-use super::plots::{Layout, title};
-use super::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
+use crate::cad::outline::Edge;
+use crate::plot::layout::{Layout, title};
+use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
+use crate::pose::{Pose, face_reach, pose, turned};
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Synthesis;
 
@@ -30,7 +30,7 @@ pub fn cam(synthesis: &Synthesis) -> Picture {
     cam_in(synthesis, Layout::ALONE)
 }
 
-pub(super) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         title(canvas, layout, &synthesis.name, "the cam at θ = 0")?;
         let e = layout.letters;

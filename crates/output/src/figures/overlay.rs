@@ -2,11 +2,11 @@
 
 use plotters::prelude::*;
 
-use super::panel::{Panel, padded, ticks};
-use super::picture::Picture;
-use super::picture::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
-use super::plots::{Layout, key, strips, title};
-use super::sheet::{plane, stroke};
+use crate::plot::axes::{Panel, padded, ticks};
+use crate::plot::layout::{Layout, key, strips, title};
+use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{plane, stroke};
 use gaitcam::cam::Measures;
 
 const COLOURS: [RGBAColor; 6] = [BLUE, ORANGE, GREEN, RED, PURPLE, INK];

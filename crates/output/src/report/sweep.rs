@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::picture::Picture;
-use super::svg::escaped;
+use crate::escape::escaped;
+use crate::plot::picture::Picture;
 
-const STYLE: &str = include_str!("report/page.css");
+const STYLE: &str = include_str!("page.css");
 
 /// A table of the report: head and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -7,7 +7,7 @@ use ::dxf::tables::Layer;
 use ::dxf::{Color, LwPolylineVertex, Point};
 
 use super::biarc;
-use super::outline::{Edge, marks};
+use crate::cad::outline::{Edge, marks};
 use gaitcam::synth::Synthesis;
 
 const MM: f64 = 1000.0;

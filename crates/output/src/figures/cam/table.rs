@@ -4,9 +4,9 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use super::{BASE, MM, PITCH, PRIME, Scene};
-use crate::picture::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
-use crate::samples::{degrees, number};
-use crate::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::number::{degrees, number};
+use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
+use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
 
 impl Scene<'_> {
     /// Names the lines and gives the main dimensions, in a column.

@@ -1,31 +1,4 @@
-//! Curves over the cam angle for pictures, and numbers as people write them.
-
-use gaitcam::law::{Law, Svaj};
-use gaitcam::synth::Synthesis;
-
-/// Points per turn of a drawn curve: one per two pixels of a wide picture.
-const PER_LAW: f64 = 540.0;
-
-/// Angles (rad) with the motion there. Both sides of every break are sampled, so jumps show as jumps.
-pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
-    let breaks = law.breaks();
-    let (_, length) = law.extent();
-    let mut out = Vec::new();
-    for (i, w) in breaks.windows(2).enumerate() {
-        let steps = ((w[1] - w[0]) / length * PER_LAW).ceil().max(2.0) as usize;
-        for k in 0..=steps {
-            let u = k as f64 / steps as f64;
-            out.push((w[0] + u * (w[1] - w[0]), law.svaj_on(i, u)));
-        }
-    }
-    out
-}
-
-/// The unit lift is shown in: factor from SI, and its name.
-pub fn lift_unit(synthesis: &Synthesis) -> (f64, &'static str) {
-    let unit = synthesis.cam.follower.measures().lift(0);
-    (unit.factor, unit.name)
-}
+//! Numbers as people write them.
 
 /// `x` to `digits` significant digits, without exponent in the usual range, with a true minus sign.
 pub fn number(x: f64, digits: i32) -> String {

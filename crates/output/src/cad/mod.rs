@@ -1,0 +1,10 @@
+//! The cam for CAD, printing and milling.
+
+pub mod biarc;
+pub mod cutter;
+pub mod dxf;
+pub mod groove;
+pub mod mesh;
+pub mod outline;
+pub mod svg;
+mod threemf;

@@ -1,0 +1,5 @@
+//! The design in numbers.
+
+pub mod csv;
+pub mod json;
+pub mod xlsx;

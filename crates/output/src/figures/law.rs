@@ -1,0 +1,50 @@
+//! The diagrams of the law of motion.
+
+use crate::plot::axes::padded;
+use crate::plot::layout::{Layout, over_the_law, strips, title};
+use crate::plot::palette::{BLUE, GREEN, PURPLE, RED};
+use crate::plot::picture::Picture;
+use crate::pose::motion;
+use gaitcam::cam::Unit;
+use gaitcam::law::Svaj;
+use gaitcam::synth::Synthesis;
+
+/// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
+pub fn svaj(synthesis: &Synthesis) -> Picture {
+    svaj_in(synthesis, Layout::ALONE)
+}
+
+pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+    Picture::drawn(layout.size.0, layout.size.1, |canvas| {
+        let law = &synthesis.cam.law;
+        let measures = synthesis.cam.follower.measures();
+        let across = |t: f64| measures.angle().factor * t;
+        let motion = motion(law);
+        let names = ["s", "v", "a", "j"];
+        let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
+        let colours = [BLUE, GREEN, RED, PURPLE];
+        title(canvas, layout, &synthesis.name, "law of motion")?;
+        let frames = strips(layout.frame(), &[1.0; 4], 0.9 * layout.letters);
+        for k in 0..4 {
+            let Unit { factor, name: unit } = measures.lift(k);
+            let curve: Vec<(f64, f64)> = motion
+                .iter()
+                .map(|(t, m)| (across(*t), factor * pick[k](m)))
+                .collect();
+            let (low, high) = law.extremes(k);
+            let ends = [low.value, high.value].map(|v| factor * v);
+            let y = padded(ends.into_iter(), 0.26);
+            let panel = over_the_law(canvas, synthesis, frames[k], y, layout.letters)?;
+            panel.curve(&curve, colours[k], 2.4)?;
+            if ends[1] > ends[0] {
+                panel.mark(across(high.at), ends[1], true, colours[k])?;
+                panel.mark(across(low.at), ends[0], false, colours[k])?;
+            }
+            panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
+            if k == 3 {
+                panel.across(measures.angle_words())?;
+            }
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,9 @@
+//! What is drawn: the pictures of a design, a recording, a run, many designs.
+
+pub mod cam;
+pub mod curvature;
+pub mod force;
+pub mod law;
+pub mod overlay;
+pub mod recording;
+pub mod sweep;
