@@ -68,3 +68,8 @@ pub mod scene;
 pub mod synth;
 
 pub mod sweep;
+
+/// The program in the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
