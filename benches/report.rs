@@ -660,7 +660,7 @@ const TESTED: [(&str, &str, &str); 21] = [
 
 fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
-        "# Benchmarks\n\nWritten by `cargo bench` (benches/report.rs): medians after a warm-up, release build; \
+        "# Benchmarks\n\nWritten by `cargo bench -p gaitcam-bench` (benches/report.rs): medians after a warm-up, release build; \
          the fastest run beside them, because other programs ran on the machine too.\n\n\
          | area | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
     );
