@@ -48,6 +48,9 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+mod quantity;
+pub mod wording;
+
 pub mod error;
 pub mod units;
 

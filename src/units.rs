@@ -4,105 +4,12 @@
 //! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. Angles are a dimension of their own, so that
 //! degrees cannot be given where metres are wanted. Everything is SI and radians inside.
 
-use crate::error::{Error, Result, nearest};
+use crate::error::{Error, Result, UnitsError, nearest};
+use crate::quantity::Exponents;
+pub use crate::quantity::{Dimension, Quantity};
 
 /// Standard gravity as the source papers use it, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
-
-/// Exponents of metre, kilogram, second and radian.
-type Exponents = [i32; 4];
-
-/// What a number measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)] // the names are the documentation
-pub enum Dimension {
-    /// A plain number or a percentage.
-    Ratio,
-    /// A share of which a bare number would leave open whether it is a hundredth: it needs its %.
-    Percent,
-    Length,
-    Angle,
-    Time,
-    Mass,
-    Force,
-    Frequency,
-    AngularSpeed,
-    Speed,
-    Acceleration,
-    Jerk,
-    AngularAcceleration,
-    AngularJerk,
-    Pressure,
-    PressurePerVolume,
-    SpringRate,
-    Damping,
-    Torque,
-    /// Torsional stiffness, N·m/rad.
-    AngularRate,
-    /// Rotational inertia, kg·m².
-    Inertia,
-    /// Derivatives of lift by cam angle: m/rad, m/rad², m/rad³.
-    LengthPerAngle(u8),
-    /// Derivatives of an oscillating follower's angle by cam angle: rad/rad … rad/rad³.
-    AnglePerAngle(u8),
-}
-
-impl Dimension {
-    fn exponents(self) -> Exponents {
-        match self {
-            Dimension::Ratio | Dimension::Percent => [0, 0, 0, 0],
-            Dimension::Length => [1, 0, 0, 0],
-            Dimension::Angle => [0, 0, 0, 1],
-            Dimension::Time => [0, 0, 1, 0],
-            Dimension::Mass => [0, 1, 0, 0],
-            Dimension::Force => [1, 1, -2, 0],
-            Dimension::Frequency => [0, 0, -1, 0],
-            Dimension::AngularSpeed => [0, 0, -1, 1],
-            Dimension::Speed => [1, 0, -1, 0],
-            Dimension::Acceleration => [1, 0, -2, 0],
-            Dimension::Jerk => [1, 0, -3, 0],
-            Dimension::AngularAcceleration => [0, 0, -2, 1],
-            Dimension::AngularJerk => [0, 0, -3, 1],
-            Dimension::Pressure => [-1, 1, -2, 0],
-            Dimension::PressurePerVolume => [-4, 1, -2, 0],
-            Dimension::SpringRate => [0, 1, -2, 0],
-            Dimension::Damping => [0, 1, -1, 0],
-            Dimension::Torque => [2, 1, -2, 0],
-            Dimension::AngularRate => [2, 1, -2, -1],
-            Dimension::Inertia => [2, 1, 0, 0],
-            Dimension::LengthPerAngle(n) => [1, 0, 0, -i32::from(n)],
-            Dimension::AnglePerAngle(n) => [0, 0, 0, 1 - i32::from(n)],
-        }
-    }
-
-    /// An example of a right value, for messages.
-    pub fn example(self) -> &'static str {
-        match self {
-            Dimension::Ratio | Dimension::Percent => "\"0.5 %\"",
-            Dimension::Length => "\"25 mm\" or \"1 in\"",
-            Dimension::Angle => "\"90 deg\" or \"1.57 rad\"",
-            Dimension::Time => "\"0.5 s\" or \"500 ms\"",
-            Dimension::Mass => "\"70 kg\" or \"154 lb\"",
-            Dimension::Force => "\"700 N\" or \"157 lbf\"",
-            Dimension::Frequency => "\"1.85 Hz\"",
-            Dimension::AngularSpeed => "\"111 rpm\" or \"12.566 rad/s\"",
-            Dimension::Speed => "\"1.4 m/s\"",
-            Dimension::Acceleration => "\"40 m/s^2\"",
-            Dimension::Jerk => "\"200 m/s^3\"",
-            Dimension::AngularAcceleration => "\"50 rad/s^2\"",
-            Dimension::AngularJerk => "\"900 rad/s^3\"",
-            Dimension::Pressure => "\"500 MPa\" or \"60 psi\"",
-            Dimension::PressurePerVolume => "\"30 psi/in^3\"",
-            Dimension::SpringRate => "\"5000 N/m\" or \"30 lbf/in\"",
-            Dimension::Damping => "\"20 N s/m\"",
-            Dimension::Torque => "\"2 N m\"",
-            Dimension::AngularRate => "\"500 N m/rad\"",
-            Dimension::Inertia => "\"0.02 kg m^2\"",
-            Dimension::LengthPerAngle(_) => "\"0.5 in/rad\"",
-            Dimension::AnglePerAngle(_) => "\"0.1 rad/rad\"",
-        }
-    }
-}
 
 /// Unit names, their factors to SI and their exponents. The pound alone is context-bound: see
 /// [`parse`].
@@ -140,6 +47,8 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("psi", LBF / (0.0254 * 0.0254), [-1, 1, -2, 0]),
     ("J", 1.0, [2, 1, -2, 0]),
     ("Nm", 1.0, [2, 1, -2, 0]),
+    ("W", 1.0, [2, 1, -3, 0]),
+    ("kW", 1e3, [2, 1, -3, 0]),
     ("%", 0.01, [0, 0, 0, 0]),
     // A share that says it is none of hundred.
     ("ratio", 1.0, [0, 0, 0, 0]),
@@ -159,8 +68,10 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let (number, unit) = split_number(text);
     let value: f64 = number.parse().map_err(|_| {
-        Error::new(format!("\"{text}\" does not start with a number"))
-            .help(format!("write for example {}", dimension.example()))
+        Error::from(UnitsError::NoNumber {
+            text: text.to_string(),
+            example: dimension.example().to_string(),
+        })
     })?;
     let unit = unit.trim();
     if unit.is_empty() {
@@ -168,22 +79,25 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
             return finite(value, text);
         }
         if dimension == Dimension::Percent {
-            return Err(Error::new(format!("\"{text}\" has no unit")).help(format!(
-                "write \"{text} %\", or \"{} %\" if the plain ratio is meant",
+            return Err(Error::from(UnitsError::BareShare {
+                text: text.to_string(),
                 // Twelve digits hide the rounding of the product.
-                (value * 1e14).round() / 1e12
-            )));
+                percent: (value * 1e14).round() / 1e12,
+            }));
         }
-        return Err(Error::new(format!("\"{text}\" has no unit"))
-            .help(format!("write for example {}", dimension.example())));
+        return Err(Error::from(UnitsError::NoUnit {
+            text: text.to_string(),
+            example: dimension.example().to_string(),
+        }));
     }
     let (factor, exponents) = unit_factor(unit, dimension)?;
     if exponents != dimension.exponents() {
-        return Err(Error::new(format!(
-            "\"{text}\" has a unit of another kind (\"{unit}\" is not a unit of {})",
-            name(dimension)
-        ))
-        .help(format!("write for example {}", dimension.example())));
+        return Err(Error::from(UnitsError::WrongDimension {
+            text: text.to_string(),
+            unit: unit.to_string(),
+            dimension: name(dimension),
+            example: dimension.example().to_string(),
+        }));
     }
     finite(value * factor, text)
 }
@@ -192,7 +106,9 @@ fn finite(value: f64, text: &str) -> Result<f64> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(Error::new(format!("\"{text}\" is not a finite number")))
+        Err(Error::from(UnitsError::NotFinite {
+            text: text.to_string(),
+        }))
     }
 }
 
@@ -249,9 +165,9 @@ fn unit_factor(expression: &str, dimension: Dimension) -> Result<(f64, Exponents
             Some((unit, power)) => {
                 let power = power.parse::<i32>().ok().filter(|p| (-6..=6).contains(p));
                 let power = power.ok_or_else(|| {
-                    Error::new(format!(
-                        "\"{word}\" has an exponent that is not a small integer"
-                    ))
+                    Error::from(UnitsError::Exponent {
+                        factor: word.to_string(),
+                    })
                 })?;
                 (unit, power * sign)
             }
@@ -280,7 +196,6 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
 }
 
 fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
-    let error = Error::new(format!("\"{unit}\" is not a unit known here"));
     let fits = |u: &&(&'static str, f64, Exponents)| u.2 == dimension.exponents();
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
     // Of the right kind but for the case, then of the right kind, then anything.
@@ -288,12 +203,10 @@ fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().map(|u| u.0)));
-    match meant {
-        Some(n) => error.help(format!("did you mean \"{n}\"?")),
-        None => {
-            error.help("units are SI, in, ft, lb, lbf, psi, deg, rpm, Hz, bar and their products")
-        }
-    }
+    Error::from(UnitsError::UnknownUnit {
+        unit: unit.to_string(),
+        nearest: meant.map(str::to_string),
+    })
 }
 
 #[cfg(test)]

@@ -65,10 +65,11 @@ impl Conjugate {
             }
         }
         if let Err(fault) = second.check() {
-            return Err(
-                Error::new(format!("the conjugate cam does not exist: {}", fault.what))
-                    .help(fault.help),
-            );
+            return Err(Error::new(format!(
+                "the conjugate cam does not exist: {}",
+                fault.what()
+            ))
+            .help(fault.cure().unwrap_or_default()));
         }
         let total = reach + place(&second.follower);
         Ok(Conjugate {

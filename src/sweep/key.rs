@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use super::quantities::Allowed::{Acute, Any, NotNegative, Positive};
 use super::quantities::{QUANTITIES, Quantity, WORDS};
-use crate::error::{Error, Result};
+use crate::error::{Error, Place, Result};
 use crate::scene::{self, Scene};
 
 /// A scene key that varies: a quantity in SI, or words.
@@ -61,7 +61,7 @@ impl Key {
         // Words such as "auto", "free" and "spread" are for the scene's reader.
         let words = values.iter().any(|v| !starts_a_number(v));
         match fault {
-            Some(e) if !words => Err(Error::key(name, e.what).help(e.help)),
+            Some(e) if !words => Err(e.placed(Place::Key(name.to_string()))),
             _ => Ok(None),
         }
     }

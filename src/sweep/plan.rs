@@ -302,7 +302,7 @@ fn write(key: &Key, table: &mut Table, value: &AxisValue) -> Result<()> {
         AxisValue::Number(x) => key.write_number(table, *x),
         AxisValue::Words(w) => key.write_words(table, w),
     }
-    .map_err(|e| Error::argument("--vary", e.what).help(e.help))
+    .map_err(|e| e.placed(Place::Argument("--vary".to_string())))
 }
 
 fn trial_values(axis: &Axis) -> Vec<AxisValue> {

@@ -7,3 +7,4 @@ mod law;
 mod layering;
 mod support;
 mod synth;
+mod wording;

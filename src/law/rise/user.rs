@@ -48,7 +48,8 @@ impl Rise {
             .iter()
             .map(|r| ((r.0 - first.0) / (last.0 - first.0), (r.1 - first.1) / lift))
             .collect();
-        let poly = through(&points, rest).map_err(|e| fault(e.what.clone()).help(e.help))?;
+        let poly = through(&points, rest)
+            .map_err(|e| fault(e.what()).help(e.cure().unwrap_or_default()))?;
         Ok(Rise::User {
             name: name.to_string(),
             law: Law::from_poly(poly, false),

@@ -77,7 +77,7 @@ proptest! {
     #[test]
     fn programmes_are_refused_in_words_or_joined(list in segments()) {
         match program(&list, Extent::Turn) {
-            Err(e) => prop_assert!(!e.what.is_empty() && !e.help.is_empty(), "{e}"),
+            Err(e) => prop_assert!(!e.what().is_empty() && e.cure().is_some(), "{e}"),
             Ok(law) => {
                 let scale = law.extremes(1).1.value.abs().max(law.stroke());
                 for joint in law.joints() {
@@ -103,7 +103,7 @@ proptest! {
         )
         .unwrap();
         match Cam::new(law, follower) {
-            Err(e) => prop_assert!(!e.help.is_empty(), "{e}"),
+            Err(e) => prop_assert!(e.cure().is_some(), "{e}"),
             Ok(cam) => {
                 let (low, high) = cam.pressure_angle_extremes();
                 let curvature = cam.curvature();

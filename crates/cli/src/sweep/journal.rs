@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Error, Place, Result};
 use gaitcam::sweep::{Results, differences, journal as format};
 use gaitcam_output::folder::write_whole;
 
@@ -126,7 +126,7 @@ impl Journal {
             .read_to_end(&mut start);
         read.map_err(|e| self.fault("cannot be read", &e))?;
         let length = format::description_length(&start)
-            .map_err(|e| Error::file(&self.path, e.what).help(e.help))?;
+            .map_err(|e| e.placed(Place::File(self.path.clone())))?;
         let Some(length) = length else {
             return Ok(None);
         };

@@ -1,0 +1,218 @@
+//! Faults in the input: what is wrong, where it is, and what would be right.
+//!
+//! An error is data: a place and a kind with fields. Each area of the library has a file here with its kinds;
+//! their sentences stand in `wording/en/AREA.ftl`, the cure as the attribute `.help`. A bad cam is not an error but a [`Verdict`](crate::cam::Verdict), an impossible one is an
+//! [`Infeasible`](crate::synth::Infeasible) answer, and a panic is our own bug.
+
+mod units;
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use crate::wording::{self, Language};
+
+pub use units::UnitsError;
+
+/// Where in the input a fault was found.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Place {
+    /// Nothing to point at (for library callers who pass values).
+    Unplaced,
+    /// A whole file.
+    File(PathBuf),
+    /// One line of a text file, counted from 1.
+    Line(PathBuf, usize),
+    /// A byte offset in a binary file, counted from 0.
+    Byte(PathBuf, usize),
+    /// A dotted key of a scene, for example `limits.stroke`.
+    Key(String),
+    /// A flag or argument of the command line, for example `--set`.
+    Argument(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Unplaced => Ok(()),
+            Place::File(path) => write!(f, "{}: ", path.display()),
+            Place::Line(path, line) => write!(f, "{} line {line}: ", path.display()),
+            Place::Byte(path, offset) => write!(f, "{} byte {offset}: ", path.display()),
+            Place::Key(key) => write!(f, "{key}: "),
+            Place::Argument(flag) => write!(f, "{flag}: "),
+        }
+    }
+}
+
+/// What kind of fault it is, with its data.
+///
+/// Each kind has a code (`law-uncovered`) that scripts and tests compare; sentences may change.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// A sentence of a caller's own.
+    Text {
+        /// What is wrong.
+        what: String,
+        /// What would be right; empty where nothing helpful can be said.
+        help: String,
+    },
+    /// In a quantity with a unit.
+    Units(UnitsError),
+}
+
+impl From<UnitsError> for Error {
+    fn from(kind: UnitsError) -> Error {
+        Error::from(ErrorKind::Units(kind))
+    }
+}
+
+impl ErrorKind {
+    /// What is wrong, in a language.
+    pub fn sentence(&self, language: Language) -> String {
+        match self {
+            ErrorKind::Text { what, .. } => what.clone(),
+            ErrorKind::Units(e) => wording::sentence(language, "units", e),
+        }
+    }
+
+    /// What would be right, in a language.
+    pub fn help(&self, language: Language) -> Option<String> {
+        match self {
+            ErrorKind::Text { help, .. } => (!help.is_empty()).then(|| help.clone()),
+            ErrorKind::Units(e) => wording::help(language, "units", e),
+        }
+    }
+
+    /// The code: area and variant in kebab-case.
+    pub fn code(&self) -> String {
+        match self {
+            ErrorKind::Text { .. } => "text".to_string(),
+            ErrorKind::Units(e) => wording::code("units", e),
+        }
+    }
+}
+
+/// A fault in the input: where, and what kind.
+///
+/// Displays as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Error {
+    /// Where the fault is.
+    pub place: Place,
+    /// What is wrong.
+    pub kind: ErrorKind,
+}
+
+/// Result of everything that reads input.
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl From<ErrorKind> for Error {
+    fn from(kind: ErrorKind) -> Error {
+        Error {
+            place: Place::Unplaced,
+            kind,
+        }
+    }
+}
+
+impl Error {
+    /// A fault without a place; callers that know the place add it with [`Error::at`].
+    pub fn new(what: impl Into<String>) -> Self {
+        Error::from(ErrorKind::Text {
+            what: what.into(),
+            help: String::new(),
+        })
+    }
+
+    /// A fault in a whole file.
+    pub fn file(path: &Path, what: impl Into<String>) -> Self {
+        Error::new(what).at(Place::File(path.to_path_buf()))
+    }
+
+    /// A fault in one line (counted from 1) of a text file.
+    pub fn line(path: &Path, line: usize, what: impl Into<String>) -> Self {
+        Error::new(what).at(Place::Line(path.to_path_buf(), line))
+    }
+
+    /// A fault at a byte offset of a binary file.
+    pub fn byte(path: &Path, offset: usize, what: impl Into<String>) -> Self {
+        Error::new(what).at(Place::Byte(path.to_path_buf(), offset))
+    }
+
+    /// A fault in the value of a scene key.
+    pub fn key(key: &str, what: impl Into<String>) -> Self {
+        Error::new(what).at(Place::Key(key.to_string()))
+    }
+
+    /// A fault in a command-line argument.
+    pub fn argument(flag: &str, what: impl Into<String>) -> Self {
+        Error::new(what).at(Place::Argument(flag.to_string()))
+    }
+
+    /// Says what would be right, for a sentence of a caller's own.
+    #[must_use]
+    pub fn help(mut self, advice: impl Into<String>) -> Self {
+        let ErrorKind::Text { help, .. } = &mut self.kind else {
+            return self;
+        };
+        *help = advice.into();
+        self
+    }
+
+    /// Places the fault, unless a more exact place is already known.
+    #[must_use]
+    pub fn at(mut self, place: Place) -> Self {
+        if self.place == Place::Unplaced {
+            self.place = place;
+        }
+        self
+    }
+
+    /// Places the fault anew.
+    #[must_use]
+    pub fn placed(mut self, place: Place) -> Self {
+        self.place = place;
+        self
+    }
+
+    /// What would be right, in English.
+    pub fn cure(&self) -> Option<String> {
+        self.kind.help(Language::En)
+    }
+
+    /// What is wrong, without the place, in English.
+    pub fn what(&self) -> String {
+        self.kind.sentence(Language::En)
+    }
+
+    /// Place, fault and cure as one line.
+    pub fn sentence(&self, language: Language) -> String {
+        let what = self.kind.sentence(language);
+        match self.kind.help(language) {
+            None => format!("{}{what}", self.place),
+            Some(help) => format!("{}{what}; {help}", self.place),
+        }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence(Language::En))
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The candidate nearest to `word` by edit distance, if one is within typing distance.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    candidates
+        .into_iter()
+        .map(|c| (strsim::damerau_levenshtein(word, c), c))
+        .filter(|(d, c)| *d <= 1 + c.len().max(word.len()) / 3)
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}

@@ -1,0 +1,205 @@
+//! Numbers that know what they measure.
+
+use serde::Serialize;
+use serde::ser::{SerializeStruct, Serializer};
+
+/// Exponents of metre, kilogram, second and radian.
+pub(crate) type Exponents = [i32; 4];
+
+/// What a number measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)] // the names are the documentation
+pub enum Dimension {
+    /// A plain number or a percentage.
+    Ratio,
+    /// A share of which a bare number would leave open whether it is a hundredth: it needs its %.
+    Percent,
+    Length,
+    Angle,
+    Time,
+    Mass,
+    Force,
+    Frequency,
+    AngularSpeed,
+    Speed,
+    Acceleration,
+    Jerk,
+    AngularAcceleration,
+    AngularJerk,
+    Pressure,
+    PressurePerVolume,
+    SpringRate,
+    Damping,
+    Torque,
+    Power,
+    /// Torsional stiffness, N·m/rad.
+    AngularRate,
+    /// Rotational inertia, kg·m².
+    Inertia,
+    /// Derivatives of lift by cam angle: m/rad, m/rad², m/rad³.
+    LengthPerAngle(u8),
+    /// Derivatives of an oscillating follower's angle by cam angle: rad/rad … rad/rad³.
+    AnglePerAngle(u8),
+}
+
+impl Dimension {
+    /// Exponents of metre, kilogram, second and radian.
+    pub(crate) fn exponents(self) -> Exponents {
+        match self {
+            Dimension::Ratio | Dimension::Percent => [0, 0, 0, 0],
+            Dimension::Length => [1, 0, 0, 0],
+            Dimension::Angle => [0, 0, 0, 1],
+            Dimension::Time => [0, 0, 1, 0],
+            Dimension::Mass => [0, 1, 0, 0],
+            Dimension::Force => [1, 1, -2, 0],
+            Dimension::Frequency => [0, 0, -1, 0],
+            Dimension::AngularSpeed => [0, 0, -1, 1],
+            Dimension::Speed => [1, 0, -1, 0],
+            Dimension::Acceleration => [1, 0, -2, 0],
+            Dimension::Jerk => [1, 0, -3, 0],
+            Dimension::AngularAcceleration => [0, 0, -2, 1],
+            Dimension::AngularJerk => [0, 0, -3, 1],
+            Dimension::Pressure => [-1, 1, -2, 0],
+            Dimension::PressurePerVolume => [-4, 1, -2, 0],
+            Dimension::SpringRate => [0, 1, -2, 0],
+            Dimension::Damping => [0, 1, -1, 0],
+            Dimension::Torque => [2, 1, -2, 0],
+            Dimension::Power => [2, 1, -3, 0],
+            Dimension::AngularRate => [2, 1, -2, -1],
+            Dimension::Inertia => [2, 1, 0, 0],
+            Dimension::LengthPerAngle(n) => [1, 0, 0, -i32::from(n)],
+            Dimension::AnglePerAngle(n) => [0, 0, 0, 1 - i32::from(n)],
+        }
+    }
+
+    /// The SI unit as scenes write it and tables name it.
+    pub fn si(self) -> &'static str {
+        match self {
+            Dimension::Ratio => "",
+            Dimension::Percent => "ratio",
+            Dimension::Length => "m",
+            Dimension::Angle => "rad",
+            Dimension::Time => "s",
+            Dimension::Mass => "kg",
+            Dimension::Force => "N",
+            Dimension::Frequency => "Hz",
+            Dimension::AngularSpeed => "rad/s",
+            Dimension::Speed => "m/s",
+            Dimension::Acceleration => "m/s^2",
+            Dimension::Jerk => "m/s^3",
+            Dimension::AngularAcceleration => "rad/s^2",
+            Dimension::AngularJerk => "rad/s^3",
+            Dimension::Pressure => "Pa",
+            Dimension::PressurePerVolume => "Pa/m^3",
+            Dimension::SpringRate => "N/m",
+            Dimension::Damping => "N s/m",
+            Dimension::Torque => "N m",
+            Dimension::Power => "W",
+            Dimension::AngularRate => "N m/rad",
+            Dimension::Inertia => "kg m^2",
+            Dimension::LengthPerAngle(1) => "m/rad",
+            Dimension::LengthPerAngle(2) => "m/rad^2",
+            Dimension::LengthPerAngle(_) => "m/rad^3",
+            Dimension::AnglePerAngle(1) => "rad/rad",
+            Dimension::AnglePerAngle(2) => "rad/rad^2",
+            Dimension::AnglePerAngle(_) => "rad/rad^3",
+        }
+    }
+
+    /// An example of a right value, for messages.
+    pub fn example(self) -> &'static str {
+        match self {
+            Dimension::Ratio | Dimension::Percent => "\"0.5 %\"",
+            Dimension::Length => "\"25 mm\" or \"1 in\"",
+            Dimension::Angle => "\"90 deg\" or \"1.57 rad\"",
+            Dimension::Time => "\"0.5 s\" or \"500 ms\"",
+            Dimension::Mass => "\"70 kg\" or \"154 lb\"",
+            Dimension::Force => "\"700 N\" or \"157 lbf\"",
+            Dimension::Frequency => "\"1.85 Hz\"",
+            Dimension::AngularSpeed => "\"111 rpm\" or \"12.566 rad/s\"",
+            Dimension::Speed => "\"1.4 m/s\"",
+            Dimension::Acceleration => "\"40 m/s^2\"",
+            Dimension::Jerk => "\"200 m/s^3\"",
+            Dimension::AngularAcceleration => "\"50 rad/s^2\"",
+            Dimension::AngularJerk => "\"900 rad/s^3\"",
+            Dimension::Pressure => "\"500 MPa\" or \"60 psi\"",
+            Dimension::PressurePerVolume => "\"30 psi/in^3\"",
+            Dimension::SpringRate => "\"5000 N/m\" or \"30 lbf/in\"",
+            Dimension::Damping => "\"20 N s/m\"",
+            Dimension::Torque => "\"2 N m\"",
+            Dimension::Power => "\"50 W\"",
+            Dimension::AngularRate => "\"500 N m/rad\"",
+            Dimension::Inertia => "\"0.02 kg m^2\"",
+            Dimension::LengthPerAngle(_) => "\"0.5 in/rad\"",
+            Dimension::AnglePerAngle(_) => "\"0.1 rad/rad\"",
+        }
+    }
+}
+
+/// A number in SI with what it measures, as results and messages carry it.
+///
+/// Serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`.
+/// `wording` shows it in the unit that people use, here 13.6 mm.
+///
+/// ```
+/// use gaitcam::units::{Dimension, Quantity};
+///
+/// let stroke = Quantity::length(0.0136);
+/// assert_eq!(stroke.dimension, Dimension::Length);
+/// assert_eq!(serde_json::to_string(&stroke).unwrap(), r#"{"value":0.0136,"unit":"m"}"#);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    /// Value in SI (radians for angles).
+    pub value: f64,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+impl Quantity {
+    /// A value in SI.
+    pub fn new(value: f64, dimension: Dimension) -> Quantity {
+        Quantity { value, dimension }
+    }
+
+    /// m.
+    pub fn length(value: f64) -> Quantity {
+        Quantity::new(value, Dimension::Length)
+    }
+
+    /// rad.
+    pub fn angle(value: f64) -> Quantity {
+        Quantity::new(value, Dimension::Angle)
+    }
+
+    /// N.
+    pub fn force(value: f64) -> Quantity {
+        Quantity::new(value, Dimension::Force)
+    }
+
+    /// s.
+    pub fn time(value: f64) -> Quantity {
+        Quantity::new(value, Dimension::Time)
+    }
+
+    /// A share: 0.05 is 5 %.
+    pub fn share(value: f64) -> Quantity {
+        Quantity::new(value, Dimension::Percent)
+    }
+}
+
+impl Serialize for Quantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Quantity", 2)?;
+        if self.value.is_finite() {
+            out.serialize_field("value", &self.value)?;
+        } else if self.value.is_nan() {
+            out.serialize_field("value", "nan")?;
+        } else {
+            let sign = if self.value > 0.0 { "inf" } else { "-inf" };
+            out.serialize_field("value", sign)?;
+        }
+        out.serialize_field("unit", self.dimension.si())?;
+        out.end()
+    }
+}

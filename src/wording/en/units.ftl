@@ -1,0 +1,16 @@
+# Faults in a quantity with a unit.
+units-no-number = "{ $text }" does not start with a number
+    .help = write for example { $example }
+units-no-unit = "{ $text }" has no unit
+    .help = write for example { $example }
+units-bare-share = "{ $text }" has no unit
+    .help = write "{ $text } %", or "{ $percent } %" if the plain ratio is meant
+units-wrong-dimension = "{ $text }" has the wrong dimension ("{ $unit }" is not a unit of { $dimension })
+    .help = write for example { $example }
+units-not-finite = "{ $text }" is not a finite number
+units-exponent = "{ $factor }" has an exponent that is not a small integer
+units-unknown-unit = unknown unit "{ $unit }"
+    .help = { $nearest ->
+        [none] units are SI, in, ft, lb, lbf, psi, deg, rpm, Hz, bar and their products
+       *[other] did you mean "{ $nearest }"?
+    }

@@ -1,0 +1,101 @@
+//! Numbers as people read them.
+
+use super::Language;
+
+/// SI unit → unit that people use, its factor, and the size from which the next row of that unit serves.
+const SHOWN: &[(&str, &str, f64)] = &[
+    ("m", "mm", 1e3),
+    ("rad", "°", 180.0 / std::f64::consts::PI),
+    ("ratio", "%", 100.0),
+    ("m/s^2", "m/s²", 1.0),
+    ("m/s^3", "m/s³", 1.0),
+    ("rad/s^2", "rad/s²", 1.0),
+    ("rad/s^3", "rad/s³", 1.0),
+    ("Pa", "MPa", 1e-6),
+    ("Pa/m^3", "Pa/m³", 1.0),
+    ("N s/m", "N·s/m", 1.0),
+    ("N m", "N·m", 1.0),
+    ("N m/rad", "N·m/rad", 1.0),
+    ("kg m^2", "kg·m²", 1.0),
+    ("m/rad", "mm/rad", 1e3),
+    ("m/rad^2", "mm/rad²", 1e3),
+    ("m/rad^3", "mm/rad³", 1e3),
+    ("rad/rad^2", "rad/rad²", 1.0),
+    ("rad/rad^3", "rad/rad³", 1.0),
+];
+
+/// Significant digits of a number in a sentence.
+const DIGITS: usize = 6;
+
+/// A number with six significant digits, without trailing zeros; `−0` is 0, Spanish has a decimal comma.
+///
+/// ```
+/// use gaitcam::wording::{Language, number};
+/// assert_eq!(number(Language::En, 13.636), "13.636");
+/// assert_eq!(number(Language::Es, 0.5), "0,5");
+/// assert_eq!(number(Language::En, 3.2e-9), "3.2e-9");
+/// assert_eq!(number(Language::En, f64::INFINITY), "∞");
+/// ```
+pub fn number(language: Language, value: f64) -> String {
+    if value.is_nan() {
+        return "–".to_string();
+    }
+    if value.is_infinite() {
+        return if value > 0.0 { "∞" } else { "−∞" }.to_string();
+    }
+    let size = value.abs();
+    let text = if size != 0.0 && !(1e-4..1e9).contains(&size) {
+        let text = format!("{value:.*e}", DIGITS - 1);
+        match text.split_once('e') {
+            Some((digits, power)) => format!("{}e{power}", short(digits)),
+            None => text,
+        }
+    } else {
+        let whole = if size < 1.0 { 0 } else { size.log10() as usize };
+        let lead = if size == 0.0 {
+            0.0
+        } else {
+            size.log10().floor()
+        };
+        let decimals = if size < 1.0 {
+            (DIGITS as f64 - 1.0 - lead) as usize
+        } else {
+            DIGITS.saturating_sub(whole + 1)
+        };
+        short(&format!("{value:.decimals$}")).to_string()
+    };
+    let text = if text == "-0" { "0".to_string() } else { text };
+    match language {
+        Language::En => text,
+        Language::Es => text.replace('.', ","),
+    }
+}
+
+fn short(text: &str) -> &str {
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        text
+    }
+}
+
+/// A quantity given in an SI unit, in the unit that people use: 0.0136 m is `13.6 mm`.
+///
+/// ```
+/// use gaitcam::wording::{Language, quantity};
+/// assert_eq!(quantity(Language::En, 0.0136, "m"), "13.6 mm");
+/// assert_eq!(quantity(Language::En, 0.005, "ratio"), "0.5 %");
+/// assert_eq!(quantity(Language::En, std::f64::consts::PI, "rad"), "180°");
+/// ```
+pub fn quantity(language: Language, value: f64, unit: &str) -> String {
+    let (shown, factor) = SHOWN
+        .iter()
+        .find(|row| row.0 == unit)
+        .map_or((unit, 1.0), |row| (row.1, row.2));
+    let number = number(language, factor * value);
+    match shown {
+        "" => number,
+        "°" => format!("{number}°"),
+        _ => format!("{number} {shown}"),
+    }
+}
