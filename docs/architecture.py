@@ -142,7 +142,7 @@ class Node:
     def __init__(self, name, rooms=()):
         self.name, self.up, self.down = name, [], []
         self.lines = wrapped(" · ".join(rooms), 34) if rooms else []
-        text = max([8.6 * len(name)] + [6.1 * len(line) for line in self.lines]) if name else 0
+        text = max([9.2 * len(name)] + [6.1 * len(line) for line in self.lines]) if name else 0
         self.width = max(78, text + 24) if name else SLOT
         self.height = BOX + (14 * (len(self.lines) - 1) if self.lines else -10)
         self.x = self.y = 0.0
