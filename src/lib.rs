@@ -68,6 +68,8 @@ pub mod dynamics;
 
 pub mod scene;
 
+pub mod problem;
+
 pub mod synth;
 
 pub mod sweep;

@@ -9,16 +9,14 @@ mod conic;
 
 pub use conic::{Conic, Prepared};
 
-use super::demand::Demand;
-use super::qp::Basis;
-use super::qp::Quadratic;
-use super::qp::{Failure, Limit, Meaning, Program};
-use super::{harmonic, qp};
+use super::families::invert;
+use super::qp::{self, Basis, Failure, Limit, Meaning, Program, Quadratic};
 use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::SplineSpace;
+use crate::problem::Target;
 
 /// A two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,13 +111,13 @@ impl Task<'_> {
     fn distance(&self, basis: &Basis) -> Quadratic {
         let mut force = Quadratic::zero(basis);
         let nodes = (self.degree + 2).max(self.target.force_n.len().div_ceil(self.spans));
-        let demand = demand(self.target, self.drive, self.target.cubics());
+        let target = Target::new(self.target.clone());
         force.add_distance(
             basis,
             &self.drive.weights(),
             nodes,
             |start, width, places, out| {
-                demand.wanted_on(start, width, places, out);
+                target.on(start, width, places, out);
                 out.iter_mut().for_each(|f| *f -= self.drive.rest_force);
             },
             None,
@@ -180,27 +178,13 @@ impl Task<'_> {
 
 /// Harmonics inverted one by one; N of force left over is not looked at.
 pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> {
-    let demand = demand(target, drive, Vec::new());
-    Ok(harmonic::invert(&demand, Some(count), 0.0)?.law())
+    Ok(invert(target, &drive, Some(count), 0.0)?.law())
 }
 
 /// As many harmonics, inverted one by one, as leave no more than `wanted` newtons RMS: what a scene gets
 /// that names no family and breaks no limit.
 pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law> {
-    let demand = demand(target, drive, Vec::new());
-    Ok(harmonic::invert(&demand, None, wanted)?.law())
-}
-
-fn demand(target: &ForceCurve, drive: Drive, cubics: Vec<[f64; 4]>) -> Demand {
-    Demand {
-        explain: true,
-        target: Some(target.clone()),
-        drive,
-        phase: 0.0,
-        cubics,
-        length: 1.0,
-        remarks: Vec::new(),
-    }
+    Ok(invert(target, &drive, None, wanted)?.law())
 }
 
 fn refused(failure: &Failure) -> Error {

@@ -1,32 +1,31 @@
 //! Every limit of a scene as the same thing: a linear row that must hold over a range of angles.
 
-use super::demand::Demand;
 use super::loads::{Loads, Pressure};
 use super::nonconvex::{Beyond, Follower, Size};
 use super::qp::{FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE};
 use super::sequence::ENLARGED;
 use crate::cam::FollowerKind;
 use crate::dynamics::hertz::{STEEL, modulus};
-use crate::error::Result;
 use crate::force::ForceCurve;
 use crate::poly::PiecewisePoly;
-use crate::scene::{Minimise, Scene};
+use crate::problem::{Problem, Size as Sizing};
+use crate::scene::Minimise;
 
 /// Limits over the whole turn that are linear in the law.
 ///
 /// `level` says that the law's zero is the base circle: either the drive or a demand fixes the lift, or
 /// the caller pins the lowest point. Limits on the distance to the base circle are added only then.
-pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
+pub fn linear(problem: &Problem, level: bool) -> Vec<Limit> {
     let mut list = List {
         limits: Vec::new(),
-        length: demand.length,
+        length: problem.length,
     };
-    let limits = &scene.limits;
-    let speed = demand.drive.speed;
-    if level || limits.stroke.is_some() {
+    let limits = &problem.limits;
+    let speed = problem.drive.speed;
+    if problem.above_base_circle && (level || limits.stroke.is_some()) {
         let scale = limits
             .stroke
-            .map_or(demand.length, |h| h.min(demand.length));
+            .map_or(problem.length, |h| h.min(problem.length));
         list.push_scaled(
             "base_circle",
             [-1.0, 0.0, 0.0, 0.0, 0.0],
@@ -36,10 +35,11 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
         );
     }
     if let Some(h) = limits.stroke {
-        let window = super::spline::level_is_known(scene, demand).then_some(LOWEST);
+        let window = problem.level_is_known().then_some(LOWEST);
         list.push_range("stroke", 0, h, window);
     }
-    if let (Some(width), FollowerKind::FlatTranslating) = (limits.face_width, scene.cam.follower) {
+    if let (Some(width), FollowerKind::FlatTranslating) = (limits.face_width, problem.cam.follower)
+    {
         // The contact wanders by v (theory §6).
         list.push_range("face_width", 1, width, Some(FACE_END));
     }
@@ -58,14 +58,14 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
             }
         }
     }
-    let w = demand.drive.weights();
-    let force_scale = demand
+    let w = problem.drive.weights();
+    let force_scale = problem
         .target
         .as_ref()
-        .map_or(demand.drive.rest_force.abs(), |t| t.mean_n().abs());
+        .map_or(problem.drive.rest_force.abs(), |t| t.mean_n().abs());
     if let Some(low) = limits.force_min {
         let weights = [-w[0], -w[1], -w[2], 0.0, 0.0];
-        let rest = demand.drive.rest_force;
+        let rest = problem.drive.rest_force;
         let meaning = Meaning::Value {
             factor: -1.0,
             offset: rest,
@@ -74,7 +74,7 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
     }
     if let Some(high) = limits.force_max {
         let weights = [w[0], w[1], w[2], 0.0, 0.0];
-        let rest = demand.drive.rest_force;
+        let rest = problem.drive.rest_force;
         let meaning = Meaning::Value {
             factor: 1.0,
             offset: rest,
@@ -82,16 +82,16 @@ pub fn linear(scene: &Scene, demand: &Demand, level: bool) -> Vec<Limit> {
         list.push_scaled("force_max", weights, high - rest, force_scale, meaning);
     }
     if level {
-        on_the_cam(scene, &mut list);
+        on_the_cam(problem, &mut list);
     }
     list.limits
 }
 
 /// Limits of the profile that are linear once the cam's size is given (theory §6).
-fn on_the_cam(scene: &Scene, list: &mut List) {
-    let (cam, limits) = (&scene.cam, &scene.limits);
+fn on_the_cam(problem: &Problem, list: &mut List) {
+    let (cam, limits) = (&problem.cam, &problem.limits);
     if cam.follower == FollowerKind::FlatTranslating {
-        if let (Some(base), Some(rho)) = (cam.base_radius, limits.curvature) {
+        if let (Some(base), Some(rho)) = (problem.base_radius(), limits.curvature) {
             let meaning = Meaning::Value {
                 factor: -1.0,
                 offset: base,
@@ -106,7 +106,10 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
         }
         return;
     }
-    if let Some(prime) = prime_radius(scene).filter(|_| cam.follower.is_translating()) {
+    if let Some(prime) = problem
+        .prime_radius()
+        .filter(|_| cam.follower.is_translating())
+    {
         let e = cam.offset.unwrap_or(0.0);
         let rise = (prime * prime - e * e).max(0.0).sqrt();
         if let Some(angle) = limits.pressure_angle_rise {
@@ -138,17 +141,17 @@ fn on_the_cam(scene: &Scene, list: &mut List) {
 /// −(s + a) − Rb ≤ −ρ. Roller: v − e ≤ tan φ₁·(s + D), −(v − e) ≤ tan φ₂·(s + D), Rp = ‖(D, e)‖ (theory §6).
 ///
 /// The radius is what is minimised, or it stays below the scene's limit while something else is.
-pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
-    let limits = &scene.limits;
-    let length = demand.length;
-    let cost = match super::spline::objective(scene) {
+pub fn with_size(problem: &Problem, program: &mut Program) {
+    let limits = &problem.limits;
+    let length = problem.length;
+    let cost = match problem.objective() {
         Minimise::Size => 1.0,
         Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
         _ => 0.0,
     };
     // A size that no cost holds down is held by its limit: one row, at angle 0.
     // What the sequence for a roller's curvature enlarges in the end is kept free.
-    let kept = if bent(scene).is_some() {
+    let kept = if bent(problem).is_some() {
         1.0 - 2.0 * ENLARGED
     } else {
         1.0
@@ -162,8 +165,10 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
     };
     let mut base = Limit::new("base_circle", [-1.0, 0.0, 0.0, 0.0, 0.0], 0.0, length);
     base.meaning = Meaning::Structure;
-    program.limits.push(base);
-    if scene.cam.follower == FollowerKind::FlatTranslating {
+    program
+        .limits
+        .extend(Some(base).filter(|_| problem.above_base_circle));
+    if problem.cam.follower == FollowerKind::FlatTranslating {
         let rho = limits.curvature.unwrap_or(0.0);
         let mut limit = Limit::new("curvature", [-1.0, 0.0, -1.0, 0.0, 0.0], -rho, length);
         limit.extra[RADIUS] = -1.0;
@@ -173,35 +178,35 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
         };
         program.limits.push(limit);
         // F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
-        program.limits.extend(
-            super::machine::pressed(scene, demand, 0.0).map(|mut limit| {
-                limit.extra[RADIUS] = limit.weights[2] - demand.drive.weights()[2];
+        program
+            .limits
+            .extend(super::machine::pressed(problem, 0.0).map(|mut limit| {
+                limit.extra[RADIUS] = limit.weights[2] - problem.drive.weights()[2];
                 limit
-            }),
-        );
+            }));
         program
             .limits
             .extend(limits.prime_radius.map(|r| at_most(r, RADIUS)));
         program.cost[RADIUS] = cost;
         return;
     }
-    let [rise, fall] = super::design::pressure_angles(scene);
+    let [rise, fall] = problem.sizing_pressure_angles();
     let sides = [
         ("pressure_angle_rise", rise, 1.0),
         ("pressure_angle_fall", fall, -1.0),
     ];
     for (name, angle, side) in sides {
-        let t = angle.min(super::design::NEARLY_RIGHT).tan();
-        let given = scene.cam.offset.unwrap_or(0.0);
+        let t = angle.min(super::sizing::NEARLY_RIGHT).tan();
+        let given = problem.cam.offset.unwrap_or(0.0);
         let mut limit = Limit::new(name, [-t, side, 0.0, 0.0, 0.0], side * given, length);
         limit.meaning = Meaning::Sized;
         limit.extra[RISE] = -t;
-        if scene.cam.offset.is_none() {
+        if problem.cam.offset.is_none() {
             limit.extra[OFFSET] = -side;
         }
         program.limits.push(limit);
     }
-    if let Some(offset) = scene.cam.offset {
+    if let Some(offset) = problem.cam.offset {
         // With the offset given, the prime radius grows with D alone.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         program
@@ -218,20 +223,20 @@ pub fn with_size(scene: &Scene, demand: &Demand, program: &mut Program) {
 }
 
 /// All limits of the scene that no row of a convex program can say; `None` where there are none.
-pub fn beyond_convex(scene: &Scene, demand: &Demand) -> Option<Beyond> {
-    let follower = bent(scene);
-    let limits = &scene.limits;
+pub fn beyond_convex(problem: &Problem) -> Option<Beyond> {
+    let follower = bent(problem);
+    let limits = &problem.limits;
     let roller = match follower {
-        Some(Follower::Roller(_)) => Some(scene.cam.roller_radius).filter(|r| *r > 0.0),
+        Some(Follower::Roller(_)) => Some(problem.cam.roller_radius).filter(|r| *r > 0.0),
         _ => None,
     };
     let most = limits.hertz_pressure;
     let loads = Loads {
-        drive: demand.drive,
+        drive: problem.drive,
         torque: limits.torque,
         torque_rate: limits.torque_rate,
         pressure: roller.zip(most).map(|(roller, most)| Pressure {
-            spread: std::f64::consts::PI * scene.cam.thickness / modulus(STEEL, STEEL),
+            spread: std::f64::consts::PI * problem.cam.thickness / modulus(STEEL, STEEL),
             roller,
             most,
         }),
@@ -242,8 +247,8 @@ pub fn beyond_convex(scene: &Scene, demand: &Demand) -> Option<Beyond> {
 
 /// The follower with those limits of the profile that no row of a convex program can say; `None` where there
 /// are none, or where the size is found after the law.
-fn bent(scene: &Scene) -> Option<Follower> {
-    let (cam, limits) = (&scene.cam, &scene.limits);
+fn bent(problem: &Problem) -> Option<Follower> {
+    let (cam, limits) = (&problem.cam, &problem.limits);
     let rho = limits.curvature.unwrap_or(0.0);
     let pitch = rho + cam.roller_radius;
     match cam.follower {
@@ -251,9 +256,9 @@ fn bent(scene: &Scene) -> Option<Follower> {
         | FollowerKind::KnifeTranslating
         | FollowerKind::MushroomTranslating => {
             let offset = cam.offset.unwrap_or(0.0);
-            let rise = match prime_radius(scene) {
+            let rise = match problem.prime_radius() {
                 Some(prime) => (prime * prime - offset * offset).max(0.0).sqrt(),
-                None if size_is_sought(scene) => 0.0,
+                None if problem.size() == Sizing::Sought => 0.0,
                 None => return None,
             };
             (pitch > 0.0).then_some(Follower::Roller(Size {
@@ -263,7 +268,7 @@ fn bent(scene: &Scene) -> Option<Follower> {
             }))
         }
         FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
-            let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, prime_radius(scene)?);
+            let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, problem.prime_radius()?);
             let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
             // A sharp edge has no radius of its own; a millionth of the cam's keeps the division finite.
             Some(Follower::Arm {
@@ -288,35 +293,14 @@ fn bent(scene: &Scene) -> Option<Follower> {
     }
 }
 
-/// Whether the size of the cam is found together with the law: it is minimised or limited, and not given.
-pub fn size_is_sought(scene: &Scene) -> bool {
-    let sized = [
-        FollowerKind::FlatTranslating,
-        FollowerKind::RollerTranslating,
-        FollowerKind::KnifeTranslating,
-    ];
-    let priced = match super::spline::objective(scene) {
-        Minimise::Size => true,
-        Minimise::Weighed(weigh) => weigh.prime_radius.is_some(),
-        _ => false,
-    };
-    let wanted =
-        priced || scene.limits.prime_radius.is_some() && sized.contains(&scene.cam.follower);
-    wanted && !size_is_given(scene)
-}
-
 /// Limits on the distance of the force to the target: the band that the scene asks for, and the largest
 /// error where that is what is minimised. Their shapes and cost join the program.
-pub fn about_the_target(
-    scene: &Scene,
-    demand: &Demand,
-    program: &mut Program,
-) -> Result<Vec<Limit>> {
-    let Some(target) = &demand.target else {
-        return Ok(Vec::new());
+pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    let Some(target) = &problem.target else {
+        return Vec::new();
     };
-    let w = demand.drive.weights();
-    let rest = demand.drive.rest_force;
+    let w = problem.drive.weights();
+    let rest = problem.drive.rest_force;
     let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
     let mut out = Vec::new();
     // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
@@ -339,45 +323,33 @@ pub fn about_the_target(
             )
         }
     };
-    if let Some([low, high]) = demand.band(scene)? {
+    if let Some([low, high]) = &problem.band {
         // Told as the band's mean half width.
         let half = 0.5 * (high.mean_n() - low.mean_n());
-        out.push(side("band", 1.0, &high, half));
-        out.push(side("band", -1.0, &low, half));
+        out.push(side("band", 1.0, high, half));
+        out.push(side("band", -1.0, low, half));
     }
-    if super::spline::objective(scene) == Minimise::PeakForceError {
-        out.push(side("peak", 1.0, target, 0.0).minimised());
-        out.push(side("peak", -1.0, target, 0.0).minimised());
+    if problem.objective() == Minimise::PeakForceError {
+        out.push(side("peak", 1.0, &target.curve, 0.0).minimised());
+        out.push(side("peak", -1.0, &target.curve, 0.0).minimised());
         program.cost[PEAK] = 1.0;
     }
-    Ok(out)
-}
-
-/// The prime radius where the scene fixes it, directly or through the base radius.
-pub fn prime_radius(scene: &Scene) -> Option<f64> {
-    let cam = &scene.cam;
-    cam.prime_radius
-        .or(cam.base_radius.map(|b| b + cam.roller_radius))
-}
-
-/// Whether the scene fixes the cam's size, so that the law has to fit it.
-pub fn size_is_given(scene: &Scene) -> bool {
-    prime_radius(scene).is_some()
+    out
 }
 
 /// The law rises or falls steadily between neighbouring points whose lifts differ; `lift_of` gives each
 /// point's lift where it is known.
-pub fn monotone(scene: &Scene, demand: &Demand) -> Vec<Limit> {
-    let mut points: Vec<(f64, f64)> = scene
+pub fn monotone(problem: &Problem) -> Vec<Limit> {
+    let mut points: Vec<(f64, f64)> = problem
         .law
         .points
         .iter()
-        .filter_map(|p| Some((p.angle, p.lift.or_else(|| lift_of_force(demand, p.force?))?)))
+        .filter_map(|p| Some((p.angle, p.lift.or_else(|| problem.lift_of_force(p.force?))?)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut list = List {
         limits: Vec::new(),
-        length: demand.length,
+        length: problem.length,
     };
     for pair in points.windows(2) {
         let ((from, before), (to, after)) = (pair[0], pair[1]);
@@ -396,12 +368,6 @@ pub fn monotone(scene: &Scene, demand: &Demand) -> Vec<Limit> {
         }
     }
     list.limits
-}
-
-/// The lift that belongs to a force where lift alone decides (hydraulic drive, light spring).
-pub fn lift_of_force(demand: &Demand, force: f64) -> Option<f64> {
-    let w = demand.drive.weights();
-    (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - demand.drive.rest_force) / w[0])
 }
 
 struct List {

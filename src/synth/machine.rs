@@ -5,12 +5,10 @@
 //! programs; a dwell's vibration as two equalities, which leave none. Every one is checked on the finished
 //! cam whatever shaped it.
 
-use super::answer::{Infeasible, Step};
-use super::demand::Demand;
+use super::answer::Step;
 use super::nonconvex::{self, Beyond};
-use super::qp::{Basis, Entries};
-use super::qp::{Equality, Limit, Meaning, Program, Solution};
-use super::{fight, limits, sequence};
+use super::qp::{Basis, Entries, Equality, Limit, Meaning, Program, Solution};
+use super::{limits, sequence};
 use crate::cam::{Cam, Check, Follower, FollowerKind};
 use crate::drive::Drive;
 use crate::dynamics::design::hertz_at_most;
@@ -18,9 +16,9 @@ use crate::dynamics::hertz::{STEEL, modulus};
 use crate::dynamics::linear::gauss_points;
 use crate::dynamics::polydyne::end_error;
 use crate::dynamics::touch::touch;
-use crate::law::{Law, Rise};
+use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly, stand_in};
-use crate::scene::Scene;
+use crate::problem::Problem;
 use std::f64::consts::{PI, TAU};
 
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
@@ -29,25 +27,25 @@ const WORTH_GROWING: f64 = 0.95;
 const SLACK: f64 = 1e-6;
 
 /// Rows that are linear in the law from the start: steel on steel under a flat face of given base radius.
-pub fn rows(scene: &Scene, demand: &Demand) -> Vec<Limit> {
-    let base = scene.cam.base_radius;
-    base.and_then(|base| pressed(scene, demand, base))
+pub fn rows(problem: &Problem) -> Vec<Limit> {
+    let base = problem.base_radius();
+    base.and_then(|base| pressed(problem, base))
         .into_iter()
         .collect()
 }
 
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
-pub fn pressed(scene: &Scene, demand: &Demand, base_radius: f64) -> Option<Limit> {
-    let (cam, pressure) = (&scene.cam, scene.limits.hertz_pressure?);
+pub fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
+    let (cam, pressure) = (&problem.cam, problem.limits.hertz_pressure?);
     if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
     let face = Follower::FlatTranslating { base_radius };
     let steel = modulus(STEEL, STEEL);
-    let l = hertz_at_most(&demand.drive, &face, cam.thickness, steel, pressure)?;
+    let l = hertz_at_most(&problem.drive, &face, cam.thickness, steel, pressure)?;
     let [s, v, a, j] = l.weights;
     let bound = l.upper - l.constant;
-    let scale = bound.abs().max(demand.drive.rest_force.abs());
+    let scale = bound.abs().max(problem.drive.rest_force.abs());
     let mut row = Limit::new("hertz_pressure", [s, v, a, j, 0.0], bound, scale);
     row.meaning = Meaning::Sized;
     Some(row)
@@ -62,27 +60,26 @@ pub struct Held {
 }
 
 /// The law again with the limits that were broken brought in: a dwell's vibration as equalities, loads by a
-/// sequence of convex programs. Where no law keeps the loads, the limits that fight are the answer.
+/// sequence of convex programs. Where no law keeps the loads, the program comes back with them.
 pub fn hold(
-    scene: &Scene,
-    demand: &Demand,
+    problem: &Problem,
     program: Program,
     solution: Solution,
-) -> Result<Held, Infeasible> {
+) -> Result<Held, (Program, Beyond)> {
     let mut held = Held {
         program,
         solution,
         sequence: None,
     };
-    if rings(scene, demand, &held.program.basis.law(&held.solution.x)) {
+    if rings(problem, &held.program.basis.law(&held.solution.x)) {
         let mut next = held.program.clone();
-        next.equalities.extend(silence(scene, demand, &next.basis));
+        next.equalities.extend(silence(problem, &next.basis));
         // Without a solution the check says what is left over.
         if let Ok(solution) = next.solve() {
             (held.program, held.solution) = (next, solution);
         }
     }
-    let Some(beyond) = limits::beyond_convex(scene, demand) else {
+    let Some(beyond) = limits::beyond_convex(problem) else {
         return Ok(held);
     };
     let loads = Beyond {
@@ -98,12 +95,7 @@ pub fn hold(
             held.sequence = Some((steps, ended));
             Ok(held)
         }
-        None if !demand.explain => Err(Infeasible {
-            conflict: Vec::new(),
-            relaxations: Vec::new(),
-            words: String::new(),
-        }),
-        None => Err(fight::explain(&held.program, beyond, scene.cam.measures())),
+        None => Err((held.program, beyond)),
     }
 }
 
@@ -117,10 +109,9 @@ fn holds(held: &Held, beyond: Beyond) -> bool {
 
 /// Whether a dwell is left with more vibration than the scene allows. A polydyne follower's end rests where
 /// its law does, whatever the natural frequency.
-fn rings(scene: &Scene, demand: &Demand, law: &Law) -> bool {
-    let silenced = scene.limits.residual.filter(|_| !scene.law.polydyne);
-    silenced
-        .is_some_and(|r| left_over(scene, demand, law).is_some_and(|x| x.value > r * (1.0 + SLACK)))
+fn rings(problem: &Problem, law: &Law) -> bool {
+    let silenced = problem.limits.residual.filter(|_| !problem.law.polydyne);
+    silenced.is_some_and(|r| left_over(problem, law).is_some_and(|x| x.value > r * (1.0 + SLACK)))
 }
 
 /// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
@@ -143,23 +134,9 @@ fn largest(curve: &PiecewisePoly) -> Extreme {
     }
 }
 
-/// The rests of a law in order: dwells asked for, or a programme's.
-fn rests(scene: &Scene) -> Vec<(f64, f64)> {
-    let mut all: Vec<(f64, f64)> = scene.law.dwells.iter().map(|d| (d.from, d.to)).collect();
-    let mut at = 0.0;
-    for segment in &scene.law.segments {
-        if segment.motion == Rise::Dwell {
-            all.push((at, at + segment.angle));
-        }
-        at += segment.angle;
-    }
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all
-}
-
 /// Motions from the end of one rest to the begin of the next, as angles counted on over the turn.
-fn motions(scene: &Scene) -> Vec<(f64, f64)> {
-    let rests = rests(scene);
+fn motions(problem: &Problem) -> Vec<(f64, f64)> {
+    let rests = problem.rests();
     (0..rests.len())
         .map(|k| {
             let from = rests[k].1;
@@ -169,14 +146,6 @@ fn motions(scene: &Scene) -> Vec<(f64, f64)> {
             }
         })
         .collect()
-}
-
-/// Natural frequency over shaft speed, where the scene knows it.
-fn ratio(scene: &Scene, demand: &Demand) -> Option<f64> {
-    scene
-        .machine
-        .natural_frequency
-        .map(|hz| TAU * hz / demand.drive.speed)
 }
 
 /// Angles with weights for ∫ f(θ) cos and sin of ratio·θ over one motion: Gauss points on parts of at
@@ -207,9 +176,9 @@ fn quadrature(breaks: &[f64], (from, to): (f64, f64), ratio: f64) -> Vec<(f64, [
 
 /// Largest amplitude that rings on in a rest, m: the follower, at rest and undamped before each motion,
 /// obeys ẍ + ω²x = −s̈, so |(∫a cos, ∫a sin)|/ratio is left. `None` without rests or frequency.
-fn left_over(scene: &Scene, demand: &Demand, law: &Law) -> Option<Extreme> {
-    let ratio = ratio(scene, demand)?;
-    motions(scene)
+fn left_over(problem: &Problem, law: &Law) -> Option<Extreme> {
+    let ratio = problem.frequency_ratio()?;
+    motions(problem)
         .into_iter()
         .map(|motion| {
             let mut parts = [0.0; 2];
@@ -227,12 +196,12 @@ fn left_over(scene: &Scene, demand: &Demand, law: &Law) -> Option<Extreme> {
 }
 
 /// Two equalities per motion that leave no vibration in the rest after it.
-fn silence(scene: &Scene, demand: &Demand, basis: &Basis) -> Vec<Equality> {
-    let Some(ratio) = ratio(scene, demand) else {
+fn silence(problem: &Problem, basis: &Basis) -> Vec<Equality> {
+    let Some(ratio) = problem.frequency_ratio() else {
         return Vec::new();
     };
     let mut out = Vec::new();
-    for motion in motions(scene) {
+    for motion in motions(problem) {
         let points = quadrature(&basis.breaks(), motion, ratio);
         for k in 0..2 {
             let mut dense = vec![0.0; basis.columns()];
@@ -257,10 +226,10 @@ fn silence(scene: &Scene, demand: &Demand, basis: &Basis) -> Vec<Equality> {
 }
 
 /// Pressure, torque and vibration of the finished cam against the scene's limits.
-pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Vec<Check> {
-    let limits = &scene.limits;
+pub fn checks(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Check> {
+    let limits = &problem.limits;
     let mut out = Vec::new();
-    let torque = || torque_curve(&demand.drive, pressing, &cam.law);
+    let torque = || torque_curve(&problem.drive, pressing, &cam.law);
     if let Some(limit) = limits.torque {
         out.push(Check::at_most("torque", largest(&torque()), limit, SLACK));
     }
@@ -269,16 +238,16 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Vec<
         out.push(Check::at_most("torque_rate", worst, limit, SLACK));
     }
     if let Some(limit) = limits.hertz_pressure {
-        let worst = pressure(scene, demand, cam, pressing);
+        let worst = pressure(problem, cam, pressing);
         out.push(Check::at_most("hertz_pressure", worst, limit, SLACK));
     }
-    let ringing = match scene.machine.train(&demand.drive) {
+    let ringing = match problem.train() {
         _ if limits.residual.is_none() => None,
-        Ok(Some(train)) if scene.law.polydyne => {
-            let miss = end_error(&cam.law, pressing, &demand.drive, &train);
+        Ok(Some(train)) if problem.law.polydyne => {
+            let miss = end_error(&cam.law, pressing, &problem.drive, &train);
             miss.ok().map(|m| m.lift)
         }
-        _ => left_over(scene, demand, &cam.law),
+        _ => left_over(problem, &cam.law),
     };
     if let (Some(limit), Some(worst)) = (limits.residual, ringing) {
         out.push(Check::at_most("residual", worst, limit, SLACK));
@@ -287,12 +256,12 @@ pub fn checks(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Vec<
 }
 
 /// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
-pub fn smallest_base_radius(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> f64 {
-    let Some(limit) = pressed(scene, demand, 0.0) else {
+pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
+    let Some(limit) = pressed(problem, 0.0) else {
         return 0.0;
     };
-    let per_radius = demand.drive.weights()[2] - limit.weights[2];
-    let force = demand.drive.force_curve(pressing);
+    let per_radius = problem.drive.weights()[2] - limit.weights[2];
+    let force = problem.drive.force_curve(pressing);
     let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
     let bend = bend.cut_at(force.breaks());
     let force = force.cut_at(bend.breaks());
@@ -304,15 +273,15 @@ pub fn smallest_base_radius(scene: &Scene, demand: &Demand, law: &Law, pressing:
 
 /// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
 /// that presses on any cam.
-pub fn bearable_on_some_size(scene: &Scene, demand: &Demand, pressing: &Law) -> Option<f64> {
-    let (most, roller) = (scene.limits.hertz_pressure?, scene.cam.roller_radius);
-    let force = demand.drive.force_curve(pressing).extremes().1.value;
-    let least = force * modulus(STEEL, STEEL) / (PI * scene.cam.thickness * roller);
+pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
+    let (most, roller) = (problem.limits.hertz_pressure?, problem.cam.roller_radius);
+    let force = problem.drive.force_curve(pressing).extremes().1.value;
+    let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }
 
 /// Highest line pressure, Pa, steel on steel over the plate's thickness: p₀² = N κ E*/(π L).
-pub fn pressure(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Extreme {
+pub fn pressure(problem: &Problem, cam: &Cam, pressing: &Law) -> Extreme {
     let start = cam.law.extent().0;
     if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
         // A knife edge presses on a line without width.
@@ -321,13 +290,13 @@ pub fn pressure(scene: &Scene, demand: &Demand, cam: &Cam, pressing: &Law) -> Ex
             value: f64::INFINITY,
         };
     }
-    let factor = modulus(STEEL, STEEL) / (PI * scene.cam.thickness);
+    let factor = modulus(STEEL, STEEL) / (PI * problem.cam.thickness);
     let breaks = cam.law.breaks();
     let square = stand_in(breaks, 1e-12, |i, x| {
         let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         let at = cam.law.svaj_on(i, u);
-        let force = demand.drive.force(pressing.svaj_on(i, u));
-        let here = touch(&cam.follower, demand.drive.speed, 0.0, at, force);
+        let force = problem.drive.force(pressing.svaj_on(i, u));
+        let here = touch(&cam.follower, problem.drive.speed, 0.0, at, force);
         factor * here.normal * here.curvature
     })
     .extremes()

@@ -9,11 +9,10 @@ use std::f64::consts::TAU;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
-use super::demand::Demand;
-use super::{find_law, on_base_circle, verify};
+use super::families::{NoLaw, find_law, on_base_circle};
+use super::verify;
 use crate::error::{Error, Result};
-use crate::force::ForceCurve;
-use crate::scene::{Phase, Scene};
+use crate::problem::Problem;
 
 /// Phases looked at before the search.
 const VISITED: usize = 36;
@@ -22,17 +21,15 @@ const RESOLVED: f64 = 1e-9;
 /// Steps of the search.
 const STEPS: u64 = 60;
 
-/// The scene with its phase settled: as it is, or at the least force error over all phases.
+/// The problem with its phase settled: as it is, or at the least force error over all phases.
 ///
-/// Returns the phase that was found, where it was free. Fails where no phase has a law.
-pub fn settle(scene: &Scene, target: Option<&ForceCurve>) -> Result<(Scene, Option<f64>)> {
-    let (Some(gait), Some(target)) = (&scene.gait, target) else {
-        return Ok((scene.clone(), None));
-    };
-    if gait.phase != Phase::Free {
-        return Ok((scene.clone(), None));
+/// # Errors
+/// No phase has a law, and at some the input is at fault.
+pub fn settled(problem: Problem) -> Result<Problem> {
+    if !problem.phase_is_free {
+        return Ok(problem);
     }
-    let search = Search { scene, target };
+    let search = Search { problem: &problem };
     let mut best: Option<(f64, f64)> = None;
     let mut failure = None;
     for i in 0..VISITED {
@@ -47,12 +44,12 @@ pub fn settle(scene: &Scene, target: Option<&ForceCurve>) -> Result<(Scene, Opti
         // Without a law at any phase the conflict is explained at the first.
         return match failure {
             Some(e) => Err(e),
-            None => Ok((search.at(0.0), Some(0.0))),
+            None => problem.at_phase(0.0),
         };
     };
     let width = TAU / VISITED as f64;
     let done = Executor::new(
-        Search { scene, target },
+        search,
         BrentOpt::new(near - width, near + width).set_tolerance(RESOLVED, RESOLVED),
     )
     .configure(|state| state.max_iters(STEPS))
@@ -62,33 +59,25 @@ pub fn settle(scene: &Scene, target: Option<&ForceCurve>) -> Result<(Scene, Opti
         Some(&phase) if done.state().get_best_cost() < error => phase.rem_euclid(TAU),
         _ => near,
     };
-    Ok((search.at(found), Some(found)))
+    problem.at_phase(found)
 }
 
 struct Search<'a> {
-    scene: &'a Scene,
-    target: &'a ForceCurve,
+    problem: &'a Problem,
 }
 
 impl Search<'_> {
-    fn at(&self, phase: f64) -> Scene {
-        let mut scene = self.scene.clone();
-        if let Some(gait) = &mut scene.gait {
-            gait.phase = Phase::At(phase);
-        }
-        scene
-    }
-
     /// RMS force error of the best law at a phase, N; `None` where limits leave no law.
     fn error(&self, phase: f64) -> Result<Option<f64>> {
-        let scene = self.at(phase);
-        let demand = Demand::settle(&scene, Some(self.target))?;
-        let found = find_law(&scene, &demand)?;
-        if found.infeasible.is_some() {
-            return Ok(None);
+        let problem = self.problem.clone().at_phase(phase)?;
+        match find_law(&problem) {
+            Ok(found) => {
+                let law = on_base_circle(&problem, found.law);
+                Ok(Some(verify::law_force(&problem, &law).rms_error_n))
+            }
+            Err(NoLaw::Stuck(_)) => Ok(None),
+            Err(NoLaw::Fault(fault)) => Err(fault),
         }
-        let law = on_base_circle(&scene, &demand, found.law);
-        Ok(Some(verify::law_force(&demand, &law).rms_error_n))
     }
 }
 

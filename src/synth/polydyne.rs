@@ -2,14 +2,15 @@
 //! follows it, and every limit of the cam is held on the cam's own law.
 
 use super::answer::End;
-use super::demand::Demand;
-use super::{Found, design, find_law, machine, on_base_circle, verify};
+use super::families::{Found, NoLaw, find_law, on_base_circle};
+use super::{machine, sizing, verify};
 use crate::cam::{Cam, Check};
 use crate::dynamics::polydyne::{end_error, polydyne};
 use crate::dynamics::train::Train;
 use crate::error::{Place, Result};
 use crate::law::Law;
-use crate::scene::{Limits, Scene};
+use crate::problem::Problem;
+use crate::scene::Limits;
 
 /// Times that the end's limits are moved so that the cam keeps its own.
 const ROUNDS: usize = 12;
@@ -22,36 +23,45 @@ const WORTH_A_DEGREE: f64 = 0.01;
 /// Splines go no higher.
 const MOST_DEGREE: usize = 9;
 
-/// The law of the end, the cam that gives it, and what is known of both.
+/// The law of the end, the cam that gives it, and what is known of both. The law is found for `asked`, which
+/// is the problem itself, or the problem without the limits that leave none.
 ///
 /// Limits of the program hold for the end; the cam's law differs from it by the follower's give. Where the
 /// cam breaks a limit, or keeps away from one that binds the end, the end's limit moves by as much and the
 /// law is found again.
-pub fn design(scene: &Scene, demand: &Demand, train: &Train) -> Result<(Found, Cam, End)> {
-    let mut moved = scene.clone();
-    let mut best = one(scene, &moved, demand, train)?;
+pub fn design(
+    problem: &Problem,
+    asked: &Problem,
+    train: &Train,
+) -> std::result::Result<(Found, Cam, End), NoLaw> {
+    let mut moved = asked.clone();
+    let mut best = one(problem, &moved, train)?;
     let mut last = best.clone();
     for _ in 0..ROUNDS {
-        if last.found.infeasible.is_some() || !last.move_limits(&mut moved.limits) {
+        if !last.move_limits(&mut moved.limits) {
             break;
         }
-        last = one(scene, &moved, demand, train)?;
-        // With limits drawn in there may be no law: then the check of the one before says what is broken.
-        if last.found.infeasible.is_none() && (last.passes() || !best.passes()) {
+        last = match one(problem, &moved, train) {
+            Ok(round) => round,
+            // With limits drawn in there may be no law: then the check of the one before says what is broken.
+            Err(NoLaw::Stuck(_)) => break,
+            Err(fault) => return Err(fault),
+        };
+        if last.passes() || !best.passes() {
             best = last.clone();
         }
     }
-    let end = known(demand, train, &best.cam, best.wanted);
+    let end = known(problem, train, &best.cam, best.wanted);
     Ok((best.found, best.cam, end))
 }
 
-/// One round: the law under the limits as they stand, its cam, and that cam's checks against the scene.
-fn one(scene: &Scene, moved: &Scene, demand: &Demand, train: &Train) -> Result<Round> {
-    let found = find_law(moved, demand)?;
-    let (cam, wanted) = cut(scene, demand, train, &found.law)?;
-    let force = verify::law_force(demand, &wanted);
-    let mut checks = verify::checks(scene, demand, &cam, &wanted, &force);
-    checks.extend(machine::checks(scene, demand, &cam, &wanted));
+/// One round: the law under the limits as they stand, its cam, and that cam's checks against the problem.
+fn one(problem: &Problem, moved: &Problem, train: &Train) -> std::result::Result<Round, NoLaw> {
+    let found = find_law(moved)?;
+    let (cam, wanted) = cut(problem, train, &found.law)?;
+    let force = verify::law_force(problem, &wanted);
+    let mut checks = verify::checks(problem, &cam, &wanted, &force);
+    checks.extend(machine::checks(problem, &cam, &wanted));
     Ok(Round {
         found,
         cam,
@@ -99,14 +109,14 @@ impl Round {
 }
 
 /// The cam for a wanted end, and that end with the zero of its lift moved as the cam's was.
-fn cut(scene: &Scene, demand: &Demand, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
+fn cut(problem: &Problem, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
     let key = |e: crate::error::Error| e.at(Place::Key("law.polydyne".to_string()));
-    let whole = polydyne(wanted, &demand.drive, train).map_err(key)?;
-    let law = on_base_circle(scene, demand, whole.clone());
+    let whole = polydyne(wanted, &problem.drive, train).map_err(key)?;
+    let law = on_base_circle(problem, whole.clone());
     let (start, _) = whole.extent();
     let moved = law.svaj(start).s - whole.svaj(start).s;
     let wanted = wanted.raised(moved);
-    let cam = design::cam(scene, demand, law, &wanted)?;
+    let cam = sizing::cam(problem, law, &wanted)?;
     Ok((cam, wanted))
 }
 
@@ -130,7 +140,7 @@ fn own_limit<'a>(limits: &'a mut Limits, check: &str) -> Option<&'a mut f64> {
 }
 
 /// What the flexible machine makes of the cam, and of one cut to the wanted law itself.
-fn known(demand: &Demand, train: &Train, cam: &Cam, wanted: Law) -> End {
+fn known(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
     let (stiffness, damping) = match *train {
         Train::OneMass { stiffness, damping }
         | Train::TwoMass {
@@ -138,7 +148,7 @@ fn known(demand: &Demand, train: &Train, cam: &Cam, wanted: Law) -> End {
         } => (stiffness, damping),
     };
     // Undamped and on a harmonic nothing is steady: then there is nothing to tell.
-    let miss = |law: &Law| end_error(law, &wanted, &demand.drive, train).ok();
+    let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
     End {
         stiffness,
         damping,

@@ -12,8 +12,7 @@
 
 use super::answer::Step;
 use super::nonconvex::{Beyond, Follower, Size, clearance, relative};
-use super::qp::apply;
-use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution};
+use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Steps before the sequence is called finished as it is.

@@ -3,9 +3,10 @@
 //! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
 //! point of the front, and no point of the front is missed.
 
-use super::{Synthesis, synthesise};
+use super::{Synthesis, designed};
 use crate::error::{Error, Place, Result};
 use crate::force::ForceCurve;
+use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise, Scene};
 
 /// What the force error is traded against.
@@ -110,9 +111,9 @@ impl Against {
         }
     }
 
-    /// The scene with the quantity held at or below a value.
-    fn held(self, scene: &Scene, value: f64) -> Scene {
-        let mut out = scene.clone();
+    /// The problem with the quantity held at or below a value.
+    fn held(self, problem: &Problem, value: f64) -> Problem {
+        let mut out = problem.clone();
         let limits = &mut out.limits;
         let at = match self {
             Against::PrimeRadius => &mut limits.prime_radius,
@@ -133,41 +134,39 @@ impl Against {
 /// where the law without the limit cannot be built.
 pub fn trade(
     scene: &Scene,
-    target: Option<&ForceCurve>,
+    force: Option<&ForceCurve>,
     against: Against,
     points: usize,
 ) -> Result<Vec<Trade>> {
-    if scene.gait.is_none() {
+    let mut problem = Problem::settle(scene, force)?;
+    if problem.target.is_none() {
         return Err(Error::key(
             "gait",
             "no force is wanted, so no force error can be traded",
         ));
     }
-    if !matches!(scene.law.family, Family::Spline | Family::Ladder) {
+    if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
         return Err(
             Error::key("law.family", "only splines are traded point by point")
                 .help("use law.family = \"spline\", or gaitcam sweep and gaitcam front"),
         );
     }
-    let fixed = scene.cam.base_radius.is_some() || scene.cam.prime_radius.is_some();
+    let fixed = matches!(problem.size(), Size::Given { .. });
     if against == Against::PrimeRadius && fixed {
         return Err(Error::key("cam", "the scene fixes the size of the cam")
             .help("leave out base_radius and prime_radius"));
     }
-    let mut scene = scene.clone();
-    scene.law.family = Family::Spline;
+    problem.law.family = Family::Spline;
+    let first = designed(problem.clone())?;
     // The accuracy would raise the number of spans and fail what the front is there to show.
-    let mut open = Scene {
-        rms: None,
-        ..scene.clone()
-    };
+    let mut open = problem;
+    open.accuracy = None;
     open.law.minimise = Some(Minimise::ForceError);
-    let first = synthesise(&scene, target)?;
-    if scene.law.spans.is_none() && scene.law.dwells.is_empty() {
+    if open.law.spans.is_none() && open.law.dwells.is_empty() {
         let own = first.cam.law.poly().pieces();
         open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
     }
-    let free = synthesise(&open, target)?;
+    let free = designed(open.clone())?;
     if let Some(why) = &free.infeasible {
         return Err(Error::key("limits", why.words.clone()));
     }
@@ -184,13 +183,13 @@ pub fn trade(
     let (mut low, mut high) = (0.0, most);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        match synthesise(&against.held(&open, middle), target) {
+        match designed(against.held(&open, middle)) {
             Ok(design) if good(&design) => high = middle,
             _ => low = middle,
         }
     }
     // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
-    if high == most && !synthesise(&against.held(&open, most), target).is_ok_and(|d| good(&d)) {
+    if high == most && !designed(against.held(&open, most)).is_ok_and(|d| good(&d)) {
         let allowed = against.of(&free);
         return Ok(vec![Trade {
             allowed,
@@ -201,7 +200,7 @@ pub fn trade(
     for i in 0..points {
         let share = i as f64 / (points - 1).max(1) as f64;
         let allowed = high + share * (most - high);
-        let design = synthesise(&against.held(&open, allowed), target)?;
+        let design = designed(against.held(&open, allowed))?;
         if design.infeasible.is_none() {
             out.push(Trade { allowed, design });
         }

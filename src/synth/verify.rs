@@ -1,14 +1,13 @@
 //! Holding the finished design against the scene: exact extremes, checks, force report.
 
 use super::answer::ForceReport;
-use super::conflict::in_units;
-use super::demand::Demand;
+use super::infeasible::in_units;
 use super::qp::TOLERANCE;
 use crate::cam::{BarrelGroove, Body, Cam, Check, Conjugate, Follower, Verdict, Wall};
 use crate::drive::DriveKind;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly, distance};
-use crate::scene::Scene;
+use crate::problem::Problem;
 
 /// A sized quantity (prime circle by bisection or root) may miss its limit by this part: rounding of the
 /// geometry, not of the law.
@@ -25,8 +24,8 @@ const INTERFERENCE_POINTS: usize = 360;
 const TOUCH: f64 = 1e-6;
 
 /// Distance of the force of a law from the target, exact on the pieces of both.
-pub fn law_force(demand: &Demand, law: &Law) -> ForceReport {
-    let own = demand.drive.force_curve(law);
+pub fn law_force(problem: &Problem, law: &Law) -> ForceReport {
+    let own = problem.drive.force_curve(law);
     let (low, high) = own.extremes();
     let (start, length) = law.extent();
     let mut report = ForceReport {
@@ -35,8 +34,8 @@ pub fn law_force(demand: &Demand, law: &Law) -> ForceReport {
         max_n: high.value,
         ..ForceReport::default()
     };
-    if let Some(target) = &demand.target {
-        let apart = distance(&own, &target.curve());
+    if let Some(target) = &problem.target {
+        let apart = distance(&own, &target.curve.curve());
         report.target_mean_n = target.mean_n();
         report.rms_error_n = (apart.square / length).max(0.0).sqrt();
         report.max_error_n = apart.largest;
@@ -54,15 +53,9 @@ fn difference(own: &PiecewisePoly, target: &PiecewisePoly) -> PiecewisePoly {
 
 /// Every limit of the scene, and what no cam may lack, held against the design. The force is that of the
 /// law that presses: a polydyne follower's end, the cam's own otherwise.
-pub fn checks(
-    scene: &Scene,
-    demand: &Demand,
-    cam: &Cam,
-    pressing: &Law,
-    force: &ForceReport,
-) -> Vec<Check> {
-    let limits = &scene.limits;
-    let speed = demand.drive.speed;
+pub fn checks(problem: &Problem, cam: &Cam, pressing: &Law, force: &ForceReport) -> Vec<Check> {
+    let limits = &problem.limits;
+    let speed = problem.drive.speed;
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
     if let Some(h) = limits.stroke {
@@ -95,10 +88,14 @@ pub fn checks(
             out.push(Check::at_most(name, timed, limit, 2.0 * TOLERANCE));
         }
     }
-    let curve = demand.drive.force_curve(pressing);
+    let curve = problem.drive.force_curve(pressing);
     let (low, high) = curve.extremes();
-    let force_slack =
-        2.0 * TOLERANCE * force.target_mean_n.abs().max(demand.drive.rest_force.abs());
+    let force_slack = 2.0
+        * TOLERANCE
+        * force
+            .target_mean_n
+            .abs()
+            .max(problem.drive.rest_force.abs());
     if let Some(limit) = limits.force_min {
         let mut check = Check::at_least("force_min", low, limit, 2.0 * TOLERANCE);
         check.pass = low.value >= limit - force_slack;
@@ -107,8 +104,8 @@ pub fn checks(
     if let Some(limit) = limits.force_max {
         out.push(Check::at_most("force_max", high, limit, 2.0 * TOLERANCE));
     }
-    out.extend(profile_checks(scene, cam));
-    if let Ok(Some([low, high])) = demand.band(scene) {
+    out.extend(profile_checks(problem, cam));
+    if let Some([low, high]) = &problem.band {
         // The band is the accuracy then.
         let below = difference(&low.curve(), &curve).extremes().1;
         let above = difference(&curve, &high.curve()).extremes().1;
@@ -120,7 +117,7 @@ pub fn checks(
         let mut check = Check::at_most("band", worst, 0.0, 0.0);
         check.pass = worst.value <= force_slack;
         out.push(check);
-    } else if let (Some(rms), Some(_)) = (scene.rms, &demand.target) {
+    } else if let (Some(rms), Some(_)) = (problem.accuracy, &problem.target) {
         let worst = Extreme {
             at: 0.0,
             value: force.rms_error_n,
@@ -135,14 +132,14 @@ pub fn checks(
     out
 }
 
-fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
-    let limits = &scene.limits;
+fn profile_checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
+    let limits = &problem.limits;
     let mut out = Vec::new();
     if !matches!(cam.follower, Follower::Barrel { .. }) {
         let (low, high) = cam.pressure_angle_extremes();
-        out.extend(pressure(scene, low, high, ""));
+        out.extend(pressure(problem, low, high, ""));
     }
-    out.extend(curvature(scene, cam, ""));
+    out.extend(curvature(problem, cam, ""));
     if let (Some(limit), Some(width)) = (limits.face_width, cam.face_width()) {
         let at = cam.law.extremes(1).1.at;
         out.push(Check::at_most(
@@ -159,7 +156,7 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
         };
         out.push(Check::at_most("prime_radius", worst, limit, GEOMETRY));
     }
-    if let Some(bore) = scene.cam.bore {
+    if let Some(bore) = problem.cam.bore {
         let worst = Extreme {
             at: 0.0,
             value: cam.follower.base_radius(),
@@ -177,8 +174,8 @@ fn profile_checks(scene: &Scene, cam: &Cam) -> Vec<Check> {
 }
 
 /// Both sides of the pressure angle against the scene's limits.
-fn pressure(scene: &Scene, low: Extreme, high: Extreme, prefix: &str) -> Vec<Check> {
-    let limits = &scene.limits;
+fn pressure(problem: &Problem, low: Extreme, high: Extreme, prefix: &str) -> Vec<Check> {
+    let limits = &problem.limits;
     let falling = Extreme {
         at: low.at,
         value: -low.value,
@@ -197,9 +194,9 @@ fn pressure(scene: &Scene, low: Extreme, high: Extreme, prefix: &str) -> Vec<Che
 
 /// Convex and concave radii of a profile. Asked for or not, a negative convex radius is a cam that cuts
 /// itself.
-fn curvature(scene: &Scene, cam: &Cam, prefix: &str) -> Vec<Check> {
+fn curvature(problem: &Problem, cam: &Cam, prefix: &str) -> Vec<Check> {
     let curvature = cam.curvature();
-    let wanted = scene.limits.curvature.unwrap_or(0.0);
+    let wanted = problem.limits.curvature.unwrap_or(0.0);
     let name = format!("{prefix}curvature");
     let mut convex = Check::at_least(&name, curvature.convex, wanted, GEOMETRY);
     // The smallest cam that may come to a point does so to rounding of its own size.
@@ -250,27 +247,27 @@ fn interference(name: &str, cam: &Cam) -> Option<Check> {
 }
 
 /// What the second cam of a conjugate pair must keep.
-pub fn second_cam(scene: &Scene, pair: Option<&Conjugate>) -> Vec<Check> {
+pub fn second_cam(problem: &Problem, pair: Option<&Conjugate>) -> Vec<Check> {
     let Some(pair) = pair else { return Vec::new() };
     let cam = &pair.second;
     let (low, high) = cam.pressure_angle_extremes();
-    let mut out = pressure(scene, low, high, "second_");
-    out.extend(curvature(scene, cam, "second_"));
+    let mut out = pressure(problem, low, high, "second_");
+    out.extend(curvature(problem, cam, "second_"));
     out.extend(interference("second_interference", cam));
     out
 }
 
 /// Pressure angle and bulging walls at the floor of a barrel's groove, where both are worst.
-pub fn groove(scene: &Scene, groove: Option<&BarrelGroove>) -> Vec<Check> {
+pub fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     let Some(groove) = groove else {
         return Vec::new();
     };
     let floor = groove.depth().0;
     let (low, high) = groove.pressure_angle_extremes(floor);
-    let mut out = pressure(scene, low, high, "");
+    let mut out = pressure(problem, low, high, "");
     for (name, wall) in [("upper_wall", Wall::Upper), ("lower_wall", Wall::Lower)] {
         let bulge = groove.smallest_bulge(floor, wall);
-        let wanted = scene.limits.curvature.unwrap_or(0.0);
+        let wanted = problem.limits.curvature.unwrap_or(0.0);
         out.push(Check::at_least(name, bulge, wanted, GEOMETRY));
     }
     out
@@ -278,8 +275,7 @@ pub fn groove(scene: &Scene, groove: Option<&BarrelGroove>) -> Vec<Check> {
 
 /// The class of the cam and one sentence on it, for a student.
 pub fn verdict(
-    scene: &Scene,
-    demand: &Demand,
+    problem: &Problem,
     cam: &Cam,
     checks: &[Check],
     force: &ForceReport,
@@ -307,7 +303,7 @@ pub fn verdict(
         }
     }
     if let Some(failed) = checks.iter().find(|c| !c.pass) {
-        return (Verdict::Unacceptable, failed_words(scene, cam, failed));
+        return (Verdict::Unacceptable, failed_words(problem, cam, failed));
     }
     let jumps = cam
         .law
@@ -324,7 +320,7 @@ pub fn verdict(
         );
     }
     if let Some(words) =
-        lifts_off(demand, cam, force).or_else(|| comes_to_a_point(scene, cam, checks))
+        lifts_off(problem, cam, force).or_else(|| comes_to_a_point(problem, cam, checks))
     {
         return (Verdict::NotForHighSpeed, words);
     }
@@ -336,8 +332,8 @@ pub fn verdict(
 }
 
 /// A moved axis is held down by its weight alone: the cam cannot pull it (theory §1).
-fn lifts_off(demand: &Demand, cam: &Cam, force: &ForceReport) -> Option<String> {
-    let drive = &demand.drive;
+fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport) -> Option<String> {
+    let drive = &problem.drive;
     let slack = 1e-9 * force.max_n.abs().max(drive.rest_force.abs());
     if drive.kind != DriveKind::MovingAxis || force.min_n >= -slack {
         return None;
@@ -353,11 +349,11 @@ fn lifts_off(demand: &Demand, cam: &Cam, force: &ForceReport) -> Option<String> 
 }
 
 /// A profile without a limit on its curvature may end in an edge.
-fn comes_to_a_point(scene: &Scene, cam: &Cam, checks: &[Check]) -> Option<String> {
+fn comes_to_a_point(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<String> {
     let convex = checks.iter().find(|c| c.name == "curvature")?;
     let prime = cam.follower.prime_radius();
     let sharp = convex.worst.abs() <= GEOMETRY * prime;
-    let round = scene.limits.curvature.is_some_and(|rho| rho > 0.0);
+    let round = problem.limits.curvature.is_some_and(|rho| rho > 0.0);
     let turns = !matches!(
         cam.follower,
         Follower::Barrel { .. } | Follower::TranslatingCam { .. }
@@ -371,11 +367,11 @@ fn comes_to_a_point(scene: &Scene, cam: &Cam, checks: &[Check]) -> Option<String
 }
 
 /// The size that would mend a radius that is too small, in words.
-fn larger(scene: &Scene, cam: &Cam) -> String {
+fn larger(problem: &Problem, cam: &Cam) -> String {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
         return "Lengthen the travel, or use a smaller roller.".to_string();
     }
-    match super::design::smallest_without_undercut(scene, cam) {
+    match super::sizing::smallest_without_undercut(problem, cam) {
         Some(base) if base > cam.follower.base_radius() => format!(
             "A base radius of {:.3} mm is the smallest that works here.",
             1e3 * base
@@ -384,7 +380,7 @@ fn larger(scene: &Scene, cam: &Cam) -> String {
     }
 }
 
-fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
+fn failed_words(problem: &Problem, cam: &Cam, check: &Check) -> String {
     let measures = cam.follower.measures();
     let at = measures.place(check.at, 1);
     let (worst, limit) = (check.worst, check.limit);
@@ -392,13 +388,13 @@ fn failed_words(scene: &Scene, cam: &Cam, check: &Check) -> String {
         "curvature" if worst < 0.0 => format!(
             "The profile is undercut at {at}: its convex radius would be {:.3} mm. {}",
             1e3 * worst,
-            larger(scene, cam)
+            larger(problem, cam)
         ),
         "curvature" => format!(
             "The profile is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. {}",
             1e3 * worst,
             1e3 * limit,
-            larger(scene, cam)
+            larger(problem, cam)
         ),
         "second_curvature" => format!(
             "The second cam of the pair is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. Move its follower farther out.",

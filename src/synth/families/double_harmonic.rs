@@ -9,15 +9,19 @@ use std::f64::consts::{PI, TAU};
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
-use super::demand::Demand;
-use super::harmonic::no_force;
+use super::spectral::no_force;
+use super::{Found, NoLaw, report};
+use crate::drive::Drive;
 use crate::error::{Error, Result};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
+use crate::problem::{Problem, Target};
+use crate::scene::Family;
+use crate::synth::answer::Tier;
 
 /// A placed hump.
 #[derive(Debug, Clone)]
-pub struct Hump {
+struct Hump {
     /// The law, its lowest point at zero.
     pub law: Law,
     /// Start of the rise, angle of the rise, angle of the fall, rad.
@@ -37,18 +41,38 @@ const ITERATIONS: u64 = 150;
 /// Nodes at which the force is compared.
 const NODES: usize = 256;
 
-/// The best hump for the scene's force, its lift no larger than `stroke`.
+/// The problem's double harmonic with how it was found.
+pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
+    let target = problem.target.as_ref().ok_or_else(no_force)?;
+    let hump = fit(target, &problem.drive, problem.limits.stroke)?;
+    let [phase, rise, fall] = hump.angles.map(f64::to_degrees);
+    let status = format!(
+        "rise of {rise:.2}° from {phase:.2}°, fall of {fall:.2}°, found by {} steps of search; misses the force by {:.4} N RMS",
+        hump.evaluations, hump.rms
+    );
+    Ok(Found {
+        law: hump.law,
+        family: Family::DoubleHarmonic,
+        degree: 0,
+        coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: report(Tier::Equality, &status, hump.evaluations, true),
+    })
+}
+
+/// The best hump for a force, its lift no larger than `stroke`.
 ///
-/// Fails without a force, or where the search finds no lift that changes it.
-pub fn fit(demand: &Demand, stroke: Option<f64>) -> Result<Hump> {
-    demand.target.as_ref().ok_or_else(no_force)?;
-    let rest = demand.drive.rest_force;
+/// # Errors
+/// Where the search finds no lift that changes it.
+fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
+    let rest = drive.rest_force;
     let nodes: Vec<(f64, f64, f64)> = gauss_legendre(NODES)
         .into_iter()
-        .map(|(u, w)| (TAU * u, w, demand.wanted(TAU * u) - rest))
+        .map(|(u, w)| (TAU * u, w, target.at(TAU * u) - rest))
         .collect();
     let search = Search {
-        demand,
+        drive,
         nodes: &nodes,
         stroke,
     };
@@ -94,7 +118,7 @@ pub fn fit(demand: &Demand, stroke: Option<f64>) -> Result<Hump> {
     }
     let law = shape.scaled(lift);
     let lowest = law.extremes(0).0.value;
-    let law = if demand.drive.spring_rate == 0.0 {
+    let law = if drive.spring_rate == 0.0 {
         law.raised(-lowest)
     } else {
         law
@@ -110,7 +134,7 @@ pub fn fit(demand: &Demand, stroke: Option<f64>) -> Result<Hump> {
 
 #[derive(Clone, Copy)]
 struct Search<'a> {
-    demand: &'a Demand,
+    drive: &'a Drive,
     nodes: &'a [(f64, f64, f64)],
     stroke: Option<f64>,
 }
@@ -128,7 +152,7 @@ impl Search<'_> {
     }
 
     fn forces<'s>(&'s self, shape: &'s Law) -> impl Iterator<Item = (f64, f64, f64)> + 's {
-        let w = self.demand.drive.weights();
+        let w = self.drive.weights();
         self.nodes.iter().map(move |&(theta, weight, wanted)| {
             let at = shape.svaj(theta);
             (w[0] * at.s + w[1] * at.v + w[2] * at.a, weight, wanted)
@@ -185,7 +209,6 @@ fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
 mod tests {
     use super::*;
     use crate::force::ForceCurve;
-    use crate::scene;
 
     #[test]
     fn a_force_made_by_a_double_harmonic_is_found_again() {
@@ -203,10 +226,7 @@ mod tests {
             .map(|i| drive.force(truth.svaj(TAU * f64::from(i) / 512.0)))
             .collect();
         let curve = ForceCurve::from_samples("double harmonic", TAU / speed, samples).unwrap();
-        let table: toml::Table = scene::DEFAULT.parse().unwrap();
-        let scene = scene::read(&table).unwrap();
-        let demand = Demand::settle(&scene, Some(&curve)).unwrap();
-        let hump = fit(&demand, None).unwrap();
+        let hump = fit(&Target::new(curve), &drive, None).unwrap();
         assert!((hump.lift - 0.012).abs() < 2e-4, "{hump:?}");
         assert!(
             (hump.angles[0].to_degrees() - 50.0).abs() < 1.5,

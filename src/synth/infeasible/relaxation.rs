@@ -1,18 +1,20 @@
 //! What would let a refused cam exist: of every limit the smallest change with which the whole design
 //! passes, found by designing it.
 //!
-//! The convex program's own elastic answer (`conflict`) knows only its rows; a size that follows the law, a
+//! The convex program's own elastic answer (`iis`) knows only its rows; a size that follows the law, a
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
-use super::answer::{Binding, Infeasible, Relaxation, Synthesis, Tier};
-use super::conflict::cured;
-use super::knob::{
-    AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, KNOBS, Knob, PressureAngle, Rise, STEEPEST,
+use super::relaxable::{
+    AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, PressureAngle, RELAXABLE, Relaxable, Rise,
+    STEEPEST,
 };
+use super::words::{cured, sentence};
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
+use crate::problem::Problem;
 use crate::scene::Scene;
+use crate::synth::answer::{Binding, Infeasible, Relaxation, Synthesis, Tier};
 
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;
@@ -26,10 +28,14 @@ const BACK: f64 = 1e-3;
 
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
-pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis) -> Synthesis {
-    if passes(&design) {
-        return design;
+pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Synthesis) -> Synthesis {
+    match Problem::settle(scene, force) {
+        Ok(problem) if !passes(&design) => with_relaxations(&problem, design),
+        _ => design,
     }
+}
+
+fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
     // A failed check is a limit that binds, whatever shaped the law.
     for check in design.checks.iter().filter(|c| !c.pass) {
         if !design.binding.iter().any(|b| b.limit == check.name) {
@@ -40,7 +46,7 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
             });
         }
     }
-    if KNOBS.iter().all(|k| k.value(scene).is_none()) {
+    if RELAXABLE.iter().all(|k| k.value(problem).is_none()) {
         return design;
     }
     let known: Vec<Relaxation> = design
@@ -48,8 +54,7 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
         .as_ref()
         .map_or_else(Vec::new, |i| i.relaxations.clone());
     let search = Search {
-        scene,
-        target,
+        problem,
         force: design
             .force
             .target_mean_n
@@ -61,8 +66,8 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
         },
     };
     let mut found: Vec<Relaxation> = Vec::new();
-    for knob in KNOBS {
-        let Some(from) = knob.value(scene) else {
+    for knob in RELAXABLE {
+        let Some(from) = knob.value(problem) else {
             continue;
         };
         let hint = known
@@ -83,7 +88,7 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
         None
     };
     let cure = match &together {
-        None => cured(&found, scene.cam.measures()),
+        None => cured(&found, problem.cam.measures()),
         Some((part, _)) => format!(
             "No single one of them can be relaxed far enough; all of them together by {:.1} %.",
             100.0 * part
@@ -105,7 +110,7 @@ pub fn relaxed(scene: &Scene, target: Option<&ForceCurve>, mut design: Synthesis
                     ..k.clone()
                 })
                 .collect();
-            *words = format!("{} {cure}", super::conflict::sentence(conflict));
+            *words = format!("{} {cure}", sentence(conflict));
             *relaxations = [found.clone(), helpless].concat();
             design.reason.clone_from(words);
         }
@@ -120,9 +125,14 @@ fn passes(design: &Synthesis) -> bool {
     design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
 }
 
+/// The whole design, where it passes.
+fn passing(problem: Problem) -> Option<Synthesis> {
+    let design = crate::synth::built(problem).ok()?;
+    (passes(&design) && design.verdict != Verdict::Unacceptable).then_some(design)
+}
+
 struct Search<'a> {
-    scene: &'a Scene,
-    target: Option<&'a ForceCurve>,
+    problem: &'a Problem,
     /// Size of the force, N.
     force: f64,
     precision: f64,
@@ -130,17 +140,12 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The design with one value changed, where it passes.
-    fn tried(&self, knob: Knob, value: f64) -> Option<Synthesis> {
-        self.passing(&knob.with(self.scene, value))
-    }
-
-    fn passing(&self, scene: &Scene) -> Option<Synthesis> {
-        let design = super::answer(scene, self.target, false).ok()?;
-        (passes(&design) && design.verdict != Verdict::Unacceptable).then_some(design)
+    fn tried(&self, knob: Relaxable, value: f64) -> Option<Synthesis> {
+        passing(knob.with(self.problem, value))
     }
 
     /// The value nearest to `from` with which the design passes, rounded to the weak side.
-    fn smallest(&self, knob: Knob, from: f64, hint: Option<f64>) -> Option<f64> {
+    fn smallest(&self, knob: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: a little room helps.
         for room in hint.map_or(&[][..], |_| &ROOMS) {
             let hint = hint.unwrap_or(from);
@@ -196,7 +201,7 @@ impl Search<'_> {
     }
 
     fn force_mean(&self) -> f64 {
-        let mean = self.target.map_or(0.0, |t| t.mean_n().abs());
+        let mean = self.problem.target_mean();
         if mean > 0.0 {
             mean
         } else {
@@ -206,15 +211,15 @@ impl Search<'_> {
 
     /// The smallest share by which all limits can be relaxed together, with the values.
     fn together(&self) -> Option<(f64, Vec<Relaxation>)> {
-        let knobs: Vec<(Knob, f64)> = KNOBS
+        let knobs: Vec<(Relaxable, f64)> = RELAXABLE
             .into_iter()
-            .filter_map(|k| Some((k, k.value(self.scene)?)))
+            .filter_map(|k| Some((k, k.value(self.problem)?)))
             .collect();
         if knobs.is_empty() {
             return None;
         }
-        let eased = |part: f64| -> Vec<(Knob, f64)> {
-            let by = |knob: Knob, from: f64| match knob {
+        let eased = |part: f64| -> Vec<(Relaxable, f64)> {
+            let by = |knob: Relaxable, from: f64| match knob {
                 ForceMin => from - part * from.abs().max(self.force),
                 Curvature | Bore => from / (1.0 + part),
                 PressureAngle | Rise | Fall => (from * (1.0 + part)).min(STEEPEST),
@@ -225,8 +230,8 @@ impl Search<'_> {
         let holds = |part: f64| {
             let changed = eased(part)
                 .into_iter()
-                .fold(self.scene.clone(), |scene, (k, v)| k.with(&scene, v));
-            self.passing(&changed).is_some()
+                .fold(self.problem.clone(), |problem, (k, v)| k.with(&problem, v));
+            passing(changed).is_some()
         };
         let mut works = 0.01;
         while !holds(works) {

@@ -2,15 +2,39 @@
 
 use std::f64::consts::TAU;
 
-use super::demand::Demand;
-use super::limits::lift_of_force;
+use super::{Found, report};
 use crate::error::{Error, Result};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
-use crate::scene::Scene;
+use crate::problem::Problem;
+use crate::scene::Family;
+use crate::synth::answer::Tier;
+
+/// The problem's polynomial with how it was found.
+///
+/// # Errors
+/// The conditions do not fix a polynomial of the degree asked for, a force is given that lift alone does not
+/// decide, or the ends cannot be joined by a dwell.
+pub fn found(problem: &Problem) -> Result<Found> {
+    let p = through_points(problem)?;
+    Ok(Found {
+        law: p.law,
+        family: Family::Polynomial,
+        degree: p.degree,
+        coefficients: p.monomials,
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: report(
+            Tier::Equality,
+            "as many conditions as coefficients: one linear system",
+            0,
+            true,
+        ),
+    })
+}
 
 /// The polynomial with its monomial coefficients in (θ − θ₀)/β, which are for output only.
-pub struct Polynomial {
+struct Polynomial {
     /// The law over the whole turn.
     pub law: Law,
     /// Degree of the polynomial.
@@ -23,12 +47,9 @@ pub struct Polynomial {
 const SAME_LIFT: f64 = 1e-9;
 
 /// Interpolates the scene's points.
-///
-/// Fails when the conditions do not fix a polynomial of the degree asked for, when a force is given that
-/// lift alone does not decide, and when the ends cannot be joined by a dwell.
-pub fn through_points(scene: &Scene, demand: &Demand) -> Result<Polynomial> {
-    let conditions = conditions(scene, demand)?;
-    let angles = scene.law.points.iter().map(|p| p.angle);
+fn through_points(problem: &Problem) -> Result<Polynomial> {
+    let conditions = conditions(problem)?;
+    let angles = problem.law.points.iter().map(|p| p.angle);
     let start = angles.clone().fold(f64::INFINITY, f64::min);
     let end = angles.fold(f64::NEG_INFINITY, f64::max);
     if !(start >= -1e-9 && end <= TAU + 1e-9 && end > start) {
@@ -44,7 +65,7 @@ pub fn through_points(scene: &Scene, demand: &Demand) -> Result<Polynomial> {
     }
     let (start, end) = (start.max(0.0), end.min(TAU));
     let fixed = conditions.len() - 1;
-    if let Some(degree) = scene.law.degree.filter(|d| *d != fixed) {
+    if let Some(degree) = problem.law.degree.filter(|d| *d != fixed) {
         let advice = if degree < fixed {
             format!("write degree = {fixed}, or drop {} of them", fixed - degree)
         } else {
@@ -66,7 +87,7 @@ pub fn through_points(scene: &Scene, demand: &Demand) -> Result<Polynomial> {
         .map_err(|e| e.at(crate::error::Place::Key("law.point".to_string())))?;
     let piece = poly.piece(0).to_vec();
     let (first, last) = (piece[0], piece[fixed]);
-    if (first - last).abs() > SAME_LIFT * demand.length {
+    if (first - last).abs() > SAME_LIFT * problem.length {
         return Err(Error::key(
             "law.point",
             format!(
@@ -96,12 +117,12 @@ pub fn through_points(scene: &Scene, demand: &Demand) -> Result<Polynomial> {
     })
 }
 
-fn conditions(scene: &Scene, demand: &Demand) -> Result<Vec<Condition>> {
+fn conditions(problem: &Problem) -> Result<Vec<Condition>> {
     let mut out = Vec::new();
-    for (i, p) in scene.law.points.iter().enumerate() {
+    for (i, p) in problem.law.points.iter().enumerate() {
         let lift = match (p.lift, p.force) {
             (Some(lift), _) => Some(lift),
-            (None, Some(force)) => Some(lift_of_force(demand, force).ok_or_else(|| {
+            (None, Some(force)) => Some(problem.lift_of_force(force).ok_or_else(|| {
                 Error::key(
                     &format!("law.point[{}].force", i + 1),
                     "this drive does not turn a force into a lift",

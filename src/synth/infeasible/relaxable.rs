@@ -1,15 +1,15 @@
-//! The numbers of a scene that may be relaxed: limits, accuracy, sizes that were given.
+//! The numbers of a problem that may be relaxed: limits, accuracy, sizes that were given.
 
-use crate::scene::Scene;
+use crate::problem::Problem;
 
 /// A limit is first lifted by this factor, to see whether it is what stands in the way.
 pub const AWAY: f64 = 1e4;
 /// Pressure angle that is no limit any more, rad.
 pub const STEEPEST: f64 = 1.55;
 
-/// A number of the scene that may be relaxed.
+/// A number of the problem that may be relaxed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Knob {
+pub enum Relaxable {
     Stroke,
     Velocity,
     Acceleration,
@@ -32,14 +32,14 @@ pub enum Knob {
     BaseRadius,
 }
 
-pub use Knob::{
+pub use Relaxable::{
     Acceleration, Accuracy, BaseRadius, Bore, Curvature, FaceWidth, Fall, ForceMax, ForceMin,
     Hertz, Jerk, PressureAngle, PrimeRadius, PrimeRadiusLimit, Residual, Rise, Stroke, Torque,
     TorqueRate, Velocity,
 };
 
 /// All of them, in the order in which they are told.
-pub const KNOBS: [Knob; 20] = [
+pub const RELAXABLE: [Relaxable; 20] = [
     Stroke,
     Velocity,
     Acceleration,
@@ -62,7 +62,7 @@ pub const KNOBS: [Knob; 20] = [
     BaseRadius,
 ];
 
-impl Knob {
+impl Relaxable {
     /// Name in messages and in `summary.json`: the limit's, or the scene's key where that is none.
     pub fn name(self) -> &'static str {
         match self {
@@ -99,8 +99,8 @@ impl Knob {
         }
     }
 
-    fn slot(self, scene: &mut Scene) -> &mut Option<f64> {
-        let limits = &mut scene.limits;
+    fn slot(self, problem: &mut Problem) -> &mut Option<f64> {
+        let limits = &mut problem.limits;
         match self {
             Stroke => &mut limits.stroke,
             Velocity => &mut limits.velocity,
@@ -111,35 +111,35 @@ impl Knob {
             Curvature => &mut limits.curvature,
             PressureAngle | Rise => &mut limits.pressure_angle_rise,
             Fall => &mut limits.pressure_angle_fall,
-            Bore => &mut scene.cam.bore,
+            Bore => &mut problem.cam.bore,
             PrimeRadiusLimit => &mut limits.prime_radius,
             FaceWidth => &mut limits.face_width,
             Torque => &mut limits.torque,
             TorqueRate => &mut limits.torque_rate,
             Hertz => &mut limits.hertz_pressure,
             Residual => &mut limits.residual,
-            Accuracy => &mut scene.rms,
-            PrimeRadius => &mut scene.cam.prime_radius,
-            BaseRadius => &mut scene.cam.base_radius,
+            Accuracy => &mut problem.accuracy,
+            PrimeRadius => &mut problem.cam.prime_radius,
+            BaseRadius => &mut problem.cam.base_radius,
         }
     }
 
     /// Its value, where the scene has one that can be relaxed by itself.
-    pub fn value(self, scene: &Scene) -> Option<f64> {
-        let both = scene.limits.pressure_angle_rise.is_some()
-            && scene.limits.pressure_angle_rise == scene.limits.pressure_angle_fall;
+    pub fn value(self, problem: &Problem) -> Option<f64> {
+        let both = problem.limits.pressure_angle_rise.is_some()
+            && problem.limits.pressure_angle_rise == problem.limits.pressure_angle_fall;
         let told = match self {
             PressureAngle => both,
             Rise | Fall => !both,
             _ => true,
         };
-        let value = *self.slot(&mut scene.clone());
+        let value = *self.slot(&mut problem.clone());
         value.filter(|_| told)
     }
 
     /// The scene with another value.
-    pub fn with(self, scene: &Scene, value: f64) -> Scene {
-        let mut out = scene.clone();
+    pub fn with(self, problem: &Problem, value: f64) -> Problem {
+        let mut out = problem.clone();
         *self.slot(&mut out) = Some(value);
         if self == PressureAngle {
             out.limits.pressure_angle_fall = Some(value);

@@ -1,6 +1,5 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
-use super::demand::Demand;
 use super::machine;
 use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
@@ -8,15 +7,11 @@ use crate::cam::{
 };
 use crate::error::{Error, Place, Result};
 use crate::law::Law;
-use crate::scene::Scene;
+use crate::problem::{Problem, Size, USUAL_PRESSURE_ANGLE};
 use std::f64::consts::FRAC_PI_2;
 
-/// Pressure angle that sizes a roller cam when the scene limits none: 30°, the usual rule.
-pub const USUAL_PRESSURE_ANGLE: f64 = std::f64::consts::PI / 6.0;
 /// A pressure angle that is no limit, where its tangent must be a number.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
-/// Room around a bore, m, when the base circle follows from it.
-const WALL: f64 = 1e-3;
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
 /// A prime circle this many times the first guess without success is no cam.
@@ -34,26 +29,26 @@ const BREADTH_POINTS: usize = 720;
 ///
 /// Fails on a follower that needs a length the scene does not give, and on lengths that fix no cam: an arm
 /// too short, a pivot inside the cam, a breadth that the law does not keep.
-pub fn cam(scene: &Scene, demand: &Demand, law: Law, pressing: &Law) -> Result<Cam> {
-    if let Some(breadth) = scene.cam.breadth {
-        return constant_breadth(scene, law, breadth);
+pub fn cam(problem: &Problem, law: Law, pressing: &Law) -> Result<Cam> {
+    if let Some(breadth) = problem.cam.breadth {
+        return constant_breadth(problem, law, breadth);
     }
-    match scene.cam.follower {
+    match problem.cam.follower {
         FollowerKind::FlatTranslating => {
-            let follower = flat(scene, demand, &law, pressing);
+            let follower = flat(problem, &law, pressing);
             Ok(Cam { law, follower })
         }
         FollowerKind::RollerTranslating | FollowerKind::KnifeTranslating => {
-            let follower = roller(scene, demand, &law, pressing)?;
+            let follower = roller(problem, &law, pressing)?;
             Ok(Cam { law, follower })
         }
-        _ => sized(scene, law),
+        _ => sized(problem, law),
     }
 }
 
 /// The second cam of a conjugate pair, where the scene has one.
-pub fn conjugate(scene: &Scene, cam: &Cam) -> Result<Option<Conjugate>> {
-    scene
+pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
+    problem
         .cam
         .conjugate
         .map(|pair| Conjugate::new(cam, pair.closure, pair.roller_radius))
@@ -62,7 +57,7 @@ pub fn conjugate(scene: &Scene, cam: &Cam) -> Result<Option<Conjugate>> {
 }
 
 /// The groove of a barrel cam, with both walls; `None` for other cams.
-pub fn groove(scene: &Scene, cam: &Cam) -> Result<Option<BarrelGroove>> {
+pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
     let Follower::Barrel {
         radius,
         roller_radius,
@@ -70,7 +65,7 @@ pub fn groove(scene: &Scene, cam: &Cam) -> Result<Option<BarrelGroove>> {
     else {
         return Ok(None);
     };
-    let rollers = match scene.cam.eccentricity {
+    let rollers = match problem.cam.eccentricity {
         None => Rollers::One {
             radius: roller_radius,
         },
@@ -79,47 +74,38 @@ pub fn groove(scene: &Scene, cam: &Cam) -> Result<Option<BarrelGroove>> {
             eccentricity,
         },
     };
-    BarrelGroove::new(cam.law.clone(), radius - depth(scene), radius, rollers)
+    BarrelGroove::new(cam.law.clone(), radius - depth(problem), radius, rollers)
         .map(Some)
         .map_err(|e| e.at(Place::Key("cam.depth".to_string())))
 }
 
 /// Smallest base radius on which the law keeps the scene's curvature without undercut, all else as in
 /// `cam`; `None` when no size does.
-pub fn smallest_without_undercut(scene: &Scene, cam: &Cam) -> Option<f64> {
+pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
-        rho_min: scene.limits.curvature.unwrap_or(0.0),
+        rho_min: problem.limits.curvature.unwrap_or(0.0),
         ..SizeLimits::no_undercut()
     };
     smallest_for(cam, &limits).ok()
 }
 
 /// Depth of a barrel's groove: a roller's diameter when nothing is said.
-fn depth(scene: &Scene) -> f64 {
-    scene.cam.depth.unwrap_or(2.0 * scene.cam.roller_radius)
+fn depth(problem: &Problem) -> f64 {
+    problem.cam.depth.unwrap_or(2.0 * problem.cam.roller_radius)
 }
 
-/// Smallest base radius that the bore leaves, m.
-pub fn outside_bore(scene: &Scene) -> f64 {
-    scene.cam.bore.map_or(0.0, |b| 0.5 * b + WALL)
-}
-
-fn flat(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Follower {
-    let rho = scene.limits.curvature.unwrap_or(0.0);
-    let base_radius = scene
-        .cam
-        .base_radius
-        .or(scene.cam.prime_radius)
-        .unwrap_or_else(|| {
-            smallest_base_radius(law, rho)
-                .max(outside_bore(scene))
-                .max(machine::smallest_base_radius(scene, demand, law, pressing))
-        });
+fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
+    let rho = problem.limits.curvature.unwrap_or(0.0);
+    let base_radius = problem.base_radius().unwrap_or_else(|| {
+        smallest_base_radius(law, rho)
+            .max(problem.outside_bore())
+            .max(machine::smallest_base_radius(problem, law, pressing))
+    });
     Follower::FlatTranslating { base_radius }
 }
 
 /// Half of what the lift leaves of the breadth is the base (prime) circle, if the law keeps a breadth.
-fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
+fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let key = |e: Error| e.at(Place::Key("cam.breadth".to_string()));
     let half = std::f64::consts::PI;
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + half).s;
@@ -137,7 +123,7 @@ fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
         ))
         .help("give the segments of the first 180° only; the other half then follows")));
     }
-    let spec = &scene.cam;
+    let spec = &problem.cam;
     let place = 0.5 * (breadth - lift);
     let offset = spec.offset.unwrap_or(0.0);
     if place <= 0.0 {
@@ -166,22 +152,9 @@ fn constant_breadth(scene: &Scene, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
-/// Pressure angles that size a cam: a side that is not limited beside one that is may have any, and where
-/// neither is, the usual rule holds on both.
-pub fn pressure_angles(scene: &Scene) -> [f64; 2] {
-    let limits = &scene.limits;
-    let sides = [limits.pressure_angle_rise, limits.pressure_angle_fall];
-    let other = if sides == [None, None] {
-        USUAL_PRESSURE_ANGLE
-    } else {
-        FRAC_PI_2
-    };
-    sides.map(|side| side.unwrap_or(other))
-}
-
 /// What the scene left open about the size and was settled by habit, in words.
-pub fn chosen_size(scene: &Scene, cam: &Cam) -> Option<String> {
-    if super::limits::size_is_given(scene) || scene.cam.breadth.is_some() {
+pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<String> {
+    if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;
     }
     if cam.follower.base_radius() <= 0.0 && matches!(cam.follower, Follower::FlatTranslating { .. })
@@ -191,7 +164,7 @@ pub fn chosen_size(scene: &Scene, cam: &Cam) -> Option<String> {
                 .to_string(),
         );
     }
-    let limits = &scene.limits;
+    let limits = &problem.limits;
     let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
     let by_curvature_alone = matches!(
         cam.follower,
@@ -208,10 +181,12 @@ pub fn chosen_size(scene: &Scene, cam: &Cam) -> Option<String> {
     })
 }
 
-fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<Follower> {
-    let spec = &scene.cam;
-    let given = super::limits::prime_radius(scene);
-    let [rise, fall] = pressure_angles(scene).map(|angle| angle.min(NEARLY_RIGHT));
+fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
+    let spec = &problem.cam;
+    let given = problem.prime_radius();
+    let [rise, fall] = problem
+        .sizing_pressure_angles()
+        .map(|angle| angle.min(NEARLY_RIGHT));
     let make = |prime_radius: f64, offset: f64| Follower::RollerTranslating {
         prime_radius,
         offset,
@@ -227,9 +202,9 @@ fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<F
             .sqrt(),
         circle.offset,
     );
-    let least = (outside_bore(scene) + spec.roller_radius).max(1e-6);
-    let wanted = scene.limits.curvature.unwrap_or(0.0);
-    let bearable = machine::bearable_on_some_size(scene, demand, pressing);
+    let least = (problem.outside_bore() + spec.roller_radius).max(1e-6);
+    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    let bearable = machine::bearable_on_some_size(problem, pressing);
     // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
     let holds = |d: f64| {
         let prime = d.hypot(offset);
@@ -243,7 +218,7 @@ fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<F
         let curvature = cam.curvature();
         curvature.convex.value >= wanted
             && !curvature.undercut
-            && bearable.is_none_or(|p| machine::pressure(scene, demand, &cam, pressing).value <= p)
+            && bearable.is_none_or(|p| machine::pressure(problem, &cam, pressing).value <= p)
     };
     let first = lift.max(least * 1e-3);
     if holds(lift) {
@@ -272,14 +247,12 @@ fn roller(scene: &Scene, demand: &Demand, law: &Law, pressing: &Law) -> Result<F
 }
 
 /// A follower of any other kind, on the base circle given or the smallest that holds the limits.
-fn sized(scene: &Scene, law: Law) -> Result<Cam> {
-    let spec = &scene.cam;
-    let given = spec
-        .base_radius
-        .or(spec.prime_radius.map(|p| p - spec.roller_radius));
+fn sized(problem: &Problem, law: Law) -> Result<Cam> {
+    let spec = &problem.cam;
+    let given = problem.base_radius();
     let place = Place::Key("cam".to_string());
     // Any size will do to start from: `smallest_for` looks at all else only.
-    let follower = other(scene, given.unwrap_or(1.0))?;
+    let follower = other(problem, given.unwrap_or(1.0))?;
     if given.is_some() || matches!(follower, Follower::TranslatingCam { .. }) {
         let cam = Cam { law, follower };
         let fits = if spec.pivot_beside {
@@ -289,9 +262,9 @@ fn sized(scene: &Scene, law: Law) -> Result<Cam> {
         };
         return fits.map(|()| cam).map_err(|e| e.at(place));
     }
-    let [pressure_rise, pressure_fall] = pressure_angles(scene);
+    let [pressure_rise, pressure_fall] = problem.sizing_pressure_angles();
     let limits = SizeLimits {
-        rho_min: scene.limits.curvature.unwrap_or(0.0),
+        rho_min: problem.limits.curvature.unwrap_or(0.0),
         pressure_rise,
         pressure_fall,
     };
@@ -303,19 +276,19 @@ fn sized(scene: &Scene, law: Law) -> Result<Cam> {
     // thinner than the floor.
     let base = if barrel {
         smallest
-            .max(outside_bore(scene))
+            .max(problem.outside_bore())
             .max(spec.roller_radius * (1.0 + 1e-6))
-            + depth(scene)
+            + depth(problem)
     } else {
-        smallest.max(outside_bore(scene)).max(1e-6)
+        smallest.max(problem.outside_bore()).max(1e-6)
     };
     let base = base * (1.0 + ROUNDING);
     Cam::new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
 }
 
 /// The scene's follower on a base circle of the given radius.
-fn other(scene: &Scene, base_radius: f64) -> Result<Follower> {
-    let spec = &scene.cam;
+fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
+    let spec = &problem.cam;
     let prime_radius = base_radius + spec.roller_radius;
     let missing = |key: &str| Error::key(&format!("cam.{key}"), "this follower needs it");
     let pivot = || spec.pivot_distance.ok_or_else(|| missing("pivot_distance"));
@@ -346,7 +319,7 @@ fn other(scene: &Scene, base_radius: f64) -> Result<Follower> {
             base_radius,
         },
         FollowerKind::TranslatingCam => Follower::TranslatingCam {
-            base_height: base_height(scene),
+            base_height: base_height(problem),
             roller_radius: spec.roller_radius,
         },
         FollowerKind::Barrel => Follower::Barrel {
@@ -366,9 +339,7 @@ fn other(scene: &Scene, base_radius: f64) -> Result<Follower> {
 
 /// Height of a translating cam under its lowest contact: as given, otherwise twice the roller's radius,
 /// which changes nothing but the looks.
-fn base_height(scene: &Scene) -> f64 {
-    let spec = &scene.cam;
-    spec.base_radius
-        .or(spec.prime_radius.map(|p| p - spec.roller_radius))
-        .unwrap_or(2.0 * spec.roller_radius)
+fn base_height(problem: &Problem) -> f64 {
+    let usual = 2.0 * problem.cam.roller_radius;
+    problem.base_radius().unwrap_or(usual)
 }

@@ -1,0 +1,459 @@
+//! A scene settled once against its force: every number that the solvers, the checks and the searches work
+//! with, and every fact that follows from them.
+//!
+//! Nothing after [`Problem::settle`] looks at the [`Scene`] again. A search that changes a limit changes the
+//! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
+
+mod notes;
+mod target;
+
+pub use target::Target;
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use crate::cam::FollowerKind;
+use crate::drive::{Drive, DriveKind};
+use crate::dynamics::train::Train;
+use crate::error::{Error, Result};
+use crate::force::{ForceCurve, doubt, spread_rms_n};
+use crate::law::Rise;
+use crate::scene::{
+    Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
+    Scene, Source,
+};
+use target::{band_about, weight_at};
+
+/// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
+pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
+/// Room around a bore, m, when the base circle follows from it.
+const WALL: f64 = 1e-3;
+/// RMS force error, part of the mean force, that is small enough where the scene asks for none.
+const USUAL_ACCURACY: f64 = 0.005;
+/// Degree of splines, and two more for the first terms of a polydyne follower's damping.
+const USUAL_DEGREE: usize = 5;
+const DAMPED_DEGREE: usize = 7;
+
+/// The whole problem with every number settled.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Name of the scene.
+    pub name: String,
+    /// The machine that turns lift into force.
+    pub drive: Drive,
+    /// One turn of wanted force, scaled to the mass where the scene says so; `None` for a classical
+    /// programme.
+    pub target: Option<Target>,
+    /// Lowest and highest force of the band in which the force has to stay.
+    pub band: Option<[ForceCurve; 2]>,
+    /// Phase of the force cycle at cam angle 0, rad.
+    pub phase: f64,
+    /// The phase is to be found.
+    pub phase_is_free: bool,
+    /// Typical lift, m: the unit in which solvers work.
+    pub length: f64,
+    /// Family, size and demands of the law.
+    pub law: LawSpec,
+    /// Follower and lengths.
+    pub cam: CamSpec,
+    /// Limits in force.
+    pub limits: Limits,
+    /// What is known of the machine beyond its drive.
+    pub machine: MachineSpec,
+    /// RMS force error asked for, part of the mean force.
+    pub accuracy: Option<f64>,
+    /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
+    pub above_base_circle: bool,
+    weights: Vec<PhaseWeight>,
+    given: Given,
+}
+
+/// What was written about force and drive, kept for another phase.
+#[derive(Debug, Clone)]
+struct Given {
+    force: Option<ForceCurve>,
+    band: Option<Band>,
+    to_mass: bool,
+    drive: DriveSpec,
+    remarks: Vec<String>,
+}
+
+/// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Size {
+    /// The size is fixed, and the law has to fit it.
+    Given {
+        /// Radius of the base circle, m.
+        base: f64,
+        /// Radius of the prime circle, m.
+        prime: f64,
+    },
+    /// Size and law are found as one program: the size is minimised or limited.
+    Sought,
+    /// The smallest size that the finished law allows.
+    AfterLaw,
+}
+
+impl Problem {
+    /// Settles speed, mass, target and band. A phase that is free begins its cycle at 0 here.
+    ///
+    /// # Errors
+    /// The scene wants a force and none is given; the mean force is not positive on a moving axis; the drive
+    /// relates no lift to force; the band asks for a spread that the force does not have.
+    pub fn settle(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
+        let gait = scene.gait.as_ref();
+        let force = match (gait, force) {
+            (Some(_), None) => return Err(Error::key("gait", "the force curve was not read")),
+            (None, _) => None,
+            (Some(_), Some(curve)) => Some(curve.clone()),
+        };
+        let phase = match gait.map(|g| g.phase) {
+            Some(Phase::At(phase)) => phase,
+            _ => 0.0,
+        };
+        let mut remarks = scene.ignored();
+        if let (Some(gait), Some(force)) = (gait, &force)
+            && matches!(gait.source, Source::File { .. })
+        {
+            remarks.extend(doubt(force, gait.feet));
+        }
+        Problem {
+            name: scene.name.clone(),
+            drive: Drive::moving_axis(0.0, 0.0, 0.0),
+            target: None,
+            band: None,
+            phase,
+            phase_is_free: force.is_some() && gait.is_some_and(|g| g.phase == Phase::Free),
+            length: 0.0,
+            law: scene.law.clone(),
+            cam: scene.cam.clone(),
+            limits: scene.limits.clone(),
+            machine: scene.machine.clone(),
+            accuracy: scene.rms,
+            above_base_circle: true,
+            weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
+            given: Given {
+                force,
+                band: gait.and_then(|g| g.band),
+                to_mass: gait.is_some_and(|g| g.to_mass),
+                drive: scene.drive.clone(),
+                remarks,
+            },
+        }
+        .at_phase(phase)
+    }
+
+    /// The same with the cam's turn beginning at another phase of the force cycle.
+    ///
+    /// # Errors
+    /// As [`Problem::settle`].
+    pub fn at_phase(mut self, phase: f64) -> Result<Problem> {
+        let force = match &self.given.force {
+            Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
+            other => other.clone(),
+        };
+        let (drive, force) = settled_drive(&self.given, force)?;
+        if force.is_some() && drive.weights() == [0.0; 4] {
+            return Err(Error::key(
+                "drive",
+                "no lift changes the force: spring rate, damping and mass are all zero",
+            )
+            .help("give at least one of spring_rate, damping, mass"));
+        }
+        self.band = match (self.given.band, &force) {
+            (Some(band), Some(target)) => Some(band_about(target, band)?),
+            _ => None,
+        };
+        self.drive = drive;
+        self.phase = phase;
+        self.target = force.map(Target::new);
+        self.length = self.typical_lift();
+        Ok(self)
+    }
+
+    /// The same with its force and demands, but without a limit and without a band.
+    pub fn without_limits(&self) -> Problem {
+        Problem {
+            limits: Limits::default(),
+            band: None,
+            ..self.clone()
+        }
+    }
+
+    /// What the law is chosen for: the force where one is wanted and no band stands for it, jerk otherwise.
+    pub fn objective(&self) -> Minimise {
+        let default = if self.target.is_some() && self.band.is_none() {
+            Minimise::ForceError
+        } else {
+            Minimise::Energy(3)
+        };
+        self.law.minimise.unwrap_or(default)
+    }
+
+    /// Whether the law's zero is fixed by the drive or by a demand.
+    pub fn level_is_known(&self) -> bool {
+        self.drive.spring_rate != 0.0
+            || self.law.points.iter().any(|p| p.lift.is_some())
+            || self.law.dwells.iter().any(|d| d.lift.is_some())
+            || self.law.family == Family::Program
+    }
+
+    /// What is said of the size of the cam.
+    pub fn size(&self) -> Size {
+        let (cam, roller) = (&self.cam, self.cam.roller_radius);
+        match (cam.base_radius, cam.prime_radius) {
+            (Some(base), prime) => Size::Given {
+                base,
+                prime: prime.unwrap_or(base + roller),
+            },
+            (None, Some(prime)) => Size::Given {
+                base: prime - roller,
+                prime,
+            },
+            (None, None) if self.size_is_wanted() => Size::Sought,
+            (None, None) => Size::AfterLaw,
+        }
+    }
+
+    /// Radius of the prime circle, m, where it is given.
+    pub fn prime_radius(&self) -> Option<f64> {
+        match self.size() {
+            Size::Given { prime, .. } => Some(prime),
+            Size::Sought | Size::AfterLaw => None,
+        }
+    }
+
+    /// Radius of the base circle, m, where it is given.
+    pub fn base_radius(&self) -> Option<f64> {
+        match self.size() {
+            Size::Given { base, .. } => Some(base),
+            Size::Sought | Size::AfterLaw => None,
+        }
+    }
+
+    /// Whether an objective or a limit prices the size; only sliding followers with a straight line of
+    /// action have it in the program.
+    fn size_is_wanted(&self) -> bool {
+        let sized = [
+            FollowerKind::FlatTranslating,
+            FollowerKind::RollerTranslating,
+            FollowerKind::KnifeTranslating,
+        ];
+        match self.objective() {
+            Minimise::Size => true,
+            Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
+            _ => self.limits.prime_radius.is_some() && sized.contains(&self.cam.follower),
+        }
+    }
+
+    /// Smallest base radius that the bore leaves, m.
+    pub fn outside_bore(&self) -> f64 {
+        self.cam.bore.map_or(0.0, |b| 0.5 * b + WALL)
+    }
+
+    /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
+    /// have any, and where neither is, the usual rule holds on both.
+    pub fn sizing_pressure_angles(&self) -> [f64; 2] {
+        let sides = [
+            self.limits.pressure_angle_rise,
+            self.limits.pressure_angle_fall,
+        ];
+        let other = if sides == [None, None] {
+            USUAL_PRESSURE_ANGLE
+        } else {
+            FRAC_PI_2
+        };
+        sides.map(|side| side.unwrap_or(other))
+    }
+
+    /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
+    /// wanted.
+    pub fn wanted_error(&self) -> f64 {
+        let mean = self.target_mean();
+        match self.accuracy {
+            Some(rms) => rms * mean,
+            None => self.noise().max(USUAL_ACCURACY * mean),
+        }
+    }
+
+    /// The same, whatever the recording's spread.
+    pub fn asked_error(&self) -> f64 {
+        self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
+    }
+
+    /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.
+    pub fn error_at_noise(&self) -> Option<f64> {
+        let noise = self.noise();
+        (self.accuracy.is_none() && noise > USUAL_ACCURACY * self.target_mean()).then_some(noise)
+    }
+
+    /// |mean| of the wanted force, N; 0 where none is wanted.
+    pub fn target_mean(&self) -> f64 {
+        self.target.as_ref().map_or(0.0, |t| t.mean_n().abs())
+    }
+
+    /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
+    ///
+    /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
+    fn noise(&self) -> f64 {
+        let spread = self.target.as_ref().and_then(|t| spread_rms_n(&t.curve));
+        0.2 * spread.unwrap_or(0.0)
+    }
+
+    /// Whether parts of the cycle count more or less than once.
+    pub fn is_weighed(&self) -> bool {
+        !self.weights.is_empty()
+    }
+
+    /// Weight of the force error at a cam angle.
+    pub fn weight(&self, theta: f64) -> f64 {
+        weight_at(&self.weights, theta + self.phase)
+    }
+
+    /// Whether points or dwells are asked of the law.
+    pub fn has_demands(&self) -> bool {
+        !(self.law.points.is_empty() && self.law.dwells.is_empty())
+    }
+
+    /// Degree of spline laws.
+    pub fn degree(&self) -> usize {
+        let damped = self.law.polydyne && self.machine.damping_ratio > 0.0;
+        let usual = if damped { DAMPED_DEGREE } else { USUAL_DEGREE };
+        self.law.degree.unwrap_or(usual)
+    }
+
+    /// What gives between cam and mass, where it is known.
+    ///
+    /// # Errors
+    /// A natural frequency without a mass.
+    pub fn train(&self) -> Result<Option<Train>> {
+        self.machine.train(&self.drive)
+    }
+
+    /// Natural frequency over shaft speed, where it is known.
+    pub fn frequency_ratio(&self) -> Option<f64> {
+        self.machine
+            .natural_frequency
+            .map(|hz| TAU * hz / self.drive.speed)
+    }
+
+    /// The rests of the law in order: dwells asked for, or a programme's.
+    pub fn rests(&self) -> Vec<(f64, f64)> {
+        let mut all: Vec<(f64, f64)> = self.law.dwells.iter().map(|d| (d.from, d.to)).collect();
+        let mut at = 0.0;
+        for segment in &self.law.segments {
+            if segment.motion == Rise::Dwell {
+                all.push((at, at + segment.angle));
+            }
+            at += segment.angle;
+        }
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all
+    }
+
+    /// The lift that belongs to a force where lift alone decides (hydraulic drive, light spring).
+    pub fn lift_of_force(&self, force: f64) -> Option<f64> {
+        let w = self.drive.weights();
+        (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
+    }
+
+    fn typical_lift(&self) -> f64 {
+        let [k, c, m, _] = self.drive.weights();
+        let from_force = self.target.as_ref().map_or(0.0, |target| {
+            let largest = target
+                .curve
+                .force_n
+                .iter()
+                .fold(0.0_f64, |x, f| x.max((f - self.drive.rest_force).abs()));
+            let gain = k + c + m;
+            if gain > 0.0 { largest / gain } else { 0.0 }
+        });
+        let points = &self.law.points;
+        let lifts = points
+            .iter()
+            .filter_map(|p| p.lift)
+            .chain(self.law.dwells.iter().filter_map(|d| d.lift));
+        let from_points = lifts.fold(0.0_f64, |x, l| x.max(l.abs()));
+        let forces = points.iter().filter_map(|p| p.force);
+        let from_forces = forces.fold(0.0_f64, |x, f| x.max(f.abs()));
+        let from_forces = if k > 0.0 { from_forces / k } else { 0.0 };
+        let typical = from_force.max(from_points).max(from_forces);
+        if typical > 0.0 && typical.is_finite() {
+            typical
+        } else {
+            1e-3
+        }
+    }
+}
+
+/// The drive with every number, and the force scaled to its mass where that is asked for.
+fn settled_drive(given: &Given, force: Option<ForceCurve>) -> Result<(Drive, Option<ForceCurve>)> {
+    let spec = &given.drive;
+    let speed = match (spec.speed, &force) {
+        (Some(w), _) => w,
+        (None, Some(curve)) => TAU / curve.period_s,
+        (None, None) => {
+            return Err(Error::key(
+                "drive.speed",
+                "needs a value where no force is given",
+            ));
+        }
+    };
+    match spec.kind {
+        DriveKind::MovingAxis => {
+            let mass = moving_mass(spec, force.as_ref())?;
+            let force = match force {
+                Some(curve) if given.to_mass => Some(scaled_to(&curve, mass * spec.gravity)?),
+                other => other,
+            };
+            Ok((Drive::moving_axis(mass, spec.gravity, speed), force))
+        }
+        DriveKind::FixedAxis => {
+            let drive = Drive {
+                kind: DriveKind::FixedAxis,
+                rest_force: spec.preload,
+                spring_rate: spec.spring_rate,
+                damping: spec.damping,
+                mass: spec.mass.unwrap_or(0.0),
+                speed,
+            };
+            Ok((drive, force))
+        }
+        DriveKind::Hydraulic => {
+            let drive = Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed);
+            Ok((drive, force))
+        }
+    }
+}
+
+/// The mass as given, otherwise the one whose weight is the mean force.
+fn moving_mass(spec: &DriveSpec, force: Option<&ForceCurve>) -> Result<f64> {
+    if let Some(mass) = spec.mass {
+        return Ok(mass);
+    }
+    let Some(curve) = force else {
+        return Err(Error::key(
+            "drive.mass",
+            "needs a value where no force is given",
+        ));
+    };
+    let mean = curve.mean_n();
+    if mean <= 0.0 {
+        return Err(Error::key(
+            "gait",
+            format!("the mean force is {mean:.3} N, so no mass can rest on the cam"),
+        )
+        .help("forces must press downwards: check the sign and the column"));
+    }
+    Ok(mean / spec.gravity)
+}
+
+fn scaled_to(curve: &ForceCurve, weight: f64) -> Result<ForceCurve> {
+    let mean = curve.mean_n();
+    if mean <= 0.0 {
+        return Err(Error::key(
+            "gait.scale",
+            format!("a mean force of {mean:.3} N cannot be scaled to {weight:.3} N"),
+        ));
+    }
+    Ok(curve.scaled(weight / mean))
+}

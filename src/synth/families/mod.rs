@@ -1,0 +1,130 @@
+//! From a problem to a law: one file per family, and `choose` for problems that leave the family open.
+
+mod choose;
+mod demands;
+mod double_harmonic;
+mod polynomial;
+mod program;
+mod spectral;
+mod spline;
+mod spline_program;
+
+pub use spectral::invert;
+pub use spline::stopped_at_noise;
+
+use super::answer::{Binding, Easing, SolverReport, Tier};
+use super::nonconvex::Beyond;
+use super::qp::{Failure, Program, Row, Solution};
+use crate::error::Error;
+use crate::law::Law;
+use crate::problem::Problem;
+use crate::scene::Family;
+
+/// A law with how it was found, before it has a cam.
+#[derive(Clone)]
+pub struct Found {
+    /// The law, its zero where the family puts it.
+    pub law: Law,
+    /// Family that answered.
+    pub family: Family,
+    /// Degree of its polynomials as users name it.
+    pub degree: usize,
+    /// Parameters as `summary.json` lists them.
+    pub coefficients: Vec<f64>,
+    /// Limits that shape it.
+    pub binding: Vec<Binding>,
+    /// What relaxing them would buy.
+    pub easing: Vec<Easing>,
+    /// How it was found.
+    pub solver: SolverReport,
+}
+
+/// Why a problem has no law.
+pub enum NoLaw {
+    /// The input is at fault.
+    Fault(Error),
+    /// No law keeps the demands and the limits.
+    Stuck(Box<Stuck>),
+}
+
+/// A program without solution.
+pub struct Stuck {
+    /// Family of its laws.
+    pub family: Family,
+    /// The program.
+    pub program: Program,
+    /// How the solver ended.
+    pub failure: Failure,
+    /// The limits that are not convex, where those leave nothing beside the others.
+    pub beyond: Option<Beyond>,
+}
+
+impl From<Error> for NoLaw {
+    fn from(error: Error) -> Self {
+        NoLaw::Fault(error)
+    }
+}
+
+/// The law of the problem's family, or of the family that suits it.
+pub fn find_law(problem: &Problem) -> Result<Found, NoLaw> {
+    match problem.law.family {
+        Family::Spline => spline::found(problem),
+        Family::Auto => choose::simplest(problem),
+        Family::Ladder => choose::ladder(problem),
+        Family::Polynomial => Ok(polynomial::found(problem)?),
+        Family::Harmonic => spectral::found(problem),
+        Family::Program => Ok(program::found(problem)?),
+        Family::DoubleHarmonic => Ok(double_harmonic::found(problem)?),
+    }
+}
+
+/// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
+pub fn on_base_circle(problem: &Problem, law: Law) -> Law {
+    if problem.level_is_known() {
+        return law;
+    }
+    let lowest = law.extremes(0).0.value;
+    law.raised(-lowest)
+}
+
+fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> SolverReport {
+    SolverReport {
+        tier,
+        status: status.to_string(),
+        iterations,
+        certified,
+        certificate: None,
+        steps: Vec::new(),
+        ended: "",
+    }
+}
+
+/// Active rows as a user reads them: rows of one limit within half a piece are one contact.
+fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Binding> {
+    let mut out: Vec<Binding> = Vec::new();
+    let mut rows: Vec<&Row> = solution.active.iter().collect();
+    rows.sort_by(|a, b| {
+        (a.limit, a.name, a.peak.at)
+            .partial_cmp(&(b.limit, b.name, b.peak.at))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
+    let near = std::f64::consts::PI / pieces as f64;
+    for row in rows {
+        let limit = row.limit.map(|i| &program.limits[i]);
+        let name = row.name;
+        let multiplier = row.multiplier / limit.map_or(1.0, |l| l.meaning.slope(l.bound));
+        match out.last_mut() {
+            Some(last) if last.limit == name && (row.peak.at - last.at).abs() < near => {
+                let both = last.multiplier + multiplier;
+                last.at = (last.at * last.multiplier + row.peak.at * multiplier) / both;
+                last.multiplier = both;
+            }
+            _ => out.push(Binding {
+                limit: name.to_string(),
+                multiplier,
+                at: row.peak.at,
+            }),
+        }
+    }
+    out
+}

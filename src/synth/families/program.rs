@@ -1,0 +1,55 @@
+//! The programme family: segments of catalogue laws, joined as written.
+
+use super::{Found, report};
+use crate::error::{Place, Result};
+use crate::law::{Extent, Law, Segment, constant_breadth, program};
+use crate::problem::Problem;
+use crate::scene::Family;
+use crate::synth::answer::Tier;
+
+/// The law of the problem's segments.
+///
+/// # Errors
+/// Segments that do not cover what the cam covers.
+pub fn found(problem: &Problem) -> Result<Found> {
+    let segments: Vec<Segment> = problem
+        .law
+        .segments
+        .iter()
+        .map(|s| Segment {
+            motion: s.motion.clone(),
+            lift: s.lift,
+            angle: s.angle,
+        })
+        .collect();
+    let law =
+        assembled(problem, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
+    Ok(Found {
+        degree: law.poly().degree(),
+        coefficients: segments.iter().map(|s| s.lift).collect(),
+        law,
+        family: Family::Program,
+        binding: Vec::new(),
+        easing: Vec::new(),
+        solver: report(
+            Tier::Equality,
+            "the programme is given: nothing to solve",
+            0,
+            true,
+        ),
+    })
+}
+
+/// The programme over what its cam covers: a turn, several, a length, or the half that a breadth mirrors.
+fn assembled(problem: &Problem, segments: &[Segment]) -> Result<Law> {
+    let cam = &problem.cam;
+    let total: f64 = segments.iter().map(|s| s.angle).sum();
+    let half = std::f64::consts::PI;
+    if cam.is_straight() {
+        return program(segments, Extent::Length(cam.travel.unwrap_or(total)));
+    }
+    if cam.breadth.is_some() && total < 1.5 * half {
+        return constant_breadth(segments);
+    }
+    program(segments, Extent::Turns(cam.turns))
+}

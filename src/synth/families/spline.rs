@@ -1,0 +1,282 @@
+//! The spline family: least squares in force space under demands and limits.
+
+use super::spline_program::{force_distance, unlimited_program};
+use super::{Found, NoLaw, Stuck, gathered, report};
+use crate::problem::{Problem, Size};
+use crate::scene::{Family, Minimise};
+use crate::synth::answer::{Easing, SolverReport, Step, Tier};
+use crate::synth::qp::{Equality, Failure, Limit, PEAK, Program, Quadratic, Solution, TOLERANCE};
+use crate::synth::{easing, limits, machine, qp, sequence};
+
+/// Spans tried before "auto" gives up.
+const MOST_AUTO_SPANS: usize = 400;
+/// Spans for laws that follow no force.
+const SPANS_WITHOUT_FORCE: usize = 48;
+/// Spans tried first inside a band.
+const FEWEST_IN_BAND: usize = 8;
+/// … and last.
+const MOST_IN_BAND: usize = 120;
+/// A limit that is broken may want more spans; they grow by this factor while the error still falls.
+const GROWTH: f64 = 1.5;
+/// … by at least this part.
+const WORTHWHILE: f64 = 0.02;
+
+/// A law of the family, as solved.
+struct Fitted {
+    program: Program,
+    solution: Solution,
+    /// The sequence of convex programs, where one was needed, and why it ended.
+    sequence: Option<(Vec<Step>, &'static str)>,
+    spans: usize,
+}
+
+/// The problem's spline with how it was found.
+pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
+    let mut fitted = fit(problem)?;
+    beyond_convex(problem, &mut fitted);
+    let sequence = fitted.sequence.take();
+    let solution = &fitted.solution;
+    let mut solver = solver_report(&fitted, sequence);
+    solver.certificate = Some(qp::certificate(&fitted.program, solution));
+    Ok(Found {
+        law: fitted.program.basis.law(&solution.x),
+        family: Family::Spline,
+        degree: problem.degree(),
+        coefficients: solution.x.clone(),
+        binding: gathered(&fitted.program, solution, fitted.spans),
+        easing: easing(problem, &fitted),
+        solver,
+    })
+}
+
+/// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
+fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
+    if let Some(spans) = problem.law.spans {
+        return solve(problem, spans);
+    }
+    if problem.band.is_some() {
+        return fewest_in_band(problem);
+    }
+    let of_force = [Minimise::ForceError, Minimise::PeakForceError];
+    if problem.target.is_none() || !of_force.contains(&problem.objective()) {
+        return solve(problem, SPANS_WITHOUT_FORCE);
+    }
+    let wanted = problem.wanted_error();
+    // The unlimited fit is the cheaper lower bound: spans that miss the accuracy without limits miss it
+    // with them.
+    let mut spans = 3;
+    while spans < MOST_AUTO_SPANS {
+        let (program, force) = unlimited_program(problem, spans)?;
+        match qp::solve_equalities(&program) {
+            Ok(u) if rms(&force, &u.x) <= wanted => break,
+            _ => spans += 1 + spans / 40,
+        }
+    }
+    while_worthwhile(problem, spans, wanted)
+}
+
+/// Limits that bind may want more spans: more are tried while the error falls for them.
+fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<Fitted, NoLaw> {
+    let mut best: Option<(f64, Fitted)> = None;
+    loop {
+        let fitted = match (solve(problem, spans), best.take()) {
+            (Err(NoLaw::Stuck(_)), Some((_, earlier))) => return Ok(earlier),
+            (outcome, earlier) => {
+                best = earlier;
+                outcome?
+            }
+        };
+        let error = force_error(problem, &fitted);
+        let reached = error <= wanted;
+        let hopeless = best
+            .as_ref()
+            .is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
+        let better = match best {
+            Some(earlier) if earlier.0 <= error => earlier,
+            _ => (error, fitted),
+        };
+        if reached || hopeless || spans >= MOST_AUTO_SPANS {
+            return Ok(better.1);
+        }
+        best = Some(better);
+        spans = ((spans as f64 * GROWTH) as usize).min(MOST_AUTO_SPANS);
+    }
+}
+
+/// Inside a band the fewest spans that have a law there; with none, the answer of the most.
+fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
+    let mut spans = FEWEST_IN_BAND;
+    loop {
+        match solve(problem, spans) {
+            Err(NoLaw::Stuck(_)) if spans < MOST_IN_BAND => {
+                spans = ((spans as f64 * GROWTH) as usize).min(MOST_IN_BAND);
+            }
+            outcome => return outcome,
+        }
+    }
+}
+
+/// One program with all that is convex, and what is not brought in where it is broken.
+fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
+    let program = limited_program(problem, spans)?;
+    let stuck = |program, failure, beyond| {
+        NoLaw::Stuck(Box::new(Stuck {
+            family: Family::Spline,
+            program,
+            failure,
+            beyond,
+        }))
+    };
+    let solution = match program.solve() {
+        Ok(solution) => solution,
+        Err(failure) => return Err(stuck(program, failure, None)),
+    };
+    match machine::hold(problem, program, solution) {
+        Ok(held) => Ok(Fitted {
+            program: held.program,
+            solution: held.solution,
+            sequence: held.sequence,
+            spans,
+        }),
+        Err((program, beyond)) => Err(stuck(program, Failure::Infeasible, Some(beyond))),
+    }
+}
+
+/// The program with every limit that is convex.
+fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Program> {
+    let (mut program, _) = unlimited_program(problem, spans)?;
+    let sought = problem.size() == Size::Sought;
+    let mut level = problem.level_is_known();
+    if !level && problem.size() != Size::AfterLaw {
+        // The base circle is where the law is lowest, and a size counts from there. Which angle that is
+        // comes from the law without limits.
+        if let Ok(unlimited) = qp::solve_equalities(&program) {
+            let lowest = program.basis.law(&unlimited.x).extremes(0).0.at;
+            program.equalities.push(base_circle_at(&program, lowest));
+            level = true;
+        }
+    }
+    let mut rows = limits::linear(problem, level);
+    rows.extend(machine::rows(problem));
+    if problem.law.monotone {
+        rows.extend(limits::monotone(problem));
+    }
+    if sought {
+        rows.retain(|l| l.name != "base_circle");
+    }
+    if let Minimise::Peak(order) = problem.objective() {
+        for sign in [1.0, -1.0] {
+            let mut weights = [0.0; 5];
+            weights[order] = sign;
+            rows.push(Limit::new("peak", weights, 0.0, problem.length).minimised());
+        }
+        program.cost[PEAK] = 1.0;
+    }
+    rows.extend(limits::about_the_target(problem, &mut program));
+    program.limits = rows;
+    if sought {
+        limits::with_size(problem, &mut program);
+    }
+    Ok(program)
+}
+
+/// Brings limits that are not convex into the law, where the size is among the variables or given and the
+/// law without them would break one.
+fn beyond_convex(problem: &Problem, fitted: &mut Fitted) {
+    if fitted.sequence.is_some() {
+        return;
+    }
+    let refined = limits::beyond_convex(problem)
+        .filter(|b| b.follower.is_some())
+        .and_then(|beyond| sequence::refine(&fitted.program, &fitted.solution, beyond));
+    let Some((solution, steps, ended)) = refined else {
+        return;
+    };
+    if steps.is_empty() && solution.x == fitted.solution.x {
+        return;
+    }
+    fitted.solution = solution;
+    fitted.sequence = Some((steps, ended));
+}
+
+/// Which tier answered, and how.
+fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, &'static str)>) -> SolverReport {
+    let solution = &fitted.solution;
+    let certified = solution.violation <= TOLERANCE * 1.000_001;
+    let holds = format!("limits hold to {:.1e}", solution.violation);
+    if let Some((steps, ended)) = sequence {
+        let status = format!(
+            "{} convex programs in sequence for what is not convex, ended because {ended}; {holds}",
+            steps.len() + 1
+        );
+        return SolverReport {
+            steps,
+            ended,
+            ..report(Tier::Scp, &status, solution.iterations, certified)
+        };
+    }
+    if !solution.used_rows {
+        let status = "no limit is broken without being asked";
+        return report(Tier::Equality, status, 0, certified);
+    }
+    let tier = if fitted.program.cone {
+        Tier::Socp
+    } else {
+        Tier::Qp
+    };
+    let rounds = match solution.rounds {
+        1 => "one round".to_string(),
+        n => format!("{n} rounds"),
+    };
+    let status = format!("{rounds} of exchange; {holds}");
+    report(tier, &status, solution.iterations, certified)
+}
+
+/// What relaxing each active limit would buy; where phases are weighed, of the weighted error.
+fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
+    let mut out = easing::easings(&fitted.program, &fitted.solution, problem.objective());
+    if problem.is_weighed() {
+        for e in out.iter_mut().filter(|e| e.objective == "rms_error_n") {
+            e.objective = "weighted_rms_error_n".to_string();
+        }
+    }
+    out
+}
+
+/// Says so where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).
+pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<String> {
+    let auto = match problem.law.family {
+        Family::Spline => problem.law.spans.is_none(),
+        asked => asked == Family::Ladder,
+    };
+    let size = if family == Family::Spline {
+        "spans"
+    } else {
+        "harmonics"
+    };
+    let noise = problem
+        .error_at_noise()
+        .filter(|_| auto && problem.objective() == Minimise::ForceError)?;
+    Some(format!(
+        "The {size} stop at an error of {noise:.1} N RMS, a fifth of the walker's step-to-step spread: \
+         more would follow its noise. accuracy.rms asks for another."
+    ))
+}
+
+/// The law stands on the base circle at an angle.
+pub fn base_circle_at(program: &Program, angle: f64) -> Equality {
+    Equality {
+        name: "base circle".to_string(),
+        entries: program.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]),
+        value: 0.0,
+    }
+}
+
+fn rms(force: &Quadratic, x: &[f64]) -> f64 {
+    (2.0 * force.value(x)).max(0.0).sqrt()
+}
+
+fn force_error(problem: &Problem, fitted: &Fitted) -> f64 {
+    let force = force_distance(problem, &fitted.program.basis);
+    rms(&force, &fitted.solution.x)
+}

@@ -1,0 +1,95 @@
+//! The spline program before any limit: demands, and what is minimised.
+
+use super::demands::{dwell_demands, point_demands, spline_basis};
+use crate::error::Result;
+use crate::problem::Problem;
+use crate::scene::{Minimise, Weigh};
+use crate::synth::qp::{Basis, Program, Quadratic};
+
+/// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
+/// leaves open (phases of zero weight) and is far below any accuracy.
+const JERK_TERM: f64 = 1e-12;
+/// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
+/// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
+const SIZE_JERK: f64 = 1e3;
+
+/// The program without limits, and the force distance alone.
+pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Quadratic)> {
+    let degree = problem.degree();
+    let corners = if problem.law.polydyne { degree - 1 } else { 2 };
+    let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
+    let mut equalities = point_demands(problem, &basis)?;
+    equalities.extend(dwell_demands(&problem.law.dwells, &basis));
+    let force = force_distance(problem, &basis);
+    let mut quadratic = match problem.objective() {
+        Minimise::ForceError => force.clone(),
+        Minimise::Weighed(weigh) => weighed(problem, &basis, &force, weigh),
+        _ => Quadratic::zero(&basis),
+    };
+    match problem.objective() {
+        Minimise::Energy(order) => quadratic.add_energy(&basis, order, 1.0),
+        Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
+        Minimise::Size => {
+            // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
+            let unit = SIZE_JERK * problem.length;
+            quadratic.add_energy(&basis, 3, problem.length / (unit * unit));
+        }
+        Minimise::ForceError => {
+            let scale = quadratic.hessian.largest_diagonal();
+            let mut jerk = Quadratic::zero(&basis);
+            jerk.add_energy(&basis, 3, 1.0);
+            let own = jerk.hessian.largest_diagonal();
+            if own > 0.0 {
+                quadratic.add_energy(&basis, 3, JERK_TERM * scale / own);
+            }
+        }
+    }
+    let program = Program::new(basis, quadratic, equalities, problem.length);
+    Ok((program, force))
+}
+
+/// The quadratic part of (e/e₁)² + R/R₁ + (j/j₁)²; `force` holds ½e².
+fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) -> Quadratic {
+    let mean = problem.target_mean();
+    let mut sum = Quadratic::zero(basis);
+    if let Some(part) = weigh.force_error {
+        sum = force.times(2.0 / (part * mean).powi(2));
+    }
+    if let Some(one) = weigh.jerk {
+        let by_angle = one / problem.drive.speed.powi(3);
+        sum.add_energy(basis, 3, 2.0 / (by_angle * by_angle));
+    } else {
+        // What force and size leave open, as where size alone is minimised.
+        let unit = SIZE_JERK * problem.length;
+        let radius = weigh.prime_radius.unwrap_or(problem.length);
+        sum.add_energy(basis, 3, problem.length / radius / (unit * unit));
+    }
+    sum
+}
+
+/// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.
+pub fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
+    let mut force = Quadratic::zero(basis);
+    if let Some(target) = &problem.target {
+        let w = problem.drive.weights();
+        let pieces = basis.breaks().len() - 1;
+        let degree = match basis {
+            Basis::Spline { space, .. } => space.degree(),
+            Basis::Harmonic { .. } => 6,
+        };
+        let weight = |x: f64| problem.weight(x);
+        let weighed = problem.is_weighed();
+        let nodes = (degree + 2).max(target.curve.force_n.len().div_ceil(pieces));
+        force.add_distance(
+            basis,
+            &w,
+            nodes,
+            |start, width, places, out| {
+                target.on(start, width, places, out);
+                out.iter_mut().for_each(|f| *f -= problem.drive.rest_force);
+            },
+            weighed.then_some(&weight),
+        );
+    }
+    force
+}

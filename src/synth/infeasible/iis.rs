@@ -1,0 +1,203 @@
+//! An irreducible infeasible set of a program: limits that cannot hold together, any of which could be
+//! dropped to let the others hold.
+
+use super::words::{cured, sentence};
+use crate::cam::Measures;
+use crate::problem::{Problem, Size};
+use crate::synth::answer::{Infeasible, Relaxation};
+use crate::synth::families::Stuck;
+use crate::synth::loads::Loads;
+use crate::synth::nonconvex::Beyond;
+use crate::synth::qp::{EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
+use crate::synth::sequence;
+
+/// More demands than this are named without looking for the few that are to blame: each costs a program.
+const MOST_DEMANDS: usize = 64;
+
+/// Explains a program without solution.
+pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
+    let without_set = |conflict: Vec<String>, words: String| Infeasible {
+        conflict,
+        relaxations: Vec::new(),
+        words,
+    };
+    match &stuck.failure {
+        Failure::Equalities(names) => without_set(
+            names.clone(),
+            format!(
+                "The demands contradict each other: {} cannot hold beside the others.",
+                names.join(", ")
+            ),
+        ),
+        Failure::Solver(word) => without_set(
+            Vec::new(),
+            format!(
+                "The solver stopped without an answer ({word}); the limits are close to leaving nothing."
+            ),
+        ),
+        Failure::Infeasible => {
+            let limits = conflicting_limits(stuck);
+            if limits.is_empty() {
+                let demands = conflicting_demands(&stuck.program);
+                let words = format!(
+                    "No law on or above the base circle meets these demands together: {}.",
+                    demands.join(", ")
+                );
+                return without_set(demands, words);
+            }
+            let relaxations = limits
+                .iter()
+                .filter(|_| stuck.beyond.is_none())
+                .filter_map(|name| elastic(&stuck.program, name))
+                .collect();
+            told(&limits, relaxations, problem.cam.measures())
+        }
+    }
+}
+
+/// Limits in conflict, in words.
+fn told(kept: &[&'static str], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
+    let conflict: Vec<String> = kept.iter().map(|n| (*n).to_string()).collect();
+    let words = format!("{} {}", sentence(&conflict), cured(&relaxations, measures));
+    Infeasible {
+        conflict,
+        relaxations,
+        words,
+    }
+}
+
+/// Deletion filter: what remains cannot hold together, and could without any one of its members. An item
+/// whose removal was not proved to leave nothing (`None`) stays.
+fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Option<bool>) -> Vec<T> {
+    let mut kept = all.to_vec();
+    for item in all {
+        let without: Vec<T> = kept.iter().filter(|k| *k != item).cloned().collect();
+        if can_hold(&without) == Some(false) {
+            kept = without;
+        }
+    }
+    kept
+}
+
+/// The limits that were asked for and cannot hold together beside the demands; empty where the demands
+/// alone leave nothing.
+fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
+    let loads = stuck.beyond.and_then(|b| b.loads);
+    let rows = stuck.program.limits.iter().filter(|l| is_asked(l));
+    let mut names: Vec<&'static str> = Vec::new();
+    for name in rows
+        .map(|l| l.name)
+        .chain(loads.iter().flat_map(Loads::named).map(|l| l.0))
+    {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    irreducible(&names, |kept| {
+        let mut program = stuck.program.clone();
+        program
+            .limits
+            .retain(|l| !names.contains(&l.name) || kept.contains(&l.name));
+        can_hold(&program, stuck.beyond.map(|b| only_loads(b, kept)))
+    })
+}
+
+/// The points and dwells that cannot hold together on or above the base circle.
+fn conflicting_demands(program: &Program) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for demand in &program.equalities {
+        if !names.contains(&demand.name) {
+            names.push(demand.name.clone());
+        }
+    }
+    if names.len() > MOST_DEMANDS {
+        return names;
+    }
+    let mut program = program.clone();
+    program.limits.retain(|l| !is_asked(l));
+    irreducible(&names, |kept| {
+        let mut trial = program.clone();
+        trial.equalities.retain(|e| kept.contains(&e.name));
+        can_hold(&trial, None)
+    })
+}
+
+/// Whether a row is a number of the scene, and not the base circle, a monotone flank or the objective.
+fn is_asked(limit: &Limit) -> bool {
+    limit.meaning != Meaning::Structure && !limit.is_peak()
+}
+
+/// Whether a law was found that keeps everything; `None` where the solver stopped without an answer.
+fn can_hold(program: &Program, beyond: Option<Beyond>) -> Option<bool> {
+    match program.solve() {
+        Ok(own) => Some(beyond.is_none_or(|b| sequence::feasible(program, &own, b).is_some())),
+        Err(Failure::Infeasible | Failure::Equalities(_)) => Some(false),
+        Err(Failure::Solver(_)) => None,
+    }
+}
+
+fn only_loads(beyond: Beyond, names: &[&'static str]) -> Beyond {
+    let left_out = |loads: Loads| {
+        loads
+            .named()
+            .into_iter()
+            .filter(|l| !names.contains(&l.0))
+            .fold(loads, |loads, (name, _)| loads.with(name, None))
+    };
+    Beyond {
+        loads: beyond.loads.map(left_out),
+        ..beyond
+    }
+}
+
+/// A bore around which no cam fits under the limit on the prime radius, where the size is open.
+pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
+    let (bore, limit) = (problem.cam.bore?, problem.limits.prime_radius?);
+    let least = problem.outside_bore() + problem.cam.roller_radius;
+    if matches!(problem.size(), Size::Given { .. }) || least <= limit {
+        return None;
+    }
+    let smaller = bore - 2.0 * (least - limit);
+    let relaxations = vec![
+        Relaxation {
+            limit: "bore".to_string(),
+            from: bore,
+            to: (smaller > 0.0).then_some(smaller),
+        },
+        Relaxation {
+            limit: "prime_radius".to_string(),
+            from: limit,
+            to: Some(least),
+        },
+    ];
+    Some(told(
+        &["bore", "prime_radius"],
+        relaxations,
+        problem.cam.measures(),
+    ))
+}
+
+/// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.
+/// `None` for what is no number of the scene. The whole design may ask for more: `relaxation` begins here.
+fn elastic(program: &Program, name: &str) -> Option<Relaxation> {
+    let mut elastic = program.clone();
+    let nothing = Quadratic::zero(&elastic.basis);
+    elastic.hessian = nothing.hessian;
+    elastic.gradient = nothing.gradient;
+    elastic.lifted = nothing.lifted;
+    elastic.limits.retain(|l| !l.is_peak());
+    elastic.cost = [0.0; EXTRAS];
+    elastic.cost[PEAK] = 1.0;
+    let is_number = |l: &Limit| l.name == name && l.meaning.value(l.bound).is_some();
+    let first = *elastic.limits.iter().find(|l| is_number(l))?;
+    let from = first.meaning.value(first.bound)?;
+    for limit in elastic.limits.iter_mut().filter(|l| is_number(l)) {
+        *limit = limit.minimised();
+    }
+    let to = elastic
+        .solve()
+        .ok()
+        .and_then(|s| first.meaning.value(s.extra[PEAK]));
+    let limit = first.meaning.key(first.name).to_string();
+    Some(Relaxation { limit, from, to })
+}
