@@ -4,6 +4,8 @@
 //! their sentences stand in `wording/en/AREA.ftl`, the cure as the attribute `.help`. A bad cam is not an error but a [`Verdict`](crate::cam::Verdict), an impossible one is an
 //! [`Infeasible`](crate::synth::Infeasible) answer, and a panic is our own bug.
 
+mod force;
+mod read;
 mod units;
 
 use std::fmt;
@@ -13,6 +15,8 @@ use serde::Serialize;
 
 use crate::wording::{self, Language};
 
+pub use force::ForceError;
+pub use read::{CycleColumn, FileKind, ReadError};
 pub use units::UnitsError;
 
 /// Where in the input a fault was found.
@@ -62,11 +66,27 @@ pub enum ErrorKind {
     },
     /// In a quantity with a unit.
     Units(UnitsError),
+    /// In a force curve, a load model or a mean cycle.
+    Force(ForceError),
+    /// In a file of force.
+    Read(ReadError),
 }
 
 impl From<UnitsError> for Error {
     fn from(kind: UnitsError) -> Error {
         Error::from(ErrorKind::Units(kind))
+    }
+}
+
+impl From<ForceError> for Error {
+    fn from(kind: ForceError) -> Error {
+        Error::from(ErrorKind::Force(kind))
+    }
+}
+
+impl From<ReadError> for Error {
+    fn from(kind: ReadError) -> Error {
+        Error::from(ErrorKind::Read(kind))
     }
 }
 
@@ -76,6 +96,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { what, .. } => what.clone(),
             ErrorKind::Units(e) => wording::sentence(language, "units", e),
+            ErrorKind::Force(e) => wording::sentence(language, "force", e),
+            ErrorKind::Read(e) => wording::sentence(language, "read", e),
         }
     }
 
@@ -84,6 +106,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { help, .. } => (!help.is_empty()).then(|| help.clone()),
             ErrorKind::Units(e) => wording::help(language, "units", e),
+            ErrorKind::Force(e) => wording::help(language, "force", e),
+            ErrorKind::Read(e) => wording::help(language, "read", e),
         }
     }
 
@@ -92,6 +116,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { .. } => "text".to_string(),
             ErrorKind::Units(e) => wording::code("units", e),
+            ErrorKind::Force(e) => wording::code("force", e),
+            ErrorKind::Read(e) => wording::code("read", e),
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Error, Result};
+use super::quantity::seconds;
+use crate::error::{ForceError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
 
 /// Samples of one cycle of a load model and of the mean cycle of a recording.
@@ -34,19 +35,15 @@ impl ForceCurve {
     /// Fails on fewer than 4 samples, on a value that is not finite, on a period that is not positive.
     pub fn from_samples(name: &str, period_s: f64, force_n: Vec<f64>) -> Result<Self> {
         if force_n.len() < 4 {
-            return Err(Error::new(format!(
-                "a force cycle of {} samples says nothing about its shape",
-                force_n.len()
-            ))
-            .help("give at least 4 samples per cycle"));
+            let samples = force_n.len();
+            return Err(ForceError::FewSamples { samples }.into());
         }
         if let Some(i) = force_n.iter().position(|f| !f.is_finite()) {
-            return Err(Error::new(format!("force sample {i} is {}", force_n[i]))
-                .help("every sample must be a finite number of newtons"));
+            return Err(ForceError::SampleNotFinite { sample: i }.into());
         }
         if !(period_s.is_finite() && period_s > 0.0) {
-            return Err(Error::new(format!("a cycle cannot last {period_s} s"))
-                .help("the period must be positive"));
+            let period = seconds(period_s);
+            return Err(ForceError::PeriodNotPositive { period }.into());
         }
         Ok(ForceCurve {
             name: name.to_string(),

@@ -1,6 +1,6 @@
 //! Whose force a curve is.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, ForceError, Result};
 
 /// Whose force a curve is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,8 +33,8 @@ impl std::str::FromStr for Feet {
     fn from_str(word: &str) -> Result<Self> {
         let all = [Feet::Both, Feet::One, Feet::Left, Feet::Right];
         all.into_iter().find(|f| f.name() == word).ok_or_else(|| {
-            Error::new(format!("\"{word}\" does not name feet"))
-                .help("write both, one, left or right")
+            let word = word.to_string();
+            ForceError::UnknownFeet { word }.into()
         })
     }
 }

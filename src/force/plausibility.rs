@@ -1,44 +1,42 @@
-//! Whether a mean force and a mass belong to one walker.
+//! Plausibility: whether mean force and mass can be of one walker.
 
 use std::ops::Range;
 
 use super::curve::ForceCurve;
 use super::feet::Feet;
+use super::note::{Note, WeightShare};
+use super::quantity::{kilograms, newtons};
 use crate::units::G;
 
 /// A mean force further than this from the weight is no rounding of insoles or of a scale.
-const DOUBTED: f64 = 0.1;
+const TOLERANCE: f64 = 0.1;
 /// Masses of people who walk over plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
 
-/// Mean force of a cycle as a part of the weight that its feet carry over a stride: 1 for a walker whose
-/// mass is right. `None` where no mass is known.
+/// Mean force of a cycle over the weight that its feet carry: 1 for a walker whose mass is right.
+///
+/// `None` where no mass is known.
 pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
-    // One foot carries half of the body over a stride.
-    let share = if feet == Feet::Both { 1.0 } else { 0.5 };
+    let share = match feet {
+        Feet::Both => 1.0,
+        // One foot carries half of the body over a stride.
+        Feet::One | Feet::Left | Feet::Right => 0.5,
+    };
     Some(curve.mean_n() / (share * curve.mass_kg? * G))
 }
 
-/// Why mean force and mass cannot be of one walker, in words; `None` where they can.
-pub fn doubt(curve: &ForceCurve, feet: Feet) -> Option<String> {
-    let part = mean_of_weight(curve, feet)?;
-    let mass = curve.mass_kg?;
-    if (part - 1.0).abs() > DOUBTED {
-        let of = if feet == Feet::Both {
-            "the"
-        } else {
-            "half the"
+/// Why mean force and mass cannot be of one walker; `None` where they can.
+pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
+    let ratio = mean_of_weight(curve, feet)?;
+    let mass_kg = curve.mass_kg?;
+    let mass = kilograms(mass_kg);
+    if (ratio - 1.0).abs() > TOLERANCE {
+        let share = match feet {
+            Feet::Both => WeightShare::Whole,
+            Feet::One | Feet::Left | Feet::Right => WeightShare::Half,
         };
-        return Some(format!(
-            "the mean force over a stride is {part:.3} times {of} weight of {mass:.1} kg, where a walker's is 1: \
-             the mass, the unit of the force or its calibration is wrong, or a foot is missing"
-        ));
+        return Some(Note::MeanForceNotWeight { ratio, mass, share });
     }
-    (!MASS_KG.contains(&mass)).then(|| {
-        format!(
-            "a mean force of {:.1} N over a stride is a walker of {mass:.1} kg: the unit of the force or its \
-             calibration is wrong, or a foot is missing",
-            curve.mean_n()
-        )
-    })
+    let mean = newtons(curve.mean_n());
+    (!MASS_KG.contains(&mass_kg)).then_some(Note::MassImplausible { mean, mass })
 }

@@ -1,10 +1,16 @@
 //! What a recording is once it has been read: channels of vertical force on one even time base.
 
-use crate::error::{Error, Result};
-use crate::units::{G, LBF};
+use serde::Serialize;
+use strum::VariantNames;
+
+use super::format::Format;
+use super::note::{MassSource, Note};
+use crate::error::{Error, ForceError, Result};
+use crate::units::{G, LBF, Quantity};
 
 /// The side of the body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Foot {
     /// Left.
     Left,
@@ -32,21 +38,28 @@ impl Foot {
 }
 
 /// Unit of the force columns of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum ForceUnit {
     /// Newtons.
+    #[serde(rename = "N")]
     Newton,
     /// Kilonewtons.
+    #[serde(rename = "kN")]
     Kilonewton,
     /// Pounds-force.
+    #[serde(rename = "lbf")]
     PoundForce,
     /// Kilograms-force.
+    #[serde(rename = "kgf")]
     KilogramForce,
     /// Newtons per kilogram of body mass.
+    #[serde(rename = "N/kg")]
     NewtonPerKilogram,
     /// Body weights.
+    #[serde(rename = "BW")]
     BodyWeight,
     /// Hundredths of body weight.
+    #[serde(rename = "%BW")]
     PercentBodyWeight,
 }
 
@@ -92,8 +105,10 @@ impl std::str::FromStr for ForceUnit {
             "bw" | "n/bw" | "xbw" | "n/n" => ForceUnit::BodyWeight,
             "%bw" | "bw%" | "percentbw" => ForceUnit::PercentBodyWeight,
             _ => {
-                return Err(Error::new(format!("\"{word}\" is not a unit of force"))
-                    .help("units are N, kN, lbf, kgf, N/kg, BW and %BW"));
+                return Err(ForceError::UnknownUnit {
+                    word: word.to_string(),
+                }
+                .into());
             }
         })
     }
@@ -152,33 +167,65 @@ pub struct Channel {
     pub noise_n: f64,
     /// Samples (first, one past the last) that the file lacks; they were bridged by straight lines.
     pub missing: Vec<(usize, usize)>,
-    /// Why the channel takes no part ("never touched", "stuck at 812 N"), if so.
-    pub idle: Option<String>,
+    /// Why the channel takes no part, if so.
+    pub idle: Option<Idle>,
     /// Stances by row; empty for an ordinary recording.
     pub rows: Vec<Row>,
+}
+
+/// Why a channel takes no part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// It hardly moves about zero.
+    NeverLoaded,
+    /// It hardly moves, or most samples have the same large value.
+    Constant {
+        /// That value.
+        level: Quantity,
+    },
+    /// More than half of its samples are missing.
+    MostlyEmpty {
+        /// Samples that are missing.
+        missing: usize,
+        /// All samples.
+        samples: usize,
+    },
+    /// It has no samples.
+    Empty,
 }
 
 /// A recording on an even time base.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// What kind of file it was, for people.
-    pub format: String,
+    /// What kind of file it was.
+    pub format: Format,
     /// Samples per second.
     pub rate_hz: f64,
     /// Time from the first sample to the last, s.
     pub duration_s: f64,
     /// Mass of the walker, kg, where the file or the user gives it.
     pub mass_kg: Option<f64>,
-    /// Where that mass is from: "file", "user"; empty where it is not known.
-    pub mass_from: String,
+    /// Where that mass is from.
+    pub mass_from: Option<MassSource>,
     /// Channels of vertical force, in the order of the file.
     pub channels: Vec<Channel>,
     /// Foot strikes the file marks, in order of time.
     pub strikes: Vec<Strike>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
-    /// What a person should know about how the file was understood.
-    pub notes: Vec<String>,
+    /// How the file was understood: what was guessed, left out or doubtful.
+    pub notes: Vec<Note>,
+}
+
+impl Recording {
+    /// Whether the forces are those of pressure insoles.
+    pub fn is_insole(&self) -> bool {
+        let sums = |n: &Note| matches!(n, Note::InsoleColumns { .. });
+        self.format == Format::Insole || self.notes.iter().any(sums)
+    }
 }
 
 #[cfg(test)]
@@ -190,7 +237,7 @@ mod tests {
         let unit = |w: &str| w.parse::<ForceUnit>();
         assert_eq!(unit("% BW"), Ok(ForceUnit::PercentBodyWeight));
         assert_eq!(unit("lb"), Ok(ForceUnit::PoundForce));
-        assert!(unit("furlong").unwrap_err().to_string().contains("lbf"));
+        assert!(unit("furlong").is_err());
         assert_eq!(ForceUnit::BodyWeight.newtons(Some(10.0)), Some(10.0 * G));
         assert_eq!(ForceUnit::BodyWeight.newtons(None), None);
     }

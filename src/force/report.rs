@@ -2,62 +2,116 @@
 
 use std::fmt::Write as _;
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::curve::ForceCurve;
 use super::cycle::Cycle;
-use super::recording::{Foot, Recording};
-use super::stance::{Point, Stances};
+use super::note::Note;
+use super::recording::{Channel, Foot, Recording};
+use super::stance::{Point, Stance, Stances};
 use crate::units::G;
+use crate::wording::{Catalogue, Language, catalogue};
 
 /// Stances and rejected contacts that the table lists before it sums up the rest.
 const LISTED: usize = 30;
 
+/// Labels of the table: messages of the area `gait`.
+pub const LABELS: &[&str] = &[
+    "format",
+    "rate",
+    "mass",
+    "mass-unknown",
+    "note",
+    "channel",
+    "channel-columns",
+    "stance-columns",
+    "rejected",
+    "more",
+    "no-cycle",
+    "cycle",
+    "period",
+    "mean",
+    "warning",
+    "spread",
+    "repeatability",
+    "samples",
+    "one-cycle",
+];
+
 /// A table that a person can check at a glance. `cycle` may be an error's text where there is none.
-pub fn table(recording: &Recording, stances: &Stances, cycle: Result<&Cycle, &str>) -> String {
+pub fn table(
+    recording: &Recording,
+    stances: &Stances,
+    cycle: Result<&Cycle, &str>,
+    language: Language,
+) -> String {
+    let words = catalogue(language);
     let mut out = String::new();
     // Writing to a String does not fail.
-    let _ = write_table(&mut out, recording, stances, cycle);
+    let _ = write_head(&mut out, words, recording, cycle)
+        .and_then(|()| write_channels(&mut out, words, recording, stances))
+        .and_then(|()| write_stances(&mut out, words, stances))
+        .and_then(|()| write_rejected(&mut out, words, recording, stances))
+        .and_then(|()| write_cycle(&mut out, words, cycle));
     out
 }
 
-fn write_table(
+/// A label of the table, padded to the width of all of them.
+fn label(words: &Catalogue, key: &str) -> String {
+    format!("{:<9}", words.text(&format!("gait-{key}")))
+}
+
+fn write_head(
     out: &mut String,
+    words: &Catalogue,
     r: &Recording,
-    stances: &Stances,
     cycle: Result<&Cycle, &str>,
 ) -> std::fmt::Result {
-    writeln!(out, "format    {}", r.format)?;
-    writeln!(out, "rate      {:.2} Hz, {:.3} s", r.rate_hz, r.duration_s)?;
-    let mass = match (r.mass_kg, cycle) {
-        (Some(m), _) => format!("{m:.1} kg ({})", r.mass_from),
-        (None, Ok(c)) => format!("{:.1} kg ({})", c.mass_kg, c.mass_from),
-        (None, Err(_)) => "not known".to_string(),
+    let format = words.sentence("format", &r.format);
+    writeln!(out, "{} {format}", label(words, "format"))?;
+    let rate = label(words, "rate");
+    writeln!(out, "{rate} {:.2} Hz, {:.3} s", r.rate_hz, r.duration_s)?;
+    let mass = match (r.mass_kg.zip(r.mass_from), cycle) {
+        (Some(mass), _) => Some(mass),
+        (None, Ok(c)) => Some((c.mass_kg, c.mass_from)),
+        (None, Err(_)) => None,
     };
-    writeln!(out, "mass      {mass}")?;
+    let mass = mass.map_or(words.text("gait-mass-unknown"), |(kg, from)| {
+        format!("{kg:.1} kg ({})", words.sentence("mass-from", &from))
+    });
+    writeln!(out, "{} {mass}", label(words, "mass"))?;
     for note in &r.notes {
-        writeln!(out, "note      {note}")?;
+        writeln!(
+            out,
+            "{} {}",
+            label(words, "note"),
+            words.sentence("note", note)
+        )?;
     }
-    writeln!(out)?;
-    let wide = r
-        .channels
-        .iter()
-        .map(|c| c.name.chars().count())
-        .max()
-        .unwrap_or(0)
-        .clamp(7, 40);
-    writeln!(
-        out,
-        "{:<wide$}  foot   baseline N  stances  rejected",
-        "channel"
-    )?;
+    writeln!(out)
+}
+
+fn write_channels(
+    out: &mut String,
+    words: &Catalogue,
+    r: &Recording,
+    stances: &Stances,
+) -> std::fmt::Result {
+    let widest = r.channels.iter().map(|c| c.name.chars().count()).max();
+    let wide = widest.unwrap_or(0).clamp(7, 40);
+    let name = words.text("gait-channel");
+    writeln!(out, "{name:<wide$}  {}", words.text("gait-channel-columns"))?;
     for (i, c) in r.channels.iter().enumerate() {
         let used = stances.used.iter().filter(|s| s.channel == i).count();
         let rejected = stances.rejected.iter().filter(|s| s.channel == i).count();
         let name: String = c.name.chars().take(40).collect();
         let foot = c.foot.map_or("-", Foot::name);
         match &c.idle {
-            Some(why) => writeln!(out, "{name:<wide$}  {foot:<5}  {why}")?,
+            Some(why) => {
+                let why = words.sentence("channel", why);
+                writeln!(out, "{name:<wide$}  {foot:<5}  {why}")?;
+            }
             None => writeln!(
                 out,
                 "{name:<wide$}  {foot:<5}  {:>10.1}  {used:>7}  {rejected:>8}",
@@ -65,44 +119,45 @@ fn write_table(
             )?,
         }
     }
-    if !stances.used.is_empty() {
+    Ok(())
+}
+
+fn write_stances(out: &mut String, words: &Catalogue, stances: &Stances) -> std::fmt::Result {
+    if stances.used.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "\n{}", words.text("gait-stance-columns"))?;
+    for s in stances.used.iter().take(LISTED) {
         writeln!(
             out,
-            "\nfoot   start s    end s   P1 N     @ %   V N     @ %   P2 N     @ %"
+            "{:<5} {:>8.3} {:>8.3}  {}  {}  {}",
+            s.foot.map_or("-", Foot::name),
+            s.start_s,
+            s.end_s,
+            point(Some(s.p1)),
+            point(s.valley),
+            point(s.p2)
         )?;
-        for s in stances.used.iter().take(LISTED) {
-            writeln!(
-                out,
-                "{:<5} {:>8.3} {:>8.3}  {}  {}  {}",
-                s.foot.map_or("-", Foot::name),
-                s.start_s,
-                s.end_s,
-                point(Some(s.p1)),
-                point(s.valley),
-                point(s.p2)
-            )?;
-        }
-        more(out, stances.used.len(), "stances")?;
     }
-    if !stances.rejected.is_empty() {
-        writeln!(out, "\nrejected")?;
-        for x in stances.rejected.iter().take(LISTED) {
-            let name = r.channels.get(x.channel).map_or("", |c| c.name.as_str());
-            writeln!(
-                out,
-                "{:>8.3} {:>8.3}  {name}: {}",
-                x.from_s,
-                x.to_s,
-                x.why.words()
-            )?;
-        }
-        more(out, stances.rejected.len(), "contacts")?;
+    more(out, words, stances.used.len())
+}
+
+fn write_rejected(
+    out: &mut String,
+    words: &Catalogue,
+    r: &Recording,
+    stances: &Stances,
+) -> std::fmt::Result {
+    if stances.rejected.is_empty() {
+        return Ok(());
     }
-    writeln!(out)?;
-    match cycle {
-        Err(why) => writeln!(out, "no mean cycle: {why}"),
-        Ok(c) => write_cycle(out, c),
+    writeln!(out, "\n{}", words.text("gait-rejected"))?;
+    for x in stances.rejected.iter().take(LISTED) {
+        let name = r.channels.get(x.channel).map_or("", |c| c.name.as_str());
+        let reason = words.sentence("contact", &x.reason);
+        writeln!(out, "{:>8.3} {:>8.3}  {name}: {reason}", x.from_s, x.to_s)?;
     }
+    more(out, words, stances.rejected.len())
 }
 
 fn point(p: Option<Point>) -> String {
@@ -111,36 +166,45 @@ fn point(p: Option<Point>) -> String {
     })
 }
 
-fn more(out: &mut String, all: usize, what: &str) -> std::fmt::Result {
+fn more(out: &mut String, words: &Catalogue, all: usize) -> std::fmt::Result {
+    #[derive(Serialize)]
+    #[serde(rename_all = "kebab-case")]
+    enum List {
+        More { count: usize },
+    }
     if all > LISTED {
-        writeln!(out, "… and {} more {what}", all - LISTED)?;
+        let count = all - LISTED;
+        writeln!(out, "{}", words.sentence("gait", &List::More { count }))?;
     }
     Ok(())
 }
 
-fn write_cycle(out: &mut String, c: &Cycle) -> std::fmt::Result {
+fn write_cycle(
+    out: &mut String,
+    words: &Catalogue,
+    cycle: Result<&Cycle, &str>,
+) -> std::fmt::Result {
+    writeln!(out)?;
+    let c = match cycle {
+        Ok(c) => c,
+        Err(why) => return writeln!(out, "{}: {why}", words.text("gait-no-cycle")),
+    };
     let weight = c.mass_kg * G;
-    writeln!(out, "cycle     {}", c.how)?;
-    writeln!(out, "period    {:.4} s", c.curve.period_s)?;
-    writeln!(
-        out,
-        "mean      {:.1} N ({:.3} BW)",
-        c.curve.mean_n(),
-        c.curve.mean_n() / weight
-    )?;
+    let mean = c.curve.mean_n();
+    let how = words.sentence("cycle", &c.source);
+    writeln!(out, "{} {how}", label(words, "cycle"))?;
+    writeln!(out, "{} {:.4} s", label(words, "period"), c.curve.period_s)?;
+    let label_mean = label(words, "mean");
+    writeln!(out, "{label_mean} {mean:.1} N ({:.3} BW)", mean / weight)?;
     for note in &c.notes {
-        writeln!(out, "doubt     {note}")?;
+        let warning = words.sentence("note", note);
+        writeln!(out, "{} {warning}", label(words, "warning"))?;
     }
     if let (Some(spread), Some(repeat)) = (spread_rms_n(&c.curve), c.repeatability_n) {
-        writeln!(
-            out,
-            "spread    {spread:.1} N step to step ({:.1} % BW)",
-            100.0 * spread / weight
-        )?;
-        writeln!(
-            out,
-            "repeats   within {repeat:.1} N (coefficient of repeatability)"
-        )?;
+        let percent = 100.0 * spread / weight;
+        let spread_label = label(words, "spread");
+        writeln!(out, "{spread_label} {spread:.1} N ({percent:.1} % BW)")?;
+        writeln!(out, "{} {repeat:.1} N", label(words, "repeatability"))?;
     }
     Ok(())
 }
@@ -152,85 +216,93 @@ pub fn spread_rms_n(curve: &ForceCurve) -> Option<f64> {
 }
 
 /// The same for programs; `cycle` is null where there is none.
+///
+/// `warnings` holds a code and its data for every note; `notes` the same as sentences.
 pub fn json(recording: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Value {
     let r = recording;
-    let foot = |f: Option<Foot>| f.map(Foot::name);
-    let at = |p: Option<Point>| p.map(|p| p.at);
-    let force = |p: Option<Point>| p.map(|p| p.force_n);
-    let mut rejected: Vec<Vec<Value>> = vec![Vec::new(); r.channels.len()];
-    let mut used = vec![0usize; r.channels.len()];
-    for x in &stances.rejected {
-        if let Some(list) = rejected.get_mut(x.channel) {
-            list.push(json!({"from_s": x.from_s, "to_s": x.to_s, "why": x.why.words()}));
-        }
-    }
-    for s in &stances.used {
-        if let Some(n) = used.get_mut(s.channel) {
-            *n += 1;
-        }
-    }
-    let channels: Vec<Value> = r
-        .channels
-        .iter()
-        .zip(rejected)
-        .zip(used)
-        .map(|((c, rejected), stances)| {
-            json!({"name": c.name, "foot": foot(c.foot), "baseline_n": c.baseline_n, "idle": c.idle, "stances": stances, "rejected": rejected})
-        })
-        .collect();
-    let rows: Vec<Value> = stances
-        .used
-        .iter()
-        .map(|s| {
-            json!({
-                "foot": foot(s.foot), "channel": s.channel, "start_s": s.start_s, "end_s": s.end_s,
-                "p1_n": s.p1.force_n, "p1_at": s.p1.at, "valley_n": force(s.valley), "valley_at": at(s.valley),
-                "p2_n": force(s.p2), "p2_at": at(s.p2),
-            })
-        })
-        .collect();
+    let channels = r.channels.iter().enumerate();
+    let channels: Vec<Value> = channels.map(|(i, c)| channel(i, c, stances)).collect();
+    let rows: Vec<Value> = stances.used.iter().map(stance).collect();
     let mean = cycle.map(|c| {
         json!({
-            "period_s": c.curve.period_s, "mean_n": c.curve.mean_n(), "averaged": c.averaged, "how": c.how,
+            "period_s": c.curve.period_s, "period_from": c.period_from,
+            "mean_n": c.curve.mean_n(), "averaged": c.averaged,
+            "how": c.source.to_string(), "source": coded(&c.source),
             "spread_rms_n": spread_rms_n(&c.curve), "repeatability_n": c.repeatability_n,
             "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits,
         })
     });
-    let notes: Vec<&String> = r
-        .notes
-        .iter()
-        .chain(cycle.iter().flat_map(|c| &c.notes))
-        .collect();
+    let notes = || r.notes.iter().chain(cycle.iter().flat_map(|c| &c.notes));
+    let words: Vec<String> = notes().map(Note::to_string).collect();
+    let warnings: Vec<Value> = notes().map(coded).collect();
     let (mass, from) = match (r.mass_kg, cycle) {
-        (None, Some(c)) => (Some(c.mass_kg), c.mass_from.as_str()),
-        (m, _) => (m, r.mass_from.as_str()),
+        (None, Some(c)) => (Some(c.mass_kg), Some(c.mass_from)),
+        (m, _) => (m, r.mass_from),
     };
     json!({
-        "format": r.format, "rate_hz": r.rate_hz, "duration_s": r.duration_s, "mass_kg": mass, "mass_from": from,
-        "notes": notes, "channels": channels, "stances": rows, "cycle": mean,
+        "format": r.format.to_string(), "rate_hz": r.rate_hz, "duration_s": r.duration_s,
+        "mass_kg": mass, "mass_from": from, "notes": words, "warnings": warnings,
+        "channels": channels, "stances": rows, "cycle": mean,
     })
 }
 
+fn channel(index: usize, c: &Channel, stances: &Stances) -> Value {
+    let used = stances.used.iter().filter(|s| s.channel == index).count();
+    let rejected = stances.rejected.iter().filter(|x| x.channel == index);
+    let rejected: Vec<Value> = rejected
+        .map(|x| json!({"from_s": x.from_s, "to_s": x.to_s, "reason": x.reason}))
+        .collect();
+    json!({
+        "name": c.name, "foot": c.foot, "baseline_n": c.baseline_n,
+        "idle": c.idle.as_ref().map(coded), "stances": used, "rejected": rejected,
+    })
+}
+
+fn stance(s: &Stance) -> Value {
+    let at = |p: Option<Point>| p.map(|p| p.at);
+    let force = |p: Option<Point>| p.map(|p| p.force_n);
+    json!({
+        "foot": s.foot, "channel": s.channel, "start_s": s.start_s, "end_s": s.end_s,
+        "p1_n": s.p1.force_n, "p1_at": s.p1.at, "valley_n": force(s.valley), "valley_at": at(s.valley),
+        "p2_n": force(s.p2), "p2_at": at(s.p2),
+    })
+}
+
+/// An enum as its code and its data.
+fn coded(value: &impl Serialize) -> Value {
+    match serde_json::to_value(value) {
+        Ok(Value::Object(map)) if map.len() == 1 => map
+            .into_iter()
+            .next()
+            .map(|(code, data)| json!({"code": code, "data": data}))
+            .unwrap_or_default(),
+        Ok(code) => json!({"code": code, "data": {}}),
+        Err(_) => Value::Null,
+    }
+}
+
 /// What a file that is one cycle holds, for people.
-pub fn cycle_table(curve: &ForceCurve) -> String {
+pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
+    let words = catalogue(language);
     let mut lines = vec![
-        "format    one cycle of force, as it stands (no stances are looked for)".to_string(),
         format!(
-            "period    {:.4} s in {} samples",
-            curve.period_s,
-            curve.force_n.len()
+            "{} {}",
+            label(words, "format"),
+            words.text("gait-one-cycle")
         ),
+        format!("{} {:.4} s", label(words, "period"), curve.period_s),
+        format!("{} {}", label(words, "samples"), curve.force_n.len()),
     ];
-    let mean = curve.mean_n();
+    let (mean, mean_label) = (curve.mean_n(), label(words, "mean"));
     lines.push(match curve.mass_kg {
-        Some(m) => format!(
-            "mean      {mean:.1} N ({:.3} BW of {m:.1} kg)",
-            mean / (m * G)
-        ),
-        None => format!("mean      {mean:.1} N"),
+        Some(m) => {
+            let ratio = mean / (m * G);
+            format!("{mean_label} {mean:.1} N ({ratio:.3} BW, {m:.1} kg)")
+        }
+        None => format!("{mean_label} {mean:.1} N"),
     });
     if let Some(spread) = spread_rms_n(curve) {
-        lines.push(format!("spread    {spread:.1} N step to step"));
+        lines.push(format!("{} {spread:.1} N", label(words, "spread")));
     }
     lines.join("\n")
 }
@@ -240,10 +312,10 @@ pub fn cycle_json(curve: &ForceCurve) -> Value {
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
-        "notes": [], "channels": [], "stances": [],
+        "notes": [], "warnings": [], "channels": [], "stances": [],
         "cycle": {
-            "period_s": curve.period_s, "mean_n": curve.mean_n(), "averaged": 1,
-            "how": "the cycle as the file gives it", "spread_rms_n": spread_rms_n(curve),
+            "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,
+            "source": {"code": "as-given", "data": {}}, "spread_rms_n": spread_rms_n(curve),
             "repeatability_n": null,
             "mean_of_weight": curve.mass_kg.map(|m| curve.mean_n() / (m * G)),
         },
@@ -269,17 +341,18 @@ fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fm
         writeln!(out, "# {line}")?;
     }
     let step = curve.period_s / curve.force_n.len() as f64;
+    let times = (0..).map(|i| f64::from(i) * step);
     match &curve.spread_n {
         Some(spread) => {
             writeln!(out, "time_s,force_n,spread_n")?;
-            for (i, (f, s)) in curve.force_n.iter().zip(spread).enumerate() {
-                writeln!(out, "{},{f},{s}", i as f64 * step)?;
+            for ((t, f), s) in times.zip(&curve.force_n).zip(spread) {
+                writeln!(out, "{t},{f},{s}")?;
             }
         }
         None => {
             writeln!(out, "time_s,force_n")?;
-            for (i, f) in curve.force_n.iter().enumerate() {
-                writeln!(out, "{},{f}", i as f64 * step)?;
+            for (t, f) in times.zip(&curve.force_n) {
+                writeln!(out, "{t},{f}")?;
             }
         }
     }

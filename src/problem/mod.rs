@@ -15,7 +15,7 @@ use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::train::Train;
 use crate::error::{Error, Result};
-use crate::force::{ForceCurve, doubt, spread_rms_n};
+use crate::force::{ForceCurve, implausible, spread_rms_n};
 use crate::law::Rise;
 use crate::scene::{
     Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
@@ -114,7 +114,7 @@ impl Problem {
         if let (Some(gait), Some(force)) = (gait, &force)
             && matches!(gait.source, Source::File { .. })
         {
-            remarks.extend(doubt(force, gait.feet));
+            remarks.extend(implausible(force, gait.feet).map(|note| note.to_string()));
         }
         Problem {
             name: scene.name.clone(),

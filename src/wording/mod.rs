@@ -69,7 +69,12 @@ impl fmt::Display for Language {
 }
 
 /// The library's own messages, one file an area.
-const ENGLISH: &[&str] = &[include_str!("en/names.ftl"), include_str!("en/units.ftl")];
+const ENGLISH: &[&str] = &[
+    include_str!("en/names.ftl"),
+    include_str!("en/units.ftl"),
+    include_str!("en/force.ftl"),
+    include_str!("en/read.ftl"),
+];
 
 /// The library's messages in a language.
 pub fn catalogue(language: Language) -> &'static Catalogue {

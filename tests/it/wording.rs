@@ -2,13 +2,25 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::error::UnitsError;
+use gaitcam::error::{ForceError, ReadError, UnitsError};
+use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
 
 /// Areas with the variants of their messages. An area that is missing here fails the test below.
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {
-    vec![("units", UnitsError::VARIANTS)]
+    vec![
+        ("units", UnitsError::VARIANTS),
+        ("force", ForceError::VARIANTS),
+        ("read", ReadError::VARIANTS),
+        ("note", Note::VARIANTS),
+        ("cycle", CycleSource::VARIANTS),
+        ("mass-from", MassSource::VARIANTS),
+        ("channel", Idle::VARIANTS),
+        ("contact", RejectReason::VARIANTS),
+        ("format", Format::VARIANTS),
+        ("gait", LABELS),
+    ]
 }
 
 #[test]

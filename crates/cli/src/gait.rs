@@ -6,6 +6,7 @@ use super::{BAD_INPUT, BUILT, GaitArgs, input, say};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, ReadOptions};
 use gaitcam::units::{Dimension, parse};
+use gaitcam::wording::Language;
 use gaitcam_output as output;
 
 /// Stances drawn in the picture; the mean is of all.
@@ -89,7 +90,11 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
             gaitcam_output::folder::write_whole(place, force::csv(&curve, &[&from]).as_bytes())?;
         }
         return Ok(Described {
-            text: format!("{}\n{}", path.display(), force::cycle_table(&curve)),
+            text: format!(
+                "{}\n{}",
+                path.display(),
+                force::cycle_table(&curve, Language::En)
+            ),
             object: force::cycle_json(&curve),
             fault: None,
         });
@@ -106,7 +111,8 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
         force::table(
             &recording,
             &stances,
-            shown.as_ref().map_err(String::as_str).copied()
+            shown.as_ref().map_err(String::as_str).copied(),
+            Language::En
         )
     );
     let object = force::json(&recording, &stances, cycle.as_ref().ok());
@@ -114,7 +120,7 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
         let from = format!("mean cycle of {}", path.display());
         gaitcam_output::folder::write_whole(
             place,
-            force::csv(&cycle.curve, &[&from, &cycle.how]).as_bytes(),
+            force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]).as_bytes(),
         )?;
         if let Some(overlay) = force::overlay(&recording, &stances, DRAWN) {
             let name = path

@@ -15,15 +15,17 @@ use std::path::Path;
 use average::{Mean, mean_stance, place};
 use stride::{Stride, alternate, sample_stride, whole_strides};
 use stride_time::{has_rows, stride_time};
-use total::total_stride;
+use total::{TotalStride, total_stride};
 
 use super::curve::{ForceCurve, SAMPLES};
 use super::feet::Feet;
-use super::plausibility::{doubt, mean_of_weight};
+use super::note::{CycleSource, MassSource, Note, PeriodSource};
+use super::plausibility::{implausible, mean_of_weight};
+use super::quantity::{kilograms, seconds};
 use super::read::{one_cycle, read};
 use super::recording::{Foot, ReadOptions, Recording};
-use super::stance::{Stance, Stances, Why, same_foot, stances};
-use crate::error::{Error, Place, Result};
+use super::stance::{RejectReason, Stance, Stances, same_foot, stances};
+use crate::error::{ForceError, Place, Result};
 use crate::units::G;
 
 pub use overlay::{Overlay, overlay};
@@ -31,70 +33,56 @@ pub use overlay::{Overlay, overlay};
 /// A stride whose duration is further than this from the middle one is not averaged.
 const ODD_STRIDE: f64 = 0.25;
 
-/// One mean cycle of a recording and how it was come by.
+/// One mean cycle of a recording and how it was computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
     /// The mean cycle; its period is a stride, its spread the standard deviation from step to step.
     pub curve: ForceCurve,
     /// Cycles that were averaged: whole strides, or stances where the stride was built from them.
     pub averaged: usize,
-    /// How the cycle was come by, in words.
-    pub how: String,
+    /// How the cycle was computed.
+    pub source: CycleSource,
+    /// What its period was taken from.
+    pub period_from: PeriodSource,
     /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
     /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.
     pub repeatability_n: Option<f64>,
     /// Mass, kg: given, or the mean force over the stride divided by g.
     pub mass_kg: f64,
-    /// Where the mass is from: "user", "file", "mean force over the stride".
-    pub mass_from: String,
+    /// Where the mass is from.
+    pub mass_from: MassSource,
     /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
     /// whose mass is right.
     pub mean_of_weight: f64,
     /// Whether mean force and mass can be of one walker.
     pub mass_fits: bool,
-    /// What a person should doubt.
-    pub notes: Vec<String>,
+    /// What does not look right.
+    pub notes: Vec<Note>,
 }
 
-impl Cycle {
-    /// Holds the mean force against the weight, and says what the mass rests on.
-    fn weighed(mut self, recording: &Recording, feet: Feet) -> Self {
-        self.mean_of_weight = mean_of_weight(&self.curve, feet).unwrap_or(1.0);
-        let doubt = doubt(&self.curve, feet);
-        self.mass_fits = doubt.is_none();
-        self.notes.extend(doubt);
-        let words = [&recording.format].into_iter().chain(&recording.notes);
-        if recording.mass_kg.is_none() && words.into_iter().any(|w| w.contains("insole")) {
-            self.notes.push(format!(
-                "the mass of {:.1} kg is the mean of the insoles' totals, which are seldom calibrated: \
-                 give --mass to hold it against the walker's",
-                self.mass_kg
-            ));
-        }
-        self
-    }
+/// A mean cycle before mass and plausibility are settled.
+struct Average {
+    period_s: f64,
+    period_from: PeriodSource,
+    force_n: Vec<f64>,
+    spread_n: Option<Vec<f64>>,
+    averaged: usize,
+    source: CycleSource,
 }
 
 /// Averages the stances of a recording into one cycle.
 ///
-/// `feet`: both feet summed, one foot (all stances taken alike), or one side. Fails, with the
-/// reasons, where there is no whole stance, or none of the wanted side.
+/// `feet`: both feet summed, one foot (all stances taken alike), or one side.
+///
+/// # Errors
+///
+/// Where there is no whole stance, or none of the wanted side.
 pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
-    if stances.used.is_empty() {
-        if feet == Feet::Both
-            && let Some(t) = total_stride(recording, stances)
-        {
-            let how = format!(
-                "{} stride{} of both feet on one plate, from a rise through the mean force",
-                t.strides,
-                plural(t.strides)
-            );
-            let cycle = finish(recording, t.period_s, t.force_n, t.spread_n, t.strides, how)?;
-            return Ok(cycle.weighed(recording, feet));
-        }
-        return Err(no_stance(recording, stances, feet));
-    }
-    let cycle = match feet {
+    let average = match feet {
+        Feet::Both if stances.used.is_empty() => total_stride(recording, stances)
+            .map(of_total)
+            .ok_or_else(|| no_stance(recording, stances, feet))?,
+        _ if stances.used.is_empty() => return Err(no_stance(recording, stances, feet).into()),
         Feet::Both => {
             let strides = whole_strides(stances);
             if strides.is_empty() {
@@ -103,11 +91,11 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
                 averaged(recording, &strides)
             }
         }
-        Feet::One => one_foot(recording, stances, None),
-        Feet::Left => one_foot(recording, stances, Some(Foot::Left)),
-        Feet::Right => one_foot(recording, stances, Some(Foot::Right)),
+        Feet::One => one_foot(recording, stances, None)?,
+        Feet::Left => one_foot(recording, stances, Some(Foot::Left))?,
+        Feet::Right => one_foot(recording, stances, Some(Foot::Right))?,
     };
-    cycle.map(|c| c.weighed(recording, feet))
+    finish(recording, average, feet)
 }
 
 /// Reads one cycle of force from any file that [`read`](super::read) takes.
@@ -131,87 +119,75 @@ pub fn force_curve(
         .and_then(|n| n.to_str())
         .unwrap_or("recording");
     let mut curve = mean.curve;
-    curve.name = format!("{file}, {}", mean.how);
+    curve.name = format!("{file}, {}", mean.source);
     Ok(curve)
 }
 
-fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> Error {
-    let error = Error::new(format!(
-        "no whole walking stance in {:.2} s of recording",
-        recording.duration_s
-    ));
-    let all =
-        |why: Why| !stances.rejected.is_empty() && stances.rejected.iter().all(|r| r.why == why);
-    if all(Why::Running) {
-        return error
-            .help("every contact is one short hump: this is running, and walking is needed");
+/// Why a recording without a whole stance gives no cycle.
+fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
+    let duration = seconds(recording.duration_s);
+    let Some(first) = stances.rejected.first() else {
+        return if recording.channels.iter().all(|c| c.idle.is_some()) {
+            ForceError::NoLiveChannel { duration }
+        } else {
+            ForceError::NoContact { duration }
+        };
+    };
+    let all_running = (stances.rejected.iter()).all(|r| r.reason == RejectReason::Running);
+    if all_running {
+        return ForceError::Running { duration };
     }
     if feet != Feet::Both && total_stride(recording, stances).is_some() {
-        return error.help(
-            "the column is the total of both feet, loaded throughout: ask for feet = \"both\" (--feet both)",
-        );
+        return ForceError::TotalOfBothFeet { duration };
     }
-    if let Some(r) = stances.rejected.first() {
-        let mut reasons: Vec<&str> = stances.rejected.iter().map(|r| r.why.words()).collect();
-        reasons.sort_unstable();
-        reasons.dedup();
-        return error.help(format!(
-            "{} contact{} found, the first from {:.2} to {:.2} s; {}{}",
-            stances.rejected.len(),
-            if stances.rejected.len() == 1 {
-                " was"
-            } else {
-                "s were"
-            },
-            r.from_s,
-            r.to_s,
-            reasons.join("; "),
-            recording
-                .notes
-                .iter()
-                .find(|n| n.contains("announces"))
-                .map_or(String::new(), |n| format!("; {n}"))
-        ));
+    let reason = usual_reason(stances).into();
+    let cut = recording.notes.iter().find_map(|n| match n {
+        Note::RowsDiffer { announced, found } if found < announced => Some((*announced, *found)),
+        Note::FramesMissing { announced, found } => Some((*announced, *found)),
+        _ => None,
+    });
+    match cut {
+        Some((announced, found)) => ForceError::NoStanceFileCut {
+            duration,
+            announced,
+            found,
+            reason,
+        },
+        None => ForceError::NoStance {
+            duration,
+            contacts: stances.rejected.len(),
+            from: seconds(first.from_s),
+            to: seconds(first.to_s),
+            reason,
+        },
     }
-    let idle: Vec<String> = recording
-        .channels
-        .iter()
-        .filter_map(|c| Some(format!("{} {}", c.name, c.idle.as_ref()?)))
-        .collect();
-    if idle.is_empty() {
-        error.help("no channel rises above 20 N")
-    } else {
-        error.help(idle.join(", "))
+}
+
+/// The reason that rejects most contacts.
+fn usual_reason(stances: &Stances) -> RejectReason {
+    let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
+    reasons.sort_unstable();
+    let runs = reasons.chunk_by(|a, b| a == b);
+    let longest = runs.max_by_key(|run| run.len());
+    longest.map_or(RejectReason::TooShort, |run| run[0])
+}
+
+fn of_total(total: TotalStride) -> Average {
+    Average {
+        period_s: total.period_s,
+        period_from: PeriodSource::TotalForce,
+        force_n: total.force_n,
+        spread_n: total.spread_n,
+        averaged: total.strides,
+        source: CycleSource::TotalForce {
+            strides: total.strides,
+        },
     }
 }
 
 /// Mean of whole strides that begin with the same foot.
-fn averaged(recording: &Recording, strides: &[Stride]) -> Result<Cycle> {
-    let mut durations: Vec<f64> = strides.iter().map(|s| s.end_s - s.start_s).collect();
-    durations.sort_by(f64::total_cmp);
-    let usual = durations[durations.len() / 2];
-    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
-    // Strides from left to left and from right to right share their samples; one kind is averaged.
-    let count = |foot: Option<Foot>| {
-        strides
-            .iter()
-            .filter(usual_length)
-            .filter(|s| s.foot == foot)
-            .count()
-    };
-    let best = [Some(Foot::Right), Some(Foot::Left), None]
-        .into_iter()
-        .max_by_key(|f| count(*f))
-        .unwrap_or(None);
-    let mut kept: Vec<&Stride> = strides
-        .iter()
-        .filter(usual_length)
-        .filter(|s| s.foot == best)
-        .collect();
-    if best.is_none() {
-        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
-        kept = alternate(&kept);
-    }
+fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
+    let (kept, from) = like_strides(strides);
     let mut mean = Mean::new();
     let mut period = 0.0;
     let mut row = vec![0.0; SAMPLES];
@@ -221,18 +197,43 @@ fn averaged(recording: &Recording, strides: &[Stride]) -> Result<Cycle> {
         period += stride.end_s - stride.start_s;
     }
     let n = kept.len();
-    period /= n as f64;
-    let (force, spread) = mean.finish();
-    let with = best.map_or("", |f| match f {
-        Foot::Left => ", from left heel strike",
-        Foot::Right => ", from right heel strike",
-    });
-    let how = format!("{n} whole stride{} of both feet{with}", plural(n));
-    finish(recording, period, force, spread, n, how)
+    let (force_n, spread_n) = mean.finish();
+    Average {
+        period_s: period / n as f64,
+        period_from: PeriodSource::HeelStrikes,
+        force_n,
+        spread_n,
+        averaged: n,
+        source: CycleSource::WholeStrides { strides: n, from },
+    }
+}
+
+/// Strides of usual duration that begin with the same foot, and that foot.
+///
+/// Strides from left to left and from right to right share their samples; one kind is averaged.
+fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
+    let mut durations: Vec<f64> = strides.iter().map(|s| s.end_s - s.start_s).collect();
+    durations.sort_by(f64::total_cmp);
+    let usual = durations[durations.len() / 2];
+    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
+    let of = |foot: Option<Foot>| -> Vec<&Stride> {
+        let usual = strides.iter().filter(usual_length);
+        usual.filter(|s| s.foot == foot).collect()
+    };
+    let best = [Some(Foot::Right), Some(Foot::Left), None]
+        .into_iter()
+        .max_by_key(|f| of(*f).len())
+        .unwrap_or(None);
+    let kept = of(best);
+    match best {
+        Some(_) => (kept, best),
+        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+        None => (alternate(&kept), None),
+    }
 }
 
 /// A stride of both feet built from single stances half a stride apart.
-fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
+fn built(recording: &Recording, stances: &Stances) -> Average {
     let all: Vec<&Stance> = stances.used.iter().collect();
     let (left, right) = by_side(&all, has_rows(recording));
     let sides = !left.is_empty() && !right.is_empty();
@@ -244,32 +245,41 @@ fn built(recording: &Recording, stances: &Stances) -> Result<Cycle> {
     } else {
         (mean_stance(recording, &all), mean_stance(recording, &all))
     };
-    let (period, from) = stride_time(
-        recording,
-        stances,
-        first.impulse_ns + second.impulse_ns,
-        &first,
-    );
-    let (mut force, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
-    place(&first, period, 0.0, &mut force, &mut variance);
-    place(&second, period, 0.5, &mut force, &mut variance);
-    let n = all.len();
+    let impulse = first.impulse_ns + second.impulse_ns;
+    let (period_s, period) = stride_time(recording, stances, impulse, &first);
+    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&first, period_s, 0.0, &mut force_n, &mut variance);
+    place(&second, period_s, 0.5, &mut force_n, &mut variance);
     let known = first.spread.is_some() && second.spread.is_some();
-    let spread = known.then(|| variance.iter().map(|v| v.sqrt()).collect());
     let named = all.iter().any(|s| s.foot.is_some());
-    let which = match (sides, named) {
-        (true, true) => format!("{} right and {} left", first.count, second.count),
-        (true, false) => format!(
-            "{} of one foot and {} of the other",
-            first.count, second.count
-        ),
-        _ => n.to_string(),
+    let source = match (sides, named) {
+        (true, true) => CycleSource::RightAndLeft {
+            right: first.count,
+            left: second.count,
+            period,
+        },
+        (true, false) => CycleSource::TwoFeet {
+            one: first.count,
+            other: second.count,
+            period,
+        },
+        (false, _) => CycleSource::AnyFoot {
+            stances: all.len(),
+            period,
+        },
     };
-    let how = format!(
-        "built from {which} single stance{}, half a stride apart; stride time from {from}",
-        plural(n)
-    );
-    finish(recording, period, force, spread, n, how)
+    Average {
+        period_s,
+        period_from: period,
+        force_n,
+        spread_n: known.then(|| roots(&variance)),
+        averaged: all.len(),
+        source,
+    }
+}
+
+fn roots(variance: &[f64]) -> Vec<f64> {
+    variance.iter().map(|v| v.sqrt()).collect()
 }
 
 /// Stances of the left and of the right foot; where no side is known, of the one and of the other.
@@ -306,77 +316,79 @@ fn by_side<'a>(stances: &[&'a Stance], rows: bool) -> (Vec<&'a Stance>, Vec<&'a 
 }
 
 /// One foot over a stride, zero in swing.
-fn one_foot(recording: &Recording, stances: &Stances, foot: Option<Foot>) -> Result<Cycle> {
+fn one_foot(recording: &Recording, stances: &Stances, foot: Option<Foot>) -> Result<Average> {
     let wanted: Vec<&Stance> = stances
         .used
         .iter()
         .filter(|s| foot.is_none() || s.foot == foot)
         .collect();
-    if wanted.is_empty() {
-        let side = foot.map_or("", Foot::name);
-        let known = stances.used.iter().any(|s| s.foot.is_some());
-        return Err(
-            Error::new(format!("no whole stance of the {side} foot")).help(if known {
-                "the stances are of the other foot"
-            } else {
-                "the file does not say which foot is which; use feet = \"one\" or \"both\""
-            }),
-        );
+    if let (Some(foot), true) = (foot, wanted.is_empty()) {
+        let named = stances.used.iter().any(|s| s.foot.is_some());
+        let foot = foot.name();
+        return Err(if named {
+            ForceError::NoStanceOfFoot { foot }.into()
+        } else {
+            ForceError::FeetNotNamed { foot }.into()
+        });
     }
     let mean = mean_stance(recording, &wanted);
-    let (period, from) = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean);
-    let (mut force, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
-    place(&mean, period, 0.0, &mut force, &mut variance);
-    let spread = mean
-        .spread
-        .is_some()
-        .then(|| variance.iter().map(|v| v.sqrt()).collect());
-    let n = wanted.len();
-    let how = format!(
-        "{n} stance{} of one foot; stride time from {from}",
-        plural(n)
-    );
-    let mut cycle = finish(recording, period, force, spread, n, how)?;
-    if recording.mass_kg.is_none() {
-        // One foot carries half of the body over a stride.
-        cycle.mass_kg *= 2.0;
-        cycle.curve.mass_kg = Some(cycle.mass_kg);
-    }
-    Ok(cycle)
-}
-
-fn finish(
-    recording: &Recording,
-    period: f64,
-    force: Vec<f64>,
-    spread: Option<Vec<f64>>,
-    averaged: usize,
-    how: String,
-) -> Result<Cycle> {
-    let mut curve = ForceCurve::from_samples(&how, period, force)?;
-    let repeatability_n = spread.as_ref().map(|s: &Vec<f64>| {
-        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
-        1.96 * SQRT_2 * square.sqrt()
-    });
-    let (mass_kg, mass_from) = match recording.mass_kg {
-        Some(m) => (m, recording.mass_from.clone()),
-        None => (curve.mean_n() / G, "mean force over the stride".to_string()),
-    };
-    curve.spread_n = spread;
-    curve.mass_kg = Some(mass_kg);
-    Ok(Cycle {
-        curve,
-        averaged,
-        how,
-        repeatability_n,
-        mass_kg,
-        mass_from,
-        mean_of_weight: 1.0,
-        mass_fits: true,
-        notes: Vec::new(),
+    let (period_s, period) = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean);
+    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&mean, period_s, 0.0, &mut force_n, &mut variance);
+    Ok(Average {
+        period_s,
+        period_from: period,
+        force_n,
+        spread_n: mean.spread.is_some().then(|| roots(&variance)),
+        averaged: wanted.len(),
+        source: CycleSource::OneFoot {
+            stances: wanted.len(),
+            period,
+        },
     })
 }
 
-fn plural(n: usize) -> &'static str {
-    if n == 1 { "" } else { "s" }
+/// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
+fn finish(recording: &Recording, average: Average, feet: Feet) -> Result<Cycle> {
+    let Average {
+        period_s,
+        period_from,
+        force_n,
+        spread_n,
+        averaged,
+        source,
+    } = average;
+    let mut curve = ForceCurve::from_samples("", period_s, force_n)?;
+    let repeatability_n = spread_n.as_ref().map(|s: &Vec<f64>| {
+        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
+        1.96 * SQRT_2 * square.sqrt()
+    });
+    // One foot carries half of the body over a stride.
+    let share = if feet == Feet::Both { 1.0 } else { 2.0 };
+    let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {
+        (Some(m), from) => (m, from.unwrap_or(MassSource::File)),
+        (None, _) => (share * (curve.mean_n() / G), MassSource::MeanForce),
+    };
+    curve.spread_n = spread_n;
+    curve.mass_kg = Some(mass_kg);
+    let warning = implausible(&curve, feet);
+    let mass_fits = warning.is_none();
+    let mut notes: Vec<Note> = warning.into_iter().collect();
+    if recording.mass_kg.is_none() && recording.is_insole() {
+        notes.push(Note::InsoleMass {
+            mass: kilograms(mass_kg),
+        });
+    }
+    Ok(Cycle {
+        averaged,
+        source,
+        period_from,
+        repeatability_n,
+        mass_kg,
+        mass_from,
+        mean_of_weight: mean_of_weight(&curve, feet).unwrap_or(1.0),
+        mass_fits,
+        notes,
+        curve,
+    })
 }

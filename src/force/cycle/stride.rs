@@ -2,7 +2,7 @@
 
 use super::average::{at, periodic, whole_span};
 use crate::force::recording::{Foot, Recording};
-use crate::force::stance::{Rejected, Stance, Stances, Why};
+use crate::force::stance::{RejectReason, Rejected, Stance, Stances};
 
 /// One contact in the row of footfalls: its span and whether it is whole.
 #[derive(Debug, Clone, Copy)]
@@ -11,7 +11,7 @@ struct Footfall<'a> {
     start_s: f64,
     end_s: f64,
     stance: Option<&'a Stance>,
-    cut: Option<Why>,
+    cut: Option<RejectReason>,
 }
 
 /// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
@@ -48,7 +48,7 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
             stances
                 .rejected
                 .iter()
-                .filter(|r| r.why != Why::Touch)
+                .filter(|r| r.reason != RejectReason::TooShort)
                 .map(rejected_fall),
         )
         .collect();
@@ -56,8 +56,8 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
     let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
     let found = falls.windows(4).filter(|w| {
         let whole = w[1].stance.is_some() && w[2].stance.is_some();
-        let ends = (w[0].stance.is_some() || w[0].cut == Some(Why::CutAtStart))
-            && (w[3].stance.is_some() || w[3].cut == Some(Why::CutAtEnd));
+        let ends = (w[0].stance.is_some() || w[0].cut == Some(RejectReason::CutAtStart))
+            && (w[3].stance.is_some() || w[3].cut == Some(RejectReason::CutAtEnd));
         let in_turn = w.windows(2).all(|p| overlap(&p[0], &p[1]));
         whole && ends && in_turn && w[0].end_s < w[2].start_s && w[1].end_s < w[3].end_s
     });
@@ -78,7 +78,8 @@ fn rejected_fall(r: &Rejected) -> Footfall<'_> {
         start_s: r.from_s,
         end_s: r.to_s,
         stance: None,
-        cut: matches!(r.why, Why::CutAtStart | Why::CutAtEnd).then_some(r.why),
+        cut: matches!(r.reason, RejectReason::CutAtStart | RejectReason::CutAtEnd)
+            .then_some(r.reason),
     }
 }
 

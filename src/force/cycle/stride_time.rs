@@ -1,6 +1,7 @@
 //! How long a stride lasts, where it was built from single stances.
 
 use super::average::MeanStance;
+use crate::force::note::PeriodSource;
 use crate::force::recording::Recording;
 use crate::force::stance::{Stances, same_foot};
 use crate::units::G;
@@ -22,7 +23,7 @@ pub(super) fn stride_time(
     stances: &Stances,
     impulse_ns: f64,
     stance: &MeanStance,
-) -> (f64, String) {
+) -> (f64, PeriodSource) {
     let mut strides: Vec<f64> = Vec::new();
     if !has_rows(recording) {
         for w in stances.used.windows(2) {
@@ -38,20 +39,14 @@ pub(super) fn stride_time(
     }
     if !strides.is_empty() {
         strides.sort_by(f64::total_cmp);
-        return (
-            strides[strides.len() / 2],
-            "consecutive heel strikes".to_string(),
-        );
+        return (strides[strides.len() / 2], PeriodSource::HeelStrikes);
     }
     if let Some(mass) = recording.mass_kg {
         let period = impulse_ns / (mass * G);
         // A stride shorter than its stance or longer than a pause tells of a wrong mass.
         if (1.1..3.0).contains(&(period / stance.duration_s)) {
-            return (period, "the impulse that carries the mass".to_string());
+            return (period, PeriodSource::Impulse);
         }
     }
-    (
-        stance.duration_s / DUTY,
-        format!("the usual {DUTY} of a stride on the ground (nothing in the recording says it)"),
-    )
+    (stance.duration_s / DUTY, PeriodSource::UsualDuty)
 }

@@ -3,7 +3,7 @@
 use super::average::{Mean, at, periodic};
 use crate::force::curve::SAMPLES;
 use crate::force::recording::Recording;
-use crate::force::stance::{Rejected, Stances, Why};
+use crate::force::stance::{RejectReason, Rejected, Stances};
 
 /// A total force that moves less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
@@ -32,8 +32,12 @@ pub(super) struct TotalStride {
 pub(super) fn total_stride(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
     let long = |r: &&Rejected| {
         let lasting = matches!(
-            r.why,
-            Why::NeverUnloaded | Why::Standing | Why::CrossOver | Why::CutAtStart | Why::CutAtEnd
+            r.reason,
+            RejectReason::NeverUnloaded
+                | RejectReason::Standing
+                | RejectReason::CrossOver
+                | RejectReason::CutAtStart
+                | RejectReason::CutAtEnd
         );
         lasting && r.to_s - r.from_s > FEWEST_STEPS as f64 * STEP_S.start
     };
@@ -41,8 +45,8 @@ pub(super) fn total_stride(recording: &Recording, stances: &Stances) -> Option<T
         .max_by(|a, b| (a.to_s - a.from_s).total_cmp(&(b.to_s - b.from_s)))?;
     let whole = &recording.channels.get(loaded.channel)?.force_n;
     let sample = |s: f64| ((s * recording.rate_hz) as usize).min(whole.len());
-    let force = match loaded.why {
-        Why::NeverUnloaded => &whole[..],
+    let force = match loaded.reason {
+        RejectReason::NeverUnloaded => &whole[..],
         _ => &whole[sample(loaded.from_s)..sample(loaded.to_s)],
     };
     let n = force.len() as f64;

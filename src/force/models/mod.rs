@@ -15,7 +15,8 @@ use single_foot::single_foot;
 
 use super::curve::{ForceCurve, SAMPLES};
 use super::feet::Feet;
-use crate::error::{Error, Result, nearest};
+use super::quantity::{hertz, newtons};
+use crate::error::{ForceError, Result, nearest};
 
 pub use catalogue::{ModelInfo, Status, catalogue};
 
@@ -33,8 +34,8 @@ pub fn model(
 ) -> Result<ForceCurve> {
     let info = find(name)?;
     if !(body_weight_n.is_finite() && body_weight_n > 0.0) {
-        return Err(Error::new(format!("the body weight is {body_weight_n} N"))
-            .help("it must be positive, for example 700 N"));
+        let weight = newtons(body_weight_n);
+        return Err(ForceError::WeightNotPositive { weight }.into());
     }
     let f = frequency(info, step_frequency_hz)?;
     let shape = if info.single_foot {
@@ -42,11 +43,8 @@ pub fn model(
     } else if feet == Feet::Both {
         continuous(&harmonics(info.name, f))
     } else {
-        return Err(Error::new(format!(
-            "{} gives the force of both feet together, not of one",
-            info.name
-        ))
-        .help("use feet = \"both\", or a single-foot model: li-2010, iso-22675"));
+        let model = info.name.to_string();
+        return Err(ForceError::BothFeetOnly { model }.into());
     };
     let steps = if info.single_foot && feet != Feet::Both {
         2.0
@@ -89,14 +87,18 @@ fn find(name: &str) -> Result<&'static ModelInfo> {
     let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
     CATALOGUE.iter().find(|m| m.name == plain).ok_or_else(|| {
         let names = CATALOGUE.iter().map(|m| m.name);
-        let error = Error::new(format!("\"{name}\" is not a load model"));
+        let name = name.to_string();
         match nearest(&plain, names.clone()) {
-            Some(near) => error.help(format!("did you mean \"{near}\"?")),
-            None => error.help(format!(
-                "known are {}",
-                names.collect::<Vec<_>>().join(", ")
-            )),
+            Some(near) => ForceError::MisspeltModel {
+                name,
+                near: near.to_string(),
+            },
+            None => ForceError::UnknownModel {
+                name,
+                known: names.collect::<Vec<_>>().join(", "),
+            },
         }
+        .into()
     })
 }
 
@@ -104,14 +106,18 @@ fn frequency(info: &ModelInfo, given: Option<f64>) -> Result<f64> {
     let (low, high) = info.frequency_hz;
     match given {
         Some(f) if f >= low && f <= high => Ok(f),
-        Some(f) => Err(Error::new(format!(
-            "{} is not made for a step frequency of {f} Hz",
-            info.name
-        ))
-        .help(format!("give {low} Hz to {high} Hz"))),
+        Some(f) => Err(ForceError::FrequencyOutOfRange {
+            model: info.name.to_string(),
+            frequency: hertz(f),
+            low: hertz(low),
+            high: hertz(high),
+        }
+        .into()),
         None if info.name == "iso-22675" => Ok(2.0),
-        None => Err(Error::new(format!("{} needs a step frequency", info.name))
-            .help("give for example step_frequency = \"1.85 Hz\"")),
+        None => Err(ForceError::FrequencyMissing {
+            model: info.name.to_string(),
+        }
+        .into()),
     }
 }
 
@@ -124,6 +130,7 @@ fn phases() -> impl Iterator<Item = f64> {
 mod tests {
     use super::single_foot::{iso_22675, li_2010};
     use super::*;
+    use crate::error::ErrorKind;
     use std::f64::consts::{PI, TAU};
 
     /// Local extrema of a sampled stance: (fraction of the stance, value), in order.
@@ -250,14 +257,37 @@ mod tests {
     }
 
     #[test]
-    fn wrong_names_frequencies_and_feet_are_refused_with_advice() {
-        let message = |n, f, g, feet| model(n, f, g, feet).unwrap_err().to_string();
-        assert!(message("yuong", Some(1.85), 700.0, Feet::Both).contains("did you mean \"young\""));
-        assert!(message("zzzzzzzz", Some(1.85), 700.0, Feet::Both).contains("known are"));
-        assert!(message("young", None, 700.0, Feet::Both).contains("needs a step frequency"));
-        assert!(message("young", Some(0.1), 700.0, Feet::Both).contains("give 1 Hz"));
-        assert!(message("young", Some(f64::NAN), 700.0, Feet::Both).contains("give 1 Hz"));
-        assert!(message("young", Some(1.85), 0.0, Feet::Both).contains("positive"));
-        assert!(message("setra", Some(2.0), 700.0, Feet::Left).contains("li-2010"));
+    fn wrong_names_frequencies_and_feet_are_refused() {
+        let kind = |n, f, g, feet| match model(n, f, g, feet).unwrap_err().kind {
+            ErrorKind::Force(e) => e,
+            other => panic!("{other:?}"),
+        };
+        let both = |n, f, g| kind(n, f, g, Feet::Both);
+        assert!(matches!(
+            both("yuong", Some(1.85), 700.0),
+            ForceError::MisspeltModel { near, .. } if near == "young"
+        ));
+        assert!(matches!(
+            both("zzzzzzzz", Some(1.85), 700.0),
+            ForceError::UnknownModel { .. }
+        ));
+        assert!(matches!(
+            both("young", None, 700.0),
+            ForceError::FrequencyMissing { .. }
+        ));
+        for f in [0.1, f64::NAN] {
+            assert!(matches!(
+                both("young", Some(f), 700.0),
+                ForceError::FrequencyOutOfRange { low, .. } if low.value == 1.0
+            ));
+        }
+        assert!(matches!(
+            both("young", Some(1.85), 0.0),
+            ForceError::WeightNotPositive { .. }
+        ));
+        assert!(matches!(
+            kind("setra", Some(2.0), 700.0, Feet::Left),
+            ForceError::BothFeetOnly { .. }
+        ));
     }
 }

@@ -1,6 +1,7 @@
-//! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, dead plates.
+//! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, constant channels.
 
-use crate::force::recording::Channel;
+use crate::force::quantity::newtons;
+use crate::force::recording::{Channel, Idle};
 
 /// A channel that moves less than this was never stepped on, N.
 const TOUCHED_N: f64 = 30.0;
@@ -35,16 +36,16 @@ pub(super) fn channel(
         rows: Vec::new(),
     };
     if 2 * lacking > out.force_n.len() {
-        out.idle = Some(format!(
-            "mostly empty ({lacking} of {} samples are missing)",
-            out.force_n.len()
-        ));
+        out.idle = Some(Idle::MostlyEmpty {
+            missing: lacking,
+            samples: out.force_n.len(),
+        });
         return out;
     }
     let mut sorted = thinned(&out.force_n);
     sorted.sort_by(f64::total_cmp);
     let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
-        out.idle = Some("empty".to_string());
+        out.idle = Some(Idle::Empty);
         return out;
     };
     // Within a fraction of a step even a loaded plate hardly changes.
@@ -52,14 +53,15 @@ pub(super) fn channel(
     if high - low < TOUCHED_N && !brief {
         let level = sorted[sorted.len() / 2];
         out.idle = Some(if level.abs() < 3.0 * TOUCHED_N {
-            "never touched".to_string()
+            Idle::NeverLoaded
         } else {
-            format!("stuck at {level:.0} N")
+            let level = newtons(level);
+            Idle::Constant { level }
         });
         return out;
     }
-    if let Some(level) = stuck_level(&sorted) {
-        out.idle = Some(format!("stuck at {level:.0} N"));
+    if let Some(level) = stuck_level(&sorted).map(newtons) {
+        out.idle = Some(Idle::Constant { level });
         return out;
     }
     if loads_downwards(&sorted) {
@@ -249,17 +251,20 @@ mod tests {
 
     #[test]
     fn dead_plates_are_named() {
-        let idle = |v: Vec<f64>| {
-            channel(String::new(), v, 100.0, None)
-                .idle
-                .unwrap_or_default()
+        let idle = |v: Vec<f64>| channel(String::new(), v, 100.0, None).idle;
+        let constant = |level: f64| {
+            let level = newtons(level);
+            Some(Idle::Constant { level })
         };
-        assert_eq!(idle(vec![-0.0; 50]), "never touched");
-        assert_eq!(idle(vec![812.0; 50]), "stuck at 812 N");
-        assert!(idle(vec![f64::NAN; 50]).starts_with("mostly empty"));
+        assert_eq!(idle(vec![-0.0; 50]), Some(Idle::NeverLoaded));
+        assert_eq!(idle(vec![812.0; 50]), constant(812.0));
+        assert!(matches!(
+            idle(vec![f64::NAN; 50]),
+            Some(Idle::MostlyEmpty { .. })
+        ));
         let mut half = vec![5000.0; 80];
         half.extend((0..40).map(|i| f64::from(i) * 20.0));
-        assert_eq!(idle(half), "stuck at 5000 N");
+        assert_eq!(idle(half), constant(5000.0));
     }
 
     #[test]

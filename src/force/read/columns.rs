@@ -4,17 +4,8 @@
 //! `left total force[N]` all say force, component and owner in some order.
 
 use super::vocabulary::{FORCE, FRAME, LEFT, OTHER, RIGHT, TIME, VERTICAL, VERTICAL_FORCE};
+use crate::force::note::Axis;
 use crate::force::recording::Foot;
-
-/// A component of force in the axes of the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Axis {
-    X,
-    Y,
-    Z,
-    /// The name says that it is the vertical one, or the only one there is.
-    Vertical,
-}
 
 /// What a column holds.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,9 +7,12 @@ use std::path::Path;
 
 use super::columns::{Role, role, words};
 use super::keys;
-use super::text::{Lines, Position, column, detect, next_table, numbers, plain, text, unit_label};
-use crate::error::{Error, Result};
+use super::text::{
+    Layout, Lines, Position, Table, column, detect, next_table, numbers, plain, text, unit_label,
+};
+use crate::error::{CycleColumn, Error, ForceError, Place, ReadError, Result};
 use crate::force::curve::{ForceCurve, SAMPLES};
+use crate::force::quantity::seconds;
 use crate::force::recording::{ForceUnit, ReadOptions};
 
 /// Lines at the start of a text among which the mark must stand.
@@ -34,82 +37,109 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         return Ok(None);
     };
     let layout = detect(bytes);
-    let table = next_table(bytes, layout, Position { offset: 0, line: 1 }).ok_or_else(|| {
-        Error::file(path, "no table of numbers found").help("give columns time_s and force_n")
-    })?;
-    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
-    let place = |wanted: fn(&Role) -> bool| roles.iter().position(wanted);
-    let time = match &options.time {
-        Some(name) => column(path, &table, name)?,
-        None => place(|r| *r == Role::Time)
-            .ok_or_else(|| missing(path, table.start.line, "time", &table.names))?,
-    };
-    let force = match options.force.first() {
-        Some(name) => column(path, &table, name)?,
-        None => place(|r| matches!(r, Role::Force { .. }))
-            .ok_or_else(|| missing(path, table.start.line, "force", &table.names))?,
-    };
-    let spread = table
-        .names
-        .iter()
-        .position(|n| words(n).first().is_some_and(|w| w == "spread" || w == "sd"));
-    let mut wanted: Vec<usize> = [Some(time), Some(force), spread]
-        .into_iter()
-        .flatten()
-        .collect();
-    wanted.sort_unstable();
-    wanted.dedup();
-    let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
-    let read = numbers(path, bytes, layout, &table, &wanted, Some(slot(time)))?;
-    let line = |i: usize| table.start.line + i;
-    let (times, forces) = (&read.columns[slot(time)], &read.columns[slot(force)]);
-    if let Some(bad) = read.skipped.first() {
-        return Err(
-            Error::line(path, *bad, "this is not a row of a time and a force")
-                .help("a cycle must be complete"),
-        );
-    }
-    for c in &read.columns {
-        if let Some(i) = c.iter().position(|x| !x.is_finite()) {
-            return Err(
-                Error::line(path, line(i), "a value is missing or not a number")
-                    .help("a cycle must be complete"),
-            );
-        }
-    }
+    let table = next_table(bytes, layout, Position { offset: 0, line: 1 })
+        .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
+    let columns = CycleColumns::of(path, &table, options)?;
+    let Samples {
+        times,
+        mut force,
+        mut spread,
+    } = columns.samples(path, bytes, layout, &table)?;
     let keys = keys::read(&comments, layout.comma);
     let mass_kg = options.mass_kg.or(keys.mass_kg);
     let unit = options
         .unit
-        .or(unit_label(&table, force))
+        .or(unit_label(&table, columns.force))
         .unwrap_or(ForceUnit::Newton);
     let factor = unit.newtons(mass_kg).ok_or_else(|| {
-        Error::line(
-            path,
-            line(0),
-            format!("force is in {} and the body mass is not known", unit.name()),
-        )
-        .help("give the mass with --mass")
+        let unit = unit.name();
+        ReadError::MassMissing { unit }.at_line(path, table.start.line)
     })?;
-    let scaled = |v: &[f64]| -> Vec<f64> { v.iter().map(|x| x * factor).collect() };
+    for x in force.iter_mut().chain(spread.iter_mut().flatten()) {
+        *x *= factor;
+    }
     let period = comments.iter().find_map(|c| period(c));
-    let name = path
-        .file_name()
-        .and_then(|n| n.to_str())
-        .unwrap_or("cycle")
-        .to_string();
-    let at = |e: Error| e.at(crate::error::Place::File(path.to_path_buf()));
+    let name = path.file_name().and_then(|n| n.to_str());
+    let name = name.unwrap_or("cycle");
+    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
     let mut curve = match kind {
-        Kind::CriticalPoints => critical(path, &name, times, &scaled(forces), period)?,
-        Kind::Cycle => sampled(path, &name, times, &scaled(forces), period).map_err(at)?,
-    };
-    if let (Kind::Cycle, Some(s)) = (kind, spread) {
-        let spread =
-            sampled(path, &name, times, &scaled(&read.columns[slot(s)]), period).map_err(at)?;
+        Kind::CriticalPoints => critical(name, &times, &force, period),
+        Kind::Cycle => sampled(name, &times, &force, period),
+    }
+    .map_err(place)?;
+    if let (Kind::Cycle, Some(spread)) = (kind, spread) {
+        let spread = sampled(name, &times, &spread, period).map_err(place)?;
         curve.spread_n = Some(spread.force_n);
     }
     curve.mass_kg = mass_kg;
     Ok(Some(curve))
+}
+
+/// Where the columns of a cycle stand in its table.
+struct CycleColumns {
+    time: usize,
+    force: usize,
+    spread: Option<usize>,
+}
+
+/// The rows of a cycle, in the units of the file.
+struct Samples {
+    times: Vec<f64>,
+    force: Vec<f64>,
+    spread: Option<Vec<f64>>,
+}
+
+impl CycleColumns {
+    fn of(path: &Path, table: &Table, options: &ReadOptions) -> Result<Self> {
+        let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+        let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
+            roles.iter().position(wanted).ok_or_else(|| {
+                let columns = table.names.join(", ");
+                let line = table.start.line.saturating_sub(1).max(1);
+                ReadError::CycleColumnMissing { column, columns }.at_line(path, line)
+            })
+        };
+        let is_spread = |w: &String| w == "spread" || w == "sd";
+        Ok(CycleColumns {
+            time: match &options.time {
+                Some(name) => column(path, table, name)?,
+                None => place(|r| *r == Role::Time, CycleColumn::Time)?,
+            },
+            force: match options.force.first() {
+                Some(name) => column(path, table, name)?,
+                None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
+            },
+            spread: table
+                .names
+                .iter()
+                .position(|n| words(n).first().is_some_and(is_spread)),
+        })
+    }
+
+    /// Reads the rows; every one must be complete.
+    fn samples(&self, path: &Path, bytes: &[u8], layout: Layout, table: &Table) -> Result<Samples> {
+        let mut wanted: Vec<usize> = [Some(self.time), Some(self.force), self.spread]
+            .into_iter()
+            .flatten()
+            .collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
+        let read = numbers(path, bytes, layout, table, &wanted, Some(slot(self.time)))?;
+        if let Some(bad) = read.skipped.first() {
+            return Err(ReadError::CycleRow.at_line(path, *bad));
+        }
+        for c in &read.columns {
+            if let Some(i) = c.iter().position(|x| !x.is_finite()) {
+                return Err(ReadError::CycleValue.at_line(path, table.start.line + i));
+            }
+        }
+        Ok(Samples {
+            times: read.columns[slot(self.time)].clone(),
+            force: read.columns[slot(self.force)].clone(),
+            spread: self.spread.map(|s| read.columns[slot(s)].clone()),
+        })
+    }
 }
 
 fn kind(comment: &str) -> Option<Kind> {
@@ -125,15 +155,6 @@ fn kind(comment: &str) -> Option<Kind> {
     } else {
         None
     }
-}
-
-fn missing(path: &Path, line: usize, what: &str, names: &[String]) -> Error {
-    Error::line(
-        path,
-        line.saturating_sub(1).max(1),
-        format!("no {what} column"),
-    )
-    .help(format!("the columns are {}", names.join(", ")))
 }
 
 /// `period_s = 0.5` or `period 0.5 s` in a comment.
@@ -153,30 +174,21 @@ fn period(comment: &str) -> Option<f64> {
 }
 
 /// A cycle from samples: as they stand where they are equal in time, else on equal phases.
-fn sampled(
-    path: &Path,
-    name: &str,
-    times: &[f64],
-    force: &[f64],
-    period: Option<f64>,
-) -> Result<ForceCurve> {
+fn sampled(name: &str, times: &[f64], force: &[f64], period: Option<f64>) -> Result<ForceCurve> {
     let n = times.len();
     if n < 4 {
-        return Err(Error::new(format!(
-            "a force cycle of {n} samples says nothing about its shape"
-        ))
-        .help("give at least 4 samples per cycle"));
+        return Err(ForceError::FewSamples { samples: n }.into());
     }
     let span = times[n - 1] - times[0];
     if span <= 0.0 {
-        return Err(Error::new("time stands still"));
+        let at = seconds(times[0]);
+        return Err(ReadError::TimeStandsStill { at }.into());
     }
     let step = span / (n - 1) as f64;
     let period = period.unwrap_or(span + step);
     if span > period * (1.0 + 1e-9) {
-        return Err(Error::new(format!(
-            "the samples last {span} s, longer than the period of {period} s"
-        )));
+        let (span, period) = (seconds(span), seconds(period));
+        return Err(ReadError::CycleTooLong { span, period }.into());
     }
     // The first sample may be repeated at the end.
     let closed = (span - period).abs() < 1e-6 * period;
@@ -195,21 +207,12 @@ fn sampled(
         .map(|(t, f)| (t - times[0], *f))
         .collect();
     points.dedup_by(|b, a| b.0 <= a.0);
-    through(path, name, points, period)
+    through(name, points, period)
 }
 
 /// A curve through critical points, level at every peak and valley, monotone between them.
-fn critical(
-    path: &Path,
-    name: &str,
-    times: &[f64],
-    force: &[f64],
-    period: Option<f64>,
-) -> Result<ForceCurve> {
-    let period = period.ok_or_else(|| {
-        Error::file(path, "the period of the critical points is not given")
-            .help("write \"# period_s = 0.5\" above the table")
-    })?;
+fn critical(name: &str, times: &[f64], force: &[f64], period: Option<f64>) -> Result<ForceCurve> {
+    let period = period.ok_or(ReadError::CyclePeriodMissing)?;
     let first = times.first().copied().unwrap_or(0.0);
     let points: Vec<(f64, f64)> = times
         .iter()
@@ -217,32 +220,19 @@ fn critical(
         .map(|(t, f)| (t - first, *f))
         .collect();
     if points.windows(2).any(|w| w[1].0 <= w[0].0) || points.len() < 2 {
-        return Err(Error::file(
-            path,
-            "critical points must be at least two, at different times",
-        ));
+        return Err(ReadError::PointsNotRising.into());
     }
-    through(path, name, points, period)
+    through(name, points, period)
 }
 
 /// Piecewise cubic through points of one period, sampled at equal phases.
 ///
 /// Slopes are those of Fritsch and Butland (monotone between points, zero at extrema), periodic.
-fn through(
-    path: &Path,
-    name: &str,
-    mut points: Vec<(f64, f64)>,
-    period: f64,
-) -> Result<ForceCurve> {
+fn through(name: &str, mut points: Vec<(f64, f64)>, period: f64) -> Result<ForceCurve> {
     let (last, first) = (points[points.len() - 1], points[0]);
     if last.0 > period * (1.0 + 1e-9) {
-        return Err(Error::file(
-            path,
-            format!(
-                "a point at {} s lies beyond the period of {period} s",
-                last.0
-            ),
-        ));
+        let (at, period) = (seconds(last.0), seconds(period));
+        return Err(ReadError::PointBeyondPeriod { at, period }.into());
     }
     if last.0 > period * (1.0 - 1e-9) {
         points.pop();
@@ -280,6 +270,7 @@ fn through(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::ErrorKind;
 
     fn curve(t: &str) -> Result<ForceCurve> {
         read(Path::new("c.csv"), t.as_bytes(), &ReadOptions::default()).map(|c| c.expect("a cycle"))
@@ -316,14 +307,34 @@ mod tests {
 
     #[test]
     fn a_faulty_cycle_is_refused_by_line() {
-        let message = |t: &str| curve(t).unwrap_err().to_string();
-        assert!(message("# cycle\ntime_s,force_n\n0,1\n1,nan\n2,3\n3,3\n").contains("line 4"));
-        assert!(
-            message("# cycle\ntime_s,force_n\n0,1\n2,2\n1,3\n3,3\n")
-                .contains("line 5: time goes backwards")
+        let fault = |t: &str| {
+            let e = curve(t).unwrap_err();
+            match (e.kind, e.place) {
+                (ErrorKind::Read(kind), Place::Line(_, line)) => (kind, Some(line)),
+                (ErrorKind::Read(kind), _) => (kind, None),
+                other => panic!("{other:?}"),
+            }
+        };
+        assert_eq!(
+            fault("# cycle\ntime_s,force_n\n0,1\n1,nan\n2,3\n3,3\n"),
+            (ReadError::CycleValue, Some(4))
         );
-        assert!(message("# cycle\ntime_s,height_m\n0,1\n2,2\n3,3\n").contains("no force column"));
-        assert!(message("# critical points\ntime_s,force_n\n0,1\n2,2\n").contains("period"));
+        let (time, after) = (1.0, 2.0);
+        assert_eq!(
+            fault("# cycle\ntime_s,force_n\n0,1\n2,2\n1,3\n3,3\n"),
+            (ReadError::TimeBackwards { time, after }, Some(5))
+        );
+        assert!(matches!(
+            fault("# cycle\ntime_s,height_m\n0,1\n2,2\n3,3\n").0,
+            ReadError::CycleColumnMissing {
+                column: CycleColumn::Force,
+                ..
+            }
+        ));
+        assert_eq!(
+            fault("# critical points\ntime_s,force_n\n0,1\n2,2\n").0,
+            ReadError::CyclePeriodMissing
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Force columns of a file before anything is decided about them.
 
-use super::columns::Axis;
+use crate::force::note::Axis;
 use crate::force::recording::{Foot, ForceUnit};
 
 /// A raw column of force with what its name says.

@@ -1,6 +1,7 @@
 //! The time base: rate from a time column, uneven samples put on even ones, gaps named.
 
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
+use crate::force::quantity::seconds;
 
 /// An even time base for the samples of a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,17 +39,15 @@ impl TimeBase {
     pub fn from_times(times: &[f64]) -> Result<Self> {
         let n = times.len();
         let (Some(first), Some(last)) = (times.first(), times.last()) else {
-            return Err(Error::new("there are no samples"));
+            return Err(ReadError::FewSamples { samples: 0 }.into());
         };
         if n < 2 {
-            return Err(
-                Error::new("one sample is not a recording").help("give at least one whole stance")
-            );
+            return Err(ReadError::FewSamples { samples: n }.into());
         }
         let whole = last - first;
         if whole <= 0.0 {
-            return Err(Error::new(format!("time stands still at {first} s"))
-                .help("give the time column with --time or the rate with --rate"));
+            let at = seconds(*first);
+            return Err(ReadError::TimeStandsStill { at }.into());
         }
         let usual = usual_step(times);
         let is_gap = |w: &&[f64]| w[1] - w[0] > GAP * usual;
@@ -67,11 +66,8 @@ impl TimeBase {
         // A gap may not call for more memory than the samples themselves do.
         let slots = whole / step;
         if slots > 4.0 * n as f64 + 1000.0 {
-            return Err(Error::new(format!(
-                "the times leave {:.0} s of {whole:.0} s without samples",
-                lost
-            ))
-            .help("cut the recording at its gaps"));
+            let (lost, whole) = (seconds(lost), seconds(whole));
+            return Err(ReadError::MostlyGaps { lost, whole }.into());
         }
         let strays = times
             .iter()

@@ -1,10 +1,12 @@
 //! From raw force columns to channels of upward force: which component, which unit, which sign.
 
 use super::baseline;
-use super::columns::Axis;
 use super::raw::RawForce;
 use super::timebase::TimeBase;
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
+use crate::force::format::Format;
+use crate::force::note::{Axis, MassSource, Note};
+use crate::force::quantity::newtons;
 use crate::force::recording::{Foot, ForceUnit, ReadOptions, Recording};
 
 /// Largest force on the ground in walking that is believable, N.
@@ -12,29 +14,33 @@ const HARDEST_N: f64 = 8000.0;
 /// Smallest peak of a walking force that is believable, N.
 const SOFTEST_N: f64 = 60.0;
 
-/// Makes the recording of raw columns on their time base; the format is left to the caller.
-///
-/// `zero`: samples that the file calls unloaded.
+/// What a file says of a recording beside its columns of force.
+pub(super) struct Facts {
+    pub format: Format,
+    pub samples: usize,
+    /// Mass in the file, kg.
+    pub mass_kg: Option<f64>,
+    /// Samples that the file calls unloaded (first, one past the last).
+    pub zero: Option<(usize, usize)>,
+    pub notes: Vec<Note>,
+}
+
+/// Makes the recording of raw columns on their time base.
 pub(super) fn recording(
     mut raw: Vec<RawForce>,
     base: TimeBase,
-    samples: usize,
-    mass_kg: Option<f64>,
+    facts: Facts,
     options: &ReadOptions,
-    zero: Option<(usize, usize)>,
-    mut notes: Vec<String>,
 ) -> Result<Recording> {
+    let mut notes = facts.notes;
+    let mass_kg = options.mass_kg.or(facts.mass_kg);
     keep_vertical(&mut raw, &mut notes);
-    let unit = unit(&raw, options, &mut notes)?;
-    let factor = unit.newtons(mass_kg).ok_or_else(|| {
-        Error::new(format!(
-            "force is in {} and the body mass is not known",
-            unit.name()
-        ))
-        .help("give the mass with --mass, for example --mass \"70 kg\"")
-    })?;
+    let unit = unit(&raw, options, &mut notes);
+    let factor = unit
+        .newtons(mass_kg)
+        .ok_or(ReadError::MassMissing { unit: unit.name() })?;
     if base.is_uneven() {
-        notes.push("samples are uneven in time and were put on even steps".to_string());
+        notes.push(Note::UnevenSamples);
     }
     let opensim_pair = is_opensim_pair(&raw);
     let mut channels = Vec::with_capacity(raw.len());
@@ -45,7 +51,7 @@ pub(super) fn recording(
                 *x *= factor;
             }
         }
-        let mut channel = baseline::channel(column.name, values, base.rate_hz, zero);
+        let mut channel = baseline::channel(column.name, values, base.rate_hz, facts.zero);
         channel.foot = column.foot;
         channels.push(channel);
     }
@@ -54,15 +60,19 @@ pub(super) fn recording(
             let left = c.name.starts_with("1_");
             c.foot = Some(if left { Foot::Left } else { Foot::Right });
         }
-        notes.push("ground_force is taken for the right foot, 1_ground_force for the left (OpenSim's habit)".to_string());
+        notes.push(Note::FeetGuessed);
     }
-    let count = channels.first().map_or(samples, |c| c.force_n.len());
+    let count = channels.first().map_or(facts.samples, |c| c.force_n.len());
     Ok(Recording {
-        format: String::new(),
+        format: facts.format,
         rate_hz: base.rate_hz,
         duration_s: count.saturating_sub(1) as f64 / base.rate_hz,
         mass_kg,
-        mass_from: String::new(),
+        mass_from: match (options.mass_kg, facts.mass_kg) {
+            (Some(_), _) => Some(MassSource::User),
+            (None, Some(_)) => Some(MassSource::File),
+            (None, None) => None,
+        },
         channels,
         strikes: Vec::new(),
         gaps_s: base.gaps_s,
@@ -79,7 +89,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
 }
 
 /// Keeps one component: the one the names call vertical, else the one that carries the load.
-fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<String>) {
+fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let components = raw.iter().any(|r| r.axis != Axis::Vertical);
     let keep = if named && components {
@@ -93,10 +103,10 @@ fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<String>) {
         axes.sort_by(|a, b| b.1.total_cmp(&a.1));
         let (best, second) = (axes[0], axes[1]);
         if second.1 > 0.6 * best.1 {
-            notes.push(format!(
-                "components {:?} and {:?} are of like size; {:?} is taken for vertical",
-                best.0, second.0, best.0
-            ));
+            notes.push(Note::VerticalGuessed {
+                vertical: best.0,
+                other: second.0,
+            });
         }
         best.0
     };
@@ -135,9 +145,9 @@ fn swing(values: &[f64]) -> f64 {
 }
 
 /// The unit of the columns: the user's word, then a believable label, then what the size suggests.
-fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<String>) -> Result<ForceUnit> {
+fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> ForceUnit {
     if let Some(unit) = options.unit {
-        return Ok(unit);
+        return unit;
     }
     let peak = raw.iter().map(|r| swing(&r.values)).fold(0.0, f64::max);
     let believable = |u: ForceUnit| {
@@ -150,30 +160,23 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<String>) -> Res
     if let Some(unit) = label
         && (believable(unit) || peak == 0.0)
     {
-        return Ok(unit);
+        return unit;
     }
     // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
     if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
-        notes.push(format!(
-            "no force above {peak:.3} N; if these are body weights, give --unit BW and --mass"
-        ));
-        return Ok(ForceUnit::Newton);
+        let peak = newtons(peak);
+        notes.push(Note::LowForce { peak });
+        return ForceUnit::Newton;
     }
-    let guess = if believable(ForceUnit::Newton) || peak < 0.3 {
-        ForceUnit::Newton
-    } else if (0.3..=6.0).contains(&peak) {
+    let unit = if !believable(ForceUnit::Newton) && (0.3..=6.0).contains(&peak) {
         ForceUnit::BodyWeight
     } else {
         ForceUnit::Newton
     };
-    if let Some(label) = label.filter(|l| *l != guess) {
-        notes.push(format!(
-            "the label {} cannot be right for a peak of {peak:.3}; taken for {}",
-            label.name(),
-            guess.name()
-        ));
-    } else if guess != ForceUnit::Newton {
-        notes.push(format!("a peak of {peak:.3} is taken for {}", guess.name()));
+    if let Some(label) = label.filter(|l| *l != unit) {
+        notes.push(Note::UnitLabelRejected { label, peak, unit });
+    } else if unit != ForceUnit::Newton {
+        notes.push(Note::UnitGuessed { peak, unit });
     }
-    Ok(guess)
+    unit
 }

@@ -1,8 +1,8 @@
-//! Which contacts are whole walking stances, and why the others are not.
+//! Classification of contacts: whole walking stances, and the reason why another contact is none.
 
 use super::contact::{Contact, STANDING_S, TOUCH_S};
 use super::shape::Shape;
-use super::types::Why;
+use super::types::RejectReason;
 use crate::force::recording::{Channel, Recording};
 use crate::units::G;
 
@@ -11,7 +11,7 @@ const RUNNING_S: f64 = 0.3;
 /// A contact this many times longer than the middle one holds more than one step.
 const LONG: f64 = 1.5;
 /// A cut contact shorter than this part of a whole one is no stance.
-const SCRAP: f64 = 0.25;
+const FRAGMENT: f64 = 0.25;
 /// Missing samples up to this long are bridged, s.
 const BRIDGED_S: f64 = 0.05;
 
@@ -51,44 +51,48 @@ fn low_median(mut v: Vec<f64>) -> f64 {
 }
 
 /// Why a contact is no whole walking stance; `None` where it is one.
-pub(super) fn verdict(
+pub(super) fn rejection(
     contact: &Contact,
     shape: &Shape,
     usual: &Usual,
     shared: bool,
-) -> Option<Why> {
+) -> Option<RejectReason> {
     let duration = contact.duration_s();
     if let Some(cut) = contact.cut {
-        let sliver = usual.whole_s.is_some_and(|d| duration < SCRAP * d);
-        return Some(if sliver { Why::Scrap } else { cut });
+        let fragment = usual.whole_s.is_some_and(|d| duration < FRAGMENT * d);
+        return Some(if fragment {
+            RejectReason::EdgeFragment
+        } else {
+            cut
+        });
     }
     if duration < TOUCH_S {
-        return Some(Why::Touch);
+        return Some(RejectReason::TooShort);
     }
     let weak = usual.peak_n.is_some_and(|p| contact.peak_n < 0.5 * p)
         || usual.weight_n.is_some_and(|w| contact.peak_n < 0.5 * w);
     let hard = usual.weight_n.is_some_and(|w| contact.peak_n > 1.7 * w);
     let one_hump = shape.valley.is_none();
     if one_hump && (duration < RUNNING_S || hard && duration < 1.3 * RUNNING_S) && !weak {
-        return Some(Why::Running);
+        return Some(RejectReason::Running);
     }
     if duration > STANDING_S {
-        return Some(Why::Standing);
+        return Some(RejectReason::Standing);
     }
     if usual.duration_s.is_some_and(|d| duration > LONG * d) && duration > 0.8 {
-        return Some(Why::CrossOver);
+        return Some(RejectReason::CrossOver);
     }
     if shape.humps > 3
         && duration > 0.9
         && usual.weight_n.is_none_or(|w| contact.peak_n > 0.8 * w)
         && shape.holds_two_steps
     {
-        return Some(Why::CrossOver);
+        return Some(RejectReason::CrossOver);
     }
     if shared {
-        return Some(Why::Shared);
+        return Some(RejectReason::TwoPlates);
     }
-    weak.then_some(Why::Partial)
+    weak.then_some(RejectReason::PartialContact)
 }
 
 /// Contacts that stand for most of their time beside one on another plate: one foot on two plates.
@@ -114,7 +118,11 @@ pub(super) fn shared(contacts: &[Contact], recording: &Recording) -> Vec<bool> {
 }
 
 /// Whether samples are missing inside a contact.
-pub(super) fn missing(contact: &Contact, channel: &Channel, recording: &Recording) -> Option<Why> {
+pub(super) fn missing(
+    contact: &Contact,
+    channel: &Channel,
+    recording: &Recording,
+) -> Option<RejectReason> {
     let rate = recording.rate_hz;
     let inside =
         |from: f64, to: f64| to - from > BRIDGED_S && from < contact.end_s && to > contact.start_s;
@@ -123,5 +131,5 @@ pub(super) fn missing(contact: &Contact, channel: &Channel, recording: &Recordin
         .iter()
         .any(|&(a, b)| inside(a as f64 / rate, b as f64 / rate));
     let gaps = recording.gaps_s.iter().any(|&(a, b)| inside(a, b));
-    (lacks || gaps).then_some(Why::Missing)
+    (lacks || gaps).then_some(RejectReason::MissingSamples)
 }

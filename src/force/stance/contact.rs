@@ -1,6 +1,6 @@
 //! Contacts: spans of a channel's force above the threshold, before they are judged.
 
-use super::types::Why;
+use super::types::RejectReason;
 use crate::force::recording::Channel;
 
 /// Force from which a foot is on the plate, N; the README of the recordings counts stances so.
@@ -25,7 +25,7 @@ pub(super) struct Contact {
     pub start_s: f64,
     pub end_s: f64,
     pub peak_n: f64,
-    pub cut: Option<Why>,
+    pub cut: Option<RejectReason>,
 }
 
 impl Contact {
@@ -72,9 +72,11 @@ pub(super) fn contacts(index: usize, channel: &Channel, rate_hz: f64) -> Vec<Con
             },
             peak_n,
             cut: match (cut_start, cut_end) {
-                (true, true) if last as f64 > STANDING_S * rate_hz => Some(Why::NeverUnloaded),
-                (true, _) => Some(Why::CutAtStart),
-                (false, true) => Some(Why::CutAtEnd),
+                (true, true) if last as f64 > STANDING_S * rate_hz => {
+                    Some(RejectReason::NeverUnloaded)
+                }
+                (true, _) => Some(RejectReason::CutAtStart),
+                (false, true) => Some(RejectReason::CutAtEnd),
                 (false, false) => None,
             },
         };

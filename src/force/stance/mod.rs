@@ -7,7 +7,7 @@ mod shape;
 mod sides;
 mod types;
 
-use classify::{Usual, missing, shared, verdict};
+use classify::{Usual, missing, rejection, shared};
 use contact::{Contact, contacts};
 use shape::{Shape, shape};
 use sides::name_feet;
@@ -15,7 +15,7 @@ use sides::name_feet;
 use super::recording::{Foot, Recording};
 
 pub(crate) use sides::same_foot;
-pub use types::{Point, Rejected, Stance, Stances, Why};
+pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
 /// Finds the stances of a recording.
 pub fn stances(recording: &Recording) -> Stances {
@@ -38,15 +38,15 @@ pub fn stances(recording: &Recording) -> Stances {
         let channel = &recording.channels[contact.channel];
         let force = &channel.force_n;
         let shape = shape(force, recording.rate_hz, contact.start_s, contact.end_s);
-        let why = verdict(contact, &shape, &usual, shared)
+        let reason = rejection(contact, &shape, &usual, shared)
             .or_else(|| missing(contact, channel, recording));
-        match why {
+        match reason {
             None => out.used.push(stance(contact, &shape, channel.foot, None)),
-            Some(why) => out.rejected.push(Rejected {
+            Some(reason) => out.rejected.push(Rejected {
                 channel: contact.channel,
                 from_s: contact.start_s,
                 to_s: contact.end_s,
-                why,
+                reason,
             }),
         }
     }

@@ -1,5 +1,8 @@
 //! Stances and contacts: what is found in a recording.
 
+use serde::Serialize;
+use strum::{IntoStaticStr, VariantNames};
+
 use crate::force::recording::Foot;
 
 /// One point of a stance: force and fraction of the stance.
@@ -35,20 +38,25 @@ pub struct Stance {
 }
 
 /// Why a contact is not used.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Why {
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum RejectReason {
     /// The recording starts inside it.
     CutAtStart,
     /// The recording ends inside it.
     CutAtEnd,
-    /// A sliver of a contact at the edge of the recording: no stance, cut or not.
-    Scrap,
+    /// Cut, and too short to be most of a stance.
+    EdgeFragment,
     /// The plate was loaded from the first sample to the last.
     NeverUnloaded,
     /// Samples are missing inside it.
-    Missing,
+    MissingSamples,
     /// It lasts too short for a step.
-    Touch,
+    TooShort,
     /// One short hump.
     Running,
     /// It lasts too long for a step.
@@ -56,28 +64,9 @@ pub enum Why {
     /// Longer than the others: the other foot came onto the same plate.
     CrossOver,
     /// Two plates carried the foot at the same time.
-    Shared,
+    TwoPlates,
     /// Only a part of the foot was on the plate.
-    Partial,
-}
-
-impl Why {
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Why::CutAtStart => "cut: the recording starts inside the stance",
-            Why::CutAtEnd => "cut: the recording ends inside the stance",
-            Why::Scrap => "scrap: a sliver of a contact at the edge of the recording, not counted",
-            Why::NeverUnloaded => "never unloaded: standing, or both feet on one plate",
-            Why::Missing => "samples are missing inside the stance",
-            Why::Touch => "too short for a step",
-            Why::Running => "running: one short hump",
-            Why::Standing => "standing: too long for a step",
-            Why::CrossOver => "cross-over: too long for one foot, both feet on one plate",
-            Why::Shared => "shared: the foot lay across two plates",
-            Why::Partial => "partial: too little force for a whole foot",
-        }
-    }
+    PartialContact,
 }
 
 /// A contact that is not used.
@@ -90,7 +79,7 @@ pub struct Rejected {
     /// End, s.
     pub to_s: f64,
     /// The reason.
-    pub why: Why,
+    pub reason: RejectReason,
 }
 
 /// All contacts of a recording, each used or rejected, in order of time.

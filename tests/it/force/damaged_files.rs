@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use gaitcam::force::{
     Feet, ForceUnit, ReadOptions, cycle, force_curve, json, read, stances, table,
 };
+use gaitcam::wording::Language;
 
 /// Everything that a user's file goes through.
 fn exercise(bytes: &[u8], options: &ReadOptions) {
@@ -19,7 +20,7 @@ fn exercise(bytes: &[u8], options: &ReadOptions) {
         let s = stances(&r);
         for feet in [Feet::Both, Feet::One, Feet::Left] {
             let c = cycle(&r, &s, feet);
-            let _ = table(&r, &s, c.as_ref().map_err(|_| "refused"));
+            let _ = table(&r, &s, c.as_ref().map_err(|_| "refused"), Language::En);
             let _ = json(&r, &s, c.as_ref().ok());
             if let Ok(c) = c {
                 assert!(c.curve.force_n.iter().all(|f| f.is_finite()));

@@ -4,7 +4,10 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam::force::{Feet, Foot, ReadOptions, Recording, cycle, read, stances};
+use gaitcam::error::{ErrorKind, FileKind, ReadError};
+use gaitcam::force::{CycleSource, Feet, Foot, ReadOptions, Recording, cycle, read, stances};
+
+use super::{fault, notes};
 
 const RATE: f64 = 200.0;
 const STRIDE_S: f64 = 1.1;
@@ -47,7 +50,11 @@ fn holds_both_feet(name: &str, text: &[u8], sided: bool) -> Recording {
     let near = |f: f64| (f - peak).abs() < 0.01 * 700.0;
     assert!(s.used.iter().all(|x| near(x.p1.force_n)), "{s:?}");
     let c = cycle(&r, &s, Feet::Both).unwrap();
-    assert!(c.how.contains("2 whole strides"), "{}", c.how);
+    assert!(
+        matches!(c.source, CycleSource::WholeStrides { strides: 2, .. }),
+        "{:?}",
+        c.source
+    );
     assert!((c.curve.period_s - STRIDE_S).abs() < 2e-3);
     let feet: Vec<_> = s.used.iter().map(|x| x.foot).collect();
     let (l, r_) = (Some(Foot::Left), Some(Foot::Right));
@@ -203,18 +210,16 @@ fn sums_of_two_sets_of_sensors_are_the_left_and_the_right_insole() {
     });
     let r = holds_both_feet("GaCo.txt", text.as_bytes(), true);
     assert!(
-        r.notes.iter().any(|n| n.contains("insole")),
+        notes(&r).contains(&"note-insole-columns".to_string()),
         "{:?}",
         r.notes
     );
 }
 
 #[test]
-fn what_is_no_force_is_refused_in_a_plain_sentence() {
-    let message = |name: &str, bytes: &[u8]| {
-        read(Path::new(name), bytes, &ReadOptions::default())
-            .expect_err(name)
-            .to_string()
+fn what_is_no_force_is_refused_by_its_kind() {
+    let refused = |name: &str, bytes: &[u8]| {
+        read(Path::new(name), bytes, &ReadOptions::default()).expect_err(name)
     };
     // 198 pressure sensors: neither plates nor a table of stances.
     let numbers: Vec<String> = (1..=198).map(|k| k.to_string()).collect();
@@ -222,18 +227,18 @@ fn what_is_no_force_is_refused_in_a_plain_sentence() {
     let row =
         |t: f64, l: f64, _: f64| format!("{t:.3}{}", format!("\t{:.1}", l / 30.0).repeat(198));
     let text = table(&head, row);
-    let e = message("pedar.asc", text.as_bytes());
-    assert!(e.contains("none looks like a vertical force"), "{e}");
+    let e = refused("pedar.asc", text.as_bytes());
+    assert_eq!(fault(&e), "pedar.asc line 3: read-nameless-columns");
     let zeros = [0u8; 64];
-    for (name, start, says) in [
-        ("book.xlsx", &b"PK\x03\x04"[..], "an Excel workbook"),
-        ("walk.mat", b"MATLAB 5.0 MAT-file", "a MATLAB file"),
-        ("walk.xml", b"<?xml version=\"1.0\"?>", "an XML file"),
-        ("raw.dat", b"\x01\x02\x03\x00\x00", "a binary file"),
+    for (name, start, kind) in [
+        ("book.xlsx", &b"PK\x03\x04"[..], FileKind::Zip),
+        ("walk.mat", b"MATLAB 5.0 MAT-file", FileKind::Matlab),
+        ("walk.xml", b"<?xml version=\"1.0\"?>", FileKind::Xml),
+        ("raw.dat", b"\x01\x02\x03\x00\x00", FileKind::Binary),
     ] {
         let bytes = [start, &zeros[..]].concat();
-        let e = message(name, &bytes);
-        assert!(e.starts_with(name) && e.contains(says), "{e}");
-        assert!(e.contains("C3D or as text"), "{e}");
+        let e = refused(name, &bytes);
+        assert_eq!(fault(&e), format!("{name}: read-foreign"));
+        assert_eq!(e.kind, ErrorKind::Read(ReadError::Foreign { kind }));
     }
 }

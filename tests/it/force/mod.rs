@@ -6,3 +6,18 @@ mod damaged_files;
 mod laboratories;
 mod layouts;
 mod models;
+mod recordings;
+
+use gaitcam::error::Error;
+use gaitcam::force::Recording;
+use gaitcam::wording::code;
+
+/// Codes of what was guessed or left out in reading.
+fn notes(r: &Recording) -> Vec<String> {
+    r.notes.iter().map(|n| code("note", n)).collect()
+}
+
+/// Code of an error, with what its place says.
+fn fault(e: &Error) -> String {
+    format!("{}{}", e.place, e.kind.code())
+}

@@ -172,3 +172,34 @@ fn a_measured_walk_is_synthesised_no_finer_than_its_spread() {
     assert!(report.contains("From step to step"));
     fs::remove_dir_all(folder).unwrap();
 }
+
+#[test]
+fn the_table_of_subjects_is_found_from_any_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let names: Vec<String> = (1..=60).map(|i| format!("F_V_RAW_{i}")).collect();
+    let row = |id: &str| -> String {
+        let force = |i: u32| 600.0 * (std::f64::consts::PI * f64::from(i) / 61.0).sin();
+        let samples: Vec<String> = (1..=60).map(|i| format!("{:.1}", force(i))).collect();
+        format!("{id},1,{}\n", samples.join(","))
+    };
+    let head = format!("SUBJECT_ID,TRIAL_ID,{}\n", names.join(","));
+    let table = folder.path().join("made_F_V_RAW_left.csv");
+    fs::write(&table, head + &row("A") + &row("B")).unwrap();
+    let subjects = "SUBJECT_ID,BODY_MASS\nA,40\nB,60\n";
+    fs::write(folder.path().join("made_metadata.csv"), subjects).unwrap();
+    let mass = |from: &Path, file: &Path| {
+        let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+            .current_dir(from)
+            .args(["gait", "--json"])
+            .arg(file)
+            .output()
+            .unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        json["mass_kg"].as_f64()
+    };
+    assert_eq!(mass(&std::env::temp_dir(), &table), Some(50.0));
+    assert_eq!(
+        mass(folder.path(), Path::new("made_F_V_RAW_left.csv")),
+        Some(50.0)
+    );
+}

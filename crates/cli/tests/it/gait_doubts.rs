@@ -65,6 +65,12 @@ fn json(arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// Whether a warning of this code is among those of a recording.
+fn warns(found: &Value, code: &str) -> bool {
+    let warnings = found["warnings"].as_array().unwrap();
+    warnings.iter().any(|w| w["code"] == code)
+}
+
 fn plain(folder: &Path) -> String {
     file(folder, "walk.csv", "time_s,left_fz_n,right_fz_n", |r| {
         format!("{:.4},{:.3},{:.3}", r[0], r[1], r[2])
@@ -80,13 +86,7 @@ fn a_mass_that_is_not_the_walkers_is_doubted() {
     assert!((right["cycle"]["mean_of_weight"].as_f64().unwrap() - 1.0).abs() < 0.03);
     let half = json(&[&walk, "--mass", "35 kg"]);
     assert_eq!(half["cycle"]["mass_fits"], false);
-    assert!(
-        half["notes"].to_string().contains("where a walker's is 1"),
-        "{}",
-        half["notes"]
-    );
-    let words = String::from_utf8(gait(&[&walk, "--mass", "35 kg"]).stdout).unwrap();
-    assert!(words.contains("doubt     the mean force"), "{words}");
+    assert!(warns(&half, "mean-force-not-weight"), "{half}");
     // One foot carries half of the weight.
     let one = json(&[&walk, "--mass", "70 kg", "--feet", "left"]);
     assert_eq!(one["cycle"]["mass_fits"], true, "{}", one["notes"]);
@@ -108,20 +108,16 @@ fn a_mass_that_is_not_the_walkers_is_doubted() {
         .unwrap();
     let summary: Value = serde_json::from_slice(&synth.stdout).unwrap();
     let remarks = summary["remarks"].to_string();
-    assert!(remarks.contains("where a walker's is 1"), "{remarks}");
+    assert!(remarks.contains("mean force over a stride"), "{remarks}");
 }
 
 #[test]
 fn a_rate_that_overrides_the_times_is_said() {
     let folder = tempfile::tempdir().unwrap();
     let walk = plain(folder.path());
-    let notes = json(&[&walk, "--rate", "190 Hz"])["notes"].to_string();
-    assert!(
-        notes.contains("190 Hz") && notes.contains("200.00 Hz"),
-        "{notes}"
-    );
-    let same = json(&[&walk, "--rate", "200 Hz"])["notes"].to_string();
-    assert!(!same.contains("takes the place"), "{same}");
+    let code = "rate-overrides-times";
+    assert!(warns(&json(&[&walk, "--rate", "190 Hz"]), code));
+    assert!(!warns(&json(&[&walk, "--rate", "200 Hz"]), code));
 }
 
 #[test]
@@ -182,10 +178,7 @@ fn the_total_of_both_feet_is_walked_through_once_it_is_stepped_on() {
     assert_eq!(cycle["mass_fits"], true, "{cycle}");
     let one = gait(&[&total, "--feet", "one"]);
     let words = String::from_utf8_lossy(&one.stderr).into_owned();
-    assert!(
-        words.contains("total of both feet") && words.contains("--feet both"),
-        "{words}"
-    );
+    assert!(words.contains("total of both feet"), "{words}");
 }
 
 #[test]
@@ -211,11 +204,7 @@ fn a_missing_row_is_mentioned() {
     let lacking: Vec<&str> = text.lines().filter(|l| !l.starts_with("3.2000,")).collect();
     fs::write(&walk, lacking.join("\n")).unwrap();
     let found = json(&[&walk]);
-    assert!(
-        found["notes"].to_string().contains("1 sample is missing"),
-        "{}",
-        found["notes"]
-    );
+    assert!(warns(&found, "samples-missing"), "{}", found["warnings"]);
     // (n − 1)/duration.
     assert!((found["rate_hz"].as_f64().unwrap() - 1598.0 / 7.995).abs() < 1e-6);
 }

@@ -7,7 +7,6 @@ mod explain;
 mod folder;
 mod gait_command;
 mod gait_doubts;
-mod gait_files;
 mod main_job;
 mod sweep;
 mod words;

@@ -15,9 +15,10 @@ use storage::{Analog, Words};
 
 use super::columns::{foot, words};
 use super::keys;
-use super::vertical;
-use crate::error::{Error, Place, Result};
-use crate::force::recording::{ReadOptions, Recording, Strike};
+use super::timebase::TimeBase;
+use super::vertical::{self, Facts};
+use crate::error::{Place, ReadError, Result};
+use crate::force::recording::{Foot, ReadOptions, Recording, Strike};
 
 /// Bytes of one block.
 const BLOCK: usize = 512;
@@ -31,31 +32,23 @@ pub(super) fn is_c3d(bytes: &[u8]) -> bool {
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let start = (usize::from(bytes.first().copied().unwrap_or(1)) - 1) * BLOCK;
     let words_of = Words::of(bytes, start).ok_or_else(|| {
-        let code = bytes
-            .get(start + 3)
-            .map_or("nothing".to_string(), u8::to_string);
-        Error::byte(path, start + 3, format!("processor type is {code}"))
-            .help("a C3D file has 84 (Intel), 85 (DEC) or 86 (SGI) there")
+        let code = bytes.get(start + 3).copied().unwrap_or(0);
+        ReadError::Processor { code }.at_byte(path, start + 3)
     })?;
     let parameters = Parameters::read(bytes, start, words_of);
     let mut notes = Vec::new();
     let analog = Analog::read(path, bytes, words_of, &parameters, &mut notes)?;
     let raw = plates::forces(path, &analog, &parameters, options, &mut notes)?;
-    let rate_hz = options.rate_hz.unwrap_or(analog.rate_hz);
-    let in_file = mass(&parameters);
-    let mass_kg = options.mass_kg.or(in_file);
-    let base = super::timebase::TimeBase::even(rate_hz);
-    let zero = zero_range(&parameters, &analog);
-    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
-    let mut recording =
-        vertical::recording(raw, base, analog.samples, mass_kg, options, zero, notes)
-            .map_err(place)?;
-    recording.format = format!("C3D, {}", analog.describe());
-    recording.mass_from = match (options.mass_kg, in_file) {
-        (Some(_), _) => "user".to_string(),
-        (None, Some(_)) => "file".to_string(),
-        (None, None) => String::new(),
+    let base = TimeBase::even(options.rate_hz.unwrap_or(analog.rate_hz));
+    let facts = Facts {
+        format: analog.format(),
+        samples: analog.samples,
+        mass_kg: mass(&parameters),
+        zero: zero_range(&parameters, &analog),
+        notes,
     };
+    let mut recording = vertical::recording(raw, base, facts, options)
+        .map_err(|e| e.at(Place::File(path.to_path_buf())))?;
     recording.strikes = strikes(&parameters, &analog);
     Ok(recording)
 }
@@ -104,8 +97,8 @@ fn strikes(parameters: &Parameters, analog: &Analog) -> Vec<Strike> {
             .any(|w| label.contains(w));
         let side = foot(&words(context)).or_else(|| {
             foot(&words(&label)).or(match label.as_str() {
-                "rhs" | "rfs" => Some(crate::force::Foot::Right),
-                "lhs" | "lfs" => Some(crate::force::Foot::Left),
+                "rhs" | "rfs" => Some(Foot::Right),
+                "lhs" | "lfs" => Some(Foot::Left),
                 _ => None,
             })
         });

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use super::parameters::Parameters;
 use super::storage::Analog;
-use crate::error::{Error, Result};
-use crate::force::read::columns::{Axis, Role, role};
+use crate::error::{ReadError, Result};
+use crate::force::note::{Axis, Note};
+use crate::force::read::columns::{Role, role};
 use crate::force::read::raw::RawForce;
-use crate::force::recording::{ForceUnit, ReadOptions};
+use crate::force::recording::ReadOptions;
 
 /// Channels of a plate and their weights in its vertical force.
 type Weights = Vec<(usize, f64)>;
@@ -21,109 +22,130 @@ pub(super) fn forces(
     analog: &Analog,
     parameters: &Parameters,
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<Vec<RawForce>> {
-    let labels = parameters.strings("ANALOG", "LABELS");
-    let units = parameters.strings("ANALOG", "UNITS");
-    let unit = |i: usize| units.get(i).and_then(|u| u.parse::<ForceUnit>().ok());
+    let channels = Channels::of(analog, parameters);
+    if !options.force.is_empty() {
+        return options
+            .force
+            .iter()
+            .map(|name| channels.named(path, name))
+            .collect();
+    }
     let used = parameters
         .number("FORCE_PLATFORM", "USED")
         .unwrap_or(0.0)
         .max(0.0) as usize;
-    let column = |name: String, axis: Axis, weights: &Weights| {
-        let mut values = vec![0.0; analog.samples];
-        for &(channel, weight) in weights {
-            analog.add(channel, weight, &mut values);
+    let mut raw = Vec::new();
+    let mut unknown = None;
+    // Every plate needs channels of its own, so their number is bounded by the file.
+    for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
+        match weights(plate, analog, parameters) {
+            Ok(weights) => raw.push(channels.column(
+                plate_name(plate, &weights, &channels.labels),
+                Axis::Vertical,
+                &weights,
+            )),
+            Err(note) => {
+                if let Note::PlateTypeUnknown { plate, kind } = note {
+                    unknown = Some((plate, kind));
+                }
+                notes.push(note);
+            }
         }
-        let label = weights.first().and_then(|w| unit(w.0));
-        let side = match role(&name) {
+    }
+    tilted(parameters, used, notes);
+    // Channels of a plate of unknown type are no forces because their names look like it.
+    if raw.is_empty() && unknown.is_none() {
+        raw = channels.labelled_force();
+        if !raw.is_empty() {
+            notes.push(Note::NoPlates);
+        }
+    }
+    if !raw.is_empty() {
+        return Ok(raw);
+    }
+    let channels = channels.list(40);
+    Err(match unknown {
+        Some((plate, kind)) => ReadError::PlateTypeUnknown {
+            plate,
+            kind,
+            channels,
+        },
+        None => ReadError::NoPlate { channels },
+    }
+    .in_file(path))
+}
+
+/// The analog channels of a file with what is written about them.
+struct Channels<'a> {
+    analog: &'a Analog<'a>,
+    labels: Vec<String>,
+    units: Vec<String>,
+}
+
+impl<'a> Channels<'a> {
+    fn of(analog: &'a Analog, parameters: &Parameters) -> Self {
+        Channels {
+            analog,
+            labels: parameters.strings("ANALOG", "LABELS"),
+            units: parameters.strings("ANALOG", "UNITS"),
+        }
+    }
+
+    /// The weighted sum of some channels.
+    fn column(&self, name: String, axis: Axis, weights: &Weights) -> RawForce {
+        let mut values = vec![0.0; self.analog.samples];
+        for &(channel, weight) in weights {
+            self.analog.add(channel, weight, &mut values);
+        }
+        let first = weights.first().and_then(|w| self.units.get(w.0));
+        let foot = match role(&name) {
             Role::Force { foot, .. } => foot,
             _ => None,
         };
         RawForce {
             name,
             axis,
-            foot: side,
-            unit: label,
+            foot,
+            unit: first.and_then(|u| u.parse().ok()),
             values,
         }
-    };
-    if !options.force.is_empty() {
-        return options
-            .force
-            .iter()
-            .map(|wanted| {
-                let number = wanted
-                    .parse::<usize>()
-                    .ok()
-                    .filter(|n| (1..=analog.channels).contains(n));
-                let i = labels
-                    .iter()
-                    .position(|l| l.eq_ignore_ascii_case(wanted))
-                    .or(number.map(|n| n - 1));
-                let i = i.filter(|i| *i < analog.channels).ok_or_else(|| {
-                    Error::file(path, format!("no analog channel \"{wanted}\""))
-                        .help(format!("the channels are {}", labels.join(", ")))
-                })?;
-                Ok(column(wanted.clone(), Axis::Vertical, &vec![(i, 1.0)]))
+    }
+
+    /// The channel of a label, or of a number from 1.
+    fn named(&self, path: &Path, name: &str) -> Result<RawForce> {
+        let mut labels = self.labels.iter();
+        let place = labels
+            .position(|l| l.eq_ignore_ascii_case(name))
+            .or_else(|| name.parse::<usize>().ok()?.checked_sub(1))
+            .filter(|i| *i < self.analog.channels);
+        let place = place.ok_or_else(|| {
+            ReadError::NoChannel {
+                channel: name.to_string(),
+                channels: self.list(usize::MAX),
+            }
+            .in_file(path)
+        })?;
+        Ok(self.column(name.to_string(), Axis::Vertical, &vec![(place, 1.0)]))
+    }
+
+    /// Every channel whose label says force.
+    fn labelled_force(&self) -> Vec<RawForce> {
+        let most = self.analog.channels.min(3 * MOST_PLATES);
+        let labels = self.labels.iter().enumerate().take(most);
+        labels
+            .filter_map(|(i, label)| match role(label) {
+                Role::Force { axis, .. } => Some(self.column(label.clone(), axis, &vec![(i, 1.0)])),
+                _ => None,
             })
-            .collect();
+            .collect()
     }
-    let mut raw = Vec::new();
-    // Channels of a plate that nobody here can read are no forces because their names look like it.
-    let mut unknown = false;
-    // Every plate needs channels of its own, so their number is bounded by the file.
-    for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
-        match weights(plate, analog, parameters) {
-            Ok(weights) => raw.push(column(
-                plate_name(plate, &weights, &labels),
-                Axis::Vertical,
-                &weights,
-            )),
-            Err(why) => {
-                unknown |= why.starts_with("TYPE");
-                notes.push(format!("plate {} is left out: {why}", plate + 1));
-            }
-        }
+
+    fn list(&self, most: usize) -> String {
+        let shown: Vec<&str> = self.labels.iter().take(most).map(String::as_str).collect();
+        shown.join(", ")
     }
-    tilted(parameters, used, notes);
-    if raw.is_empty() && !unknown {
-        for (i, label) in labels
-            .iter()
-            .enumerate()
-            .take(analog.channels.min(3 * MOST_PLATES))
-        {
-            if let Role::Force { axis, .. } = role(label) {
-                raw.push(column(label.clone(), axis, &vec![(i, 1.0)]));
-            }
-        }
-        if !raw.is_empty() {
-            notes.push(
-                "no force plate is described; analog channels are taken by their labels"
-                    .to_string(),
-            );
-        }
-    }
-    if raw.is_empty() {
-        let why = notes
-            .last()
-            .filter(|n| n.contains("left out"))
-            .map_or(String::new(), |n| format!(" ({n})"));
-        return Err(Error::file(
-            path,
-            format!("no force plate and no analog channel of force{why}"),
-        )
-        .help(format!(
-            "the analog channels are {}",
-            labels
-                .iter()
-                .take(40)
-                .map(String::as_str)
-                .collect::<Vec<_>>()
-                .join(", ")
-        )));
-    }
-    Ok(raw)
 }
 
 fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
@@ -146,7 +168,7 @@ fn weights(
     plate: usize,
     analog: &Analog,
     parameters: &Parameters,
-) -> std::result::Result<Weights, String> {
+) -> std::result::Result<Weights, Note> {
     let kind = parameters
         .numbers("FORCE_PLATFORM", "TYPE")
         .get(plate)
@@ -154,13 +176,16 @@ fn weights(
         .unwrap_or(2.0) as i64;
     let numbers = parameters.numbers("FORCE_PLATFORM", "CHANNEL");
     let stride = first_dimension(parameters, "CHANNEL").unwrap_or(6);
-    let channel = |k: usize| -> std::result::Result<usize, String> {
+    let number = plate + 1;
+    let channel = |k: usize| -> std::result::Result<usize, Note> {
         let n = (k < stride)
             .then(|| numbers.get(plate * stride + k))
             .flatten();
         let n = n.filter(|n| **n >= 1.0 && **n <= analog.channels as f64);
-        n.map(|n| *n as usize - 1)
-            .ok_or_else(|| format!("its channel {} is not in the file", k + 1))
+        n.map(|n| *n as usize - 1).ok_or(Note::PlateChannelMissing {
+            plate: number,
+            channel: k + 1,
+        })
     };
     let plain = |ks: &[usize]| ks.iter().map(|&k| Ok((channel(k)?, 1.0))).collect();
     let calibrated = |columns: usize, rows: &[usize]| {
@@ -168,7 +193,7 @@ fn weights(
         let pairs = sums.into_iter().enumerate();
         Some(pairs.map(|(k, w)| Ok((channel(k)?, w))).collect())
     };
-    let no_matrix = || Err("its calibration matrix is missing".to_string());
+    let no_matrix = || Err(Note::PlateMatrixMissing { plate: number });
     match kind {
         1 | 2 => plain(&[2]),
         3 => plain(&[4, 5, 6, 7]),
@@ -176,9 +201,10 @@ fn weights(
         5 => calibrated(8, &[2]).unwrap_or_else(no_matrix),
         6 => calibrated(12, &[2, 5, 8, 11]).unwrap_or_else(|| plain(&[2, 5, 8, 11])),
         7 => calibrated(8, &[4, 5, 6, 7]).unwrap_or_else(|| plain(&[4, 5, 6, 7])),
-        other => Err(format!(
-            "TYPE {other} is not known here, only 1 to 7 are; name its force channel with --force"
-        )),
+        _ => Err(Note::PlateTypeUnknown {
+            plate: number,
+            kind,
+        }),
     }
 }
 
@@ -212,7 +238,7 @@ fn matrix_sums(
 }
 
 /// Notes plates whose normal points another way than that of the first, by their corners.
-fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<String>) {
+fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
     let corners = parameters.numbers("FORCE_PLATFORM", "CORNERS");
     let normals: Vec<Option<[f64; 3]>> = corners.chunks_exact(12).take(used).map(normal).collect();
     let Some(Some(first)) = normals.first() else {
@@ -222,7 +248,7 @@ fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<String>) {
         if let Some(n) = n {
             let cosine: f64 = n.iter().zip(first).map(|(a, b)| a * b).sum();
             if cosine.abs() < 0.9 {
-                notes.push(format!("plate {} does not lie level with plate 1; its force is not vertical if plate 1's is", i + 1));
+                notes.push(Note::PlateTilted { plate: i + 1 });
             }
         }
     }

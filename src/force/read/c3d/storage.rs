@@ -4,7 +4,9 @@ use std::path::Path;
 
 use super::BLOCK;
 use super::parameters::Parameters;
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
+use crate::force::format::{Format, Processor, Storage};
+use crate::force::note::Note;
 
 /// How a processor wrote its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,60 +85,31 @@ impl<'a> Analog<'a> {
         bytes: &'a [u8],
         words: Words,
         parameters: &Parameters,
-        notes: &mut Vec<String>,
+        notes: &mut Vec<Note>,
     ) -> Result<Self> {
         let word = |at: usize| words.u16(bytes, at).map_or(0, usize::from);
         let points = word(2);
-        let per_all = word(4);
         let (first, last) = (word(6), word(8));
-        let per_frame = word(18);
+        let (per_all, per_frame) = values_per_frame(path, word(4), word(18))?;
         let start = start_of_data(word(16), parameters);
         let scale = words.f32(bytes, 12).map_or(1.0, f64::from);
         let is_float = parameters.number("POINT", "SCALE").unwrap_or(scale) < 0.0;
-        if per_all == 0 || per_frame == 0 {
-            return Err(Error::byte(path, 4, "the file holds no analog samples")
-                .help("force plates are recorded as analog channels; export them with the trial"));
-        }
-        if !per_all.is_multiple_of(per_frame) {
-            return Err(Error::byte(
-                path,
-                18,
-                format!("{per_all} analog values per frame do not part into {per_frame} samples"),
-            )
-            .help("the header is damaged"));
-        }
         let width = if is_float { 4 } else { 2 };
         let markers = 4 * points * width;
         let frame = markers + per_all * width;
         let rest = bytes.get(start..).unwrap_or(&[]);
-        let held = rest.len() / frame;
+        let found = rest.len() / frame;
         let announced = announced_frames(first, last, parameters);
-        let frames = announced.map_or(held, |a| a.min(held));
-        if let Some(a) = announced.filter(|a| *a > held) {
-            notes.push(format!(
-                "the header announces {a} frames, the file holds {held}"
-            ));
+        let frames = announced.map_or(found, |a| a.min(found));
+        if let Some(announced) = announced.filter(|a| *a > found) {
+            notes.push(Note::FramesMissing { announced, found });
         }
         if frames == 0 {
-            return Err(
-                Error::byte(path, start.min(bytes.len()), "no frame of data")
-                    .help(format!("a frame has {frame} bytes; the file is cut short")),
-            );
+            return Err(ReadError::NoFrame { bytes: frame }.at_byte(path, start.min(bytes.len())));
         }
         let in_header = words.f32(bytes, 20).map_or(0.0, f64::from);
-        let frame_hz = [parameters.number("POINT", "RATE"), Some(in_header)]
-            .into_iter()
-            .flatten()
-            .find(|r| r.is_finite() && *r > 0.0);
-        let rate_hz = frame_hz
-            .map(|r| r * per_frame as f64)
-            .or(parameters.number("ANALOG", "RATE"));
-        let rate_hz = rate_hz
-            .filter(|r| r.is_finite() && *r > 0.0)
-            .ok_or_else(|| {
-                Error::byte(path, 20, "the file gives no frame rate")
-                    .help("POINT:RATE should be positive")
-            })?;
+        let (frame_hz, rate_hz) = rates(in_header, per_frame, parameters)
+            .ok_or_else(|| ReadError::NoFrameRate.at_byte(path, 20))?;
         Ok(Analog {
             words,
             data: &rest[..frames * frame],
@@ -151,7 +124,7 @@ impl<'a> Analog<'a> {
             per_frame,
             samples: frames * per_frame,
             first_frame: first,
-            frame_hz: frame_hz.unwrap_or(rate_hz / per_frame as f64),
+            frame_hz,
             rate_hz,
             scale: parameters.numbers("ANALOG", "SCALE"),
             offset: parameters.numbers("ANALOG", "OFFSET"),
@@ -187,11 +160,46 @@ impl<'a> Analog<'a> {
         }
     }
 
-    /// For people: "Intel floats".
-    pub fn describe(&self) -> String {
-        let kind = if self.is_float { "floats" } else { "integers" };
-        format!("{:?} {kind}", self.words)
+    /// Number format and storage of the file.
+    pub fn format(&self) -> Format {
+        Format::C3d {
+            processor: match self.words {
+                Words::Intel => Processor::Intel,
+                Words::Dec => Processor::Dec,
+                Words::Sgi => Processor::Sgi,
+            },
+            storage: if self.is_float {
+                Storage::Floats
+            } else {
+                Storage::Integers
+            },
+        }
     }
+}
+
+/// Analog values of one frame, all channels together, and samples of one channel in it.
+fn values_per_frame(path: &Path, values: usize, samples: usize) -> Result<(usize, usize)> {
+    if values == 0 || samples == 0 {
+        return Err(ReadError::NoAnalog.at_byte(path, 4));
+    }
+    if !values.is_multiple_of(samples) {
+        return Err(ReadError::OddAnalog { values, samples }.at_byte(path, 18));
+    }
+    Ok((values, samples))
+}
+
+/// Frames and analog samples per second; `None` where the file gives neither.
+fn rates(in_header: f64, per_frame: usize, parameters: &Parameters) -> Option<(f64, f64)> {
+    let is_rate = |r: &f64| r.is_finite() && *r > 0.0;
+    let frame_hz = [parameters.number("POINT", "RATE"), Some(in_header)]
+        .into_iter()
+        .flatten()
+        .find(is_rate);
+    let rate_hz = frame_hz
+        .map(|r| r * per_frame as f64)
+        .or(parameters.number("ANALOG", "RATE"))
+        .filter(is_rate)?;
+    Some((frame_hz.unwrap_or(rate_hz / per_frame as f64), rate_hz))
 }
 
 fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {

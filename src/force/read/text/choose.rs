@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use super::listed;
 use super::table::Table;
-use crate::error::{Error, Result, nearest};
-use crate::force::read::columns::{Axis, Role, bracketed, foot, role, words};
+use crate::error::{Error, ReadError, Result, nearest};
+use crate::force::note::Axis;
+use crate::force::read::columns::{Role, bracketed, foot, role, words};
 use crate::force::recording::{Foot, ForceUnit, ReadOptions};
 
 /// Which columns of a table to read, and how.
@@ -66,12 +68,7 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
 
 /// The user named one column as both time and force.
 pub(super) fn force_is_time(path: &Path, table: &Table) -> Error {
-    Error::line(
-        path,
-        table.start.line,
-        "the column named as force is the one of the time",
-    )
-    .help("name another with --force, or the time column with --time")
+    ReadError::ForceIsTime.at_line(path, table.start.line)
 }
 
 /// Columns of unknown name whose unit says force.
@@ -144,18 +141,15 @@ pub(crate) fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> 
         .ok()
         .filter(|n| (1..=names.len()).contains(n));
     found.or(number.map(|n| n - 1)).ok_or_else(|| {
-        let error = Error::line(
-            path,
-            table.start.line.saturating_sub(1).max(1),
-            format!("no column \"{wanted}\""),
-        );
-        let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
-        match nearest(wanted, names.iter().take(200).map(String::as_str)) {
-            Some(near) => error.help(format!(
-                "did you mean \"{near}\"? The columns are {}",
-                shown.join(", ")
-            )),
-            None => error.help(format!("the columns are {}", shown.join(", "))),
-        }
+        let (column, columns) = (wanted.to_string(), listed(names));
+        let error = match nearest(wanted, names.iter().take(200).map(String::as_str)) {
+            Some(near) => ReadError::MisspeltColumn {
+                column,
+                near: near.to_string(),
+                columns,
+            },
+            None => ReadError::NoColumn { column, columns },
+        };
+        error.at_line(path, table.start.line.saturating_sub(1).max(1))
     })
 }

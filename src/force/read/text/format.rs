@@ -1,47 +1,60 @@
-//! What a text file is called in front of people.
+//! What kind of text a file is.
 
 use std::path::Path;
 
 use super::layout::{Layout, Separator};
 use super::table::Table;
+use crate::force::format::{DecimalMark, Format, SeparatorName};
 
-/// The name of a format, from its header and the shape of its table.
-pub(super) fn format_name(path: &Path, layout: Layout, table: &Table, head: &[String]) -> String {
+/// The kind of a text, from its header and the shape of its table.
+pub(super) fn format(path: &Path, layout: Layout, table: &Table, head: &[String]) -> Format {
     let says = |what: &str| head.iter().any(|l| l.to_lowercase().contains(what));
     let starts = |what: &str| head.iter().any(|l| l.to_lowercase().starts_with(what));
-    let extension = path
-        .extension()
-        .and_then(|e| e.to_str())
-        .unwrap_or("")
-        .to_lowercase();
     if starts("endheader") {
-        let age = if starts("datacolumns") || starts("datarows") {
-            "old"
+        return if starts("datacolumns") || starts("datarows") {
+            Format::OpenSimOld
         } else {
-            "new"
+            Format::OpenSimNew
         };
-        return format!("OpenSim storage, {age} header");
     }
     if says("[force data]") {
-        return "force data with key lines (.forces)".to_string();
+        return Format::ForceData;
     }
     if starts("devices") && table.names.iter().any(|n| n.to_lowercase().contains("sub")) {
-        return "Nexus device export".to_string();
+        return Format::Nexus;
     }
     if says("insoles") {
-        return "insole text export".to_string();
+        return Format::Insole;
     }
     if says("bioware") {
-        return "BioWare text export".to_string();
+        return Format::BioWare;
     }
     if starts("no_of_") || starts("force_plate") {
-        return "Qualisys text export".to_string();
+        return Format::Qualisys;
     }
-    if table.names.is_empty() {
-        if extension == "asc" && layout.separator == Separator::Byte(b',') {
-            return "AMTI text without header".to_string();
-        }
-        return format!("{} without header", layout.describe());
+    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or("");
+    let (separator, decimal) = described(layout);
+    if !table.names.is_empty() {
+        return Format::Text { separator, decimal };
     }
-    layout.describe()
+    if extension.eq_ignore_ascii_case("asc") && separator == SeparatorName::Comma {
+        return Format::Amti;
+    }
+    Format::HeaderlessText { separator, decimal }
+}
+
+fn described(layout: Layout) -> (SeparatorName, DecimalMark) {
+    let separator = match layout.separator {
+        Separator::Byte(b'\t') => SeparatorName::Tab,
+        Separator::Byte(b';') => SeparatorName::Semicolon,
+        Separator::Byte(b'|') => SeparatorName::Bar,
+        Separator::Byte(_) => SeparatorName::Comma,
+        Separator::Blanks => SeparatorName::Blank,
+    };
+    let decimal = if layout.comma {
+        DecimalMark::Comma
+    } else {
+        DecimalMark::Point
+    };
+    (separator, decimal)
 }

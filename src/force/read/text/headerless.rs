@@ -6,8 +6,8 @@ use super::choose::force_is_time;
 use super::layout::Layout;
 use super::raw::Raw;
 use super::table::{Numbers, Table, numbers};
-use crate::error::{Error, Result};
-use crate::force::read::columns::Axis;
+use crate::error::{ReadError, Result};
+use crate::force::note::{Axis, Note};
 use crate::force::read::raw::RawForce;
 use crate::force::recording::{Foot, ReadOptions};
 
@@ -46,10 +46,11 @@ pub(super) fn read(
             .ok()
             .filter(|n| (1..=columns.len()).contains(n));
         n.map(|n| n - 1).ok_or_else(|| {
-            Error::line(path, table.start.line, format!("no column \"{name}\"")).help(format!(
-                "the file names no columns; give a number from 1 to {}",
-                columns.len()
-            ))
+            ReadError::NoColumnNumber {
+                column: name.to_string(),
+                count: columns.len(),
+            }
+            .at_line(path, table.start.line)
         })
     };
     let time = match &options.time {
@@ -73,12 +74,7 @@ pub(super) fn read(
         return Err(force_is_time(path, table));
     }
     if forces.is_empty() {
-        return Err(Error::line(
-            path,
-            table.start.line,
-            "the columns have no names and none looks like a vertical force",
-        )
-        .help("give the number of the force column with --force"));
+        return Err(ReadError::NamelessColumns.at_line(path, table.start.line));
     }
     if let Some(t) = time {
         rising(path, table, &columns[t])?;
@@ -90,9 +86,10 @@ pub(super) fn read(
     } else {
         None
     };
-    let notes: Vec<String> = sides.iter().map(|_| {
-        format!("columns {} and {} are the sums of two like sets of sensors; they are taken for the left and the right insole", forces[0] + 1, forces[1] + 1)
-    }).collect();
+    let insoles = sides.map(|_| Note::InsoleColumns {
+        left: forces[0] + 1,
+        right: forces[1] + 1,
+    });
     let forces = forces
         .into_iter()
         .enumerate()
@@ -111,7 +108,7 @@ pub(super) fn read(
         forces,
         samples,
         skipped,
-        notes,
+        notes: insoles.into_iter().collect(),
     }))
 }
 
@@ -132,16 +129,15 @@ fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
     match fall {
         None => Ok(()),
         // Rows follow each other without gaps in such files, so the line is the row.
-        Some(i) => Err(Error::line(
-            path,
-            table.start.line + i + 1,
-            format!(
-                "time goes backwards or is missing ({} after {})",
-                times[i + 1],
-                times[i]
-            ),
-        )
-        .help("give one recording per file, in order of time")),
+        Some(i) => {
+            let (after, time) = (times[i], times[i + 1]);
+            let error = if time.is_nan() {
+                ReadError::TimeMissing { after }
+            } else {
+                ReadError::TimeBackwards { time, after }
+            };
+            Err(error.at_line(path, table.start.line + i + 1))
+        }
     }
 }
 

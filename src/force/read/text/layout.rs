@@ -21,21 +21,6 @@ pub(crate) struct Layout {
     pub comma: bool,
 }
 
-impl Layout {
-    /// For people: "tab separated".
-    pub fn describe(self) -> String {
-        let separated = match self.separator {
-            Separator::Byte(b'\t') => "tab",
-            Separator::Byte(b';') => "semicolon",
-            Separator::Byte(b'|') => "bar",
-            Separator::Byte(_) => "comma",
-            Separator::Blanks => "blank",
-        };
-        let comma = if self.comma { ", decimal comma" } else { "" };
-        format!("{separated} separated text{comma}")
-    }
-}
-
 /// A place in a text: byte offset from 0 and line number from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Position {

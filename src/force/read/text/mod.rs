@@ -13,23 +13,25 @@ mod times;
 use std::path::Path;
 
 use choose::{Plan, plan};
-use format::format_name;
-use layout::{Fields, Layout};
+use format::format;
+use layout::Fields;
 use raw::Raw;
-use table::{Numbers, Table, skip};
+use table::{Numbers, skip};
 use times::{time_base, time_unit};
 
 use super::columns::{Role, role};
+use super::keys;
 use super::number::trim;
 use super::raw::RawForce;
-use super::{keys, vertical};
-use crate::error::{Error, Result};
+use super::vertical::{self, Facts};
+use crate::error::{Error, Place, ReadError, Result};
+use crate::force::note::Note;
 use crate::force::recording::{ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
-pub(super) use layout::{Lines, Position, detect, plain, text};
+pub(super) use layout::{Layout, Lines, Position, detect, plain, text};
 pub use stance_table::metadata_name;
-pub(super) use table::{next_table, numbers};
+pub(super) use table::{Table, next_table, numbers};
 
 /// Reads a delimited text; the first table with a force column counts.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
@@ -66,7 +68,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
 
 fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {
     if bytes.trim_ascii().is_empty() {
-        return Error::file(path, "the file is empty").help("give a recording of vertical force");
+        return ReadError::Empty.in_file(path);
     }
     // A table whose rows start with words has no numbers to go by; its first line may name its columns.
     let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
@@ -78,28 +80,24 @@ fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> 
         seen
     };
     if names.is_empty() {
-        let start: String = text(&bytes[..bytes.len().min(60)])
+        let start = text(&bytes[..bytes.len().min(60)])
             .chars()
             .take(40)
             .collect();
-        return Error::file(path, "no table of numbers found")
-            .help(format!("the file starts with {start:?}"));
+        return ReadError::NoTable { start }.in_file(path);
     }
-    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
     let force = names.iter().find(|n| matches!(role(n), Role::Force { .. }));
-    if let (true, Some(force)) = (seen.is_empty(), force) {
-        return Error::file(
-            path,
-            format!(
-                "the header names a column of force (\"{force}\"), but no row of numbers follows it"
-            ),
-        )
-        .help("export the samples as well; each row should start with a time or a number");
+    if let (true, Some(column)) = (seen.is_empty(), force.cloned()) {
+        return ReadError::HeaderWithoutRows { column }.in_file(path);
     }
-    Error::file(path, "no column of vertical force found").help(format!(
-        "the columns are {}; name the force column with --force",
-        shown.join(", ")
-    ))
+    let columns = listed(names);
+    ReadError::NoForceColumn { columns }.in_file(path)
+}
+
+/// The first names of columns, for a message.
+fn listed(names: &[String]) -> String {
+    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
+    shown.join(", ")
 }
 
 fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
@@ -146,37 +144,28 @@ fn finish(
     options: &ReadOptions,
 ) -> Result<Recording> {
     let keys = keys::read(head, layout.comma);
+    let samples = raw.samples;
+    if samples < 2 {
+        return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
+    }
     let mut notes = raw.notes.clone();
-    if let Some(rows) = keys.rows.filter(|r| *r != raw.samples) {
-        notes.push(format!(
-            "the header announces {rows} rows, the file has {}",
-            raw.samples
-        ));
+    if let Some(announced) = keys.rows.filter(|r| *r != samples) {
+        notes.push(Note::RowsDiffer {
+            announced,
+            found: samples,
+        });
     }
-    if let Some(line) = raw.skipped.first() {
-        notes.push(format!(
-            "lines that are not rows of numbers were passed over, first line {line}"
-        ));
+    if let Some(&first_line) = raw.skipped.first() {
+        notes.push(Note::LinesSkipped { first_line });
     }
-    if raw.samples < 2 {
-        return Err(Error::line(
-            path,
-            table.start.line,
-            format!("{} sample is not a recording", raw.samples),
-        )
-        .help("give at least one whole stance"));
-    }
-    let place = |e: Error| e.at(crate::error::Place::File(path.to_path_buf()));
+    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
     let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
-    let mass = options.mass_kg.or(keys.mass_kg);
-    let mut recording =
-        vertical::recording(raw.forces, base, raw.samples, mass, options, None, notes)
-            .map_err(place)?;
-    recording.mass_from = match (options.mass_kg, keys.mass_kg) {
-        (Some(_), _) => "user".to_string(),
-        (None, Some(_)) => "file".to_string(),
-        (None, None) => String::new(),
+    let facts = Facts {
+        format: format(path, layout, table, head),
+        samples,
+        mass_kg: keys.mass_kg,
+        zero: None,
+        notes,
     };
-    recording.format = format_name(path, layout, table, head);
-    Ok(recording)
+    vertical::recording(raw.forces, base, facts, options).map_err(place)
 }

@@ -1,5 +1,6 @@
 //! The columns of a table that are read, before time and unit are decided.
 
+use crate::force::note::Note;
 use crate::force::read::raw::RawForce;
 
 /// Raw columns with their time.
@@ -14,6 +15,6 @@ pub(super) struct Raw {
     pub forces: Vec<RawForce>,
     pub samples: usize,
     pub skipped: Vec<usize>,
-    /// What a person should know about the choice of columns.
-    pub notes: Vec<String>,
+    /// What was guessed in the choice of columns.
+    pub notes: Vec<Note>,
 }

@@ -8,11 +8,14 @@ use std::path::Path;
 
 use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
 use super::table::Table;
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
+use crate::force::format::Format;
+use crate::force::note::{MassSource, Note};
+use crate::force::quantity::{hertz, seconds};
 use crate::force::read::columns::{Role, foot, role, words};
 use crate::force::read::keys;
 use crate::force::read::number::{trim, value};
-use crate::force::recording::{Channel, Foot, ForceUnit, ReadOptions, Recording, Row};
+use crate::force::recording::{Channel, ForceUnit, ReadOptions, Recording, Row};
 use crate::units::G;
 
 /// Numbered columns from which a table is one of stances.
@@ -68,84 +71,40 @@ pub(super) fn read(
     head: &[String],
     options: &ReadOptions,
 ) -> Result<Recording> {
-    let first = numbered(&table.names).unwrap_or(0);
-    let masses = options.metadata.as_deref().map(masses).unwrap_or_default();
-    let mut force = Vec::with_capacity(bytes.len() / 4);
-    let mut rows = Vec::new();
-    let mut known = 0usize;
-    for (at, line) in Lines::from(bytes, table.start) {
-        let mut fields = Fields::new(line, layout);
-        let subject = fields.next().map(|f| text(trim(f))).unwrap_or_default();
-        let from = force.len();
-        for f in fields.skip(first.saturating_sub(1)) {
-            let x = value(f, layout.comma);
-            if x.is_nan() {
-                if !trim(f).is_empty() {
-                    return Err(Error::line(
-                        path,
-                        at.line,
-                        format!(
-                            "sample {} of the stance is \"{}\"",
-                            force.len() - from + 1,
-                            text(trim(f))
-                        ),
-                    )
-                    .help("samples must be numbers, empty fields only at the end of the row"));
-                }
-                break;
-            }
-            force.push(x);
-        }
-        if force.len() == from {
-            continue;
-        }
-        let mass_kg = options.mass_kg.or_else(|| masses.get(&subject).copied());
-        known += usize::from(mass_kg.is_some());
-        rows.push(Row {
-            from,
-            to: force.len(),
-            mass_kg,
-        });
-    }
+    let (mut force, rows) = stances(path, bytes, layout, table, options)?;
     if rows.is_empty() {
-        return Err(Error::line(path, table.start.line, "no stance found")
-            .help("each row should hold the samples of one stance"));
+        return Err(ReadError::NoStanceRow.at_line(path, table.start.line));
     }
-    force.shrink_to_fit();
-    let mut notes = vec![format!("one stance per row, {} rows", rows.len())];
+    let mut notes = vec![Note::StancePerRow { rows: rows.len() }];
     scale(path, &mut force, &rows, options, &mut notes)?;
     let keys = keys::read(head, layout.comma);
     let rate_hz = options
         .rate_hz
         .or(keys.rate_hz)
         .unwrap_or_else(|| likely_rate(&rows, &mut notes));
-    if known < rows.len() {
-        notes.push(format!(
-            "the mass is known for {known} of {} stances; it stands in the table of subjects (metadata)",
-            rows.len()
-        ));
+    let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
+    if masses.len() < rows.len() {
+        notes.push(Note::MassesMissing {
+            known: masses.len(),
+            rows: rows.len(),
+        });
     }
-    let total: f64 = rows.iter().filter_map(|r| r.mass_kg).sum();
+    let subjects = masses.iter().sum::<f64>() / masses.len() as f64;
+    let mean = (!masses.is_empty()).then_some((subjects, MassSource::Subjects));
+    let mass = options.mass_kg.map(|m| (m, MassSource::User)).or(mean);
     let name = path
         .file_stem()
         .and_then(|s| s.to_str())
         .unwrap_or("stances")
         .to_string();
-    let mass_kg = options
-        .mass_kg
-        .or((known > 0).then(|| total / known as f64));
     Ok(Recording {
-        format: "table of stances, one per row".to_string(),
+        format: Format::StanceTable,
         rate_hz,
         duration_s: (force.len() - 1) as f64 / rate_hz,
-        mass_kg,
-        mass_from: match (options.mass_kg, mass_kg) {
-            (Some(_), _) => "user".to_string(),
-            (None, Some(_)) => "file (mean of the subjects)".to_string(),
-            _ => String::new(),
-        },
+        mass_kg: mass.map(|m| m.0),
+        mass_from: mass.map(|m| m.1),
         channels: vec![Channel {
-            foot: side(&name),
+            foot: foot(&words(&name)),
             name,
             force_n: force,
             baseline_n: 0.0,
@@ -160,8 +119,44 @@ pub(super) fn read(
     })
 }
 
-fn side(name: &str) -> Option<Foot> {
-    foot(&words(name))
+/// Samples of all stances one behind the other, and the place of each.
+fn stances(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    options: &ReadOptions,
+) -> Result<(Vec<f64>, Vec<Row>)> {
+    let first = numbered(&table.names).unwrap_or(0);
+    let masses = options.metadata.as_deref().map(masses).unwrap_or_default();
+    let mut force = Vec::with_capacity(bytes.len() / 4);
+    let mut rows = Vec::new();
+    for (at, line) in Lines::from(bytes, table.start) {
+        let mut fields = Fields::new(line, layout);
+        let subject = fields.next().map(|f| text(trim(f))).unwrap_or_default();
+        let from = force.len();
+        for f in fields.skip(first.saturating_sub(1)) {
+            let x = value(f, layout.comma);
+            if x.is_finite() {
+                force.push(x);
+            } else if trim(f).is_empty() {
+                break;
+            } else {
+                let sample = force.len() - from + 1;
+                let text = text(trim(f));
+                return Err(ReadError::StanceSample { sample, text }.at_line(path, at.line));
+            }
+        }
+        if force.len() > from {
+            rows.push(Row {
+                from,
+                to: force.len(),
+                mass_kg: options.mass_kg.or_else(|| masses.get(&subject).copied()),
+            });
+        }
+    }
+    force.shrink_to_fit();
+    Ok((force, rows))
 }
 
 /// Brings samples to newtons and the load to positive.
@@ -170,7 +165,7 @@ fn scale(
     force: &mut [f64],
     rows: &[Row],
     options: &ReadOptions,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<()> {
     let top = force
         .iter()
@@ -182,22 +177,13 @@ fn scale(
         ForceUnit::Newton
     });
     if options.unit.is_none() && unit == ForceUnit::BodyWeight {
-        notes.push(format!(
-            "a peak of {:.3} is taken for body weights",
-            top.abs()
-        ));
+        let peak = top.abs();
+        notes.push(Note::UnitGuessed { peak, unit });
     }
     for (i, row) in rows.iter().enumerate() {
         let factor = unit.newtons(row.mass_kg).ok_or_else(|| {
-            Error::file(
-                path,
-                format!(
-                    "force is in {} and the mass of row {} is not known",
-                    unit.name(),
-                    i + 1
-                ),
-            )
-            .help("give the mass with --mass, or the table of subjects beside the file")
+            let (unit, row) = (unit.name(), i + 1);
+            ReadError::RowMassMissing { unit, row }.in_file(path)
         })?;
         for x in &mut force[row.from..row.to] {
             *x *= sign * factor;
@@ -207,25 +193,26 @@ fn scale(
 }
 
 /// The rate at which the middle one of the stances lasts a usual time.
-fn likely_rate(rows: &[Row], notes: &mut Vec<String>) -> f64 {
+fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
     let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
     lengths.sort_unstable();
-    let middle = lengths[lengths.len() / 2] as f64;
+    let samples = lengths[lengths.len() / 2];
+    let middle = samples as f64;
     let off = |rate: &f64| (middle / rate / USUAL_STANCE_S).ln().abs();
     let rate = RATES
         .into_iter()
         .min_by(|a, b| off(a).total_cmp(&off(b)))
         .unwrap_or(1000.0);
     if lengths.first() == lengths.last() {
-        notes.push(format!(
-            "every stance has {middle} samples, so their durations are lost; {:.2} s is assumed",
-            middle / rate
-        ));
+        notes.push(Note::DurationsLost {
+            samples,
+            assumed: seconds(middle / rate),
+        });
     } else {
-        notes.push(format!(
-            "the table gives no rate; {rate} Hz makes its stances last {:.2} s; give --rate if that is wrong",
-            middle / rate
-        ));
+        notes.push(Note::RateGuessed {
+            rate: hertz(rate),
+            stance: seconds(middle / rate),
+        });
     }
     rate
 }
@@ -270,6 +257,7 @@ fn masses(bytes: &[u8]) -> HashMap<String, f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::force::recording::Foot;
 
     #[test]
     fn rows_are_stances_with_the_mass_of_their_subject() {

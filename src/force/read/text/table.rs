@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::header::with_header;
 use super::layout::{Fields, Layout, Lines, Position};
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
 use crate::force::read::number::{Field, field, trim, value};
 
 /// Lines of a header that are kept; more are skipped in the middle.
@@ -201,19 +201,13 @@ pub(crate) fn numbers(
         absent += wanted.len() - present;
         let ragged = absent > columns[0].len() * wanted.len() / 2 + 64 * wanted.len().max(8);
         if ragged || columns[0].len() == room {
-            return Err(
-                Error::line(path, at.line, "rows are much shorter than the header")
-                    .help(format!("each row should have {} fields", table.width)),
-            );
+            let fields = table.width;
+            return Err(ReadError::ShortRows { fields }.at_line(path, at.line));
         }
         if let Some(t) = time {
             if row[t] < last_time {
-                return Err(Error::line(
-                    path,
-                    at.line,
-                    format!("time goes backwards ({} after {last_time})", row[t]),
-                )
-                .help("give one recording per file, in order of time"));
+                let (time, after) = (row[t], last_time);
+                return Err(ReadError::TimeBackwards { time, after }.at_line(path, at.line));
             }
             last_time = row[t];
         }

@@ -2,7 +2,9 @@
 
 use super::raw::Raw;
 use super::table::Table;
-use crate::error::{Error, Result};
+use crate::error::{ReadError, Result};
+use crate::force::note::Note;
+use crate::force::quantity::{self, hertz};
 use crate::force::read::columns::{bracketed, words};
 use crate::force::read::timebase::{TimeBase, usual_step};
 use crate::force::recording::ReadOptions;
@@ -26,16 +28,15 @@ pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
     }
 }
 
-/// What to say where the user's rate takes the place of a time column that gives another.
-fn overridden(raw: &Raw, rate: f64) -> Option<String> {
+/// The note that the user's rate takes the place of a time column that gives another.
+fn overridden(raw: &Raw, rate: f64) -> Option<Note> {
     let times = raw.times.as_ref().filter(|_| !raw.counts)?;
     let scale = raw.time_unit.unwrap_or(1.0);
     let seconds: Vec<f64> = times.iter().map(|t| t * scale).collect();
     let own = TimeBase::from_times(&seconds).ok()?.rate_hz;
-    ((own / rate - 1.0).abs() > 0.01).then(|| {
-        format!(
-            "the rate given, {rate} Hz, takes the place of the time column, which gives {own:.2} Hz"
-        )
+    ((own / rate - 1.0).abs() > 0.01).then_some(Note::RateOverridesTimes {
+        rate: hertz(rate),
+        column: hertz(own),
     })
 }
 
@@ -44,40 +45,27 @@ pub(super) fn time_base(
     raw: &Raw,
     options: &ReadOptions,
     key_rate: Option<f64>,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<Note>,
 ) -> Result<TimeBase> {
     if let Some(rate) = options.rate_hz {
         notes.extend(overridden(raw, rate));
         return Ok(TimeBase::even(rate));
     }
-    let need_rate = || {
-        Error::new("the file gives no time and no sampling rate")
-            .help("give the rate with --rate, for example --rate \"1000 Hz\"")
-    };
-    let Some(times) = &raw.times else {
-        return key_rate.map(TimeBase::even).ok_or_else(need_rate);
-    };
-    if raw.counts {
-        return key_rate.map(TimeBase::even).ok_or_else(need_rate);
-    }
-    if times.len() < 2 {
-        return Err(
-            Error::new("one sample is not a recording").help("give at least one whole stance")
-        );
-    }
-    let mut scale = raw.time_unit.unwrap_or(1.0);
-    if raw.time_unit.is_none() {
-        let step = usual_step(times);
-        if let Some(rate) = key_rate.filter(|r| (step * r - 1.0).abs() > 0.5) {
-            // The column counts something else than seconds; the rate says what.
-            scale = 1.0 / (rate * step);
-        } else if key_rate.is_none() && (0.4..=60.0).contains(&step) && times.len() > 20 {
-            scale = 1e-3;
-            notes.push(format!(
-                "steps of {step} in the time column are taken for milliseconds"
-            ));
+    let times = match &raw.times {
+        Some(times) if !raw.counts => times,
+        _ => {
+            let rate = key_rate.ok_or(ReadError::NoRate)?;
+            return Ok(TimeBase::even(rate));
         }
+    };
+    if times.len() < 2 {
+        let samples = times.len();
+        return Err(ReadError::FewSamples { samples }.into());
     }
+    let scale = match raw.time_unit {
+        Some(unit) => unit,
+        None => guessed_unit(times, key_rate, notes),
+    };
     let seconds: Vec<f64>;
     let times = if scale == 1.0 {
         times
@@ -87,14 +75,8 @@ pub(super) fn time_base(
     };
     let base = TimeBase::from_times(times)?;
     if let Some((count, at)) = base.missed {
-        let (samples, are) = if count == 1 {
-            ("sample", "is")
-        } else {
-            ("samples", "are")
-        };
-        notes.push(format!(
-            "{count} {samples} {are} missing, the first near {at:.3} s; the rate counts the samples there are"
-        ));
+        let first = quantity::seconds(at);
+        notes.push(Note::SamplesMissing { count, first });
     }
     match key_rate {
         // Times are rounded; a stated rate that agrees is the exact one.
@@ -102,12 +84,26 @@ pub(super) fn time_base(
             Ok(TimeBase::even(rate))
         }
         Some(rate) if (rate / base.rate_hz - 1.0).abs() > 0.01 => {
-            notes.push(format!(
-                "the header says {rate} Hz, the time column {:.2} Hz; the times count",
-                base.rate_hz
-            ));
+            notes.push(Note::RatesDiffer {
+                header: hertz(rate),
+                column: hertz(base.rate_hz),
+            });
             Ok(base)
         }
         _ => Ok(base),
+    }
+}
+
+/// Seconds per unit of a time column that does not say it.
+fn guessed_unit(times: &[f64], key_rate: Option<f64>, notes: &mut Vec<Note>) -> f64 {
+    let step = usual_step(times);
+    match key_rate {
+        // The column counts something else than seconds; the rate says what.
+        Some(rate) if (step * rate - 1.0).abs() > 0.5 => 1.0 / (rate * step),
+        None if (0.4..=60.0).contains(&step) && times.len() > 20 => {
+            notes.push(Note::MillisecondsGuessed { step });
+            1e-3
+        }
+        _ => 1.0,
     }
 }

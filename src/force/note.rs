@@ -1,0 +1,181 @@
+//! Notes: how a recording was understood, what was guessed or left out, and what does not look right.
+
+use std::fmt;
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use super::recording::{Foot, ForceUnit};
+use crate::units::Quantity;
+use crate::wording::{Language, sentence};
+
+/// A component of force in the axes of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// First component.
+    X,
+    /// Second component.
+    Y,
+    /// Third component.
+    Z,
+    /// The name says that it is the vertical one, or it is the only one there is.
+    Vertical,
+}
+
+/// What a person should know about how a recording was read or averaged.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named for what they hold
+pub enum Note {
+    /// The header announces another number of rows than there are.
+    RowsDiffer { announced: usize, found: usize },
+    /// The header announces more frames than the file holds.
+    FramesMissing { announced: usize, found: usize },
+    /// Lines that are not rows of numbers were passed over.
+    LinesSkipped { first_line: usize },
+    /// Two nameless columns are sums of sensors and taken for the left and the right insole.
+    InsoleColumns { left: usize, right: usize },
+    /// Each row of the table is one stance.
+    StancePerRow { rows: usize },
+    /// The table of subjects gives the mass of some stances only.
+    MassesMissing { known: usize, rows: usize },
+    /// The durations of stances are lost, since all have the same number of samples.
+    DurationsLost { samples: usize, assumed: Quantity },
+    /// A table of stances gives no rate; the one that makes usual stances was taken.
+    RateGuessed { rate: Quantity, stance: Quantity },
+    /// The rate given takes the place of the time column.
+    RateOverridesTimes { rate: Quantity, column: Quantity },
+    /// Steps of the time column were taken for milliseconds.
+    MillisecondsGuessed { step: f64 },
+    /// Single samples are missing.
+    SamplesMissing { count: usize, first: Quantity },
+    /// Header and time column give different rates; the times count.
+    RatesDiffer { header: Quantity, column: Quantity },
+    /// Samples were put on even steps of time.
+    UnevenSamples,
+    /// The unit of force was guessed from the size of the readings.
+    UnitGuessed { peak: f64, unit: ForceUnit },
+    /// The unit that the file names cannot be right.
+    UnitLabelRejected {
+        label: ForceUnit,
+        peak: f64,
+        unit: ForceUnit,
+    },
+    /// No force is large enough to be a step.
+    LowForce { peak: Quantity },
+    /// Two components are of like size; the larger was taken for vertical.
+    VerticalGuessed { vertical: Axis, other: Axis },
+    /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as OpenSim's examples have it.
+    FeetGuessed,
+    /// The file describes no force plate; channels were chosen by their labels.
+    NoPlates,
+    /// A plate was left out: its TYPE is none of 1 to 7.
+    PlateTypeUnknown { plate: usize, kind: i64 },
+    /// A plate was left out: one of its channels is not in the file.
+    PlateChannelMissing { plate: usize, channel: usize },
+    /// A plate was left out: its type needs a calibration matrix and the file has none.
+    PlateMatrixMissing { plate: usize },
+    /// A plate lies at an angle to the first.
+    PlateTilted { plate: usize },
+    /// The mass is the mean of insoles, which are seldom calibrated.
+    InsoleMass { mass: Quantity },
+    /// Mean force over the cycle and weight do not fit.
+    MeanForceNotWeight {
+        ratio: f64,
+        mass: Quantity,
+        share: WeightShare,
+    },
+    /// No walker has this mass.
+    MassImplausible { mean: Quantity, mass: Quantity },
+}
+
+/// What part of the weight the feet of a cycle carry over a stride.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WeightShare {
+    /// Both feet: all of it.
+    Whole,
+    /// One foot: half of it.
+    Half,
+}
+
+/// Where a mass is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum MassSource {
+    /// The user gave it.
+    User,
+    /// The file names it.
+    File,
+    /// Mean of the table of subjects.
+    Subjects,
+    /// Mean force over the stride, divided by g.
+    MeanForce,
+}
+
+/// What the duration of a stride was taken from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PeriodSource {
+    /// Consecutive heel strikes.
+    HeelStrikes,
+    /// The impulse that carries the known mass over a stride.
+    Impulse,
+    /// The usual part of a stride that a foot stands, since the recording does not say it.
+    UsualDuty,
+    /// Rises of the total force of both feet through its mean.
+    TotalForce,
+    /// The file is one cycle of stated period.
+    File,
+}
+
+/// How the mean cycle was computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // counts of strides or stances
+pub enum CycleSource {
+    /// Whole strides of both feet, from heel strike to heel strike of one foot.
+    WholeStrides { strides: usize, from: Option<Foot> },
+    /// Single stances of the right and the left foot, half a stride apart.
+    RightAndLeft {
+        right: usize,
+        left: usize,
+        period: PeriodSource,
+    },
+    /// Single stances of two feet without names, half a stride apart.
+    TwoFeet {
+        one: usize,
+        other: usize,
+        period: PeriodSource,
+    },
+    /// Single stances, taken for either foot.
+    AnyFoot {
+        stances: usize,
+        period: PeriodSource,
+    },
+    /// Stances of one foot, zero force in swing.
+    OneFoot {
+        stances: usize,
+        period: PeriodSource,
+    },
+    /// Strides of the total force of both feet.
+    TotalForce { strides: usize },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sentence(Language::En, "note", self))
+    }
+}
+
+impl fmt::Display for CycleSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sentence(Language::En, "cycle", self))
+    }
+}

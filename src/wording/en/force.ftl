@@ -1,0 +1,177 @@
+# Force curves, load models, recordings and their mean cycle.
+
+force-few-samples = a force cycle of { $samples } samples is too short
+    .help = give at least 4 samples per cycle
+force-sample-not-finite = force sample { $sample } is not a finite number
+    .help = every sample must be a finite number of newtons
+force-period-not-positive = invalid period { $period }
+    .help = the period must be positive
+force-unknown-feet = "{ $word }" does not name feet
+    .help = write both, one, left or right
+force-unknown-unit = "{ $word }" is not a unit of force
+    .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
+force-unknown-model = "{ $name }" is not a load model
+    .help = the load models are { $known }
+force-misspelt-model = "{ $name }" is not a load model
+    .help = did you mean "{ $near }"?
+force-weight-not-positive = invalid body weight { $weight }
+    .help = it must be positive, for example "700 N"
+force-frequency-out-of-range = { $model } is not defined for a step frequency of { $frequency }
+    .help = give { $low } to { $high }
+force-frequency-missing = { $model } needs a step frequency
+    .help = give for example step_frequency = "1.85 Hz"
+force-both-feet-only = { $model } gives the force of both feet together, not of one
+    .help = use feet = "both", or a single-foot model: li-2010, iso-22675
+force-running = no whole walking stance in { $duration } of recording: every contact is one short single-peak stance, as in running
+    .help = give a recording of walking
+force-total-of-both-feet = no whole stance of one foot in { $duration } of recording: the column is the total of both feet, loaded throughout
+    .help = ask for feet = "both"
+force-no-stance = no whole walking stance in { $duration } of recording
+    .help = { $contacts ->
+        [one] one contact was found, from { $from } to { $to }
+       *[other] { $contacts } contacts were found, the first from { $from } to { $to }
+    }; most frequent reason for rejection: { $reason }
+force-no-stance-file-cut = no whole walking stance in { $duration } of recording: the header announces { $announced } rows, the file has { $found }
+    .help = export the whole trial; most frequent reason for rejection: { $reason }
+force-no-live-channel = no whole walking stance in { $duration } of recording: no channel is loaded
+    .help = name the force column (option force)
+force-no-contact = no whole walking stance in { $duration } of recording
+    .help = no channel rises above 20 N
+force-no-stance-of-foot = no whole stance of the { $foot } foot
+    .help = the stances are of the other foot
+force-feet-not-named = no whole stance of the { $foot } foot
+    .help = the file does not say which foot is which; use feet = "one" or "both"
+
+note-rows-differ = the header announces { $announced } rows, the file has { $found }
+note-frames-missing = the header announces { $announced } frames, the file holds { $found }
+note-lines-skipped = lines that are not rows of numbers were skipped, the first is line { $first-line }
+note-insole-columns = columns { $left } and { $right } are the sums of two like sets of sensors: taken as left and right insole
+note-stance-per-row = one stance per row, { $rows } rows
+note-masses-missing = the mass is known for { $known } of { $rows } stances; it belongs in the table of subjects (metadata)
+note-durations-lost = every stance has { $samples } samples, so their durations are lost; { $assumed } is assumed
+note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, for stances of { $stance }; give the rate if that is wrong
+note-rate-overrides-times = the given rate of { $rate } replaces the time column, which gives { $column }
+note-milliseconds-guessed = steps of { $step } in the time column are taken as milliseconds
+note-samples-missing = { $count ->
+        [one] one sample is missing
+       *[other] { $count } samples are missing
+    }, the first near { $first }; the rate counts the samples present
+note-rates-differ = the header says { $header }, the time column { $column }; the time column is used
+note-uneven-samples = samples are uneven in time and were resampled at even steps
+note-unit-guessed = a peak of { $peak } is taken as { $unit }
+note-unit-label-rejected = the unit { $label } cannot be right for a peak of { $peak }; taken as { $unit }
+note-low-force = no force above { $peak }; if the forces are in body weights, give unit BW and the mass
+note-vertical-guessed = components { $vertical } and { $other } are of like size; { $vertical } is taken as vertical
+note-feet-guessed = ground_force is taken as the right foot, 1_ground_force as the left (convention of OpenSim's examples)
+note-no-plates = the file describes no force plate; analog channels are chosen by their labels
+note-plate-type-unknown = plate { $plate } is left out: TYPE { $kind } is not supported, only 1 to 7; name its force channel to use it
+note-plate-channel-missing = plate { $plate } is left out: its channel { $channel } is not in the file
+note-plate-matrix-missing = plate { $plate } is left out: its calibration matrix is missing
+note-plate-tilted = plate { $plate } is not parallel to plate 1; its normal force is not vertical if that of plate 1 is
+note-insole-mass = the mass of { $mass } is the mean of the insoles' totals, which are seldom calibrated: give the walker's mass
+note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
+        [half] half the
+       *[whole] the
+    } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
+note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
+
+cycle-whole-strides = { $strides ->
+        [one] one whole stride
+       *[other] { $strides } whole strides
+    } of both feet{ $from ->
+        [left] , from left heel strike
+        [right] , from right heel strike
+       *[none] {""}
+    }
+cycle-right-and-left = { $right } right and { $left } left single stances, half a stride apart; stride time from { $period }
+cycle-two-feet = { $one } single stances of one foot and { $other } of the other, half a stride apart; stride time from { $period }
+cycle-any-foot = { $stances ->
+        [one] one single stance
+       *[other] { $stances } single stances
+    }, repeated half a stride apart; stride time from { $period }
+cycle-one-foot = { $stances ->
+        [one] one stance
+       *[other] { $stances } stances
+    } of one foot; stride time from { $period }
+cycle-total-force = { $strides ->
+        [one] one stride
+       *[other] { $strides } strides
+    } of the total force of both feet, from a rise through the mean force
+
+name-heel-strikes = consecutive heel strikes
+name-impulse = the impulse that carries the mass
+name-usual-duty = a usual stance of 62 % of the stride (the recording does not give it)
+name-total-force = rises of the total force through its mean
+
+mass-from-user = given
+mass-from-file = from the file
+mass-from-subjects = mean of the table of subjects
+mass-from-mean-force = mean force over the stride
+
+channel-never-loaded = never loaded
+channel-constant = constant at { $level }
+channel-mostly-empty = mostly empty: { $missing } of { $samples } samples are missing
+channel-empty = empty
+
+contact-cut-at-start = cut: the recording starts inside the stance
+contact-cut-at-end = cut: the recording ends inside the stance
+contact-edge-fragment = partial contact at the edge of the recording, ignored
+contact-never-unloaded = never unloaded: standing, or both feet on one plate
+contact-missing-samples = samples are missing inside the stance
+contact-too-short = too short for a step
+contact-running = single-peak stance of short duration, as in running
+contact-standing = too long for a step: standing
+contact-cross-over = too long for one foot: both feet on one plate
+contact-two-plates = the foot lies across two plates
+contact-partial-contact = partial contact: too little force for a whole foot
+
+name-cut-at-start = { contact-cut-at-start }
+name-cut-at-end = { contact-cut-at-end }
+name-edge-fragment = { contact-edge-fragment }
+name-never-unloaded = { contact-never-unloaded }
+name-missing-samples = { contact-missing-samples }
+name-too-short = { contact-too-short }
+name-running = { contact-running }
+name-standing = { contact-standing }
+name-cross-over = { contact-cross-over }
+name-two-plates = { contact-two-plates }
+name-partial-contact = { contact-partial-contact }
+
+format-c3d = C3D, { $processor } { $storage }
+format-open-sim-old = OpenSim storage, old header
+format-open-sim-new = OpenSim storage, new header
+format-force-data = force data with key lines (.forces)
+format-nexus = Nexus device export
+format-insole = insole text export
+format-bio-ware = BioWare text export
+format-qualisys = Qualisys text export
+format-amti = AMTI text without header
+format-stance-table = table of stances, one per row
+format-text = { $separator } separated text{ $decimal ->
+        [comma] , decimal comma
+       *[point] {""}
+    }
+format-headerless-text = { $separator } separated text{ $decimal ->
+        [comma] , decimal comma
+       *[point] {""}
+    } without header
+
+gait-format = format
+gait-rate = rate
+gait-mass = mass
+gait-mass-unknown = not known
+gait-note = note
+gait-channel = channel
+gait-channel-columns = foot   baseline N  stances  rejected
+gait-stance-columns = foot   start s    end s   P1 N     @ %   V N     @ %   P2 N     @ %
+gait-rejected = rejected
+gait-more = … and { $count } more
+gait-no-cycle = no mean cycle
+gait-cycle = cycle
+gait-period = period
+gait-mean = mean
+gait-warning = warning
+gait-spread = spread
+gait-repeatability = repeats
+gait-samples = samples
+gait-one-cycle = one cycle of force, used as given (no stances are detected)
