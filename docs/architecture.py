@@ -284,6 +284,8 @@ def heights(rows, bottom):
         tall = max(n.height for n in row)
         for node in row:
             node.y = y - tall / 2
+            if not node.name:
+                node.height = tall
         y -= tall + GAP
     return y + GAP
 
@@ -316,12 +318,15 @@ def arrow(chain, port):
     path = ""
     for over, under in zip(chain, chain[1:]):
         x1, x2 = port[id(over), id(under), "down"], port[id(under), id(over), "up"]
-        y1 = over.y + (over.height / 2 if over.name else 0)
-        y2 = under.y - (under.height / 2 + 7 if under.name else 0)
+        y1 = over.y + over.height / 2
+        y2 = under.y - under.height / 2 - (7 if under.name else 0)
         if not path:
             path = f"M{x1:.1f},{y1:.1f}"
         middle = (y1 + y2) / 2
         path += f" C{x1:.1f},{middle:.1f} {x2:.1f},{middle:.1f} {x2:.1f},{y2:.1f}"
+        if not under.name:
+            # Straight past the boxes of this layer.
+            path += f" V{under.y + under.height / 2:.1f}"
     head = f"M{x2:.1f},{y2 + 7:.1f} l-4,-8 l8,0 z"
     return [f'<path class="arrow" d="{path}"/>', f'<path class="head" d="{head}"/>']
 
