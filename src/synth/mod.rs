@@ -55,29 +55,27 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
-mod answer;
+mod design;
 mod easing;
 mod families;
 mod infeasible;
 pub mod lab;
 mod limits;
-mod loads;
-mod machine;
-mod nonconvex;
+mod pareto;
 mod phase;
 mod polydyne;
 pub mod qp;
-mod sequence;
+mod scp;
 mod sizing;
-mod trade;
+mod verdict;
 mod verify;
 
-pub use answer::{
+pub use design::{
     Binding, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Synthesis, Tier,
 };
 pub use infeasible::{in_units, relaxed};
+pub use pareto::{Against, Trade, trade};
 pub use qp::Certificate;
-pub use trade::{Against, Trade, trade};
 
 use crate::cam::{Cam, Check, Verdict};
 use crate::error::{Error, Result};
@@ -169,11 +167,10 @@ fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<
 fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> Result<Synthesis> {
     let Shape { found, cam, end } = shape;
     let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
-    let force = verify::law_force(&problem, pressing);
+    let force = limits::force_report(&problem, pressing);
     let conjugate = sizing::conjugate(&problem, &cam)?;
     let groove = sizing::groove(&problem, &cam)?;
     let mut checks = verify::checks(&problem, &cam, pressing, &force);
-    checks.extend(machine::checks(&problem, &cam, pressing));
     checks.extend(verify::second_cam(&problem, conjugate.as_ref()));
     checks.extend(verify::groove(&problem, groove.as_ref()));
     let too_large = |c: &Check| c.name == "prime_radius" && !c.pass;
@@ -181,7 +178,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         let too_large = checks.iter().any(too_large);
         infeasible::bore_against_size(&problem).filter(|_| too_large)
     });
-    let (mut verdict, mut reason) = verify::verdict(&problem, &cam, &checks, &force);
+    let (mut verdict, mut reason) = verdict::verdict(&problem, &cam, &checks, &force);
     if let Some(infeasible) = &infeasible {
         verdict = Verdict::Unacceptable;
         reason = infeasible.words.clone();

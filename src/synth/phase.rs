@@ -10,7 +10,7 @@ use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
 use super::families::{NoLaw, find_law, on_base_circle};
-use super::verify;
+use super::limits::force_report;
 use crate::error::{Error, Result};
 use crate::problem::Problem;
 
@@ -73,7 +73,7 @@ impl Search<'_> {
         match find_law(&problem) {
             Ok(found) => {
                 let law = on_base_circle(&problem, found.law);
-                Ok(Some(verify::law_force(&problem, &law).rms_error_n))
+                Ok(Some(force_report(&problem, &law).rms_error_n))
             }
             Err(NoLaw::Stuck(_)) => Ok(None),
             Err(NoLaw::Fault(fault)) => Err(fault),

@@ -1,9 +1,10 @@
 //! The cam of a follower that gives: the law is found for the follower's end, the cam is cut so that the end
 //! follows it, and every limit of the cam is held on the cam's own law.
 
-use super::answer::End;
+use super::design::End;
 use super::families::{Found, NoLaw, find_law, on_base_circle};
-use super::{machine, sizing, verify};
+use super::limits::force_report;
+use super::{sizing, verify};
 use crate::cam::{Cam, Check};
 use crate::dynamics::polydyne::{end_error, polydyne};
 use crate::dynamics::train::Train;
@@ -59,9 +60,8 @@ pub fn design(
 fn one(problem: &Problem, moved: &Problem, train: &Train) -> std::result::Result<Round, NoLaw> {
     let found = find_law(moved)?;
     let (cam, wanted) = cut(problem, train, &found.law)?;
-    let force = verify::law_force(problem, &wanted);
-    let mut checks = verify::checks(problem, &cam, &wanted, &force);
-    checks.extend(machine::checks(problem, &cam, &wanted));
+    let force = force_report(problem, &wanted);
+    let checks = verify::checks(problem, &cam, &wanted, &force);
     Ok(Round {
         found,
         cam,

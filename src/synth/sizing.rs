@@ -1,6 +1,6 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
-use super::machine;
+use super::limits::{self, NEARLY_RIGHT};
 use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
@@ -8,10 +8,7 @@ use crate::cam::{
 use crate::error::{Error, Place, Result};
 use crate::law::Law;
 use crate::problem::{Problem, Size, USUAL_PRESSURE_ANGLE};
-use std::f64::consts::FRAC_PI_2;
 
-/// A pressure angle that is no limit, where its tangent must be a number.
-pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
 /// A prime circle this many times the first guess without success is no cam.
@@ -99,7 +96,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
     let base_radius = problem.base_radius().unwrap_or_else(|| {
         smallest_base_radius(law, rho)
             .max(problem.outside_bore())
-            .max(machine::smallest_base_radius(problem, law, pressing))
+            .max(limits::smallest_base_radius(problem, law, pressing))
     });
     Follower::FlatTranslating { base_radius }
 }
@@ -204,7 +201,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     );
     let least = (problem.outside_bore() + spec.roller_radius).max(1e-6);
     let wanted = problem.limits.curvature.unwrap_or(0.0);
-    let bearable = machine::bearable_on_some_size(problem, pressing);
+    let bearable = limits::bearable_on_some_size(problem, pressing);
     // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
     let holds = |d: f64| {
         let prime = d.hypot(offset);
@@ -218,7 +215,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         let curvature = cam.curvature();
         curvature.convex.value >= wanted
             && !curvature.undercut
-            && bearable.is_none_or(|p| machine::pressure(problem, &cam, pressing).value <= p)
+            && bearable.is_none_or(|p| limits::pressure(problem, &cam, pressing).value <= p)
     };
     let first = lift.max(least * 1e-3);
     if holds(lift) {

@@ -4,7 +4,8 @@ use super::{Found, NoLaw, Stuck, double_harmonic, on_base_circle, spectral, spli
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
 use crate::synth::infeasible::{explain, in_units};
-use crate::synth::{machine, sizing, verify};
+use crate::synth::limits::force_report;
+use crate::synth::{sizing, verify};
 
 /// The first rungs of the ladder as families: harmonics in closed form where every limit and the accuracy
 /// hold with them, because then they are the optimum already (theory §1); a spline otherwise. The spline
@@ -78,15 +79,14 @@ fn conflict(problem: &Problem, stuck: &Stuck) -> String {
 fn missed_by(problem: &Problem, found: &Found) -> Result<Option<String>, NoLaw> {
     let law = on_base_circle(problem, found.law.clone());
     let cam = sizing::cam(problem, law.clone(), &law)?;
-    let force = verify::law_force(problem, &cam.law);
+    let force = force_report(problem, &cam.law);
     // A scene that asks for no accuracy still asks for its force.
     let wanted = problem.wanted_error();
     if problem.target.is_some() && problem.accuracy.is_none() && force.rms_error_n > wanted {
         let over = force.rms_error_n - wanted;
         return Ok(Some(format!("the accuracy by {over:.4} N")));
     }
-    let mut checks = verify::checks(problem, &cam, &cam.law, &force);
-    checks.extend(machine::checks(problem, &cam, &cam.law));
+    let checks = verify::checks(problem, &cam, &cam.law, &force);
     let broken = checks.iter().find(|c| !c.pass);
     let measures = cam.follower.measures();
     Ok(broken.map(|c| {

@@ -17,7 +17,7 @@ use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
 use crate::scene::Family;
-use crate::synth::answer::Tier;
+use crate::synth::design::Tier;
 
 /// A placed hump.
 #[derive(Debug, Clone)]

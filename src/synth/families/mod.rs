@@ -12,8 +12,8 @@ mod spline_program;
 pub use spectral::invert;
 pub use spline::stopped_at_noise;
 
-use super::answer::{Binding, Easing, SolverReport, Tier};
-use super::nonconvex::Beyond;
+use super::design::{Binding, Easing, SolverReport, Tier};
+use super::limits::NonconvexLimits;
 use super::qp::{Failure, Program, Row, Solution};
 use crate::error::Error;
 use crate::law::Law;
@@ -56,7 +56,7 @@ pub struct Stuck {
     /// How the solver ended.
     pub failure: Failure,
     /// The limits that are not convex, where those leave nothing beside the others.
-    pub beyond: Option<Beyond>,
+    pub nonconvex: Option<NonconvexLimits>,
 }
 
 impl From<Error> for NoLaw {

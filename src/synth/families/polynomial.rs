@@ -8,7 +8,7 @@ use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
-use crate::synth::answer::Tier;
+use crate::synth::design::Tier;
 
 /// The problem's polynomial with how it was found.
 ///

@@ -5,7 +5,7 @@ use crate::error::{Place, Result};
 use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
-use crate::synth::answer::Tier;
+use crate::synth::design::Tier;
 
 /// The law of the problem's segments.
 ///

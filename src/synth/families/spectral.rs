@@ -10,9 +10,9 @@ use crate::law::Law;
 use crate::poly::amplitudes;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise};
-use crate::synth::answer::Tier;
+use crate::synth::design::Tier;
 use crate::synth::qp::{Basis, Program, TOLERANCE};
-use crate::synth::{easing, limits, machine, qp};
+use crate::synth::{easing, limits, qp};
 
 /// Most harmonics that "auto" takes.
 const MOST_AUTO: usize = 60;
@@ -149,7 +149,7 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
                 family: Family::Harmonic,
                 program,
                 failure,
-                beyond: None,
+                nonconvex: None,
             })));
         }
     };
@@ -184,8 +184,7 @@ fn harmonic_program(problem: &Problem, count: usize, unlimited: &Law) -> Program
     let mut program = Program::new(basis, force, Vec::new(), problem.length);
     let level = problem.level_is_known();
     let on_the_cam = matches!(problem.size(), Size::Given { .. });
-    program.limits = limits::linear(problem, level || on_the_cam);
-    program.limits.extend(machine::rows(problem));
+    program.limits = limits::rows(problem, level || on_the_cam);
     if !level && on_the_cam {
         let lowest = unlimited.extremes(0).0.at;
         program.equalities.push(base_circle_at(&program, lowest));

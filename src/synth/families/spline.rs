@@ -4,9 +4,10 @@ use super::spline_program::{force_distance, unlimited_program};
 use super::{Found, NoLaw, Stuck, gathered, report};
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise};
-use crate::synth::answer::{Easing, SolverReport, Step, Tier};
-use crate::synth::qp::{Equality, Failure, Limit, PEAK, Program, Quadratic, Solution, TOLERANCE};
-use crate::synth::{easing, limits, machine, qp, sequence};
+use crate::synth::design::{Easing, SolverReport, Step, Tier};
+use crate::synth::limits::NonconvexLimits;
+use crate::synth::qp::{Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
+use crate::synth::{easing, limits, qp, scp};
 
 /// Spans tried before "auto" gives up.
 const MOST_AUTO_SPANS: usize = 400;
@@ -33,7 +34,7 @@ struct Fitted {
 /// The problem's spline with how it was found.
 pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
     let mut fitted = fit(problem)?;
-    beyond_convex(problem, &mut fitted);
+    with_profile(problem, &mut fitted);
     let sequence = fitted.sequence.take();
     let solution = &fitted.solution;
     let mut solver = solver_report(&fitted, sequence);
@@ -119,33 +120,65 @@ fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
 /// One program with all that is convex, and what is not brought in where it is broken.
 fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
     let program = limited_program(problem, spans)?;
-    let stuck = |program, failure, beyond| {
+    let stuck = |program, failure, nonconvex| {
         NoLaw::Stuck(Box::new(Stuck {
             family: Family::Spline,
             program,
             failure,
-            beyond,
+            nonconvex,
         }))
     };
     let solution = match program.solve() {
         Ok(solution) => solution,
         Err(failure) => return Err(stuck(program, failure, None)),
     };
-    match machine::hold(problem, program, solution) {
-        Ok(held) => Ok(Fitted {
-            program: held.program,
-            solution: held.solution,
-            sequence: held.sequence,
-            spans,
-        }),
-        Err((program, beyond)) => Err(stuck(program, Failure::Infeasible, Some(beyond))),
+    let mut fitted = Fitted {
+        program,
+        solution,
+        sequence: None,
+        spans,
+    };
+    without_vibration(problem, &mut fitted);
+    match with_loads(problem, &mut fitted) {
+        None => Ok(fitted),
+        Some(limits) => Err(stuck(fitted.program, Failure::Infeasible, Some(limits))),
     }
+}
+
+/// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.
+fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
+    if !limits::rings(problem, &fitted.program.basis.law(&fitted.solution.x)) {
+        return;
+    }
+    let mut program = fitted.program.clone();
+    let basis = &program.basis;
+    program.equalities.extend(limits::silence(problem, basis));
+    // Without a solution the check says what is left over.
+    if let Ok(solution) = program.solve() {
+        (fitted.program, fitted.solution) = (program, solution);
+    }
+}
+
+/// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
+fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits> {
+    let limits = limits::nonconvex(problem)?;
+    let (program, solution) = (&fitted.program, &fitted.solution);
+    let law = program.basis.law(&solution.x);
+    let here = scp::sized(&limits, &program.present(), limits.size(), &solution.extra);
+    if limits.loads.is_none() || limits::loaded(&law, &here) >= 0.0 {
+        return None;
+    }
+    let Some((solution, steps, ended)) = scp::refine(program, solution, limits) else {
+        return Some(limits);
+    };
+    fitted.solution = solution;
+    fitted.sequence = Some((steps, ended));
+    None
 }
 
 /// The program with every limit that is convex.
 fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Program> {
     let (mut program, _) = unlimited_program(problem, spans)?;
-    let sought = problem.size() == Size::Sought;
     let mut level = problem.level_is_known();
     if !level && problem.size() != Size::AfterLaw {
         // The base circle is where the law is lowest, and a size counts from there. Which angle that is
@@ -156,39 +189,31 @@ fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Prog
             level = true;
         }
     }
-    let mut rows = limits::linear(problem, level);
-    rows.extend(machine::rows(problem));
+    let mut rows = limits::rows(problem, level);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
     }
-    if sought {
-        rows.retain(|l| l.name != "base_circle");
-    }
     if let Minimise::Peak(order) = problem.objective() {
-        for sign in [1.0, -1.0] {
-            let mut weights = [0.0; 5];
-            weights[order] = sign;
-            rows.push(Limit::new("peak", weights, 0.0, problem.length).minimised());
-        }
+        rows.extend(limits::peak(problem, order));
         program.cost[PEAK] = 1.0;
     }
     rows.extend(limits::about_the_target(problem, &mut program));
     program.limits = rows;
-    if sought {
+    if problem.size() == Size::Sought {
         limits::with_size(problem, &mut program);
     }
     Ok(program)
 }
 
-/// Brings limits that are not convex into the law, where the size is among the variables or given and the
-/// law without them would break one.
-fn beyond_convex(problem: &Problem, fitted: &mut Fitted) {
+/// Brings limits of the profile that are not convex into the law, where the law without them would break
+/// one.
+fn with_profile(problem: &Problem, fitted: &mut Fitted) {
     if fitted.sequence.is_some() {
         return;
     }
-    let refined = limits::beyond_convex(problem)
-        .filter(|b| b.follower.is_some())
-        .and_then(|beyond| sequence::refine(&fitted.program, &fitted.solution, beyond));
+    let refined = limits::nonconvex(problem)
+        .filter(|limits| limits.profile.is_some())
+        .and_then(|limits| scp::refine(&fitted.program, &fitted.solution, limits));
     let Some((solution, steps, ended)) = refined else {
         return;
     };

@@ -4,12 +4,11 @@
 use super::words::{cured, sentence};
 use crate::cam::Measures;
 use crate::problem::{Problem, Size};
-use crate::synth::answer::{Infeasible, Relaxation};
+use crate::synth::design::{Infeasible, Relaxation};
 use crate::synth::families::Stuck;
-use crate::synth::loads::Loads;
-use crate::synth::nonconvex::Beyond;
+use crate::synth::limits::{Loads, NonconvexLimits};
 use crate::synth::qp::{EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
-use crate::synth::sequence;
+use crate::synth::scp;
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
 const MOST_DEMANDS: usize = 64;
@@ -47,7 +46,7 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
             }
             let relaxations = limits
                 .iter()
-                .filter(|_| stuck.beyond.is_none())
+                .filter(|_| stuck.nonconvex.is_none())
                 .filter_map(|name| elastic(&stuck.program, name))
                 .collect();
             told(&limits, relaxations, problem.cam.measures())
@@ -82,7 +81,7 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
 /// The limits that were asked for and cannot hold together beside the demands; empty where the demands
 /// alone leave nothing.
 fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
-    let loads = stuck.beyond.and_then(|b| b.loads);
+    let loads = stuck.nonconvex.and_then(|b| b.loads);
     let rows = stuck.program.limits.iter().filter(|l| is_asked(l));
     let mut names: Vec<&'static str> = Vec::new();
     for name in rows
@@ -98,7 +97,7 @@ fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
         program
             .limits
             .retain(|l| !names.contains(&l.name) || kept.contains(&l.name));
-        can_hold(&program, stuck.beyond.map(|b| only_loads(b, kept)))
+        can_hold(&program, stuck.nonconvex.map(|b| only_loads(b, kept)))
     })
 }
 
@@ -128,15 +127,15 @@ fn is_asked(limit: &Limit) -> bool {
 }
 
 /// Whether a law was found that keeps everything; `None` where the solver stopped without an answer.
-fn can_hold(program: &Program, beyond: Option<Beyond>) -> Option<bool> {
+fn can_hold(program: &Program, nonconvex: Option<NonconvexLimits>) -> Option<bool> {
     match program.solve() {
-        Ok(own) => Some(beyond.is_none_or(|b| sequence::feasible(program, &own, b).is_some())),
+        Ok(own) => Some(nonconvex.is_none_or(|b| scp::feasible(program, &own, b).is_some())),
         Err(Failure::Infeasible | Failure::Equalities(_)) => Some(false),
         Err(Failure::Solver(_)) => None,
     }
 }
 
-fn only_loads(beyond: Beyond, names: &[&'static str]) -> Beyond {
+fn only_loads(limits: NonconvexLimits, names: &[&'static str]) -> NonconvexLimits {
     let left_out = |loads: Loads| {
         loads
             .named()
@@ -144,9 +143,9 @@ fn only_loads(beyond: Beyond, names: &[&'static str]) -> Beyond {
             .filter(|l| !names.contains(&l.0))
             .fold(loads, |loads, (name, _)| loads.with(name, None))
     };
-    Beyond {
-        loads: beyond.loads.map(left_out),
-        ..beyond
+    NonconvexLimits {
+        loads: limits.loads.map(left_out),
+        ..limits
     }
 }
 

@@ -14,7 +14,7 @@ use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::answer::{Binding, Infeasible, Relaxation, Synthesis, Tier};
+use crate::synth::design::{Binding, Infeasible, Relaxation, Synthesis, Tier};
 
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;

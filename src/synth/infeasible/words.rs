@@ -1,7 +1,7 @@
 //! Conflicts and relaxations as sentences.
 
 use crate::cam::Measures;
-use crate::synth::answer::Relaxation;
+use crate::synth::design::Relaxation;
 
 /// Which limits cannot hold together.
 pub fn sentence(conflict: &[String]) -> String {

@@ -10,8 +10,8 @@
 //! geometry. A concave profile needs no row: its radius is the pitch curve's plus the roller's, so the
 //! roller always fits.
 
-use super::answer::Step;
-use super::nonconvex::{Beyond, Follower, Size, clearance, relative};
+use super::design::Step;
+use super::limits::{NonconvexLimits, Profile, ProfileSize, clearance, relative};
 use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
 use crate::poly::{Peak, PiecewisePoly};
 
@@ -54,15 +54,15 @@ const SHORTEST: f64 = 1e-4;
 pub fn refine(
     program: &Program,
     start: &Solution,
-    beyond: Beyond,
+    limits: NonconvexLimits,
 ) -> Option<(Solution, Vec<Step>, &'static str)> {
     // Between steps limits need not hold better than the next step will change them.
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;
     let program = &program;
     let present = program.present();
-    let given = beyond.size();
-    let sized = |extra: &[f64; EXTRAS]| sized(&beyond, &present, given, extra);
+    let given = limits.size();
+    let sized = |extra: &[f64; EXTRAS]| sized(&limits, &present, given, extra);
     let mut current =
         feasible_start(program, start, &sized).or_else(|| climbed(program, start, &sized))?;
     let merit = |s: &Solution| {
@@ -129,23 +129,23 @@ pub fn refine(
 
 /// A solution that holds the limits beside the program's own, from the program's `start`; `None` where
 /// none was found.
-pub fn feasible(program: &Program, start: &Solution, beyond: Beyond) -> Option<Solution> {
+pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     let present = program.present();
-    let given = beyond.size();
+    let given = limits.size();
     feasible_start(program, start, &|extra| {
-        sized(&beyond, &present, given, extra)
+        sized(&limits, &present, given, extra)
     })
 }
 
 /// The limits at the size that a solution has, where it is among the variables.
 pub fn sized(
-    beyond: &Beyond,
+    limits: &NonconvexLimits,
     present: &[bool; EXTRAS],
-    given: Size,
+    given: ProfileSize,
     extra: &[f64; EXTRAS],
-) -> Beyond {
+) -> NonconvexLimits {
     let of = |k: usize, given: f64| if present[k] { extra[k] } else { given };
-    beyond.at_size(Size {
+    limits.at_size(ProfileSize {
         rise: of(RISE, given.rise),
         offset: of(OFFSET, given.offset),
         rho: given.rho,
@@ -153,15 +153,15 @@ pub fn sized(
 }
 
 /// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.
-fn held(program: &Program, current: &Solution, beyond: Beyond) -> Option<Solution> {
+fn held(program: &Program, current: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     // A given size stays as it is.
     let room = if program.present()[RISE] {
         ENLARGED
     } else {
         0.0
     };
-    let size = beyond.size();
-    let enlarged = beyond.at_size(Size {
+    let size = limits.size();
+    let enlarged = limits.at_size(ProfileSize {
         rise: size.rise * (1.0 + room),
         ..size
     });
@@ -211,7 +211,7 @@ fn contacts(solution: &Solution) -> Vec<Row> {
 fn feasible_start(
     program: &Program,
     start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> Beyond,
+    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
 ) -> Option<Solution> {
     let mut current = start.clone();
     let mut room = 2.0 * ROOM;
@@ -226,8 +226,8 @@ fn feasible_start(
             room = room.max(-2.0 * clear);
         }
         let mut next = program.clone();
-        next.fixed = match here.follower {
-            Some(Follower::Roller(size)) => {
+        next.fixed = match here.profile {
+            Some(Profile::Roller(size)) => {
                 // What is sufficient for the curvature says nothing of the loads.
                 let mut rows = linearised(program, &current, &here, &program.present(), room);
                 rows.retain(|r| r.name != "curvature");
@@ -251,21 +251,21 @@ fn feasible_start(
 fn climbed(
     program: &Program,
     start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> Beyond,
+    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
 ) -> Option<Solution> {
     let present = program.present();
-    let asked = sized(&start.extra).follower?.rho();
+    let asked = sized(&start.extra).profile?.rho();
     let holds = |s: &Solution, rho: f64| {
-        let beyond = sized(&s.extra).with_rho(rho);
-        clearance(&program.basis.law(&s.x), &beyond) >= ROOM
+        let limits = sized(&s.extra).with_rho(rho);
+        clearance(&program.basis.law(&s.x), &limits) >= ROOM
     };
-    let (mut reached, mut beyond) = (0.0, asked);
+    let (mut reached, mut missed) = (0.0, asked);
     for _ in 0..HALVINGS {
-        let middle = 0.5 * (reached + beyond);
+        let middle = 0.5 * (reached + missed);
         if holds(start, middle) {
             reached = middle;
         } else {
-            beyond = middle;
+            missed = middle;
         }
     }
     if reached == 0.0 {
@@ -279,16 +279,16 @@ fn climbed(
         let mut there = false;
         let mut kept = 2.0 * ROOM;
         for _ in 0..CLIMB_ROUNDS {
-            let beyond = sized(&trial.extra).with_rho(goal);
+            let limits = sized(&trial.extra).with_rho(goal);
             let mut next = program.clone();
-            next.fixed = linearised(program, &trial, &beyond, &present, kept);
+            next.fixed = linearised(program, &trial, &limits, &present, kept);
             next.seeds = contacts(&trial);
             let Ok(solved) = next.solve() else { break };
             // Where the whole step overshoots, the part of it that comes nearest.
             let clear = |part: f64| {
                 let some = blend(&trial, &solved, part, program);
-                let beyond = sized(&some.extra).with_rho(goal);
-                (clearance(&program.basis.law(&some.x), &beyond), some)
+                let limits = sized(&some.extra).with_rho(goal);
+                (clearance(&program.basis.law(&some.x), &limits), some)
             };
             let nearest = PARTS
                 .iter()
@@ -322,7 +322,7 @@ fn climbed(
 }
 
 /// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
-fn restricted(program: &Program, current: &Solution, size: Size) -> Vec<Row> {
+fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
     let present = program.present();
     let law = program.basis.law(&current.x);
     let sufficient = 4.0 / 3.0 * size.rho;
@@ -352,7 +352,7 @@ fn restricted(program: &Program, current: &Solution, size: Size) -> Vec<Row> {
 fn linearised(
     program: &Program,
     current: &Solution,
-    beyond: &Beyond,
+    limits: &NonconvexLimits,
     present: &[bool; EXTRAS],
     room: f64,
 ) -> Vec<Row> {
@@ -361,7 +361,7 @@ fn linearised(
     let mut places = Vec::new();
     each_place(program, |place| places.push(place));
     // The rows of the grid bound h between them only to second order; its own low points are rows too.
-    for curve in relative(&law, beyond) {
+    for curve in relative(&law, limits) {
         let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
         for dip in low {
             let (piece, u) = law.poly().locate(dip.at);
@@ -373,10 +373,10 @@ fn linearised(
             });
         }
     }
-    let size = beyond.size();
+    let size = limits.size();
     for place in places {
         let at = law.svaj_on(place.piece, place.u);
-        for s in beyond.slacks(at) {
+        for s in limits.slacks(at) {
             if s.h > FAR * s.largest {
                 continue;
             }

@@ -2,22 +2,23 @@
 //! curvature, and curvature and pressure angle of followers on an arm (theory §6), beside the loads.
 
 use super::loads::Loads;
+use super::{curvature, pressure_angle};
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_in};
 
 /// All of a scene's limits that are not convex in the law.
 #[derive(Debug, Clone, Copy)]
-pub struct Beyond {
+pub struct NonconvexLimits {
     /// Those of the profile.
-    pub follower: Option<Follower>,
+    pub profile: Option<Profile>,
     /// Those of shaft and contact.
     pub loads: Option<Loads>,
 }
 
-impl Beyond {
+impl NonconvexLimits {
     /// Every limit at a place of the law; h ≥ 0 where it holds.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
-        let mut out = self.follower.map_or_else(Vec::new, |f| f.slacks(at));
+        let mut out = self.profile.map_or_else(Vec::new, |f| f.slacks(at));
         if let Some(loads) = &self.loads {
             loads.slacks(at, self.size(), &mut out);
         }
@@ -25,32 +26,32 @@ impl Beyond {
     }
 
     /// The size where it may be among the variables.
-    pub fn size(&self) -> Size {
-        self.follower.map_or(Size::NONE, |f| f.size())
+    pub fn size(&self) -> ProfileSize {
+        self.profile.map_or(ProfileSize::NONE, |f| f.size())
     }
 
     /// The same limits with another smallest radius.
     pub fn with_rho(self, rho: f64) -> Self {
-        Beyond {
-            follower: self.follower.map(|f| f.with_rho(rho)),
+        NonconvexLimits {
+            profile: self.profile.map(|f| f.with_rho(rho)),
             ..self
         }
     }
 
     /// The same limits at another size.
-    pub fn at_size(&self, size: Size) -> Self {
-        Beyond {
-            follower: self.follower.map(|f| f.at_size(size)),
+    pub fn at_size(&self, size: ProfileSize) -> Self {
+        NonconvexLimits {
+            profile: self.profile.map(|f| f.at_size(size)),
             ..*self
         }
     }
 }
 
-/// A follower whose limits are not convex in the law, with all that fixes them.
+/// A profile whose limits are not convex in the law, with all that fixes them.
 #[derive(Debug, Clone, Copy)]
-pub enum Follower {
+pub enum Profile {
     /// A roller that slides along +y.
-    Roller(Size),
+    Roller(ProfileSize),
     /// A roller on an arm: pivot at distance c, arm A, ξ = rest + s.
     Arm {
         /// c.
@@ -77,9 +78,9 @@ pub enum Follower {
     },
 }
 
-/// Size of a roller cam.
+/// ProfileSize of a roller cam.
 #[derive(Debug, Clone, Copy)]
-pub struct Size {
+pub struct ProfileSize {
     /// D.
     pub rise: f64,
     /// e.
@@ -88,9 +89,9 @@ pub struct Size {
     pub rho: f64,
 }
 
-impl Size {
+impl ProfileSize {
     /// Of a cam whose size is no part of the limits.
-    pub const NONE: Size = Size {
+    pub const NONE: ProfileSize = ProfileSize {
         rise: 0.0,
         offset: 0.0,
         rho: 0.0,
@@ -102,7 +103,7 @@ pub struct Slack {
     /// Name of the limit.
     pub name: &'static str,
     pub h: f64,
-    /// Size of which h is a part: what the clearance is counted in.
+    /// ProfileSize of which h is a part: what the clearance is counted in.
     pub w: f64,
     /// Largest term in h.
     pub largest: f64,
@@ -132,154 +133,79 @@ impl Slack {
     }
 }
 
-impl Follower {
+impl Profile {
     /// Every limit at a place of the law; h ≥ 0 where it holds.
     pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
         match *self {
-            Follower::Roller(size) => vec![roller(at, size)],
-            Follower::Arm {
+            Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
+            Profile::Arm {
                 pivot,
                 arm,
                 rest,
                 rho,
                 tan,
             } => {
-                let mut out = vec![arm_curvature(at, pivot, arm, rest, rho)];
+                let mut out = vec![curvature::arm_slack(at, pivot, arm, rest, rho)];
                 for (tan, side) in tan.into_iter().zip([1.0, -1.0]) {
-                    out.extend(tan.map(|t| arm_pressure(at, pivot, arm, rest, t, side)));
+                    out.extend(
+                        tan.map(|t| pressure_angle::arm_slack(at, pivot, arm, rest, t, side)),
+                    );
                 }
                 out
             }
-            Follower::Face {
+            Profile::Face {
                 pivot,
                 offset,
                 rest,
                 rho,
-            } => vec![face_curvature(at, pivot, offset, rest, rho)],
+            } => vec![curvature::face_slack(at, pivot, offset, rest, rho)],
         }
     }
 
     /// The size where it may be among the variables.
-    pub fn size(&self) -> Size {
+    pub fn size(&self) -> ProfileSize {
         match *self {
-            Follower::Roller(size) => size,
-            _ => Size::NONE,
+            Profile::Roller(size) => size,
+            _ => ProfileSize::NONE,
         }
     }
 
     /// Smallest radius allowed.
     pub fn rho(&self) -> f64 {
         match *self {
-            Follower::Roller(size) => size.rho,
-            Follower::Arm { rho, .. } | Follower::Face { rho, .. } => rho,
+            Profile::Roller(size) => size.rho,
+            Profile::Arm { rho, .. } | Profile::Face { rho, .. } => rho,
         }
     }
 
     /// The same follower with another smallest radius.
     pub fn with_rho(mut self, smallest: f64) -> Self {
         match &mut self {
-            Follower::Roller(Size { rho, .. })
-            | Follower::Arm { rho, .. }
-            | Follower::Face { rho, .. } => *rho = smallest,
+            Profile::Roller(ProfileSize { rho, .. })
+            | Profile::Arm { rho, .. }
+            | Profile::Face { rho, .. } => *rho = smallest,
         }
         self
     }
 
     /// The same follower at another size.
-    pub fn at_size(&self, size: Size) -> Self {
+    pub fn at_size(&self, size: ProfileSize) -> Self {
         match self {
-            Follower::Roller(_) => Follower::Roller(size),
+            Profile::Roller(_) => Profile::Roller(size),
             other => *other,
         }
     }
 }
 
-/// w^{3/2}/ρ − (w + vY − aX).
-fn roller(at: Svaj, size: Size) -> Slack {
-    let (x, y) = (size.rise + at.s, at.v - size.offset);
-    let w = x * x + y * y;
-    let root = w.sqrt();
-    let by_x = 3.0 * x * root / size.rho - (2.0 * x - at.a);
-    let by_y = 3.0 * y * root / size.rho - (2.0 * y + at.v);
-    Slack {
-        h: w * root / size.rho - (w + at.v * y - at.a * x),
-        w,
-        largest: w * root / size.rho,
-        by_lift: by_x,
-        by_rise: by_x,
-        by_velocity: by_y - y,
-        by_acceleration: x,
-        by_offset: -by_y,
-        ..Slack::none("curvature")
-    }
-}
-
-/// W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′: the tangent in the fixed frame is
-/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (theory §6
-/// in other letters).
-fn arm_curvature(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
-    let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
-    let w = arm * arm * q * q - 2.0 * c * p * q + c * c;
-    let k = arm * arm * q.powi(3) - c * p * q * (1.0 + q) - c * s * at.a + c * c;
-    let root = w.sqrt();
-    let by_w = 1.5 * root / rho;
-    Slack {
-        h: w * root / rho - k,
-        w,
-        largest: w * root / rho,
-        by_lift: by_w * 2.0 * c * s * q - (c * s * q * (1.0 + q) - c * p * at.a),
-        by_velocity: by_w * (2.0 * arm * arm * q - 2.0 * c * p)
-            - (3.0 * arm * arm * q * q - c * p * (1.0 + 2.0 * q)),
-        by_acceleration: c * s,
-        ..Slack::none("curvature")
-    }
-}
-
-/// t c sin ξ ∓ (A(1 + ξ′) − c cos ξ): the pressure angle on one side, tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
-fn arm_pressure(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
-    Slack {
-        name: if side > 0.0 {
-            "pressure_angle_rise"
-        } else {
-            "pressure_angle_fall"
-        },
-        h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
-        w: c,
-        largest: tan * c + arm,
-        by_lift: tan * c * cos - side * c * sin,
-        by_velocity: -side * arm,
-        ..Slack::none("")
-    }
-}
-
-/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of theory §6, the face's offset added.
-fn face_curvature(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
-    let (sin, cos) = (rest + at.s).sin_cos();
-    let q = 1.0 + at.v;
-    let twice = 2.0 * q - 1.0;
-    let room = offset - rho;
-    Slack {
-        h: c * sin * twice * q + c * cos * at.a + room * q.powi(3),
-        w: c,
-        largest: c * sin * (twice * q).abs() + (room * q.powi(3)).abs(),
-        by_lift: c * cos * twice * q - c * sin * at.a,
-        by_velocity: c * sin * (4.0 * q - 1.0) + 3.0 * room * q * q,
-        by_acceleration: c * cos,
-        ..Slack::none("curvature")
-    }
-}
-
 /// h/w over the law, for each of the limits.
-pub fn relative(law: &Law, beyond: &Beyond) -> Vec<PiecewisePoly> {
+pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let breaks = law.breaks();
     let place = |i: usize, x: f64| law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
-    let count = beyond.slacks(place(0, breaks[0])).len();
+    let count = limits.slacks(place(0, breaks[0])).len();
     (0..count)
         .map(|k| {
             stand_in(breaks, 1e-11, |i, x| {
-                let s = &beyond.slacks(place(i, x))[k];
+                let s = &limits.slacks(place(i, x))[k];
                 s.h / s.w
             })
         })
@@ -287,22 +213,22 @@ pub fn relative(law: &Law, beyond: &Beyond) -> Vec<PiecewisePoly> {
 }
 
 /// Smallest h/w over the law.
-pub fn clearance(law: &Law, beyond: &Beyond) -> f64 {
-    relative(law, beyond)
+pub fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
+    relative(law, limits)
         .iter()
         .fold(f64::INFINITY, |m, curve| m.min(curve.extremes().0.value))
 }
 
 /// The same of the loads alone; ∞ where there are none.
-pub fn loaded(law: &Law, beyond: &Beyond) -> f64 {
-    let names: Vec<&str> = beyond
+pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
+    let names: Vec<&str> = limits
         .loads
         .iter()
         .flat_map(|l| l.named())
         .map(|n| n.0)
         .collect();
-    let first = beyond.slacks(law.svaj_on(0, 0.0));
-    relative(law, beyond)
+    let first = limits.slacks(law.svaj_on(0, 0.0));
+    relative(law, limits)
         .iter()
         .zip(first)
         .filter(|(_, slack)| names.contains(&slack.name))
@@ -331,19 +257,19 @@ mod tests {
     #[test]
     fn derivatives_of_every_limit_agree_with_differences() {
         let followers = [
-            Follower::Roller(Size {
+            Profile::Roller(ProfileSize {
                 rise: 0.04,
                 offset: 0.007,
                 rho: 0.02,
             }),
-            Follower::Arm {
+            Profile::Arm {
                 pivot: 0.1,
                 arm: 0.08,
                 rest: 0.6,
                 rho: 0.02,
                 tan: [Some(0.6), Some(0.7)],
             },
-            Follower::Face {
+            Profile::Face {
                 pivot: 0.1,
                 offset: 0.01,
                 rest: 0.5,
@@ -351,7 +277,7 @@ mod tests {
             },
         ];
         for follower in followers {
-            let unit = if matches!(follower, Follower::Roller(_)) {
+            let unit = if matches!(follower, Profile::Roller(_)) {
                 0.01
             } else {
                 0.1
@@ -387,9 +313,9 @@ mod tests {
         }
     }
 
-    fn alone(follower: Follower) -> Beyond {
-        Beyond {
-            follower: Some(follower),
+    fn alone(profile: Profile) -> NonconvexLimits {
+        NonconvexLimits {
+            profile: Some(profile),
             loads: None,
         }
     }
@@ -410,7 +336,7 @@ mod tests {
         };
         let rest = ((arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot)).acos();
         let (fall, rise) = cam.pressure_angle_extremes();
-        let arms = |rho: f64, tan: [Option<f64>; 2]| Follower::Arm {
+        let arms = |rho: f64, tan: [Option<f64>; 2]| Profile::Arm {
             pivot,
             arm,
             rest,
@@ -435,7 +361,7 @@ mod tests {
                 base_radius: base,
             },
         };
-        let face = Follower::Face {
+        let face = Profile::Face {
             pivot,
             offset,
             rest: ((base - offset) / pivot).asin(),

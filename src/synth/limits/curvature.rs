@@ -1,0 +1,211 @@
+//! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
+
+use super::nonconvex::{Profile, ProfileSize, Slack};
+use super::row::{self, GEOMETRY};
+use crate::cam::{Body, Cam, Check, Follower, FollowerKind};
+use crate::law::Svaj;
+use crate::poly::Extreme;
+use crate::problem::{Problem, Size};
+use crate::synth::qp::{Limit, Meaning, RADIUS};
+
+/// Points of the profile among which interference is looked for.
+const INTERFERENCE_POINTS: usize = 360;
+/// Depth of interference below this share of the prime radius is rounding.
+const TOUCH: f64 = 1e-6;
+/// A sharp edge has no radius of its own; this part of the cam's keeps the division finite.
+const SHARP: f64 = 1e-6;
+
+/// s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
+const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
+
+/// Under a flat face on a given base circle: Rb + s + a ≥ ρ.
+pub fn row(problem: &Problem) -> Option<Limit> {
+    let (base, rho) = (problem.base_radius()?, problem.limits.curvature?);
+    let meaning = Meaning::Value {
+        factor: -1.0,
+        offset: base,
+    };
+    let is_flat = problem.cam.follower == FollowerKind::FlatTranslating;
+    is_flat.then(|| row::row("curvature", BEND, base - rho, base, meaning))
+}
+
+/// The same with the base radius among the variables.
+pub fn row_with_size(problem: &Problem) -> Limit {
+    let rho = problem.limits.curvature.unwrap_or(0.0);
+    let meaning = Meaning::Value {
+        factor: -1.0,
+        offset: 0.0,
+    };
+    let mut limit = row::row("curvature", BEND, -rho, problem.length, meaning);
+    limit.extra[RADIUS] = -1.0;
+    limit
+}
+
+/// The follower with those limits of the profile that no row of a convex program can express; `None` where
+/// there are none, or where the size is found after the law.
+pub fn nonconvex(problem: &Problem) -> Option<Profile> {
+    let (cam, limits) = (&problem.cam, &problem.limits);
+    let rho = limits.curvature.unwrap_or(0.0);
+    let pitch = rho + cam.roller_radius;
+    match cam.follower {
+        FollowerKind::RollerTranslating
+        | FollowerKind::KnifeTranslating
+        | FollowerKind::MushroomTranslating => {
+            let offset = cam.offset.unwrap_or(0.0);
+            let rise = match problem.size() {
+                Size::Given { prime, .. } => (prime * prime - offset * offset).max(0.0).sqrt(),
+                Size::Sought => 0.0,
+                Size::AfterLaw => return None,
+            };
+            (pitch > 0.0).then_some(Profile::Roller(ProfileSize {
+                rise,
+                offset,
+                rho: pitch,
+            }))
+        }
+        FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
+            let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, problem.prime_radius()?);
+            let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
+            Some(Profile::Arm {
+                pivot,
+                arm,
+                rest: cos.clamp(-1.0, 1.0).acos(),
+                rho: pitch.max(SHARP * prime),
+                tan: [limits.pressure_angle_rise, limits.pressure_angle_fall]
+                    .map(|angle| angle.map(f64::tan)),
+            })
+        }
+        FollowerKind::FlatOscillating => {
+            let (pivot, base) = (cam.pivot_distance?, problem.base_radius()?);
+            Some(Profile::Face {
+                pivot,
+                offset: cam.face_offset,
+                rest: ((base - cam.face_offset) / pivot).clamp(-1.0, 1.0).asin(),
+                rho,
+            })
+        }
+        FollowerKind::FlatTranslating
+        | FollowerKind::MushroomOscillating
+        | FollowerKind::TranslatingCam
+        | FollowerKind::Barrel => None,
+    }
+}
+
+/// w^{3/2}/ρ − (w + vY − aX).
+pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
+    let (x, y) = (size.rise + at.s, at.v - size.offset);
+    let w = x * x + y * y;
+    let root = w.sqrt();
+    let by_x = 3.0 * x * root / size.rho - (2.0 * x - at.a);
+    let by_y = 3.0 * y * root / size.rho - (2.0 * y + at.v);
+    Slack {
+        h: w * root / size.rho - (w + at.v * y - at.a * x),
+        w,
+        largest: w * root / size.rho,
+        by_lift: by_x,
+        by_rise: by_x,
+        by_velocity: by_y - y,
+        by_acceleration: x,
+        by_offset: -by_y,
+        ..Slack::none("curvature")
+    }
+}
+
+/// W^{3/2}/ρ − K of the arm's pitch curve, with q = 1 + ξ′: the tangent in the fixed frame is
+/// (A q sin ξ, A q cos ξ − c), W its square and K = A²q³ − c A q(1 + q) cos ξ − c A ξ″ sin ξ + c² (theory §6
+/// in other letters).
+pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    let (s, p, q) = (arm * sin, arm * cos, 1.0 + at.v);
+    let w = arm * arm * q * q - 2.0 * c * p * q + c * c;
+    let k = arm * arm * q.powi(3) - c * p * q * (1.0 + q) - c * s * at.a + c * c;
+    let root = w.sqrt();
+    let by_w = 1.5 * root / rho;
+    Slack {
+        h: w * root / rho - k,
+        w,
+        largest: w * root / rho,
+        by_lift: by_w * 2.0 * c * s * q - (c * s * q * (1.0 + q) - c * p * at.a),
+        by_velocity: by_w * (2.0 * arm * arm * q - 2.0 * c * p)
+            - (3.0 * arm * arm * q * q - c * p * (1.0 + 2.0 * q)),
+        by_acceleration: c * s,
+        ..Slack::none("curvature")
+    }
+}
+
+/// (ρ_face − ρ) q³ with q = 1 + ξ′ and the radius of theory §6, the face's offset added.
+pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    let q = 1.0 + at.v;
+    let twice = 2.0 * q - 1.0;
+    let room = offset - rho;
+    Slack {
+        h: c * sin * twice * q + c * cos * at.a + room * q.powi(3),
+        w: c,
+        largest: c * sin * (twice * q).abs() + (room * q.powi(3)).abs(),
+        by_lift: c * cos * twice * q - c * sin * at.a,
+        by_velocity: c * sin * (4.0 * q - 1.0) + 3.0 * room * q * q,
+        by_acceleration: c * cos,
+        ..Slack::none("curvature")
+    }
+}
+
+/// Convex and concave radii of a profile. Asked for or not, a negative convex radius is a cam that cuts
+/// itself.
+pub fn checks(problem: &Problem, cam: &Cam, prefix: &str) -> Vec<Check> {
+    let curvature = cam.curvature();
+    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    let name = format!("{prefix}curvature");
+    let mut convex = Check::at_least(&name, curvature.convex, wanted, GEOMETRY);
+    // The smallest cam that may come to a point does so to rounding of its own size.
+    let rounding = GEOMETRY * cam.follower.prime_radius();
+    convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
+    convex.pass &= !curvature.undercut || curvature.convex.value.abs() <= rounding;
+    let mut out = vec![convex];
+    let roller = cam.follower.roller_radius();
+    if let Some(concave) = curvature.concave.filter(|_| roller > 0.0) {
+        // The roller has to fit into the hollow: |ρ_cam| ≥ R_f.
+        let worst = Extreme {
+            at: concave.at,
+            value: -concave.value,
+        };
+        let name = format!("{prefix}concave");
+        out.push(Check::at_least(&name, worst, roller, GEOMETRY));
+    }
+    out
+}
+
+/// Roller or face against other parts of the profile; `None` where nothing can interfere: a flat
+/// translating face on a convex cam touches it once.
+pub fn interference(name: &str, cam: &Cam) -> Option<Check> {
+    match cam.follower {
+        Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,
+        _ if cam.curvature().undercut => return None,
+        _ => {}
+    }
+    let tolerance = TOUCH * cam.follower.prime_radius();
+    let deepest = cam
+        .interference(INTERFERENCE_POINTS, 0.0, tolerance)
+        .into_iter()
+        .filter(|i| i.body != Body::Arm)
+        .max_by(|a, b| a.depth.total_cmp(&b.depth));
+    let worst = deepest.map_or(
+        Extreme {
+            at: cam.law.extent().0,
+            value: 0.0,
+        },
+        |i| Extreme {
+            at: i.at,
+            value: i.depth,
+        },
+    );
+    let mut check = Check::at_most(name, worst, tolerance, 0.0);
+    check.pass = deepest.is_none();
+    Some(check)
+}
+
+/// A wall of a barrel's groove against the smallest convex radius.
+pub fn wall_check(problem: &Problem, name: &str, radius: Extreme) -> Check {
+    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    Check::at_least(name, radius, wanted, GEOMETRY)
+}

@@ -1,0 +1,151 @@
+//! Smallest and largest contact force, the band about the target, and the accuracy.
+
+use super::Finished;
+use super::row::{SLACK, row};
+use crate::cam::Check;
+use crate::force::ForceCurve;
+use crate::law::Law;
+use crate::poly::{Extreme, PiecewisePoly, distance};
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::design::ForceReport;
+use crate::synth::qp::{Limit, Meaning, PEAK, Program, TOLERANCE};
+
+/// Smallest and largest force.
+pub fn rows(problem: &Problem) -> Vec<Limit> {
+    let [s, v, a, _] = problem.drive.weights();
+    let rest = problem.drive.rest_force;
+    let scale = problem
+        .target
+        .as_ref()
+        .map_or(rest.abs(), |t| t.mean_n().abs());
+    let meaning = |factor: f64| Meaning::Value {
+        factor,
+        offset: rest,
+    };
+    let mut out = Vec::new();
+    if let Some(low) = problem.limits.force_min {
+        let weights = [-s, -v, -a, 0.0, 0.0];
+        out.push(row("force_min", weights, rest - low, scale, meaning(-1.0)));
+    }
+    if let Some(high) = problem.limits.force_max {
+        let weights = [s, v, a, 0.0, 0.0];
+        out.push(row("force_max", weights, high - rest, scale, meaning(1.0)));
+    }
+    out
+}
+
+/// Limits on the distance of the force to the target: the band, and the largest error where that is what is
+/// minimised. Their shapes and cost join the program.
+pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> {
+    let Some(target) = &problem.target else {
+        return Vec::new();
+    };
+    let [s, v, a, _] = problem.drive.weights();
+    let rest = problem.drive.rest_force;
+    let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
+    let mut out = Vec::new();
+    // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
+    let mut side = |name: &'static str, sign: f64, edge: &ForceCurve, meaning: Meaning| {
+        program.shapes.push(PiecewisePoly::combine(
+            &[(sign, &edge.curve())],
+            -sign * rest,
+        ));
+        let weights = [sign * s, sign * v, sign * a, 0.0, 0.0];
+        Limit {
+            shape: Some(program.shapes.len() - 1),
+            ..row(name, weights, 0.0, scale, meaning)
+        }
+    };
+    if let Some([low, high]) = &problem.band {
+        // Told as the band's mean half width.
+        let half_width = Meaning::Value {
+            factor: 1.0,
+            offset: 0.5 * (high.mean_n() - low.mean_n()),
+        };
+        out.push(side("band", 1.0, high, half_width));
+        out.push(side("band", -1.0, low, half_width));
+    }
+    if problem.objective() == Minimise::PeakForceError {
+        for sign in [1.0, -1.0] {
+            out.push(side("peak", sign, &target.curve, Meaning::Structure).minimised());
+        }
+        program.cost[PEAK] = 1.0;
+    }
+    out
+}
+
+/// Distance of the force of a law from the target, exact on the pieces of both.
+pub fn report(problem: &Problem, law: &Law) -> ForceReport {
+    let own = problem.drive.force_curve(law);
+    let (low, high) = own.extremes();
+    let (start, length) = law.extent();
+    let mut report = ForceReport {
+        mean_n: own.integral() / length,
+        min_n: low.value,
+        max_n: high.value,
+        ..ForceReport::default()
+    };
+    if let Some(target) = &problem.target {
+        let apart = distance(&own, &target.curve.curve());
+        report.target_mean_n = target.mean_n();
+        report.rms_error_n = (apart.square / length).max(0.0).sqrt();
+        report.max_error_n = apart.largest;
+        report.rms_error_percent_of_mean = 100.0 * report.rms_error_n / report.target_mean_n.abs();
+        debug_assert!(start == 0.0);
+    }
+    report
+}
+
+/// Smallest and largest force of the design.
+pub fn checks(design: &Finished) -> Vec<Check> {
+    let limits = &design.problem.limits;
+    let (low, high) = design.problem.drive.force_curve(design.pressing).extremes();
+    let mut out = Vec::new();
+    if let Some(limit) = limits.force_min {
+        let mut check = Check::at_least("force_min", low, limit, SLACK);
+        check.pass = low.value >= limit - slack(design);
+        out.push(check);
+    }
+    if let Some(limit) = limits.force_max {
+        out.push(Check::at_most("force_max", high, limit, SLACK));
+    }
+    out
+}
+
+/// The band, which is the accuracy where there is one, otherwise the RMS error asked for.
+pub fn accuracy_check(design: &Finished) -> Option<Check> {
+    let (problem, force) = (design.problem, design.force);
+    if let Some([low, high]) = &problem.band {
+        let curve = problem.drive.force_curve(design.pressing);
+        let below = difference(&low.curve(), &curve).extremes().1;
+        let above = difference(&curve, &high.curve()).extremes().1;
+        let worst = if below.value > above.value {
+            below
+        } else {
+            above
+        };
+        let mut check = Check::at_most("band", worst, 0.0, 0.0);
+        check.pass = worst.value <= slack(design);
+        return Some(check);
+    }
+    let rms = problem.accuracy.filter(|_| problem.target.is_some())?;
+    let worst = Extreme {
+        at: 0.0,
+        value: force.rms_error_n,
+    };
+    let limit = rms * force.target_mean_n.abs();
+    Some(Check::at_most("rms_error", worst, limit, TOLERANCE))
+}
+
+/// Rounding of a force, N.
+fn slack(design: &Finished) -> f64 {
+    let rest = design.problem.drive.rest_force.abs();
+    SLACK * design.force.target_mean_n.abs().max(rest)
+}
+
+fn difference(own: &PiecewisePoly, target: &PiecewisePoly) -> PiecewisePoly {
+    let own = own.cut_at(target.breaks());
+    let target = target.cut_at(own.breaks());
+    PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], 0.0)
+}

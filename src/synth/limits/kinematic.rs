@@ -1,0 +1,148 @@
+//! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
+
+use super::row::{SLACK, only, own_scale, range, row, same};
+use crate::cam::{Cam, Check};
+use crate::law::Law;
+use crate::poly::Extreme;
+use crate::problem::Problem;
+use crate::synth::qp::{LOWEST, Limit, Meaning};
+
+/// A law may dip below its base circle by this part of the stroke: rounding.
+const DIP: f64 = 1e-7;
+
+/// The law stays above its base circle.
+pub fn base_circle(problem: &Problem, level: bool) -> Vec<Limit> {
+    let stroke = problem.limits.stroke;
+    if !problem.above_base_circle || !(level || stroke.is_some()) {
+        return Vec::new();
+    }
+    let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
+    vec![row(
+        "base_circle",
+        only(0, -1.0),
+        0.0,
+        scale,
+        Meaning::Structure,
+    )]
+}
+
+/// The same with the size of the cam among the variables.
+pub fn base_circle_below_size(problem: &Problem) -> Option<Limit> {
+    let length = problem.length;
+    let limit = row(
+        "base_circle",
+        only(0, -1.0),
+        0.0,
+        length,
+        Meaning::Structure,
+    );
+    problem.above_base_circle.then_some(limit)
+}
+
+/// The law's zero is its base circle: it does not dip below.
+pub fn base_circle_check(cam: &Cam) -> Option<Check> {
+    let lowest = cam.law.extremes(0).0;
+    let dips = lowest.value < -DIP * cam.law.stroke();
+    dips.then(|| Check::at_least("base_circle", lowest, 0.0, 0.0))
+}
+
+/// Lift within the stroke, counted from the base circle, or from the lowest lift where the level is known.
+pub fn stroke(problem: &Problem) -> Vec<Limit> {
+    let Some(h) = problem.limits.stroke else {
+        return Vec::new();
+    };
+    let window = problem.level_is_known().then_some(LOWEST);
+    range("stroke", 0, h, problem.length, window)
+}
+
+/// The derivatives by time that are limited.
+fn limited(problem: &Problem) -> Vec<(&'static str, usize, f64)> {
+    let limits = &problem.limits;
+    [
+        ("velocity", 1, limits.velocity),
+        ("acceleration", 2, limits.acceleration),
+        ("jerk", 3, limits.jerk),
+    ]
+    .into_iter()
+    .filter_map(|(name, order, limit)| Some((name, order, limit?)))
+    .collect()
+}
+
+/// Velocity, acceleration and jerk, both signs.
+pub fn timed(problem: &Problem) -> Vec<Limit> {
+    let mut out = Vec::new();
+    for (name, order, limit) in limited(problem) {
+        let per_time = problem.drive.speed.powi(order as i32);
+        for sign in [1.0, -1.0] {
+            let bound = limit / per_time;
+            let scale = own_scale(bound, problem.length);
+            out.push(row(name, only(order, sign), bound, scale, same(per_time)));
+        }
+    }
+    out
+}
+
+/// Stroke and derivatives by time of the finished law.
+pub fn checks(problem: &Problem, law: &Law) -> Vec<Check> {
+    let mut out = Vec::new();
+    let (bottom, top) = law.extremes(0);
+    if let Some(h) = problem.limits.stroke {
+        let stroke = Extreme {
+            at: top.at,
+            value: top.value - bottom.value,
+        };
+        out.push(Check::at_most("stroke", stroke, h, SLACK));
+    }
+    for (name, order, limit) in limited(problem) {
+        let (low, high) = law.extremes(order);
+        let worst = if high.value >= -low.value {
+            high
+        } else {
+            Extreme {
+                at: low.at,
+                value: -low.value,
+            }
+        };
+        let timed = Extreme {
+            at: worst.at,
+            value: worst.value * problem.drive.speed.powi(order as i32),
+        };
+        out.push(Check::at_most(name, timed, limit, SLACK));
+    }
+    out
+}
+
+/// The law rises or falls steadily between neighbouring points whose lifts differ.
+pub fn monotone(problem: &Problem) -> Vec<Limit> {
+    let lift_of = |force: f64| problem.lift_of_force(force);
+    let mut points: Vec<(f64, f64)> = problem
+        .law
+        .points
+        .iter()
+        .filter_map(|p| Some((p.angle, p.lift.or_else(|| lift_of(p.force?))?)))
+        .collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let flank = |((from, before), (to, after)): ((f64, f64), (f64, f64))| {
+        let sign = if after > before { -1.0 } else { 1.0 };
+        Limit {
+            domain: (from, to),
+            ..row(
+                "monotone",
+                only(1, sign),
+                0.0,
+                problem.length,
+                Meaning::Structure,
+            )
+        }
+    };
+    points
+        .windows(2)
+        .filter(|pair| pair[0].1 != pair[1].1)
+        .map(|pair| flank((pair[0], pair[1])))
+        .collect()
+}
+
+/// The largest absolute value of a derivative, as the quantity to minimise.
+pub fn peak(problem: &Problem, order: usize) -> [Limit; 2] {
+    [1.0, -1.0].map(|sign| Limit::new("peak", only(order, sign), 0.0, problem.length).minimised())
+}

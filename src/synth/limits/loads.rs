@@ -1,0 +1,298 @@
+//! Shaft torque and its rate, and the pressure between cam and follower.
+//!
+//! Pressure under a flat face is linear in law and size: a row from the start. Torque, its rate and the
+//! pressure under a roller are not convex: h(s, v, a, j, D, e) ≥ 0 with its derivatives.
+
+use std::f64::consts::PI;
+
+use super::Finished;
+use super::nonconvex::{Profile, ProfileSize, Slack};
+use super::row::row as limit_row;
+use crate::cam::{Cam, Check, Follower, FollowerKind};
+use crate::drive::Drive;
+use crate::dynamics::design::hertz_at_most;
+use crate::dynamics::hertz::{STEEL, modulus};
+use crate::dynamics::touch::touch;
+use crate::law::{Law, Svaj};
+use crate::poly::{Extreme, PiecewisePoly, stand_in};
+use crate::problem::Problem;
+use crate::synth::qp::{Limit, Meaning, RADIUS};
+
+/// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
+const WORTH_GROWING: f64 = 0.95;
+/// A limit counts as kept within this part of it.
+const SLACK: f64 = 1e-6;
+
+/// Steel on steel under a flat face of given base radius.
+pub fn row(problem: &Problem) -> Option<Limit> {
+    pressed(problem, problem.base_radius()?)
+}
+
+/// F ≤ π L p²/E*·(Rb + s + a): linear in law and radius together.
+pub fn row_with_size(problem: &Problem) -> Option<Limit> {
+    let mut limit = pressed(problem, 0.0)?;
+    limit.extra[RADIUS] = limit.weights[2] - problem.drive.weights()[2];
+    Some(limit)
+}
+
+/// The loads that are limited and not convex. A `profile` that is a roller's has the size that counts.
+pub fn nonconvex(problem: &Problem, profile: Option<Profile>) -> Option<Loads> {
+    let limits = &problem.limits;
+    let roller = match profile {
+        Some(Profile::Roller(_)) => Some(problem.cam.roller_radius).filter(|r| *r > 0.0),
+        _ => None,
+    };
+    let loads = Loads {
+        drive: problem.drive,
+        torque: limits.torque,
+        torque_rate: limits.torque_rate,
+        pressure: roller
+            .zip(limits.hertz_pressure)
+            .map(|(roller, most)| Pressure {
+                spread: PI * problem.cam.thickness / modulus(STEEL, STEEL),
+                roller,
+                most,
+            }),
+    };
+    (!loads.named().is_empty()).then_some(loads)
+}
+
+/// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
+fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
+    let (cam, pressure) = (&problem.cam, problem.limits.hertz_pressure?);
+    if cam.follower != FollowerKind::FlatTranslating {
+        return None;
+    }
+    let face = Follower::FlatTranslating { base_radius };
+    let steel = modulus(STEEL, STEEL);
+    let l = hertz_at_most(&problem.drive, &face, cam.thickness, steel, pressure)?;
+    let [s, v, a, j] = l.weights;
+    let bound = l.upper - l.constant;
+    let scale = bound.abs().max(problem.drive.rest_force.abs());
+    let weights = [s, v, a, j, 0.0];
+    Some(limit_row(
+        "hertz_pressure",
+        weights,
+        bound,
+        scale,
+        Meaning::Sized,
+    ))
+}
+
+/// What is not convex in the loads of a problem; `None` = no limit.
+#[derive(Debug, Clone, Copy)]
+pub struct Loads {
+    /// Lift to force.
+    pub drive: Drive,
+    /// Largest |F v|, N·m.
+    pub torque: Option<f64>,
+    /// Largest |d(F v)/dθ|, N·m/rad.
+    pub torque_rate: Option<f64>,
+    /// Pressure under a roller.
+    pub pressure: Option<Pressure>,
+}
+
+/// Line pressure between a roller and its cam.
+#[derive(Debug, Clone, Copy)]
+pub struct Pressure {
+    /// π L/E*, so that p² is the normal force times the sum of curvatures over this, m²/N.
+    pub spread: f64,
+    /// Radius of the roller, m.
+    pub roller: f64,
+    /// Largest pressure, Pa.
+    pub most: f64,
+}
+
+impl Loads {
+    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    pub fn slacks(&self, at: Svaj, size: ProfileSize, out: &mut Vec<Slack>) {
+        for side in [1.0, -1.0] {
+            out.extend(self.torque.map(|most| self.torque_slack(at, most, side)));
+            out.extend(self.torque_rate.map(|most| self.rate_slack(at, most, side)));
+        }
+        out.extend(self.pressure.map(|p| self.pressure_slack(at, size, p)));
+    }
+
+    /// The limits there are, with their values.
+    pub fn named(&self) -> Vec<(&'static str, f64)> {
+        [
+            ("torque", self.torque),
+            ("torque_rate", self.torque_rate),
+            ("hertz_pressure", self.pressure.map(|p| p.most)),
+        ]
+        .into_iter()
+        .filter_map(|(name, value)| Some((name, value?)))
+        .collect()
+    }
+
+    /// The same with one limit at another value, or left out.
+    pub fn with(&self, name: &str, value: Option<f64>) -> Loads {
+        let mut out = *self;
+        match name {
+            "torque" => out.torque = value,
+            "torque_rate" => out.torque_rate = value,
+            _ => {
+                out.pressure = out
+                    .pressure
+                    .and_then(|p| value.map(|most| Pressure { most, ..p }));
+            }
+        }
+        out
+    }
+
+    /// T − (±F v).
+    fn torque_slack(&self, at: Svaj, most: f64, side: f64) -> Slack {
+        let [k, c, m, _] = self.drive.weights();
+        let force = self.drive.force(at);
+        Slack {
+            h: most - side * force * at.v,
+            w: most,
+            largest: most,
+            by_lift: -side * k * at.v,
+            by_velocity: -side * (force + c * at.v),
+            by_acceleration: -side * m * at.v,
+            ..Slack::none("torque")
+        }
+    }
+
+    /// R − (±(F′ v + F a)).
+    fn rate_slack(&self, at: Svaj, most: f64, side: f64) -> Slack {
+        let [k, c, m, _] = self.drive.weights();
+        let force = self.drive.force(at);
+        let rate = k * at.v + c * at.a + m * at.j;
+        Slack {
+            h: most - side * (rate * at.v + force * at.a),
+            w: most,
+            largest: most,
+            by_lift: -side * k * at.a,
+            by_velocity: -side * (k * at.v + rate + c * at.a),
+            by_acceleration: -side * (c * at.v + force + m * at.a),
+            by_jerk: -side * m * at.v,
+            ..Slack::none("torque_rate")
+        }
+    }
+
+    /// q R_f X (w^{3/2} − R_f K) − F w², q = p² π L/E*: with X = D + s, Y = v − e, w = X² + Y² and
+    /// K = w + vY − aX the normal force is F √w/X and the sum of curvatures w^{3/2}/(R_f (w^{3/2} − R_f K))
+    /// (theory §6, §10).
+    fn pressure_slack(&self, at: Svaj, size: ProfileSize, p: Pressure) -> Slack {
+        let [k, c, m, _] = self.drive.weights();
+        let force = self.drive.force(at);
+        let (x, y) = (size.rise + at.s, at.v - size.offset);
+        let w = x * x + y * y;
+        let root = w.sqrt();
+        let bend = w + at.v * y - at.a * x;
+        let gap = w * root - p.roller * bend;
+        let q = p.most * p.most * p.spread * p.roller;
+        // By X, Y, v and a of the geometry alone.
+        let by_x =
+            q * (gap + x * (3.0 * root * x - p.roller * (2.0 * x - at.a))) - force * 4.0 * w * x;
+        let by_y = q * x * (3.0 * root * y - p.roller * (2.0 * y + at.v)) - force * 4.0 * w * y;
+        let by_v = -q * x * p.roller * y;
+        let by_a = q * x * p.roller * x;
+        // h in units of q X w^{3/2}, a number that a size of the cam does not change much.
+        let unit = q * size.rise.max(size.rho) * w * root;
+        Slack {
+            h: q * x * gap - force * w * w,
+            w: unit,
+            largest: unit,
+            by_lift: by_x - k * w * w,
+            by_rise: by_x,
+            by_velocity: by_y + by_v - c * w * w,
+            by_acceleration: by_a - m * w * w,
+            by_offset: -by_y,
+            ..Slack::none("hertz_pressure")
+        }
+    }
+}
+
+/// Torque, its rate and the pressure of the finished cam against the limits.
+pub fn checks(design: &Finished) -> Vec<Check> {
+    let limits = &design.problem.limits;
+    let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
+    let mut out = Vec::new();
+    if let Some(limit) = limits.torque {
+        out.push(Check::at_most("torque", largest(&torque()), limit, SLACK));
+    }
+    if let Some(limit) = limits.torque_rate {
+        let worst = largest(&torque().derivative());
+        out.push(Check::at_most("torque_rate", worst, limit, SLACK));
+    }
+    if let Some(limit) = limits.hertz_pressure {
+        let worst = pressure(design.problem, design.cam, design.pressing);
+        out.push(Check::at_most("hertz_pressure", worst, limit, SLACK));
+    }
+    out
+}
+
+/// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
+fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
+    let force = drive.force_curve(pressing);
+    let velocity = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
+    let force = force.cut_at(velocity.breaks());
+    velocity.cut_at(force.breaks()).times(&force)
+}
+
+/// Largest absolute value, by roots.
+fn largest(curve: &PiecewisePoly) -> Extreme {
+    let (low, high) = curve.extremes();
+    if high.value >= -low.value {
+        return high;
+    }
+    Extreme {
+        at: low.at,
+        value: -low.value,
+    }
+}
+
+/// Smallest base radius under a flat face on which the pressure limit holds: the largest of F E*/(π L p²) − s − a.
+pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64 {
+    let Some(limit) = pressed(problem, 0.0) else {
+        return 0.0;
+    };
+    let per_radius = problem.drive.weights()[2] - limit.weights[2];
+    let force = problem.drive.force_curve(pressing);
+    let bend = law.combination([1.0, 0.0, 1.0, 0.0], 0.0);
+    let bend = bend.cut_at(force.breaks());
+    let force = force.cut_at(bend.breaks());
+    PiecewisePoly::combine(&[(1.0 / per_radius, &force), (-1.0, &bend)], 0.0)
+        .extremes()
+        .1
+        .value
+}
+
+/// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
+/// that presses on any cam.
+pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
+    let (most, roller) = (problem.limits.hertz_pressure?, problem.cam.roller_radius);
+    let force = problem.drive.force_curve(pressing).extremes().1.value;
+    let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
+    (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
+}
+
+/// Highest line pressure, Pa, steel on steel over the plate's thickness: p₀² = N κ E*/(π L).
+pub fn pressure(problem: &Problem, cam: &Cam, pressing: &Law) -> Extreme {
+    let start = cam.law.extent().0;
+    if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
+        // A knife edge presses on a line without width.
+        return Extreme {
+            at: start,
+            value: f64::INFINITY,
+        };
+    }
+    let factor = modulus(STEEL, STEEL) / (PI * problem.cam.thickness);
+    let breaks = cam.law.breaks();
+    let square = stand_in(breaks, 1e-12, |i, x| {
+        let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+        let at = cam.law.svaj_on(i, u);
+        let force = problem.drive.force(pressing.svaj_on(i, u));
+        let here = touch(&cam.follower, problem.drive.speed, 0.0, at, force);
+        factor * here.normal * here.curvature
+    })
+    .extremes()
+    .1;
+    Extreme {
+        at: square.at,
+        value: square.value.max(0.0).sqrt(),
+    }
+}

@@ -1,0 +1,118 @@
+//! The limits of a problem, one file per limit or natural group.
+//!
+//! Each file answers the same questions, so that row and check of a limit stand side by side: which rows it
+//! is in a convex program (on a given size, or with the size among the variables), what of it is not convex,
+//! and how it is checked on the finished design.
+
+mod curvature;
+mod dwell_vibration;
+mod force;
+mod kinematic;
+mod loads;
+#[cfg(test)]
+mod loads_tests;
+mod nonconvex;
+mod pressure_angle;
+mod row;
+mod size;
+
+pub use curvature::{checks as curvature_checks, interference, wall_check};
+pub use dwell_vibration::{rings, silence};
+pub use force::{about_the_target, report as force_report};
+pub use kinematic::{monotone, peak};
+pub use loads::Loads;
+pub use loads::{bearable_on_some_size, pressure, smallest_base_radius};
+pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearance, loaded, relative};
+pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks};
+pub use row::GEOMETRY;
+
+use super::design::ForceReport;
+use super::qp::{Limit, Program};
+use crate::cam::{Cam, Check, Follower, FollowerKind};
+use crate::law::Law;
+use crate::problem::Problem;
+
+/// Limits over the whole turn that are linear in the law.
+///
+/// `level` says that the law's zero is the base circle: either the drive or a demand fixes the lift, or
+/// the caller pins the lowest point. Limits on the distance to the base circle are added only then.
+pub fn rows(problem: &Problem, level: bool) -> Vec<Limit> {
+    let mut out = kinematic::base_circle(problem, level);
+    out.extend(kinematic::stroke(problem));
+    out.extend(size::face_width(problem));
+    out.extend(kinematic::timed(problem));
+    out.extend(force::rows(problem));
+    if level {
+        out.extend(curvature::row(problem));
+        out.extend(pressure_angle::rows(problem));
+    }
+    out.extend(loads::row(problem));
+    out
+}
+
+/// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
+/// The radius is what is minimised, or it stays below its limit while something else is.
+pub fn with_size(problem: &Problem, program: &mut Program) {
+    program.limits.retain(|l| l.name != "base_circle");
+    program
+        .limits
+        .extend(kinematic::base_circle_below_size(problem));
+    if problem.cam.follower == FollowerKind::FlatTranslating {
+        program.limits.push(curvature::row_with_size(problem));
+        program.limits.extend(loads::row_with_size(problem));
+    } else {
+        program
+            .limits
+            .extend(pressure_angle::rows_with_size(problem));
+    }
+    size::priced(problem, program);
+}
+
+/// The limits that no row of a convex program can express; `None` where there are none.
+pub fn nonconvex(problem: &Problem) -> Option<NonconvexLimits> {
+    let profile = curvature::nonconvex(problem);
+    let loads = loads::nonconvex(problem, profile);
+    (profile.is_some() || loads.is_some()).then_some(NonconvexLimits { profile, loads })
+}
+
+/// A finished design, as its limits are checked.
+pub struct Finished<'a> {
+    /// What was asked.
+    pub problem: &'a Problem,
+    /// The cam.
+    pub cam: &'a Cam,
+    /// The law that makes the force: the cam's own, or that of a polydyne follower's end.
+    pub pressing: &'a Law,
+    /// Its force against the target.
+    pub force: &'a ForceReport,
+}
+
+impl Finished<'_> {
+    /// Every limit of the problem, and what no cam may lack, held against the design.
+    pub fn checks(&self) -> Vec<Check> {
+        let mut out = kinematic::checks(self.problem, &self.cam.law);
+        out.extend(force::checks(self));
+        out.extend(self.profile_checks());
+        out.extend(force::accuracy_check(self));
+        out.extend(loads::checks(self));
+        out.extend(dwell_vibration::check(self));
+        out
+    }
+
+    fn profile_checks(&self) -> Vec<Check> {
+        let (problem, cam) = (self.problem, self.cam);
+        let mut out = Vec::new();
+        if !matches!(cam.follower, Follower::Barrel { .. }) {
+            out.extend(pressure_angle::checks(
+                problem,
+                cam.pressure_angle_extremes(),
+                "",
+            ));
+        }
+        out.extend(curvature::checks(problem, cam, ""));
+        out.extend(size::checks(problem, cam));
+        out.extend(curvature::interference("interference", cam));
+        out.extend(kinematic::base_circle_check(cam));
+        out
+    }
+}

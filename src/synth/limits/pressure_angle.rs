@@ -1,0 +1,91 @@
+//! Pressure angle on rise and fall.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::nonconvex::Slack;
+use super::row::{GEOMETRY, row};
+use crate::cam::{Check, FollowerKind};
+use crate::law::Svaj;
+use crate::poly::Extreme;
+use crate::problem::Problem;
+use crate::synth::qp::{Limit, Meaning, OFFSET, RISE};
+
+/// A pressure angle that is no limit, where its tangent must be a number.
+pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
+
+const RISING: &str = "pressure_angle_rise";
+const FALLING: &str = "pressure_angle_fall";
+
+/// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
+pub fn rows(problem: &Problem) -> Vec<Limit> {
+    let kind = problem.cam.follower;
+    let slides = kind.is_translating() && kind != FollowerKind::FlatTranslating;
+    let Some(prime) = problem.prime_radius().filter(|_| slides) else {
+        return Vec::new();
+    };
+    let e = problem.cam.offset.unwrap_or(0.0);
+    let rise = (prime * prime - e * e).max(0.0).sqrt();
+    let limits = &problem.limits;
+    let sides = [
+        (RISING, limits.pressure_angle_rise, 1.0),
+        (FALLING, limits.pressure_angle_fall, -1.0),
+    ];
+    sides
+        .into_iter()
+        .filter_map(|(name, angle, side)| {
+            let tan = angle?.tan();
+            let offset = side * e;
+            let meaning = Meaning::PrimeRadius { tan, offset };
+            let weights = [-tan, side, 0.0, 0.0, 0.0];
+            Some(row(name, weights, tan * rise + offset, prime, meaning))
+        })
+        .collect()
+}
+
+/// With D, and e where it is open, among the variables.
+pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
+    let [rise, fall] = problem.sizing_pressure_angles();
+    [(RISING, rise, 1.0), (FALLING, fall, -1.0)].map(|(name, angle, side)| {
+        let t = angle.min(NEARLY_RIGHT).tan();
+        let bound = side * problem.cam.offset.unwrap_or(0.0);
+        let weights = [-t, side, 0.0, 0.0, 0.0];
+        let mut limit = row(name, weights, bound, problem.length, Meaning::Sized);
+        limit.extra[RISE] = -t;
+        if problem.cam.offset.is_none() {
+            limit.extra[OFFSET] = -side;
+        }
+        limit
+    })
+}
+
+/// Of a roller on an arm: t c sin ξ ∓ (A(1 + ξ′) − c cos ξ), from tan φ = (A(1 + ξ′) − c cos ξ)/(c sin ξ).
+pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> Slack {
+    let (sin, cos) = (rest + at.s).sin_cos();
+    Slack {
+        h: tan * c * sin - side * (arm * (1.0 + at.v) - c * cos),
+        w: c,
+        largest: tan * c + arm,
+        by_lift: tan * c * cos - side * c * sin,
+        by_velocity: -side * arm,
+        ..Slack::none(if side > 0.0 { RISING } else { FALLING })
+    }
+}
+
+/// Both sides of the finished cam's pressure angle against its limits.
+pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme), prefix: &str) -> Vec<Check> {
+    let limits = &problem.limits;
+    let falling = Extreme {
+        at: low.at,
+        value: -low.value,
+    };
+    [
+        (RISING, high, limits.pressure_angle_rise),
+        (FALLING, falling, limits.pressure_angle_fall),
+    ]
+    .into_iter()
+    .filter_map(|(name, worst, limit)| {
+        let name = format!("{prefix}{name}");
+        Some(Check::at_most(&name, worst, limit?, GEOMETRY))
+    })
+    .collect()
+}

@@ -1,0 +1,85 @@
+//! Prime radius, bore and face width.
+
+use super::row::{GEOMETRY, SLACK, range, same};
+use crate::cam::{Cam, Check, FollowerKind};
+use crate::poly::Extreme;
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::qp::{FACE_END, Limit, Program, RADIUS, RISE};
+use crate::synth::scp::ENLARGED;
+
+/// The contact on a flat face moves by v (theory §6): its range is the face's width.
+pub fn face_width(problem: &Problem) -> Vec<Limit> {
+    match (problem.limits.face_width, problem.cam.follower) {
+        (Some(width), FollowerKind::FlatTranslating) => {
+            range("face_width", 1, width, problem.length, Some(FACE_END))
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// What a size among the variables costs, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
+pub fn priced(problem: &Problem, program: &mut Program) {
+    let cost = match problem.objective() {
+        Minimise::Size => 1.0,
+        Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
+        _ => 0.0,
+    };
+    let limit = problem.limits.prime_radius;
+    if problem.cam.follower == FollowerKind::FlatTranslating {
+        program
+            .limits
+            .extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        program.cost[RADIUS] = cost;
+    } else if let Some(offset) = problem.cam.offset {
+        // With the offset given, the prime radius grows with D alone.
+        let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
+        program
+            .limits
+            .extend(limit.map(|r| at_most(problem, rise(r), RISE)));
+        program.cost[RISE] = cost;
+    } else {
+        program
+            .limits
+            .extend(limit.map(|r| at_most(problem, r, RADIUS)));
+        program.cost[RADIUS] = cost;
+        program.cone = true;
+    }
+}
+
+/// A size that no cost holds down is held by its limit: one row, at angle 0. What the sequence for a
+/// roller's curvature enlarges in the end is kept free.
+fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
+    let kept = if super::curvature::nonconvex(problem).is_some() {
+        1.0 - 2.0 * ENLARGED
+    } else {
+        1.0
+    };
+    let mut limit = Limit::new("prime_radius", [0.0; 5], radius * kept, problem.length);
+    limit.extra[variable] = 1.0;
+    limit.domain = (0.0, 0.0);
+    limit.meaning = same(1.0);
+    limit
+}
+
+/// Face width, prime radius and bore of the finished cam.
+pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
+    let size = |value: f64| Extreme { at: 0.0, value };
+    let mut out = Vec::new();
+    if let (Some(limit), Some(width)) = (problem.limits.face_width, cam.face_width()) {
+        let worst = Extreme {
+            at: cam.law.extremes(1).1.at,
+            value: width,
+        };
+        out.push(Check::at_most("face_width", worst, limit, SLACK));
+    }
+    if let Some(limit) = problem.limits.prime_radius {
+        let worst = size(cam.follower.prime_radius());
+        out.push(Check::at_most("prime_radius", worst, limit, GEOMETRY));
+    }
+    if let Some(bore) = problem.cam.bore {
+        let worst = size(cam.follower.base_radius());
+        out.push(Check::at_least("bore", worst, 0.5 * bore, GEOMETRY));
+    }
+    out
+}
