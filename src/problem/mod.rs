@@ -7,6 +7,7 @@
 mod notes;
 mod target;
 
+pub use notes::Note;
 pub use target::Target;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -1,90 +1,138 @@
-//! What a user should know of the problem before looking at a result.
+//! What a user should know of problem and design beside the verdict: data, whose sentences stand in
+//! `wording/en/synth.ftl`.
 
 use std::f64::consts::TAU;
 
+use serde::Serialize;
+
 use super::Problem;
 use crate::drive::DriveKind;
+use crate::units::{Dimension, Quantity};
+use crate::wording::{self, Language};
 
-/// Differences of the mean force from M·g below this part of it are not worth a remark.
+/// Differences of the mean force from M·g below this part of it are not worth a note.
 const CLOSURE: f64 = 1e-6;
 /// A force below this part of the mean asks the moving axis for free fall.
 const FREE_FALL: f64 = 0.02;
 /// A turn that differs from the force cycle by less, as a part of it, is that cycle.
 const SAME_PERIOD: f64 = 1e-3;
 
+/// A note on a problem or its design.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named as in the sentences
+pub enum Note {
+    /// Something said already, by the reader of the scene or of the recording.
+    Said { text: String },
+    /// The force cycle is stretched to the turn.
+    Stretched { turn: Quantity, cycle: Quantity },
+    /// The mean of the wanted force is not the weight of the moved mass.
+    MeanForce {
+        mean: Quantity,
+        weight: Quantity,
+        error: Quantity,
+    },
+    /// The wanted force asks for free fall.
+    FreeFall {
+        share: Quantity,
+        duration: Quantity,
+        lift: Quantity,
+    },
+    /// Bound on the stroke from the largest acceleration.
+    LargestStroke {
+        acceleration: Quantity,
+        stroke: Quantity,
+        /// The stroke is limited to more than that.
+        idle: bool,
+    },
+    /// The phase that was found.
+    Phase { phase: Quantity },
+    /// The size of the law stops where it would follow noise.
+    Noise { size: &'static str, error: Quantity },
+    /// The smallest base circle has no radius.
+    NoBaseCircle,
+    /// The size keeps the usual pressure angle.
+    UsualPressureAngle { angle: Quantity },
+    /// The cam is cut for a follower that gives.
+    Polydyne {
+        speed: Quantity,
+        stiffness: Quantity,
+    },
+    /// How far the end of that follower stays from its law, and how far it would without.
+    PolydyneMiss { own: Quantity, plain: Quantity },
+    /// A higher degree would help it.
+    PolydyneDegree,
+}
+
+impl Note {
+    /// The note as a sentence.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "design", self)
+    }
+}
+
 impl Problem {
-    /// Remarks on the scene, the speed, the closure of a moving axis and the phase that was found.
-    pub fn remarks(&self) -> Vec<String> {
-        let mut out = self.given.remarks.clone();
+    /// Notes on the scene, the speed, the closure of a moving axis and the phase that was found.
+    pub fn notes(&self) -> Vec<Note> {
+        let said = |text: &String| Note::Said { text: text.clone() };
+        let mut out: Vec<Note> = self.given.remarks.iter().map(said).collect();
         out.extend(self.stretched());
         if self.drive.kind == DriveKind::MovingAxis {
             out.extend(self.closure());
         }
         if self.phase_is_free {
-            out.push(format!(
-                "The cam's turn begins at {:.3}° of the force cycle: the phase with the least error.",
-                self.phase.to_degrees()
-            ));
+            out.push(Note::Phase {
+                phase: Quantity::angle(self.phase),
+            });
         }
         out
     }
 
-    fn stretched(&self) -> Option<String> {
+    fn stretched(&self) -> Option<Note> {
         let (speed, target) = (self.given.drive.speed?, self.target.as_ref()?);
         let (turn, cycle) = (TAU / speed, target.curve.period_s);
-        ((turn / cycle - 1.0).abs() > SAME_PERIOD).then(|| {
-            format!(
-                "One turn takes {turn:.4} s, the force cycle {cycle:.4} s: the curve is stretched to the turn."
-            )
+        ((turn / cycle - 1.0).abs() > SAME_PERIOD).then(|| Note::Stretched {
+            turn: Quantity::time(turn),
+            cycle: Quantity::time(cycle),
         })
     }
 
     /// Closure of the moving axis (theory §1): mean(F) = M g, free fall, the least stroke.
-    fn closure(&self) -> Vec<String> {
+    fn closure(&self) -> Vec<Note> {
         let Some(target) = &self.target else {
             return Vec::new();
         };
         let curve = &target.curve;
         let (mass, speed) = (self.drive.mass, self.drive.speed);
-        let weight = self.drive.rest_force;
-        let mean = curve.mean_n();
-        let mut remarks = Vec::new();
+        let (weight, mean) = (self.drive.rest_force, curve.mean_n());
+        let mut notes = Vec::new();
         if (mean - weight).abs() > CLOSURE * weight.abs() {
-            remarks.push(format!(
-                "The mean of the wanted force is {mean:.4} N but the mass weighs {weight:.4} N. A cam lifts and lowers; \
-                 over a turn it cannot change the mean, so the error stays at {:.4} N at least. \
-                 Set drive.mass = \"auto\" or gait.scale = \"to-mass\".",
-                (mean - weight).abs()
-            ));
+            notes.push(Note::MeanForce {
+                mean: Quantity::force(mean),
+                weight: Quantity::force(weight),
+                error: Quantity::force((mean - weight).abs()),
+            });
         }
-        let n = curve.force_n.len();
-        let falling = curve
-            .force_n
-            .iter()
-            .filter(|f| **f < FREE_FALL * mean)
-            .count();
-        if falling > 0 {
-            let seconds = falling as f64 / n as f64 * TAU / speed;
-            remarks.push(format!(
-                "For {:.0} % of the turn ({seconds:.3} s) the wanted force is near zero: the mass must fall freely there, \
-                 which alone needs about {:.0} mm of lift. Both feet together (feet = \"both\") never leave the ground.",
-                100.0 * falling as f64 / n as f64,
-                1e3 * weight / mass * seconds * seconds / 8.0
-            ));
+        let falls = |f: &&f64| **f < FREE_FALL * mean;
+        let share = curve.force_n.iter().filter(falls).count() as f64 / curve.force_n.len() as f64;
+        if share > 0.0 {
+            let seconds = share * TAU / speed;
+            notes.push(Note::FreeFall {
+                share: Quantity::share(share),
+                duration: Quantity::time(seconds),
+                lift: Quantity::length(weight / mass * seconds * seconds / 8.0),
+            });
         }
-        let hardest = curve
-            .force_n
-            .iter()
-            .fold(0.0_f64, |x, f| x.max((f - mean).abs()))
-            / mass;
+        let apart = curve.force_n.iter().map(|f| (f - mean).abs());
+        let hardest = apart.fold(0.0, f64::max) / mass;
         let period = TAU / speed;
         let largest_stroke = hardest * period * period / 16.0;
-        let stroke = self.limits.stroke.filter(|h| *h > largest_stroke);
-        remarks.push(format!(
-            "The wanted force accelerates the mass by up to {hardest:.3} m/s², so the stroke is at most {:.1} mm (16 h/T² ≤ max|a|){}.",
-            1e3 * largest_stroke,
-            if stroke.is_some() { "; the stroke limit cannot bind" } else { "" }
-        ));
-        remarks
+        notes.push(Note::LargestStroke {
+            acceleration: Quantity::new(hardest, Dimension::Acceleration),
+            stroke: Quantity::length(largest_stroke),
+            idle: self.limits.stroke.is_some_and(|h| h > largest_stroke),
+        });
+        notes
     }
 }

@@ -1,12 +1,15 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
 use super::qp::Certificate;
+use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
+use crate::problem::Note;
+use crate::wording::Language;
 
 /// Everything known about a finished design.
 #[derive(Debug, Clone)]
@@ -50,8 +53,8 @@ pub struct Synthesis {
     pub together: Vec<Relaxation>,
     /// The class of the cam.
     pub verdict: Verdict,
-    /// One sentence on the verdict, for a student.
-    pub reason: String,
+    /// Why, the main reason first.
+    pub reasons: Vec<Reason>,
     /// Every limit held against the design.
     pub checks: Vec<Check>,
     /// Limits that shape the law, with what they cost.
@@ -60,8 +63,8 @@ pub struct Synthesis {
     pub easing: Vec<Easing>,
     /// How it was solved.
     pub solver: SolverReport,
-    /// Remarks on the problem found before and during solving, in words.
-    pub remarks: Vec<String>,
+    /// What to know beside the verdict.
+    pub notes: Vec<Note>,
 }
 
 /// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
@@ -80,7 +83,25 @@ pub struct End {
     pub plain_miss: Option<Miss>,
 }
 
+impl Infeasible {
+    /// Conflict and cure in English.
+    pub fn words(&self) -> String {
+        sentences(&self.reasons, Language::En)
+    }
+}
+
 impl Synthesis {
+    /// The reasons for the verdict in English.
+    pub fn reason(&self) -> String {
+        sentences(&self.reasons, Language::En)
+    }
+
+    /// The notes in English.
+    pub fn remarks(&self) -> Vec<String> {
+        let said = |note: &Note| note.sentence(Language::En);
+        self.notes.iter().map(said).collect()
+    }
+
     /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
         let d = &self.drive;
@@ -237,8 +258,8 @@ pub struct Infeasible {
     pub conflict: Vec<String>,
     /// For each of them: the smallest change that makes the rest possible.
     pub relaxations: Vec<Relaxation>,
-    /// The whole in one sentence.
-    pub words: String,
+    /// The same as reasons, with what would help.
+    pub reasons: Vec<Reason>,
 }
 
 /// The smallest change of one limit that lets the others hold.

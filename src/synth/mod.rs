@@ -65,6 +65,7 @@ mod pareto;
 mod phase;
 mod polydyne;
 pub mod qp;
+mod reason;
 mod scp;
 mod sizing;
 mod verdict;
@@ -76,11 +77,12 @@ pub use design::{
 pub use infeasible::{in_units, relaxed};
 pub use pareto::{Against, Trade, trade};
 pub use qp::Certificate;
+pub use reason::{Change, Reason};
 
 use crate::cam::{Cam, Check, Verdict};
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
-use crate::problem::Problem;
+use crate::problem::{Note, Problem};
 use crate::scene::{Family, Scene};
 use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 
@@ -159,7 +161,7 @@ fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<
             Ok(shape)
         }
         Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Stuck(_)) => Err(Error::key("law", why.words.clone())),
+        Err(NoLaw::Stuck(_)) => Err(Error::key("law", why.words())),
     }
 }
 
@@ -178,12 +180,12 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         let too_large = checks.iter().any(too_large);
         infeasible::bore_against_size(&problem).filter(|_| too_large)
     });
-    let (mut verdict, mut reason) = verdict::verdict(&problem, &cam, &checks, &force);
+    let (mut verdict, mut reasons) = verdict::verdict(&problem, &cam, &checks, &force);
     if let Some(infeasible) = &infeasible {
         verdict = Verdict::Unacceptable;
-        reason = infeasible.words.clone();
+        reasons = infeasible.reasons.clone();
     }
-    let remarks = remarks(&problem, &found, &cam, end.as_ref());
+    let notes = notes(&problem, &found, &cam, end.as_ref());
     Ok(Synthesis {
         name: problem.name,
         phase: problem.phase,
@@ -204,18 +206,18 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         relaxations: Vec::new(),
         together: Vec::new(),
         verdict,
-        reason,
+        reasons,
         checks,
         binding: found.binding,
         easing: found.easing,
         solver: found.solver,
-        remarks,
+        notes,
     })
 }
 
 /// What a user should know of problem, law and size.
-fn remarks(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Vec<String> {
-    let mut out = problem.remarks();
+fn notes(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Vec<Note> {
+    let mut out = problem.notes();
     out.extend(families::stopped_at_noise(problem, found.family));
     out.extend(sizing::chosen_size(problem, cam));
     let splines = if found.family == Family::Spline {
@@ -223,6 +225,6 @@ fn remarks(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Ve
     } else {
         usize::MAX
     };
-    out.extend(end.map(|e| e.remark(problem.drive.speed, splines)));
+    out.extend(end.map_or_else(Vec::new, |e| e.notes(problem.drive.speed, splines)));
     out
 }

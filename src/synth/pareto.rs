@@ -168,7 +168,7 @@ pub fn trade(
     }
     let free = designed(open.clone())?;
     if let Some(why) = &free.infeasible {
-        return Err(Error::key("limits", why.words.clone()));
+        return Err(Error::key("limits", why.words()));
     }
     let most = against.of(&free) * INSIDE;
     // Demands may keep even the unlimited law farther away than that.

@@ -10,8 +10,9 @@ use crate::dynamics::polydyne::{end_error, polydyne};
 use crate::dynamics::train::Train;
 use crate::error::{Place, Result};
 use crate::law::Law;
-use crate::problem::Problem;
+use crate::problem::{Note, Problem};
 use crate::scene::Limits;
+use crate::units::{Dimension, Quantity};
 
 /// Times that the end's limits are moved so that the cam keeps its own.
 const ROUNDS: usize = 12;
@@ -159,20 +160,19 @@ fn known(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
 }
 
 impl End {
-    /// The design in words.
-    pub fn remark(&self, speed: f64, degree: usize) -> String {
-        let mut out = format!(
-            "The cam is polydyne: at {speed:.4} rad/s the end of a follower of stiffness {:.6e} N/m moves as the law asks. \
-             Lift, velocity, acceleration, jerk and the limits on them are the cam's; the force is the end's.",
-            self.stiffness
-        );
+    /// What to know of the design: its speed and stiffness, and what it misses.
+    pub fn notes(&self, speed: f64, degree: usize) -> Vec<Note> {
+        let mut out = vec![Note::Polydyne {
+            speed: Quantity::new(speed, Dimension::AngularSpeed),
+            stiffness: Quantity::new(self.stiffness, Dimension::SpringRate),
+        }];
         if let (Some(own), Some(plain)) = (self.miss, self.plain_miss) {
-            out.push_str(&format!(
-                " Run flexibly, this cam misses that force by {:.3e} N RMS; one cut to the law itself would miss it by {:.3e} N.",
-                own.force_rms, plain.force_rms
-            ));
+            out.push(Note::PolydyneMiss {
+                own: Quantity::force(own.force_rms),
+                plain: Quantity::force(plain.force_rms),
+            });
             if own.force_rms > WORTH_A_DEGREE * plain.force_rms && degree < MOST_DEGREE {
-                out.push_str(" A higher law.degree takes in more of the follower's damping.");
+                out.push(Note::PolydyneDegree);
             }
         }
         out

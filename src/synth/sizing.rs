@@ -7,7 +7,8 @@ use crate::cam::{
 };
 use crate::error::{Error, Place, Result};
 use crate::law::Law;
-use crate::problem::{Problem, Size, USUAL_PRESSURE_ANGLE};
+use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
+use crate::units::Quantity;
 
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
@@ -149,17 +150,14 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
-/// What the scene left open about the size and was settled by habit, in words.
-pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<String> {
+/// What was left open about the size and is settled by habit.
+pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;
     }
     if cam.follower.base_radius() <= 0.0 && matches!(cam.follower, Follower::FlatTranslating { .. })
     {
-        return Some(
-            "The smallest base circle has no radius, so the profile passes through the shaft's axis: cam.bore or cam.base_radius gives it room."
-                .to_string(),
-        );
+        return Some(Note::NoBaseCircle);
     }
     let limits = &problem.limits;
     let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
@@ -172,9 +170,8 @@ pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<String> {
     }
     let (low, high) = cam.pressure_angle_extremes();
     let steepest = high.value.max(-low.value);
-    (steepest > USUAL_PRESSURE_ANGLE * (1.0 - 1e-6)).then(|| {
-        "Nothing limits the pressure angle, so the size keeps it to 30°, the usual rule: limits.pressure_angle sets another."
-            .to_string()
+    (steepest > USUAL_PRESSURE_ANGLE * (1.0 - 1e-6)).then(|| Note::UsualPressureAngle {
+        angle: Quantity::angle(USUAL_PRESSURE_ANGLE),
     })
 }
 

@@ -1,77 +1,66 @@
-//! The class of a finished cam and the reason for it.
+//! The class of a finished cam and the reasons for it.
 
 use super::design::ForceReport;
-use super::infeasible::in_units;
 use super::limits::GEOMETRY;
+use super::reason::{Reason, place, quantity};
+use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Follower, Verdict};
 use crate::drive::DriveKind;
 use crate::problem::Problem;
+use crate::units::{Dimension, Quantity};
 
 /// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
 const JUMP: f64 = 1e-7;
 /// A derivative that varies by less, m/radᵏ, is that of a law at rest.
 const STILL: f64 = 1e-9;
+/// … or by less than this part of the cam's size.
+const HARDLY_MOVES: f64 = 1e-6;
 
-/// The class of the cam and one sentence on it, for a student.
+/// The class of the cam and the reasons for it, the main one first.
 pub fn verdict(
     problem: &Problem,
     cam: &Cam,
     checks: &[Check],
     force: &ForceReport,
-) -> (Verdict, String) {
-    let range = |order: usize| {
-        let (low, high) = cam.law.extremes(order);
-        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
-        (high.value - low.value)
-            .max(1e-6 * cam.follower.prime_radius())
-            .max(STILL)
+) -> (Verdict, Vec<Reason>) {
+    let jump = |order: usize| {
+        let at = place(cam.follower.measures(), first_jump(cam, order)?);
+        Some(match order {
+            0 => Reason::LiftJumps { at },
+            1 => Reason::VelocityJumps { at },
+            _ => Reason::AccelerationJumps { at },
+        })
     };
-    let ranges = [range(0), range(1), range(2)];
-    let measures = cam.follower.measures();
-    for joint in cam.law.joints() {
-        for (order, jump, what) in [(0, joint.jump.s, "lift"), (1, joint.jump.v, "velocity")] {
-            if jump.abs() > JUMP * ranges[order] {
-                let at = measures.place(joint.at, 2);
-                return (
-                    Verdict::Unacceptable,
-                    format!(
-                        "The {what} jumps at {at}: the follower would have to be in two states at once, so no machine can follow."
-                    ),
-                );
-            }
-        }
+    if let Some(reason) = jump(0).or_else(|| jump(1)) {
+        return (Verdict::Unacceptable, vec![reason]);
     }
     if let Some(failed) = checks.iter().find(|c| !c.pass) {
-        return (Verdict::Unacceptable, failed_words(problem, cam, failed));
+        return (Verdict::Unacceptable, broken(problem, cam, failed));
     }
-    let jumps = cam
-        .law
-        .joints()
-        .into_iter()
-        .find(|j| j.jump.a.abs() > JUMP * ranges[2]);
-    if let Some(joint) = jumps {
-        return (
-            Verdict::NotForHighSpeed,
-            format!(
-                "Every limit holds, but the acceleration jumps at {}: the force jumps with it and shakes a fast machine.",
-                measures.place(joint.at, 2)
-            ),
-        );
+    let slow = jump(2)
+        .or_else(|| lifts_off(problem, cam, force))
+        .or_else(|| cusp(problem, cam, checks));
+    match slow {
+        Some(reason) => (Verdict::NotForHighSpeed, vec![reason]),
+        None => (Verdict::Acceptable, vec![Reason::AllHold]),
     }
-    if let Some(words) =
-        lifts_off(problem, cam, force).or_else(|| comes_to_a_point(problem, cam, checks))
-    {
-        return (Verdict::NotForHighSpeed, words);
-    }
-    (
-        Verdict::Acceptable,
-        "Every limit holds, and lift, velocity and acceleration are continuous all around."
-            .to_string(),
-    )
+}
+
+/// Where a derivative first jumps by more than rounding.
+fn first_jump(cam: &Cam, order: usize) -> Option<f64> {
+    let (low, high) = cam.law.extremes(order);
+    // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
+    let range = (high.value - low.value)
+        .max(HARDLY_MOVES * cam.follower.prime_radius())
+        .max(STILL);
+    let joints = cam.law.joints().into_iter();
+    let jump = joints.map(|j| (j.at, [j.jump.s, j.jump.v, j.jump.a][order]));
+    let mut large = jump.filter(|(_, size)| size.abs() > JUMP * range);
+    large.next().map(|(at, _)| at)
 }
 
 /// A moved axis is held down by its weight alone: the cam cannot pull it (theory §1).
-fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport) -> Option<String> {
+fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport) -> Option<Reason> {
     let drive = &problem.drive;
     let slack = 1e-9 * force.max_n.abs().max(drive.rest_force.abs());
     if drive.kind != DriveKind::MovingAxis || force.min_n >= -slack {
@@ -80,15 +69,15 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport) -> Option<String
     let low = drive.force_curve(&cam.law).extremes().0;
     // F = M(g + ω²a): it vanishes where ω² = g/(−a).
     let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.value)).sqrt();
-    Some(format!(
-        "Every limit holds, but at {:.2}° the cam would have to pull with {:.3} N: above {fastest:.3} rad/s the follower lifts off. limits.force_min = \"0 N\" keeps it down.",
-        low.at.to_degrees(),
-        -low.value
-    ))
+    Some(Reason::LiftsOff {
+        at: Quantity::angle(low.at),
+        pull: Quantity::force(-low.value),
+        speed: Quantity::new(fastest, Dimension::AngularSpeed),
+    })
 }
 
 /// A profile without a limit on its curvature may end in an edge.
-fn comes_to_a_point(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<String> {
+fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let convex = checks.iter().find(|c| c.name == "curvature")?;
     let prime = cam.follower.prime_radius();
     let sharp = convex.worst.abs() <= GEOMETRY * prime;
@@ -97,87 +86,84 @@ fn comes_to_a_point(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<St
         cam.follower,
         Follower::Barrel { .. } | Follower::TranslatingCam { .. }
     );
-    (sharp && !round && turns && prime > 0.0).then(|| {
-        format!(
-            "Every limit holds, but the profile comes to a point at {:.2}°, an edge that wears at once: limits.curvature asks for a radius.",
-            convex.at.to_degrees()
-        )
+    (sharp && !round && turns && prime > 0.0).then(|| Reason::Cusp {
+        at: Quantity::angle(convex.at),
     })
 }
 
-/// The size that would mend a radius that is too small, in words.
-fn larger(problem: &Problem, cam: &Cam) -> String {
+/// What would mend a radius that is too small.
+fn larger(problem: &Problem, cam: &Cam) -> Reason {
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
-        return "Lengthen the travel, or use a smaller roller.".to_string();
+        return Reason::LengthenTravel;
     }
-    match super::sizing::smallest_without_undercut(problem, cam) {
-        Some(base) if base > cam.follower.base_radius() => format!(
-            "A base radius of {:.3} mm is the smallest that works here.",
-            1e3 * base
-        ),
-        _ => "Enlarge the base circle, or use a smaller roller.".to_string(),
+    match smallest_without_undercut(problem, cam) {
+        Some(base) if base > cam.follower.base_radius() => Reason::BaseRadiusWorks {
+            radius: Quantity::length(base),
+        },
+        _ => Reason::EnlargeBaseCircle,
     }
 }
 
-fn failed_words(problem: &Problem, cam: &Cam, check: &Check) -> String {
+/// A check that failed, and its cure where one is known.
+fn broken(problem: &Problem, cam: &Cam, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
-    let at = measures.place(check.at, 1);
-    let (worst, limit) = (check.worst, check.limit);
-    match check.name.as_str() {
-        "curvature" if worst < 0.0 => format!(
-            "The profile is undercut at {at}: its convex radius would be {:.3} mm. {}",
-            1e3 * worst,
-            larger(problem, cam)
-        ),
-        "curvature" => format!(
-            "The profile is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. {}",
-            1e3 * worst,
-            1e3 * limit,
-            larger(problem, cam)
-        ),
-        "second_curvature" => format!(
-            "The second cam of the pair is sharper at {at} ({:.3} mm) than the {:.3} mm allowed. Move its follower farther out.",
-            1e3 * worst,
-            1e3 * limit
-        ),
-        "interference" | "second_interference" => format!(
-            "At {at} the follower reaches {:.3} mm into another part of the cam than the one it touches. Use a smaller roller, or enlarge the base circle.",
-            1e3 * worst
-        ),
-        "upper_wall" | "lower_wall" => format!(
-            "A wall of the groove bulges with {:.3} mm at {at}, sharper than the {:.3} mm allowed. Use a smaller roller, or a larger barrel.",
-            1e3 * worst,
-            1e3 * limit
-        ),
-        "concave" => format!(
-            "The roller of {:.3} mm does not fit the hollow of {:.3} mm at {at}. Use a smaller roller.",
-            1e3 * limit,
-            1e3 * worst
-        ),
-        "pressure_angle_rise" | "pressure_angle_fall" => format!(
-            "The pressure angle reaches {:.2}° at {at}, more than the {:.2}° allowed: the follower would jam in its guide. Enlarge the prime circle.",
-            worst.to_degrees(),
-            limit.to_degrees()
-        ),
-        "rms_error" => format!(
-            "The force misses the target by {worst:.4} N RMS, more than the {limit:.4} N asked for. Relax the limits that bind, or allow more spans."
-        ),
-        "base_circle" => format!(
-            "The law dips {} below its base circle at {at}.",
-            in_units(measures, "base_circle", -worst)
-        ),
-        "prime_radius" => format!(
-            "The cam needs a prime radius of {:.3} mm, more than the {:.3} mm allowed. Allow a larger pressure angle or more force error.",
-            1e3 * worst,
-            1e3 * limit
-        ),
-        "band" => format!(
-            "The force leaves the band by {worst:.4} N at {at}. Widen the band, or allow more spans."
-        ),
-        name => format!(
-            "The limit \"{name}\" is broken at {at}: {} against {}.",
-            in_units(measures, name, worst),
-            in_units(measures, name, limit)
-        ),
-    }
+    let at = place(measures, check.at);
+    let value = quantity(measures, &check.name, check.worst);
+    let allowed = quantity(measures, &check.name, check.limit);
+    let reason = match check.name.as_str() {
+        "curvature" => {
+            let radius = value;
+            let reason = if check.worst < 0.0 {
+                Reason::Undercut { at, radius }
+            } else {
+                Reason::TooSharp {
+                    at,
+                    radius,
+                    allowed,
+                }
+            };
+            return vec![reason, larger(problem, cam)];
+        }
+        "second_curvature" => Reason::SecondTooSharp {
+            at,
+            radius: value,
+            allowed,
+        },
+        "interference" | "second_interference" => Reason::Interference { at, depth: value },
+        "upper_wall" | "lower_wall" => Reason::SharpWall {
+            at,
+            radius: value,
+            allowed,
+        },
+        "concave" => Reason::RollerTooLarge {
+            at,
+            roller: allowed,
+            hollow: value,
+        },
+        "pressure_angle_rise" | "pressure_angle_fall" => Reason::PressureAngle {
+            at,
+            angle: value,
+            allowed,
+        },
+        "rms_error" => Reason::ForceError {
+            error: value,
+            allowed,
+        },
+        "base_circle" => Reason::BelowBaseCircle {
+            at,
+            depth: quantity(measures, &check.name, -check.worst),
+        },
+        "prime_radius" => Reason::PrimeRadius {
+            needed: value,
+            allowed,
+        },
+        "band" => Reason::OutsideBand { at, excess: value },
+        name => Reason::LimitBroken {
+            limit: name.to_string(),
+            at,
+            value,
+            allowed,
+        },
+    };
+    vec![reason]
 }

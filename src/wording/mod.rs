@@ -74,6 +74,8 @@ const ENGLISH: &[&str] = &[
     include_str!("en/units.ftl"),
     include_str!("en/force.ftl"),
     include_str!("en/read.ftl"),
+    include_str!("en/synth.ftl"),
+    include_str!("en/infeasible.ftl"),
 ];
 
 /// The library's messages in a language.

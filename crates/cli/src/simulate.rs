@@ -70,11 +70,11 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(infeasible) = &design.infeasible {
-        eprintln!("gaitcam: there is no cam to run: {}", infeasible.words);
+        eprintln!("gaitcam: there is no cam to run: {}", infeasible.words());
         return Ok(NO_SUCH_CAM);
     }
     if design.cam.follower.is_flat() && design.cam.curvature().undercut {
-        eprintln!("gaitcam: there is no cam to run: {}", design.reason);
+        eprintln!("gaitcam: there is no cam to run: {}", design.reason());
         return Ok(NO_SUCH_CAM);
     }
     let mut machine = machine(args, &input.scene, &design.drive)?;

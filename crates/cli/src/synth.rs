@@ -198,7 +198,7 @@ fn unsigned_zero(newtons: f64) -> f64 {
 fn words(design: &Synthesis, time: Timing) -> String {
     let mut out = vec![
         format!("{}: {}", design.name, design.verdict.name()),
-        format!("  {}", design.reason),
+        format!("  {}", design.reason()),
     ];
     let measures = design.cam.follower.measures();
     let mm = |x: f64| format!("{:.3} mm", 1e3 * x);
@@ -264,7 +264,7 @@ fn words(design: &Synthesis, time: Timing) -> String {
             factor * easing.before
         ));
     }
-    for remark in &design.remarks {
+    for remark in design.remarks() {
         out.push(format!("  note      {remark}"));
     }
     out.push(format!(

@@ -2,12 +2,13 @@
 
 use super::spline_program::{force_distance, unlimited_program};
 use super::{Found, NoLaw, Stuck, gathered, report};
-use crate::problem::{Problem, Size};
+use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
 use crate::synth::{easing, limits, qp, scp};
+use crate::units::Quantity;
 
 /// Spans tried before "auto" gives up.
 const MOST_AUTO_SPANS: usize = 400;
@@ -268,8 +269,8 @@ fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
     out
 }
 
-/// Says so where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).
-pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<String> {
+/// Where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).
+pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
     let auto = match problem.law.family {
         Family::Spline => problem.law.spans.is_none(),
         asked => asked == Family::Ladder,
@@ -282,10 +283,10 @@ pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<String> {
     let noise = problem
         .error_at_noise()
         .filter(|_| auto && problem.objective() == Minimise::ForceError)?;
-    Some(format!(
-        "The {size} stop at an error of {noise:.1} N RMS, a fifth of the walker's step-to-step spread: \
-         more would follow its noise. accuracy.rms asks for another."
-    ))
+    Some(Note::Noise {
+        size,
+        error: Quantity::force(noise),
+    })
 }
 
 /// The law stands on the base circle at an angle.

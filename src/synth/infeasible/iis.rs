@@ -1,13 +1,14 @@
 //! An irreducible infeasible set of a program: limits that cannot hold together, any of which could be
 //! dropped to let the others hold.
 
-use super::words::{cured, sentence};
+use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::Measures;
 use crate::problem::{Problem, Size};
 use crate::synth::design::{Infeasible, Relaxation};
 use crate::synth::families::Stuck;
 use crate::synth::limits::{Loads, NonconvexLimits};
 use crate::synth::qp::{EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
+use crate::synth::reason::Reason;
 use crate::synth::scp;
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
@@ -15,53 +16,54 @@ const MOST_DEMANDS: usize = 64;
 
 /// Explains a program without solution.
 pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
-    let without_set = |conflict: Vec<String>, words: String| Infeasible {
+    let because = |reason: Reason, conflict: Vec<String>| Infeasible {
         conflict,
         relaxations: Vec::new(),
-        words,
+        reasons: vec![reason],
     };
     match &stuck.failure {
-        Failure::Equalities(names) => without_set(
-            names.clone(),
-            format!(
-                "The demands contradict each other: {} cannot hold beside the others.",
-                names.join(", ")
-            ),
-        ),
-        Failure::Solver(word) => without_set(
-            Vec::new(),
-            format!(
-                "The solver stopped without an answer ({word}); the limits are close to leaving nothing."
-            ),
-        ),
+        Failure::Equalities(names) => {
+            let demands = names.clone();
+            because(Reason::DemandsContradict { demands }, names.clone())
+        }
+        Failure::Solver(word) => {
+            let word = word.to_string();
+            because(Reason::SolverStopped { word }, Vec::new())
+        }
         Failure::Infeasible => {
             let limits = conflicting_limits(stuck);
             if limits.is_empty() {
                 let demands = conflicting_demands(&stuck.program);
-                let words = format!(
-                    "No law on or above the base circle meets these demands together: {}.",
-                    demands.join(", ")
-                );
-                return without_set(demands, words);
+                let reason = Reason::DemandsInfeasible {
+                    demands: demands.clone(),
+                };
+                return because(reason, demands);
             }
             let relaxations = limits
                 .iter()
                 .filter(|_| stuck.nonconvex.is_none())
                 .filter_map(|name| elastic(&stuck.program, name))
                 .collect();
-            told(&limits, relaxations, problem.cam.measures())
+            in_conflict(&limits, relaxations, problem.cam.measures())
         }
     }
 }
 
-/// Limits in conflict, in words.
-fn told(kept: &[&'static str], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
+/// Limits in conflict with what would help.
+fn in_conflict(
+    kept: &[&'static str],
+    relaxations: Vec<Relaxation>,
+    measures: Measures,
+) -> Infeasible {
     let conflict: Vec<String> = kept.iter().map(|n| (*n).to_string()).collect();
-    let words = format!("{} {}", sentence(&conflict), cured(&relaxations, measures));
+    let reasons = vec![
+        conflicting(&conflict),
+        smallest_relaxations(&relaxations, measures),
+    ];
     Infeasible {
         conflict,
         relaxations,
-        words,
+        reasons,
     }
 }
 
@@ -169,7 +171,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
             to: Some(least),
         },
     ];
-    Some(told(
+    Some(in_conflict(
         &["bore", "prime_radius"],
         relaxations,
         problem.cam.measures(),

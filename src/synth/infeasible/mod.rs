@@ -5,10 +5,10 @@
 //! nothing, and is reported as what it is.
 
 mod iis;
+mod reasons;
 mod relaxable;
 mod relaxation;
-mod words;
 
 pub use iis::{bore_against_size, explain};
+pub use reasons::in_units;
 pub use relaxation::relaxed;
-pub use words::in_units;

@@ -5,16 +5,18 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
+use super::reasons::smallest_relaxations;
 use super::relaxable::{
     AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, PressureAngle, RELAXABLE, Relaxable, Rise,
     STEEPEST,
 };
-use super::words::{cured, sentence};
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::design::{Binding, Infeasible, Relaxation, Synthesis, Tier};
+use crate::synth::design::{Binding, Relaxation, Synthesis, Tier};
+use crate::synth::reason::Reason;
+use crate::units::Quantity;
 
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;
@@ -88,21 +90,16 @@ fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
         None
     };
     let cure = match &together {
-        None => cured(&found, problem.cam.measures()),
-        Some((part, _)) => format!(
-            "No single one of them can be relaxed far enough; all of them together by {:.1} %.",
-            100.0 * part
-        ),
+        None => smallest_relaxations(&found, problem.cam.measures()),
+        Some((part, _)) => Reason::AllTogether {
+            share: Quantity::share(*part),
+        },
     };
     match &mut design.infeasible {
-        Some(Infeasible {
-            conflict,
-            relaxations,
-            words,
-        }) => {
+        Some(infeasible) => {
             // What is in the conflict and helps no more is told as such.
             let helpless = known.iter().filter(|k| {
-                !found.iter().any(|f| f.limit == k.limit) && conflict.contains(&k.limit)
+                !found.iter().any(|f| f.limit == k.limit) && infeasible.conflict.contains(&k.limit)
             });
             let helpless: Vec<Relaxation> = helpless
                 .map(|k| Relaxation {
@@ -110,11 +107,12 @@ fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
                     ..k.clone()
                 })
                 .collect();
-            *words = format!("{} {cure}", sentence(conflict));
-            *relaxations = [found.clone(), helpless].concat();
-            design.reason.clone_from(words);
+            infeasible.reasons.truncate(1);
+            infeasible.reasons.push(cure);
+            infeasible.relaxations = [found.clone(), helpless].concat();
+            design.reasons.clone_from(&infeasible.reasons);
         }
-        None => design.reason = format!("{} {cure}", design.reason),
+        None => design.reasons.push(cure),
     }
     design.relaxations = found;
     design.together = together.map_or_else(Vec::new, |(_, all)| all);

@@ -66,7 +66,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     if let Some(infeasible) = &design.infeasible {
         eprintln!(
             "gaitcam: there is no design to scatter: {}",
-            infeasible.words
+            infeasible.words()
         );
         return Ok(NO_SUCH_CAM);
     }

@@ -1,10 +1,10 @@
 //! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
 
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::Timing;
-use gaitcam::synth::{End, ForceReport, Infeasible, Relaxation, Synthesis};
+use gaitcam::synth::{End, ForceReport, Infeasible, Reason, Relaxation, Synthesis};
 
 /// The summary of a design.
 ///
@@ -15,12 +15,26 @@ pub fn summary(synthesis: &Synthesis, time: Timing) -> Value {
     serde_json::to_value(Summary::new(synthesis, time)).unwrap_or(Value::Null)
 }
 
+/// A reason as its code with its data.
+fn coded(reason: &Reason) -> Value {
+    let mut out = match serde_json::to_value(reason) {
+        Ok(Value::Object(variant)) => match variant.into_iter().next() {
+            Some((_, Value::Object(fields))) => fields,
+            _ => Map::new(),
+        },
+        _ => Map::new(),
+    };
+    out.insert("code".to_string(), reason.code().into());
+    Value::Object(out)
+}
+
 #[derive(Serialize)]
 struct Summary<'a> {
     name: &'a str,
     outcome: &'static str,
     verdict: &'static str,
-    reason: &'a str,
+    reason: String,
+    reasons: Vec<Value>,
     force: Force,
     drive: DriveSummary,
     law: LawSummary<'a>,
@@ -34,7 +48,7 @@ struct Summary<'a> {
     relaxations: Vec<RelaxationSummary<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     relaxed_together: Vec<RelaxationSummary<'a>>,
-    remarks: &'a [String],
+    remarks: Vec<String>,
     solver: Solver<'a>,
     time: Total,
 }
@@ -156,7 +170,7 @@ struct CertificateSummary {
 struct InfeasibleSummary<'a> {
     conflict: &'a [String],
     relaxations: Vec<RelaxationSummary<'a>>,
-    words: &'a str,
+    words: String,
 }
 
 #[derive(Serialize)]
@@ -192,7 +206,8 @@ impl<'a> Summary<'a> {
                 "built"
             },
             verdict: synthesis.verdict.name(),
-            reason: &synthesis.reason,
+            reason: synthesis.reason(),
+            reasons: synthesis.reasons.iter().map(coded).collect(),
             force: Force::new(&synthesis.force),
             drive: DriveSummary {
                 kind: synthesis.drive.kind.name(),
@@ -244,7 +259,7 @@ impl<'a> Summary<'a> {
                 .iter()
                 .map(RelaxationSummary::new)
                 .collect(),
-            remarks: &synthesis.remarks,
+            remarks: synthesis.remarks(),
             solver: Solver {
                 tier: solver.tier.name(),
                 status: &solver.status,
@@ -339,7 +354,7 @@ impl<'a> InfeasibleSummary<'a> {
                 .iter()
                 .map(RelaxationSummary::new)
                 .collect(),
-            words: &answer.words,
+            words: answer.words(),
         }
     }
 }

@@ -61,7 +61,7 @@ fn cam_sheet(sheet: &mut Worksheet, synthesis: &Synthesis) -> std::result::Resul
     sheet.write(
         2,
         0,
-        format!("{}: {}", synthesis.verdict.name(), synthesis.reason),
+        format!("{}: {}", synthesis.verdict.name(), synthesis.reason()),
     )?;
     sheet.write(
         3,

@@ -100,15 +100,15 @@ fn headline(out: &mut String, synthesis: &Synthesis) {
         (None, Verdict::Unacceptable) => ("bad", "Unacceptable"),
     };
     let reason = match &synthesis.infeasible {
-        Some(answer) => &answer.words,
-        None => &synthesis.reason,
+        Some(answer) => answer.words(),
+        None => synthesis.reason(),
     };
     let _ = writeln!(
         out,
         "<header><div class=\"light {light}\"></div><div><h1>{}</h1>\n\
          <p><span class=\"verdict {light}\">{verdict}.</span> {}</p></div></header>",
         escaped(&synthesis.name),
-        escaped(reason)
+        escaped(&reason)
     );
 }
 

@@ -295,10 +295,10 @@ pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
             c.relative_gap, c.stationarity, c.violation
         );
     }
-    if !synthesis.remarks.is_empty() {
+    if !synthesis.notes.is_empty() {
         out.push_str("<h3>Remarks</h3>\n<ul>\n");
-        for remark in &synthesis.remarks {
-            let _ = writeln!(out, "<li>{}</li>", escaped(remark));
+        for remark in synthesis.remarks() {
+            let _ = writeln!(out, "<li>{}</li>", escaped(&remark));
         }
         out.push_str("</ul>\n");
     }

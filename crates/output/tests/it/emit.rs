@@ -133,6 +133,7 @@ fn summary_json_has_every_key_of_the_contract() {
     // What is said beyond the contract.
     let always = [
         ".reason",
+        ".reasons",
         ".easing",
         ".remarks",
         ".law.phase_rad",

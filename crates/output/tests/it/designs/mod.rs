@@ -5,8 +5,11 @@ use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
-use gaitcam::synth::{Binding, ForceReport, Infeasible, Relaxation, SolverReport, Synthesis, Tier};
-use gaitcam::units::{G, LBF};
+use gaitcam::problem::Note;
+use gaitcam::synth::{
+    Binding, ForceReport, Infeasible, Reason, Relaxation, SolverReport, Synthesis, Tier,
+};
+use gaitcam::units::{G, LBF, Quantity};
 
 const TAU: f64 = std::f64::consts::TAU;
 const INCH: f64 = 0.0254;
@@ -93,7 +96,7 @@ pub fn footbridge() -> Synthesis {
         easing: Vec::new(),
         phase: 0.0,
         band: None,
-        reason: "Lift, velocity and acceleration are continuous and every limit holds.".into(),
+        reasons: vec![Reason::AllHold],
         checks: vec![
             Check::at_most(
                 "stroke",
@@ -113,9 +116,13 @@ pub fn footbridge() -> Synthesis {
             at: sharpest.at,
         }],
         solver: spectral(),
-        remarks: vec![
-            "mean(F) = M g, so the mass is 71.36 kg".into(),
-            "the stroke bound 16h/T² is respected with room to spare".into(),
+        notes: vec![
+            Note::Said {
+                text: "mean(F) = M g, so the mass is 71.36 kg".into(),
+            },
+            Note::Said {
+                text: "the stroke bound 16h/T² is respected with room to spare".into(),
+            },
         ],
         cam,
     }
@@ -196,7 +203,9 @@ pub fn heel_tester() -> Synthesis {
         easing: Vec::new(),
         phase: 0.0,
         band: None,
-        reason: "Every limit holds, but the jerk jumps where the dwell begins.".into(),
+        reasons: vec![Reason::AccelerationJumps {
+            at: Quantity::angle(0.0),
+        }],
         checks: vec![
             Check::at_most("pressure_angle_rise", phi_high, limit, 1e-9),
             Check::at_most("pressure_angle_fall", falling, limit, 1e-9),
@@ -212,7 +221,7 @@ pub fn heel_tester() -> Synthesis {
             steps: Vec::new(),
             ended: "",
         },
-        remarks: Vec::new(),
+        notes: Vec::new(),
         cam,
     }
 }
@@ -236,8 +245,9 @@ pub fn impossible() -> Synthesis {
                 to: None,
             },
         ],
-        words: "A stroke of 30 mm cannot give this force at 1.85 Hz: the closure asks for 48.3 mm."
-            .into(),
+        reasons: vec![Reason::LimitInfeasible {
+            limit: "stroke".into(),
+        }],
     });
     s.verdict = Verdict::Unacceptable;
     s.checks[0].limit = 0.03;

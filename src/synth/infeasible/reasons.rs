@@ -1,0 +1,54 @@
+//! Conflicts and relaxations as reasons, and values of limits in the units people use.
+
+use crate::cam::Measures;
+use crate::synth::design::Relaxation;
+use crate::synth::reason::{Change, Reason, quantity, spoken};
+
+/// Which limits cannot hold together.
+pub fn conflicting(conflict: &[String]) -> Reason {
+    let mut limits: Vec<String> = conflict.iter().map(|n| spoken(n)).collect();
+    match limits.pop() {
+        Some(limit) if limits.is_empty() => Reason::LimitInfeasible { limit },
+        Some(last) => {
+            limits.push(last);
+            Reason::LimitsInfeasible { limits }
+        }
+        None => Reason::DemandsInfeasible { demands: limits },
+    }
+}
+
+/// What would help.
+pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> Reason {
+    let changes: Vec<Change> = relaxations
+        .iter()
+        .filter_map(|r| {
+            Some(Change::Change {
+                limit: spoken(&r.limit),
+                from: quantity(measures, &r.limit, r.from),
+                to: quantity(measures, &r.limit, r.to?),
+            })
+        })
+        .collect();
+    match changes.len() {
+        0 => Reason::NoRelaxation,
+        1 => Reason::Relaxation { changes },
+        _ => Reason::Relaxations { changes },
+    }
+}
+
+/// A limit's value in the units people use for it on a cam of these measures.
+pub fn in_units(measures: Measures, limit: &str, value: f64) -> String {
+    let unit = measures.limit(limit);
+    let value = unit.factor * value;
+    if value.is_infinite() {
+        return "∞".to_string();
+    }
+    // Six places hide what is smaller.
+    unit.after(&if unit.name == "°" {
+        format!("{value:.4}")
+    } else if value != 0.0 && value.abs() < 1e-4 {
+        format!("{value:.4e}")
+    } else {
+        format!("{value:.6}")
+    })
+}

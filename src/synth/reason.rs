@@ -1,0 +1,172 @@
+//! Why a design has its verdict, and what would help: data, whose sentences stand in `wording/en/synth.ftl`.
+
+use serde::Serialize;
+
+use crate::cam::Measures;
+use crate::units::{Dimension, Quantity};
+use crate::wording::{self, Language};
+
+/// One reason for a verdict.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named as in the sentences
+pub enum Reason {
+    /// Every check passes and lift, velocity and acceleration are continuous.
+    AllHold,
+    /// The lift jumps.
+    LiftJumps { at: Quantity },
+    /// The velocity jumps.
+    VelocityJumps { at: Quantity },
+    /// The acceleration jumps, and the force with it.
+    AccelerationJumps { at: Quantity },
+    /// Only a pull would keep the follower on the cam.
+    LiftsOff {
+        at: Quantity,
+        pull: Quantity,
+        speed: Quantity,
+    },
+    /// The profile has a cusp.
+    Cusp { at: Quantity },
+    /// The profile cuts itself.
+    Undercut { at: Quantity, radius: Quantity },
+    /// The profile is sharper than allowed.
+    TooSharp {
+        at: Quantity,
+        radius: Quantity,
+        allowed: Quantity,
+    },
+    /// The second cam of a pair is sharper than allowed.
+    SecondTooSharp {
+        at: Quantity,
+        radius: Quantity,
+        allowed: Quantity,
+    },
+    /// The smallest base radius that mends the profile.
+    BaseRadiusWorks { radius: Quantity },
+    /// What mends the profile in general.
+    EnlargeBaseCircle,
+    /// The same for a translating cam.
+    LengthenTravel,
+    /// The follower reaches into another part of the cam.
+    Interference { at: Quantity, depth: Quantity },
+    /// A wall of a groove is sharper than allowed.
+    SharpWall {
+        at: Quantity,
+        radius: Quantity,
+        allowed: Quantity,
+    },
+    /// The roller is larger than the hollow it runs in.
+    RollerTooLarge {
+        at: Quantity,
+        roller: Quantity,
+        hollow: Quantity,
+    },
+    /// The pressure angle is larger than allowed.
+    PressureAngle {
+        at: Quantity,
+        angle: Quantity,
+        allowed: Quantity,
+    },
+    /// The force is farther from the target than asked.
+    ForceError { error: Quantity, allowed: Quantity },
+    /// The law dips below its base circle.
+    BelowBaseCircle { at: Quantity, depth: Quantity },
+    /// The prime radius is larger than allowed.
+    PrimeRadius { needed: Quantity, allowed: Quantity },
+    /// The force leaves its band.
+    OutsideBand { at: Quantity, excess: Quantity },
+    /// Any other limit is broken.
+    LimitBroken {
+        limit: String,
+        at: Quantity,
+        value: Quantity,
+        allowed: Quantity,
+    },
+    /// Demands that contradict each other as equations.
+    DemandsContradict { demands: Vec<String> },
+    /// Demands that no law on or above the base circle meets together.
+    DemandsInfeasible { demands: Vec<String> },
+    /// One limit that no law keeps beside the demands.
+    LimitInfeasible { limit: String },
+    /// Limits that no law keeps together.
+    LimitsInfeasible { limits: Vec<String> },
+    /// The solver stopped, which proves nothing.
+    SolverStopped { word: String },
+    /// One limit whose change is enough.
+    Relaxation { changes: Vec<Change> },
+    /// Several limits of which one change is enough.
+    Relaxations { changes: Vec<Change> },
+    /// No change of a single limit is enough.
+    NoRelaxation,
+    /// Only all limits together help, by this share.
+    AllTogether { share: Quantity },
+}
+
+/// The change of one limit that is enough.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)]
+pub enum Change {
+    /// Its value and the one that works.
+    Change {
+        limit: String,
+        from: Quantity,
+        to: Quantity,
+    },
+}
+
+impl Reason {
+    /// The reason as a sentence.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "reason", self)
+    }
+
+    /// Its code: `reason-` and the variant in kebab-case.
+    pub fn code(&self) -> String {
+        wording::code("reason", self)
+    }
+}
+
+/// Several reasons as one text.
+pub fn sentences<'a>(reasons: impl IntoIterator<Item = &'a Reason>, language: Language) -> String {
+    let all: Vec<String> = reasons.into_iter().map(|r| r.sentence(language)).collect();
+    all.join(" ")
+}
+
+/// A limit's name as people say it.
+pub fn spoken(limit: &str) -> String {
+    limit.replace('_', " ")
+}
+
+/// A place of the law: an angle, or a length of travel.
+pub fn place(measures: Measures, at: f64) -> Quantity {
+    match measures {
+        Measures::Straight => Quantity::length(at),
+        Measures::Translating | Measures::Oscillating => Quantity::angle(at),
+    }
+}
+
+/// A limit's value with its unit, on a cam of these measures.
+pub fn quantity(measures: Measures, limit: &str, value: f64) -> Quantity {
+    let oscillating = measures == Measures::Oscillating;
+    let either = |arm: Dimension, other: Dimension| if oscillating { arm } else { other };
+    let dimension = match limit {
+        _ if limit.contains("pressure_angle") => Dimension::Angle,
+        "stroke" | "residual" | "base_circle" => either(Dimension::Angle, Dimension::Length),
+        "velocity" => either(Dimension::AngularSpeed, Dimension::Speed),
+        "acceleration" => either(Dimension::AngularAcceleration, Dimension::Acceleration),
+        "jerk" => either(Dimension::AngularJerk, Dimension::Jerk),
+        "force_min" | "force_max" | "rms_error" | "band" => {
+            either(Dimension::Torque, Dimension::Force)
+        }
+        "torque" if measures == Measures::Straight => Dimension::Force,
+        "torque" => Dimension::Torque,
+        "torque_rate" => Dimension::AngularRate,
+        "power" => Dimension::Power,
+        "accuracy.rms" => Dimension::Percent,
+        "hertz_pressure" => Dimension::Pressure,
+        _ => Dimension::Length,
+    };
+    Quantity::new(value, dimension)
+}
