@@ -2,15 +2,68 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{BAD_INPUT, BUILT, GaitArgs, input, say};
+use clap::Args;
+use serde_json::Value;
+
+use crate::exit_code::{BAD_INPUT, BUILT};
+use crate::input::{self, files::read_bytes, target::metadata};
+use crate::language;
+use crate::terminal::{print, print_json, report};
 use gaitcam::error::{Error, Place, Result};
-use gaitcam::force::{self, Feet, ReadOptions};
-use gaitcam::units::{Dimension, parse};
-use gaitcam::wording::Language;
+use gaitcam::force::{self, Cycle, Feet, ReadOptions, Recording, Stances};
+use gaitcam::units::Dimension;
 use gaitcam_output as output;
+use gaitcam_output::folder::{Folder, write_whole};
 
 /// Stances drawn in the picture; the mean is of all.
 const DRAWN: usize = 60;
+
+const EXAMPLES: &str = "Examples:
+  gaitcam gait walk.c3d
+  gaitcam gait walk.mot --out curve.csv
+  gaitcam gait left.csv right.csv --out curves/ --feet both --rate '1000 Hz'
+  gaitcam gait plate.csv --force Fz --unit kN --mass '72.6 kg' --json";
+
+/// Which recordings, and how to read them.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct GaitArgs {
+    /// Recordings: text, OpenSim .mot/.sto, C3D, insole exports
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+    /// Write the mean cycle as csv, and beside it a picture of the stances over their mean (svg, png);
+    /// a folder takes one of each per recording
+    #[arg(long, value_name = "CURVE.csv|DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Whose force the cycle is: both, one, left, right
+    #[arg(long, default_value = "both")]
+    feet: String,
+    /// Name or number of the time column
+    #[arg(long, value_name = "COLUMN")]
+    time: Option<String>,
+    /// Name or number of a vertical force column (may be repeated)
+    #[arg(long, value_name = "COLUMN")]
+    force: Vec<String>,
+    /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
+    #[arg(long)]
+    unit: Option<String>,
+    /// Samples per second where the file does not say: "1000 Hz"
+    #[arg(long)]
+    rate: Option<String>,
+    /// Mass of the walker: "72.6 kg"
+    #[arg(long)]
+    mass: Option<String>,
+}
+
+/// What is said of one recording.
+struct Described {
+    text: String,
+    object: Value,
+    fault: Option<Error>,
+}
 
 /// Describes every file; the exit code is 2 when one of them holds no cycle.
 pub fn run(args: &GaitArgs) -> Result<u8> {
@@ -27,73 +80,45 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
     let mut objects = Vec::new();
     for (i, path) in args.files.iter().enumerate() {
         let place = places.as_ref().map(|p| p[i].as_path());
-        match describe(args, path, place, feet) {
-            Ok(Described {
-                text,
-                object,
-                fault,
-            }) => {
+        let fault = match describe(args, path, place, feet) {
+            Ok(described) => {
                 if !args.json {
-                    say(&text);
+                    print(&described.text);
                 }
-                objects.push(object);
-                if let Some(fault) = fault {
-                    eprintln!("gaitcam: {fault}");
-                    code = BAD_INPUT;
-                }
+                objects.push(described.object);
+                described.fault
             }
-            Err(e) => {
-                eprintln!("gaitcam: {e}");
-                code = BAD_INPUT;
-            }
+            Err(e) => Some(e),
+        };
+        if let Some(fault) = fault {
+            report(fault);
+            code = BAD_INPUT;
         }
     }
     if args.json && !objects.is_empty() {
-        let value = if objects.len() == 1 {
+        let one = objects.len() == 1;
+        print_json(&if one {
             objects.remove(0)
         } else {
-            serde_json::Value::Array(objects)
-        };
-        say(&serde_json::to_string_pretty(&value).unwrap_or_default());
+            Value::Array(objects)
+        });
     }
     Ok(code)
 }
 
-struct Described {
-    text: String,
-    object: serde_json::Value,
-    fault: Option<Error>,
-}
-
 fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> Result<Described> {
-    let quantity = |flag: &str, text: &Option<String>, dimension| {
-        text.as_deref()
-            .map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
-            .transpose()
-    };
-    let unit = args.unit.as_deref().map(|u| {
-        u.parse()
-            .map_err(|e: Error| e.at(Place::Argument("--unit".to_string())))
-    });
-    let options = ReadOptions {
-        time: args.time.clone(),
-        force: args.force.clone(),
-        unit: unit.transpose()?,
-        rate_hz: quantity("--rate", &args.rate, Dimension::Frequency)?,
-        mass_kg: quantity("--mass", &args.mass, Dimension::Mass)?,
-        metadata: input::metadata(path),
-    };
-    let bytes = input::read_bytes(path)?;
+    let options = options(args, path)?;
+    let bytes = read_bytes(path)?;
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
         if let Some(place) = place {
             let from = format!("cycle of {}", path.display());
-            gaitcam_output::folder::write_whole(place, force::csv(&curve, &[&from]).as_bytes())?;
+            write_whole(place, force::csv(&curve, &[&from]).as_bytes())?;
         }
         return Ok(Described {
             text: format!(
                 "{}\n{}",
                 path.display(),
-                force::cycle_table(&curve, Language::En)
+                force::cycle_table(&curve, language::current())
             ),
             object: force::cycle_json(&curve),
             fault: None,
@@ -104,41 +129,61 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
     let stances = force::stances(&recording);
     let cycle =
         force::cycle(&recording, &stances, feet).map_err(|e| e.at(Place::File(path.to_path_buf())));
-    let shown = cycle.as_ref().map_err(ToString::to_string);
-    let text = format!(
-        "{}\n{}",
-        path.display(),
-        force::table(
-            &recording,
-            &stances,
-            shown.as_ref().map_err(String::as_str).copied(),
-            Language::En
-        )
+    // A refusal is printed once, on standard error.
+    let table = force::table(
+        &recording,
+        &stances,
+        cycle.as_ref().map_err(|_| ""),
+        language::current(),
     );
+    let table = table.trim_end().trim_end_matches(':');
+    let text = format!("{}\n{table}", path.display());
     let object = force::json(&recording, &stances, cycle.as_ref().ok());
     if let (Some(place), Ok(cycle)) = (place, &cycle) {
-        let from = format!("mean cycle of {}", path.display());
-        gaitcam_output::folder::write_whole(
-            place,
-            force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]).as_bytes(),
-        )?;
-        if let Some(overlay) = force::overlay(&recording, &stances, DRAWN) {
-            let name = path
-                .file_name()
-                .map_or_else(String::new, |n| n.to_string_lossy().into());
-            let picture = output::recording::stances(&name, &overlay, cycle);
-            gaitcam_output::folder::write_whole(
-                &place.with_extension("svg"),
-                picture.svg().as_bytes(),
-            )?;
-            gaitcam_output::folder::write_whole(&place.with_extension("png"), &picture.png())?;
-        }
+        write_cycle(path, place, &recording, &stances, cycle)?;
     }
     Ok(Described {
         text,
         object,
         fault: cycle.err(),
     })
+}
+
+fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
+    let unit = args.unit.as_deref().map(|u| {
+        u.parse()
+            .map_err(|e: Error| e.at(Place::Argument("--unit".to_string())))
+    });
+    Ok(ReadOptions {
+        time: args.time.clone(),
+        force: args.force.clone(),
+        unit: unit.transpose()?,
+        rate_hz: input::quantity("--rate", args.rate.as_deref(), Dimension::Frequency)?,
+        mass_kg: input::quantity("--mass", args.mass.as_deref(), Dimension::Mass)?,
+        metadata: metadata(path),
+    })
+}
+
+/// The mean cycle, and beside it a picture of the stances over it.
+fn write_cycle(
+    path: &Path,
+    place: &Path,
+    recording: &Recording,
+    stances: &Stances,
+    cycle: &Cycle,
+) -> Result<()> {
+    let from = format!("mean cycle of {}", path.display());
+    let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
+    write_whole(place, csv.as_bytes())?;
+    let Some(overlay) = force::overlay(recording, stances, DRAWN) else {
+        return Ok(());
+    };
+    let name = path
+        .file_name()
+        .map_or_else(String::new, |n| n.to_string_lossy().into());
+    let picture = output::recording::stances(&name, &overlay, cycle);
+    write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
+    write_whole(&place.with_extension("png"), &picture.png())
 }
 
 /// Where each recording's mean cycle goes: the one file named, or `NAME_cycle.csv` in a folder.
@@ -148,8 +193,13 @@ fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
     let csv = out
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    if !csv && !out.is_dir() && out.extension().is_some() {
+        let what = format!("{} is neither a .csv file nor a folder", out.display());
+        return Err(Error::argument("--out", what)
+            .help("the cycle is written as .csv, with pictures .svg and .png beside it"));
+    }
     if !csv || out.is_dir() {
-        let folder = gaitcam_output::folder::Folder::open(out)?;
+        let folder = Folder::open(out)?;
         let mut places: Vec<PathBuf> = Vec::new();
         for recording in recordings {
             let stem = recording.file_stem().unwrap_or_default().to_string_lossy();
@@ -180,7 +230,7 @@ fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
     }
     // As synth does: a folder that is not there yet is made.
     if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {
-        gaitcam_output::folder::Folder::open(folder)?;
+        Folder::open(folder)?;
     }
     Ok(vec![out.to_path_buf()])
 }

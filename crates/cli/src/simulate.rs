@@ -1,11 +1,16 @@
 //! `gaitcam simulate`: runs the emitted cam, not the law it came from.
 
+use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use serde_json::json;
 
-use super::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input::{self, Input, SceneArgs};
+use crate::result_folder::ResultFolder;
+use crate::terminal::{print, print_json, report};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::hertz::STEEL;
 use gaitcam::dynamics::impact::Restitution;
@@ -13,20 +18,26 @@ use gaitcam::dynamics::train::Train;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::synthesise;
-use gaitcam::units::{Dimension, parse};
+use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::units::Dimension;
 use gaitcam_output::Timing;
-use gaitcam_output::folder::Folder;
 use gaitcam_output::report::{Running, html_of_run};
 
 /// Rows of the emitted profile that is run.
 const POINTS: usize = 1440;
 
+const EXAMPLES: &str = "Examples:
+  gaitcam simulate scenes/footbridge.toml
+  gaitcam simulate scenes/heel_tester.toml --model flexible --natural-frequency '60 Hz'
+  gaitcam simulate scenes/thesis_iteration_3.toml --set 'drive.speed=300 rpm' --restitution 0.5";
+
+/// Which scene, on which machine, by which model.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct SimulateArgs {
     #[command(flatten)]
     scene: SceneArgs,
-    /// auto (the least that is enough), rigid, flexible, contact
+    /// auto (the simplest that is sufficient), rigid, flexible, contact
     #[arg(long, default_value = "auto")]
     model: String,
     /// Folder for dynamics.csv, simulation.json and report.html (default out/NAME)
@@ -34,14 +45,14 @@ pub struct SimulateArgs {
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
-    json: bool,
+    pub json: bool,
     /// First natural frequency of the follower train: "60 Hz"
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     natural_frequency: Option<String>,
     /// Damping ratio of the follower train (0.05 where the scene says nothing)
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     damping_ratio: Option<String>,
-    /// Coefficient of friction where cam and follower rub (0 where the scene says nothing)
+    /// Coefficient of friction of cam on follower (0 where the scene says nothing)
     #[arg(long, value_name = "MU", allow_hyphen_values = true)]
     friction: Option<String>,
     /// Coefficient of restitution of a landing, 0 … 1 (0 where the scene says nothing)
@@ -52,7 +63,7 @@ pub struct SimulateArgs {
     second_cam: Option<String>,
 }
 
-/// Designs the scene's cam, emits its profile and runs that.
+/// Designs the scene's cam, emits its profile and runs that; exit code 3 when there is no cam to run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
         Error::argument("--model", format!("\"{}\" is not a model", args.model))
@@ -60,40 +71,20 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     })?;
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
-    let out = args
-        .out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("out").join(&input.scene.name));
-    let folder = Folder::open(&out)?;
+    let folder = ResultFolder::open(&input.result_folder(args.out.as_deref(), "")?)?;
     let target = input.target()?;
     let solving = Instant::now();
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
-    if let Some(infeasible) = &design.infeasible {
-        eprintln!("gaitcam: there is no cam to run: {}", infeasible.words());
+    if let Some(why) = no_cam(&design) {
+        report(format!("there is no cam to run: {why}"));
+        if args.json {
+            print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
+        }
         return Ok(NO_SUCH_CAM);
     }
-    if design.cam.follower.is_flat() && design.cam.curvature().undercut {
-        eprintln!("gaitcam: there is no cam to run: {}", design.reason());
-        return Ok(NO_SUCH_CAM);
-    }
-    let mut machine = machine(args, &input.scene, &design.drive)?;
-    machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
-    let run = Run {
-        profile: design.cam.profile(POINTS),
-        target: design.target.as_ref().map(|t| {
-            (0..POINTS)
-                .map(|i| t.at(std::f64::consts::TAU * i as f64 / POINTS as f64))
-                .collect()
-        }),
-        cam: design.cam.clone(),
-        drive: design.drive,
-        machine,
-    };
+    let run = prepared(args, &input, &design)?;
     let outcome = simulate(&run, model)?;
-    folder.write("dynamics.csv", outcome.csv().as_bytes())?;
-    let json = serde_json::to_string_pretty(&outcome.json()).unwrap_or_default();
-    folder.write("simulation.json", json.as_bytes())?;
     let running = Running {
         outcome: &outcome,
         second_cam: run.machine.second_cam,
@@ -102,27 +93,56 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
     };
+    let json = outcome.json();
+    let text = serde_json::to_string_pretty(&json).unwrap_or_default();
+    folder.write("dynamics.csv", outcome.csv().as_bytes())?;
+    folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running);
     folder.write("report.html", page.as_bytes())?;
+    let place = folder.path().to_path_buf();
+    folder.commit(&[])?;
     if args.json {
-        say(&json);
+        print_json(&json);
     } else {
-        say(&outcome.table(run.cam.follower.measures()));
-        say(&format!(
-            "Files in {}; open {} first.",
-            folder.path().display(),
-            folder.path().join("report.html").display()
+        print(&outcome.table(run.cam.follower.measures()));
+        print(&format!(
+            "Files in {0}; open {0}/report.html first.",
+            place.display()
         ));
     }
     Ok(BUILT)
 }
 
+/// Why a design has no cam that could run.
+fn no_cam(design: &Synthesis) -> Option<String> {
+    if let Some(infeasible) = &design.infeasible {
+        return Some(infeasible.words());
+    }
+    let undercut = design.cam.follower.is_flat() && design.cam.curvature().undercut;
+    undercut.then(|| design.reason())
+}
+
+/// The emitted profile of the design on the machine.
+fn prepared(args: &SimulateArgs, input: &Input, design: &Synthesis) -> Result<Run> {
+    let mut machine = machine(args, &input.scene, &design.drive)?;
+    machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
+    let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
+    Ok(Run {
+        profile: design.cam.profile(POINTS),
+        target: design
+            .target
+            .as_ref()
+            .map(|t| angles.map(|theta| t.at(theta)).collect()),
+        cam: design.cam.clone(),
+        drive: design.drive,
+        machine,
+    })
+}
+
 /// The scene's machine, with what the command line says in its place.
 fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine> {
-    let given = |flag: &str, text: &Option<String>, dimension| -> Result<Option<f64>> {
-        text.as_deref()
-            .map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
-            .transpose()
+    let given = |flag: &str, text: &Option<String>, dimension| {
+        input::quantity(flag, text.as_deref(), dimension)
     };
     let spec = &scene.machine;
     let mut machine = Machine::default();
@@ -151,7 +171,7 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
     if !(0.0..=1.0).contains(&e) {
         return Err(
             Error::argument("--restitution", format!("{e} is outside 0 … 1"))
-                .help("0 lands without a bounce, 1 loses nothing"),
+                .help("0 lands without rebound, 1 loses nothing"),
         );
     }
     machine.restitution = Restitution::Prescribed(e);

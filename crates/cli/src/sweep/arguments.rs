@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 use serde_json::{Value, json};
 
 use super::SweepArgs;
-use crate::{SceneArgs, input};
+use crate::input::{self, SceneArgs, files::read_bytes};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
@@ -102,7 +102,7 @@ pub fn description(sweep: &Sweep) -> Value {
 
 /// Rows of a csv whose header names keys.
 fn list(path: &Path) -> Result<List> {
-    let bytes = input::read_bytes(path)?;
+    let bytes = read_bytes(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(&bytes[..]);
@@ -232,7 +232,7 @@ pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCur
             return curve;
         }
         let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
-        let curve = input::target(scene, folder).and_then(|curve| {
+        let curve = input::target::target(scene, folder).and_then(|curve| {
             curve.ok_or_else(|| {
                 Error::new("there is no force curve").at(Place::Key("gait".to_string()))
             })

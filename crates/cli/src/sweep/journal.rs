@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use crate::result_folder::is_still_there;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::sweep::{Results, differences, journal as format};
 use gaitcam_output::folder::write_whole;
@@ -272,20 +273,4 @@ fn agree(path: &Path, before: &Value, now: &Value) -> Result<()> {
         Error::file(path, format!("is another sweep: {}", lines.join("; ")))
             .help("repeat the sweep as it was, or choose another --out"),
     )
-}
-
-/// Whether the locked file is still the one at its path: the process before may have finished and removed
-/// it between our opening and our locking.
-#[cfg(unix)]
-fn is_still_there(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    match (file.metadata(), std::fs::metadata(path)) {
-        (Ok(a), Ok(b)) => a.ino() == b.ino() && a.dev() == b.dev(),
-        _ => false,
-    }
-}
-
-#[cfg(not(unix))]
-fn is_still_there(_: &File, path: &Path) -> bool {
-    path.exists()
 }

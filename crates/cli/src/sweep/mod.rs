@@ -11,15 +11,14 @@ use std::time::Instant;
 
 use clap::Args;
 
-use super::{BUILT, NO_SUCH_CAM, say};
+use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
+use crate::terminal::{self, print, print_json};
 use finish::Counts;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Kernel, Method};
 use journal::Journal;
 pub use journal::beside;
 
-/// Stopped by Ctrl-C, as shells count it.
-const INTERRUPTED: u8 = 130;
 /// More rows than this are asked for twice.
 const MANY: u128 = 100_000_000;
 /// More rows than this have no numbers here.
@@ -96,11 +95,11 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let sweep = arguments::plan(args)?;
     let plan = &sweep.plan;
     if let [first, ..] = &sweep.skipped[..] {
-        eprintln!(
-            "gaitcam: {} file(s) beside the recordings are skipped ({first}{})",
+        terminal::report(format!(
+            "{} file(s) beside the recordings are skipped ({first}{})",
             sweep.skipped.len(),
             if sweep.skipped.len() > 1 { " …" } else { "" }
-        );
+        ));
     }
     let rows = plan.rows();
     if rows > MOST || (rows > MANY && !args.yes) {
@@ -115,13 +114,13 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let description = arguments::description(&sweep);
     let mut journal = match Journal::open(&args.out, &description, args.resume)? {
         journal::Opened::Finished => {
-            say(&format!("{} is already complete.", args.out.display()));
+            print(&format!("{} is already complete.", args.out.display()));
             return Ok(BUILT);
         }
         journal::Opened::Journal(journal) => journal,
     };
     if let Some(repair) = journal.repaired() {
-        eprintln!("gaitcam: {repair}");
+        terminal::report(repair);
     }
     let clock = || start.elapsed().as_secs_f64();
     let targets = arguments::targets(&sweep.folders);
@@ -136,10 +135,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     work::compute(plan, &kernel, &pool, &mut journal, &stop)?;
     let seconds = computed.elapsed().as_secs_f64();
     if u128::from(journal.rows()) < rows {
-        eprintln!(
-            "gaitcam: stopped after {} of {rows} rows; nothing is lost, go on with --resume",
+        terminal::report(format!(
+            "stopped after {} of {rows} rows; nothing is lost, go on with --resume",
             journal.rows()
-        );
+        ));
         return Ok(INTERRUPTED);
     }
     let counts = finish::table(plan, &kernel, &pool, &mut journal, &args.out, format)?;
@@ -156,10 +155,10 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
             "acceptable": counts.acceptable, "infeasible": counts.infeasible, "errors": counts.errors,
             "computed": computed, "seconds": seconds, "rows_per_s": rate,
         });
-        say(&serde_json::to_string_pretty(&object).unwrap_or_default());
+        print_json(&object);
         return;
     }
-    say(&format!(
+    print(&format!(
         "{} rows in {}: {} built ({} acceptable), {} infeasible, {} at fault",
         counts.rows,
         args.out.display(),
@@ -169,11 +168,11 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
         counts.errors
     ));
     if computed > 0 {
-        say(&format!(
+        print(&format!(
             "{computed} designs in {seconds:.2} s, {rate:.0} a second"
         ));
     }
     if let Some(first) = &counts.first_error {
-        say(&format!("First fault, row {}: {}", first.0, first.1));
+        print(&format!("First fault, row {}: {}", first.0, first.1));
     }
 }

@@ -6,7 +6,9 @@ use rayon::prelude::*;
 
 use super::SweepArgs;
 use super::journal::beside;
-use crate::{BUILT, NO_SUCH_CAM, SceneArgs, input, say};
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input::{self, SceneArgs};
+use crate::terminal::{self, print, print_json};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::synthesise;
@@ -64,10 +66,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let target = input.target()?;
     let design = synthesise(&input.scene, target.as_ref())?;
     if let Some(infeasible) = &design.infeasible {
-        eprintln!(
-            "gaitcam: there is no design to scatter: {}",
+        terminal::report(format!(
+            "there is no design to scatter: {}",
             infeasible.words()
-        );
+        ));
         return Ok(NO_SUCH_CAM);
     }
     let scatter = Scatter::new(&design)?;
@@ -93,10 +95,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
             "p5_percent": spread.quantiles[0], "median_percent": spread.quantiles[1], "p95_percent": spread.quantiles[2],
             "largest_percent": spread.largest, "band_percent": band.map(|b| 100.0 * b), "yield": spread.within,
         });
-        say(&serde_json::to_string_pretty(&object).unwrap_or_default());
+        print_json(&object);
     } else {
-        say(&words(&design.name, own, count, &spread, band));
-        say(&format!(
+        print(&words(&design.name, own, count, &spread, band));
+        print(&format!(
             "Samples in {}, pictures in {}.",
             args.out.display(),
             page.display()

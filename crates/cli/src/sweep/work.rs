@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
-use super::INTERRUPTED;
 use super::journal::Journal;
+use crate::exit_code::INTERRUPTED;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Kernel, Plan, Results};
 

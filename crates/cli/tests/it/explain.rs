@@ -4,7 +4,7 @@ use assert_cmd::Command;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::synthesise;
-use gaitcam_cli::choices::{choices, chord_error, force_change, force_of_points};
+use gaitcam_cli::synth::explain::choices::{choices, chord_error, force_change, force_of_points};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
@@ -21,7 +21,7 @@ fn walker(frequency: f64) -> ForceCurve {
 }
 
 /// The law's own RMS error or the accuracy asked, whichever is larger: nested projections (see
-/// `gaitcam::explain`) cannot differ by more.
+/// `gaitcam_cli::synth::explain`) cannot differ by more.
 fn allowed(scene: &Scene, target: &ForceCurve, own: f64) -> f64 {
     own.max(scene.rms.unwrap_or(0.0) * target.mean_n())
 }

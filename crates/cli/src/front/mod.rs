@@ -8,8 +8,11 @@ use clap::Args;
 use serde_json::{Value, json};
 use toml::Table;
 
-use super::sweep::beside;
-use super::{BUILT, NO_SUCH_CAM, SceneArgs, SynthArgs, input, say, synth};
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input::{SceneArgs, files::read_bytes};
+use crate::sweep::beside;
+use crate::synth::{self, SynthArgs};
+use crate::terminal::{print, print_json, report};
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Front, Key, Point, objective};
@@ -41,7 +44,7 @@ pub struct FrontArgs {
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
-    json: bool,
+    pub json: bool,
 }
 
 /// Rows of the front that are printed and shown on the page.
@@ -61,7 +64,7 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         } else {
             "no design passes every check (--all counts the others, too)"
         };
-        eprintln!("gaitcam: {}: {what}", args.file.display());
+        report(format!("{}: {what}", args.file.display()));
         return Ok(NO_SUCH_CAM);
     };
     let sorted = front.sorted();
@@ -79,10 +82,10 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         let points: Vec<Value> = sorted.iter().map(|p| point_json(&names, p)).collect();
         let object = json!({"file": args.file.display().to_string(), "rows": kept.seen, "candidates": kept.candidates,
             "minimise": names, "front": points, "best": point_json(&names, &best)});
-        say(&serde_json::to_string_pretty(&object).unwrap_or_default());
+        print_json(&object);
     } else if !args.json {
-        say(&words(args, &kept, &names, &sorted, &best));
-        say(&format!(
+        print(&words(args, &kept, &names, &sorted, &best));
+        print(&format!(
             "Files in {}; open {} first.",
             folder.path().display(),
             folder.path().join("report.html").display()
@@ -350,7 +353,7 @@ fn pictures(
 /// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.
 fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point) -> Result<u8> {
     let described = beside(&args.file, ".sweep.json");
-    let bytes = input::read_bytes(&described)?;
+    let bytes = read_bytes(&described)?;
     let sweep: Value =
         serde_json::from_slice(&bytes).map_err(|e| Error::file(&described, e.to_string()))?;
     let scenes = sweep["scenes"].as_array().cloned().unwrap_or_default();
@@ -396,7 +399,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
         },
         out: Some(folder.path().join("best")),
         json: args.json,
-        ..SynthArgs::standard()
+        ..SynthArgs::default()
     })
 }
 

@@ -2,13 +2,30 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::Args;
 use serde_json::{Value, json};
 
-use super::input::read_bytes;
-use super::{BUILT, CompareArgs, say};
+use crate::exit_code::BUILT;
+use crate::input::files::read_bytes;
+use crate::result_folder::settle;
+use crate::terminal::{print, print_json};
 use gaitcam::error::{Error, Result};
 use gaitcam_output::folder::Folder;
 use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
+
+/// Which results.
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Folders that gaitcam synth wrote
+    #[arg(required = true, num_args = 2..)]
+    folders: Vec<PathBuf>,
+    /// Folder for the table and the diagrams
+    #[arg(long, value_name = "DIR", default_value = "out/compare")]
+    out: PathBuf,
+    /// Print the summaries as JSON
+    #[arg(long)]
+    pub json: bool,
+}
 
 /// One result read back.
 struct Design {
@@ -87,6 +104,7 @@ impl Columns {
 }
 
 fn read(folder: &Path) -> Result<Design> {
+    settle(folder);
     let path = folder.join("summary.json");
     let summary: Value = serde_json::from_slice(&read_bytes(&path)?)
         .map_err(|e| Error::line(&path, e.line(), format!("is not JSON ({e})")))?;
@@ -194,10 +212,10 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
             .iter()
             .map(|d| json!({ "folder": d.folder.display().to_string(), "summary": d.summary }))
             .collect();
-        say(&serde_json::to_string_pretty(&list).unwrap_or_default());
+        print_json(&list.into());
     } else {
-        say(&table);
-        say(&format!("Diagrams in {}", folder.path().display()));
+        print(&table);
+        print(&format!("Diagrams in {}", folder.path().display()));
     }
     Ok(BUILT)
 }

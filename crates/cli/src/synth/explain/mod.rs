@@ -1,10 +1,12 @@
 //! `gaitcam synth --explain`: every choice of model, the number that decided it, the cost of the next.
 
+pub mod choices;
+
 use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use crate::choices::{choices, chord_error, force_change, force_of_points, run};
+use choices::{choices, chord_error, force_change, force_of_points, run};
 use gaitcam::dynamics::{Model, simulate};
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
@@ -144,12 +146,12 @@ fn ms(seconds: f64) -> String {
 }
 
 /// For people.
-pub fn words(name: &str, lines: &[Line]) -> String {
-    let mut out = vec![format!("{name}: why it is as plain as it is")];
+pub fn text(name: &str, lines: &[Line]) -> String {
+    let mut out = vec![format!("{name}: model selection")];
     for line in lines {
         out.push(format!("  {:<10}{}", line.subject, line.chosen));
         out.push(format!("            because {}", line.because));
-        out.push(format!("            next    {}", line.next));
+        out.push(format!("            next richer model {}", line.next));
     }
     out.join("\n")
 }

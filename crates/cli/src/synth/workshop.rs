@@ -1,9 +1,9 @@
 //! What a workshop takes: solids, arcs, a workbook, a cutter's path.
 
+use crate::result_folder::ResultFolder;
 use gaitcam::cam::{Measures, Wall};
 use gaitcam::error::Result;
 use gaitcam::synth::Synthesis;
-use gaitcam_output::folder::Folder;
 use gaitcam_output::{self as output, Timing, cutter::Gouge};
 
 /// Vertices of a solid's profile and of the polylines beside the arcs.
@@ -16,7 +16,7 @@ const THROUGH: usize = 8;
 
 /// Writes profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
 /// Returns what could not be written, and why.
-pub fn workshop(folder: &Folder, design: &Synthesis, time: Timing) -> Result<Vec<String>> {
+pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<Vec<String>> {
     let mut remarks = Vec::new();
     folder.write("profile.xlsx", &output::xlsx::workbook(design, time)?)?;
     if let Some(groove) = &design.groove {
@@ -60,7 +60,7 @@ pub fn workshop(folder: &Folder, design: &Synthesis, time: Timing) -> Result<Vec
 
 /// Writes cutter.csv and says where the cutter would gouge.
 pub fn cutter(
-    folder: &Folder,
+    folder: &ResultFolder,
     design: &Synthesis,
     radius: f64,
     points: usize,

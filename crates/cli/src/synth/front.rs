@@ -1,10 +1,11 @@
 //! `gaitcam synth --front`: what one good costs in another, as a table and a picture.
 
-use std::path::PathBuf;
-
 use serde_json::json;
 
-use super::super::{BUILT, NO_SUCH_CAM, SynthArgs, input, say};
+use super::SynthArgs;
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input;
+use crate::terminal::{print, print_json, report};
 use gaitcam::error::Result;
 use gaitcam::sweep::table::label;
 use gaitcam::synth::{Against, Trade, trade};
@@ -28,16 +29,12 @@ const COLUMNS: [&str; 7] = [
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let against = Against::from_pair(pair)?;
     let input = input::scene(&args.scene)?;
-    let folder = args
-        .out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("out").join(format!("{}-front", input.scene.name)));
-    let folder = Folder::open(&folder)?;
+    let folder = Folder::open(&input.result_folder(args.out.as_deref(), "-front")?)?;
     let target = input.target()?;
     let points = args.points.unwrap_or(POINTS) as usize;
     let front = trade(&input.scene, target.as_ref(), against, points)?;
     if front.is_empty() {
-        eprintln!("gaitcam: no point of the front can be built");
+        report("no point of the front can be built");
         return Ok(NO_SUCH_CAM);
     }
     folder.write("front.csv", csv(against, &front).as_bytes())?;
@@ -48,7 +45,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     };
     let (unit, factor) = shown_in(against);
     let x = Quantity {
-        label: format!("{}, {unit}", spoken(against)),
+        label: format!("{}, {unit}", quantity_name(against)),
         ..column(against.column(), &|t| factor * against.of(&t.design))
     };
     let y = column("rms_error_n", &|t| t.design.force.rms_error_n);
@@ -61,7 +58,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let title = format!(
         "{}: least force error at each {}",
         input.scene.name,
-        spoken(against)
+        quantity_name(against)
     );
     let picture = sweep_plots::front(&title, &x, &y, &line, None);
     folder.write("front.svg", picture.svg().as_bytes())?;
@@ -76,10 +73,10 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
                     "tier": t.design.solver.tier.name(), "verdict": t.design.verdict.name()})
             })
             .collect();
-        say(&serde_json::to_string_pretty(&rows).unwrap_or_default());
+        print_json(&rows.into());
     } else {
-        say(&words(&input.scene.name, against, &front));
-        say(&format!(
+        print(&words(&input.scene.name, against, &front));
+        print(&format!(
             "Files in {}; open front.png first.",
             folder.path().display()
         ));
@@ -87,7 +84,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     Ok(BUILT)
 }
 
-fn spoken(against: Against) -> String {
+fn quantity_name(against: Against) -> String {
     let name = Against::NAMES
         .iter()
         .find(|n| n.1 == against)
@@ -138,10 +135,13 @@ fn csv(against: Against, front: &[Trade]) -> String {
 fn words(name: &str, against: Against, front: &[Trade]) -> String {
     let (unit, factor) = shown_in(against);
     let mut out = vec![
-        format!("{name}: least force error at each {}", spoken(against)),
+        format!(
+            "{name}: least force error at each {}",
+            quantity_name(against)
+        ),
         format!(
             "  {:>16} {unit:<5} {:>14} {:>12}",
-            spoken(against),
+            quantity_name(against),
             "RMS error N",
             "% of mean"
         ),

@@ -1,0 +1,12 @@
+//! Exit codes of the command.
+
+/// Built, and every check passes.
+pub const BUILT: u8 = 0;
+/// Internal error, or an answer that could not be written.
+pub const INTERNAL_ERROR: u8 = 1;
+/// Bad input.
+pub const BAD_INPUT: u8 = 2;
+/// No such cam: the limits are infeasible, or a check fails.
+pub const NO_SUCH_CAM: u8 = 3;
+/// Stopped by Ctrl-C, as shells count it.
+pub const INTERRUPTED: u8 = 130;

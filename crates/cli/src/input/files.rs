@@ -1,0 +1,79 @@
+//! Reading input files whole, within limits.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::Path;
+
+use gaitcam::error::{Error, Result};
+
+/// Largest scene file, bytes.
+const LARGEST_SCENE: u64 = 64 << 20;
+/// Largest other input that is held in memory, bytes.
+const LARGEST_FILE: u64 = 64 << 30;
+
+/// A whole file: a recording, a table, a summary.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    read_at_most(path, LARGEST_FILE)
+}
+
+/// The text of a scene or of a list of values.
+pub fn read_text(path: &Path) -> Result<String> {
+    let bytes = read_at_most(path, LARGEST_SCENE)?;
+    String::from_utf8(bytes).map_err(|e| {
+        Error::byte(path, e.utf8_error().valid_up_to(), "is not UTF-8 text")
+            .help("a scene is a TOML file, see scenes/")
+    })
+}
+
+/// The scene on standard input.
+pub fn read_standard_input() -> Result<String> {
+    let place = Path::new("standard input");
+    let bytes = limited(std::io::stdin().lock(), place, LARGEST_SCENE)?;
+    String::from_utf8(bytes)
+        .map_err(|e| Error::byte(place, e.utf8_error().valid_up_to(), "is not UTF-8 text"))
+}
+
+/// A pipe that nobody writes to and a device that never ends are refused before they are opened.
+fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
+    let fault = |e: std::io::Error| cannot_be_read(path, &e);
+    let about = fs::metadata(path).map_err(fault)?;
+    if about.is_dir() {
+        return Err(Error::file(path, "is a folder").help("give a file"));
+    }
+    if !about.is_file() && !is_standard_input(path) {
+        return Err(Error::file(path, "is a pipe or a device, not a file")
+            .help("give a file, or - for standard input"));
+    }
+    if about.len() > most {
+        return Err(too_large(path, most));
+    }
+    limited(File::open(path).map_err(fault)?, path, most)
+}
+
+fn limited(reader: impl Read, path: &Path, most: u64) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader
+        .take(most + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|e| cannot_be_read(path, &e))?;
+    if bytes.len() as u64 > most {
+        return Err(too_large(path, most));
+    }
+    Ok(bytes)
+}
+
+/// Standard input under its name in the file system.
+fn is_standard_input(path: &Path) -> bool {
+    ["/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"]
+        .iter()
+        .any(|name| path == Path::new(name))
+}
+
+fn too_large(path: &Path, most: u64) -> Error {
+    Error::file(path, format!("is larger than {} MiB", most >> 20))
+}
+
+/// The error of a file that the system does not give.
+pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
+    Error::file(path, format!("cannot be read ({e})")).help("check the path")
+}

@@ -1,0 +1,167 @@
+//! Scenes as the command line gives them: a file, standard input or the built-in scene, with changes.
+
+pub mod files;
+pub mod target;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use toml::Table;
+
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::{self, Scene, Source};
+use gaitcam::units::{Dimension, parse};
+
+/// A scene with changes.
+#[derive(Args, Debug, Default, Clone)]
+pub struct SceneArgs {
+    /// Scene file, or - for standard input; without one, the built-in footbridge
+    pub scene: Option<PathBuf>,
+    /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// A scene with the folder that its paths are relative to.
+pub struct Input {
+    /// The scene.
+    pub scene: Scene,
+    /// Its table after changes, for sweeps.
+    pub table: Table,
+    /// The folder that its paths are relative to.
+    pub folder: PathBuf,
+    /// The file that it was read from.
+    pub file: Option<PathBuf>,
+}
+
+/// Reads the scene (or the built-in one) and applies the changes.
+pub fn scene(args: &SceneArgs) -> Result<Input> {
+    let file = args.scene.as_deref().filter(|p| *p != Path::new("-"));
+    let (text, folder) = match (&args.scene, file) {
+        (None, _) => (scene::DEFAULT.to_string(), Path::new(".")),
+        (Some(_), None) => (files::read_standard_input()?, Path::new(".")),
+        (_, Some(path)) => (
+            files::read_text(path)?,
+            path.parent().unwrap_or(Path::new(".")),
+        ),
+    };
+    let json = file.filter(|p| p.extension().is_some_and(|e| e == "json"));
+    let mut table: Table = match json {
+        Some(path) => of_summary(path, &text)?,
+        None => text
+            .parse()
+            .map_err(|e: toml::de::Error| not_toml(file, &text, &e))?,
+    };
+    for change in &args.set {
+        scene::set(&mut table, change)?;
+    }
+    let scene = scene::read(&table).map_err(|e| name_file(file, e))?;
+    Ok(Input {
+        scene,
+        table,
+        folder: folder.to_path_buf(),
+        file: file.map(Path::to_path_buf),
+    })
+}
+
+/// The value of a flag with a unit, where the flag is given.
+pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
+    text.map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
+        .transpose()
+}
+
+impl Input {
+    /// The scene as it was settled, changes included, so that it means the same from any folder: paths
+    /// are absolute.
+    pub fn resolved(&self) -> Table {
+        let mut table = self.table.clone();
+        let file = self
+            .recording()
+            .and_then(|path| fs::canonicalize(path).ok());
+        let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);
+        if let (Some(file), Some(gait)) = (file, gait) {
+            let file = file.to_string_lossy().into_owned();
+            gait.insert("file".to_string(), toml::Value::String(file));
+        }
+        table
+    }
+
+    /// The recording that the scene names, if it names one.
+    pub fn recording(&self) -> Option<PathBuf> {
+        match &self.scene.gait.as_ref()?.source {
+            Source::File { path, .. } => Some(target::find(&self.folder, path)),
+            Source::Model { .. } => None,
+        }
+    }
+
+    /// The force curve that the scene names, if it names one.
+    pub fn target(&self) -> Result<Option<ForceCurve>> {
+        target::target(&self.scene, &self.folder)
+    }
+
+    /// Where results go: `out` as given, else `out/NAME` with `ending` after the scene's name.
+    pub fn result_folder(&self, out: Option<&Path>, ending: &str) -> Result<PathBuf> {
+        if let Some(out) = out {
+            return Ok(out.to_path_buf());
+        }
+        let name = &self.scene.name;
+        check_file_name(name)?;
+        Ok(PathBuf::from("out").join(format!("{name}{ending}")))
+    }
+}
+
+/// Refuses a scene's name that is no plain file name.
+fn check_file_name(name: &str) -> Result<()> {
+    let what = if name.trim().is_empty() {
+        "is blank"
+    } else if name.starts_with('-') {
+        "begins with a dash"
+    } else if name.chars().any(|c| c.is_control() || is_invisible(c)) {
+        "holds a control character or an invisible mark"
+    } else if name == "." || name == ".." || name.chars().any(|c| "/\\:*?\"<>|~".contains(c)) {
+        "is no plain file name"
+    } else {
+        return Ok(());
+    };
+    let shown: String = name.escape_debug().take(60).collect();
+    Err(Error::key("name", format!("\"{shown}\" {what}"))
+        .help("results go to out/NAME: write letters, digits, - and _, or give the folder"))
+}
+
+/// Marks that turn the direction of text or take no room (Unicode bidirectional controls and their like).
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+}
+
+/// The scene that a summary.json was made from.
+fn of_summary(path: &Path, text: &str) -> Result<Table> {
+    let value: serde_json::Value = serde_json::from_str(text)
+        .map_err(|e| Error::line(path, e.line(), format!("is not JSON ({e})")))?;
+    let missing = || {
+        Error::file(path, "holds no scene").help("give a summary.json of gaitcam, or a scene file")
+    };
+    let scene = value.get("scene").ok_or_else(missing)?;
+    serde_json::from_value(scene.clone()).map_err(|_| missing())
+}
+
+fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
+    let line = e.span().map_or(1, |s| {
+        text[..s.start.min(text.len())].matches('\n').count() + 1
+    });
+    let error =
+        Error::new(e.message().replace('\n', ", ")).help("a scene is a TOML file, see scenes/");
+    match path {
+        Some(path) => error.at(Place::Line(path.to_path_buf(), line)),
+        None => error,
+    }
+}
+
+/// Puts the scene file's name before a key's.
+fn name_file(path: Option<&Path>, mut e: Error) -> Error {
+    if let (Some(path), Place::Key(key)) = (path, &e.place) {
+        e.place = Place::Key(format!("{}: {key}", path.display()));
+    }
+    e
+}

@@ -1,0 +1,70 @@
+//! The force curve that a scene names.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::files::read_bytes;
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::{self, ForceCurve};
+use gaitcam::scene::{Scene, Source};
+
+/// The force curve that a scene names, if it names one; its paths are relative to `folder` first.
+pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
+    let Some(gait) = &scene.gait else {
+        return Ok(None);
+    };
+    match &gait.source {
+        Source::Model {
+            name,
+            step_frequency_hz,
+            body_weight_n,
+        } => {
+            let curve = force::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
+            curve
+                .map(Some)
+                .map_err(|e| e.at(Place::Key("gait.model".to_string())))
+        }
+        Source::File {
+            path,
+            time,
+            force,
+            unit,
+            rate_hz,
+            mass_kg,
+        } => {
+            let path = find(folder, path);
+            let bytes = read_bytes(&path)?;
+            let unit = unit
+                .as_deref()
+                .map(|u| {
+                    u.parse()
+                        .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
+                })
+                .transpose()?;
+            let options = force::ReadOptions {
+                time: time.clone(),
+                force: force.clone(),
+                unit,
+                rate_hz: *rate_hz,
+                mass_kg: *mass_kg,
+                metadata: metadata(&path),
+            };
+            force::force_curve(&path, &bytes, &options, gait.feet).map(Some)
+        }
+    }
+}
+
+/// A path of a scene: beside the scene file if it is there, else from the working directory.
+pub fn find(folder: &Path, path: &Path) -> PathBuf {
+    let beside = folder.join(path);
+    if beside.exists() {
+        beside
+    } else {
+        path.to_path_buf()
+    }
+}
+
+/// The table of subjects that lies beside a table of stances, if there is one.
+pub fn metadata(path: &Path) -> Option<Vec<u8>> {
+    fs::read(force::metadata_name(path)?).ok()
+}

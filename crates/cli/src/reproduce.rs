@@ -1,0 +1,23 @@
+//! `gaitcam reproduce`: every figure of the source papers, recomputed.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::exit_code::BUILT;
+use crate::terminal::print;
+use gaitcam::error::Result;
+
+/// Where the report goes.
+#[derive(Args, Debug)]
+pub struct ReproduceArgs {
+    /// Folder for the report
+    #[arg(long, value_name = "DIR", default_value = "reports")]
+    out: PathBuf,
+}
+
+/// Recomputes and writes the report.
+pub fn run(args: &ReproduceArgs) -> Result<u8> {
+    gaitcam_evidence::reproduce::write(&args.out, &mut print)?;
+    Ok(BUILT)
+}

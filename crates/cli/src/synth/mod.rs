@@ -1,0 +1,240 @@
+//! `gaitcam synth`: force curve or classical programme → law → cam → checks → files.
+
+mod earlier;
+pub mod explain;
+mod files;
+mod front;
+mod sequence;
+mod summary;
+mod workshop;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use serde_json::Value;
+
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input::{self, Input, SceneArgs};
+use crate::result_folder::ResultFolder;
+use crate::terminal::{print, print_json};
+use gaitcam::error::{Error, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::synth::{Synthesis, relaxed, synthesise};
+use gaitcam::units::Dimension;
+use gaitcam_output::{self as output, Timing};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam synth
+  gaitcam synth scenes/heel_tester.toml --out out/heel
+  gaitcam synth my.toml --set 'limits.stroke=40 mm' --set drive.mass=auto
+  gaitcam synth my.toml --json | python3 -m json.tool
+  gaitcam synth my.toml --solid --tool '3 mm'
+  gaitcam synth my.toml --front force_error:prime_radius";
+
+/// Which scene, and what to write.
+#[derive(Args, Debug, Default)]
+#[command(after_help = EXAMPLES)]
+pub struct SynthArgs {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Folder for the files (default out/NAME)
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print summary.json instead of the summary for people; without --out no file is written
+    #[arg(long)]
+    pub json: bool,
+    /// Write no PNG pictures
+    #[arg(long)]
+    pub no_png: bool,
+    /// Print every step of a sequence of convex programs with its merit
+    #[arg(short, long)]
+    pub verbose: bool,
+    /// Explain every choice of model: what decided it, what the next richer one would cost and change
+    #[arg(long)]
+    pub explain: bool,
+    /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub points: Option<u32>,
+    /// The trade-off instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke
+    #[arg(long, value_name = "A:B")]
+    pub front: Option<String>,
+    /// Also write what a workshop takes: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
+    #[arg(long)]
+    pub solid: bool,
+    /// Also write the path of a cutter of this radius: --tool '6 mm'
+    #[arg(long, value_name = "RADIUS")]
+    pub tool: Option<String>,
+}
+
+/// Rows of law.csv and profile.csv by default.
+const ROWS: u32 = 1440;
+/// Fewest rows that show a cam.
+const FEWEST_ROWS: u32 = 16;
+
+/// What the arguments ask for beside the design, settled before any work.
+struct Request {
+    points: usize,
+    tool: Option<f64>,
+    folder: Option<ResultFolder>,
+}
+
+/// A design with the problem that it answers.
+struct Answer {
+    target: Option<ForceCurve>,
+    design: Synthesis,
+    solve_s: f64,
+    start: Instant,
+}
+
+/// Designs the cam and writes its files; exit code 3 when there is no such cam.
+pub fn run(args: &SynthArgs) -> Result<u8> {
+    if let Some(pair) = &args.front {
+        return front::run(args, pair);
+    }
+    let start = Instant::now();
+    let points = rows(args)?;
+    let tool = input::quantity("--tool", args.tool.as_deref(), Dimension::Length)?;
+    let input = input::scene(&args.scene)?;
+    let request = Request {
+        points,
+        tool,
+        folder: folder(args, &input)?,
+    };
+    let target = input.target()?;
+    let solving = Instant::now();
+    let design = synthesise(&input.scene, target.as_ref())?;
+    let solve_s = solving.elapsed().as_secs_f64();
+    let design = relaxed(&input.scene, target.as_ref(), design);
+    let answer = Answer {
+        target,
+        design,
+        solve_s,
+        start,
+    };
+    hand_over(args, &input, request, &answer)?;
+    let design = &answer.design;
+    let good = design.infeasible.is_none() && design.checks.iter().all(|c| c.pass);
+    Ok(if good { BUILT } else { NO_SUCH_CAM })
+}
+
+fn rows(args: &SynthArgs) -> Result<usize> {
+    let rows = args.points.unwrap_or(ROWS);
+    if rows < FEWEST_ROWS {
+        return Err(
+            Error::argument("--points", format!("invalid value {rows}")).help(format!(
+                "at least {FEWEST_ROWS} points are required, fewer only with --front"
+            )),
+        );
+    }
+    Ok(rows as usize)
+}
+
+/// The folder of the result; none where only the summary is printed.
+fn folder(args: &SynthArgs, input: &Input) -> Result<Option<ResultFolder>> {
+    if args.json && args.out.is_none() {
+        return Ok(None);
+    }
+    let path = input.result_folder(args.out.as_deref(), "")?;
+    files::check_inputs_stay(&path, input)?;
+    ResultFolder::open(&path).map(Some)
+}
+
+impl Answer {
+    fn time(&self) -> Timing {
+        Timing {
+            solve_s: self.solve_s,
+            total_s: self.start.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// Writes the files and prints the summary.
+fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer) -> Result<()> {
+    let design = &answer.design;
+    let mut remarks = Vec::new();
+    if let Some(folder) = &request.folder {
+        files::write(folder, design, request.points, !args.no_png, answer.time())?;
+        remarks = workshop_files(args, &request, folder, answer)?;
+    }
+    let explained = if args.explain && design.infeasible.is_none() {
+        let target = answer.target.as_ref();
+        Some(explain::lines(
+            &input.scene,
+            target,
+            design,
+            request.points,
+        )?)
+    } else {
+        None
+    };
+    let scene = input.resolved();
+    let time = answer.time();
+    let mut json = output::json::summary(design, time);
+    json["scene"] = serde_json::to_value(&scene).unwrap_or_default();
+    if let Some(lines) = &explained {
+        json["explain"] = explain::json(lines);
+    }
+    let place = match request.folder {
+        Some(folder) => Some(finish(folder, input, &scene, &json)?),
+        None => None,
+    };
+    if args.json {
+        print_json(&json);
+        return Ok(());
+    }
+    print(&summary::text(design, time));
+    if args.verbose {
+        print(&sequence::text(design));
+    }
+    if let Some(lines) = &explained {
+        print(&explain::text(&design.name, lines));
+    }
+    for remark in remarks {
+        print(&format!("  note      {remark}"));
+    }
+    if let Some(place) = place {
+        print(&format!(
+            "Files in {0}; open {0}/report.html first.",
+            place.display()
+        ));
+    }
+    Ok(())
+}
+
+fn workshop_files(
+    args: &SynthArgs,
+    request: &Request,
+    folder: &ResultFolder,
+    answer: &Answer,
+) -> Result<Vec<String>> {
+    let design = &answer.design;
+    let mut remarks = Vec::new();
+    if design.infeasible.is_some() {
+        return Ok(remarks);
+    }
+    if args.solid {
+        remarks = workshop::write(folder, design, answer.time())?;
+    }
+    if let Some(radius) = request.tool {
+        remarks.extend(workshop::cutter(folder, design, radius, request.points)?);
+    }
+    Ok(remarks)
+}
+
+/// Writes scene and summary and puts the whole result into place.
+fn finish(
+    folder: ResultFolder,
+    input: &Input,
+    scene: &toml::Table,
+    summary: &Value,
+) -> Result<PathBuf> {
+    let scene = toml::to_string(scene).unwrap_or_default();
+    files::write_scene(&folder, input, &scene)?;
+    let text = serde_json::to_string_pretty(summary).unwrap_or_default();
+    folder.write("summary.json", text.as_bytes())?;
+    let path = folder.path().to_path_buf();
+    let stale = earlier::stale(&path, &scene);
+    folder.commit(&stale)?;
+    Ok(path)
+}
