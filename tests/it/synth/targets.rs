@@ -341,7 +341,11 @@ fn a_weighed_objective_finds_the_cheapest_point_of_the_front() {
     let one = [Some(0.05), Some(0.010), None];
     let with = |more: &[&str]| solved(&[&face[..], more].concat(), &target);
     let weighed = with(&["law.weigh.force_error=5 %", "law.weigh.prime_radius=10 mm"]);
-    assert!(weighed.checks.iter().all(|c| c.pass), "{}", weighed.reason);
+    assert!(
+        weighed.checks.iter().all(|c| c.pass),
+        "{}",
+        weighed.reason()
+    );
     let found = price(&weighed, one);
     let radius = weighed.cam.follower.prime_radius();
     let mut cheapest = f64::INFINITY;
