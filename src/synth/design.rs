@@ -1,5 +1,6 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
+use super::method::{Ended, Method, PassedOver};
 use super::qp::Certificate;
 use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
@@ -237,18 +238,37 @@ impl Tier {
 pub struct SolverReport {
     /// The rung that answered.
     pub tier: Tier,
-    /// The solver's last word, or why this rung was enough.
-    pub status: String,
+    /// How that rung found the law.
+    pub method: Method,
+    /// Simpler families that were tried first, and what they missed.
+    pub passed_over: Vec<PassedOver>,
     /// Iterations over all solves.
     pub iterations: usize,
     /// Every limit was confirmed on the continuous law.
     pub certified: bool,
     /// How near to the optimum the law is proved to be; `None` where nothing was minimised.
     pub certificate: Option<Certificate>,
-    /// The sequence of convex programs, where one was needed, and why it ended.
+    /// The sequence of convex programs, where one was needed.
     pub steps: Vec<Step>,
-    /// Why the sequence of convex programs ended; empty without one.
-    pub ended: &'static str,
+}
+
+impl SolverReport {
+    /// How the law was found and what simpler families missed, in English.
+    pub fn status(&self) -> String {
+        let missed = self.passed_over.iter().map(|p| p.sentence(Language::En));
+        let all: Vec<String> = std::iter::once(self.method.sentence(Language::En))
+            .chain(missed)
+            .collect();
+        all.join("; ")
+    }
+
+    /// Why the sequence of convex programs ended; `None` without one.
+    pub fn ended(&self) -> Option<Ended> {
+        match self.method {
+            Method::Sequence { ended, .. } => Some(ended),
+            _ => None,
+        }
+    }
 }
 
 /// Why no such cam exists.

@@ -61,6 +61,7 @@ mod families;
 mod infeasible;
 pub mod lab;
 mod limits;
+mod method;
 mod pareto;
 mod phase;
 mod polydyne;
@@ -75,6 +76,7 @@ pub use design::{
     Binding, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Synthesis, Tier,
 };
 pub use infeasible::{in_units, relaxed};
+pub use method::{Ended, Method, PassedOver};
 pub use pareto::{Against, Trade, trade};
 pub use qp::Certificate;
 pub use reason::{Change, Reason};

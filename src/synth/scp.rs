@@ -12,6 +12,7 @@
 
 use super::design::Step;
 use super::limits::{NonconvexLimits, Profile, ProfileSize, clearance, relative};
+use super::method::Ended;
 use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
 use crate::poly::{Peak, PiecewisePoly};
 
@@ -55,7 +56,7 @@ pub fn refine(
     program: &Program,
     start: &Solution,
     limits: NonconvexLimits,
-) -> Option<(Solution, Vec<Step>, &'static str)> {
+) -> Option<(Solution, Vec<Step>, Ended)> {
     // Between steps limits need not hold better than the next step will change them.
     let mut program = program.clone();
     program.settings.tolerance = STEP_TOLERANCE;
@@ -72,14 +73,14 @@ pub fn refine(
                 .sum::<f64>()
     };
     let mut steps = Vec::new();
-    let mut ended = "as many steps as are allowed were taken";
+    let mut ended = Ended::MostSteps;
     for _ in 0..MOST_STEPS {
         let here = sized(&current.extra);
         let mut next = program.clone();
         next.fixed = linearised(program, &current, &here, &present, 2.0 * ROOM);
         next.seeds = contacts(&current);
         let Ok(target) = next.solve() else {
-            ended = "the linearised program has no solution beside the last law";
+            ended = Ended::NoSolution;
             break;
         };
         let mut taken = 1.0;
@@ -95,7 +96,7 @@ pub fn refine(
             }
         };
         let Some((mut trial, room)) = accepted else {
-            ended = "no part of the last step improves the objective";
+            ended = Ended::NoImprovement;
             break;
         };
         let gain = merit(&current) - merit(&trial);
@@ -111,7 +112,7 @@ pub fn refine(
             taken,
         });
         if gain <= IMPROVEMENT * old.abs() {
-            ended = "the last step improved the objective by less than one part in ten million";
+            ended = Ended::SmallGain;
             break;
         }
     }

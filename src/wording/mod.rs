@@ -76,6 +76,7 @@ const ENGLISH: &[&str] = &[
     include_str!("en/read.ftl"),
     include_str!("en/synth.ftl"),
     include_str!("en/infeasible.ftl"),
+    include_str!("en/solver.ftl"),
 ];
 
 /// The library's messages in a language.

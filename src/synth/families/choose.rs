@@ -1,11 +1,17 @@
 //! Which family of laws a scene gets that does not insist on one.
 
-use super::{Found, NoLaw, Stuck, double_harmonic, on_base_circle, spectral, spline};
+use super::{Found, NoLaw, double_harmonic, on_base_circle, spectral, spline};
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
-use crate::synth::infeasible::{explain, in_units};
+use crate::synth::infeasible::explain;
 use crate::synth::limits::force_report;
+use crate::synth::method::PassedOver;
+use crate::synth::reason::quantity;
 use crate::synth::{sizing, verify};
+use crate::units::Quantity;
+
+/// The harmonics in closed form, as the ladder names them.
+const INVERSE: &str = "the inverse by harmonics";
 
 /// The first rungs of the ladder as families: harmonics in closed form where every limit and the accuracy
 /// hold with them, because then they are the optimum already (theory §1); a spline otherwise. The spline
@@ -24,25 +30,28 @@ pub fn ladder(problem: &Problem) -> Result<Found, NoLaw> {
     let wanted = problem.wanted_error();
     // A resonance is a reason to climb, not to stop: the spline spreads what one harmonic cannot have.
     let missed = match spectral::inverted(problem, None, wanted) {
-        Ok((_, left_over)) if left_over > wanted => {
-            format!("the accuracy by {:.4} N", left_over - wanted)
-        }
-        Ok((found, _)) => match missed_by(problem, &found)? {
+        Ok((_, left_over)) if left_over > wanted => PassedOver::Accuracy {
+            family: INVERSE,
+            excess: Quantity::force(left_over - wanted),
+        },
+        Ok((found, _)) => match missed_by(problem, &found, INVERSE)? {
             None => return Ok(found),
             Some(miss) => miss,
         },
-        Err(fault) => fault.to_string(),
+        Err(fault) => PassedOver::Fault {
+            family: INVERSE,
+            fault: fault.to_string(),
+        },
     };
     let mut found = spline::found(problem)?;
-    let passed_over = format!("; the inverse by harmonics misses {missed}");
-    found.solver.status.push_str(&passed_over);
+    found.solver.passed_over.push(missed);
     Ok(found)
 }
 
 /// The simplest family whose cam passes every check: a double harmonic, a few harmonics, a spline. The
 /// families that were passed over say what they missed by.
 pub fn simplest(problem: &Problem) -> Result<Found, NoLaw> {
-    let mut passed_over = String::new();
+    let mut passed_over = Vec::new();
     if problem.target.is_some()
         && !problem.has_demands()
         && problem.objective() == Minimise::ForceError
@@ -54,47 +63,48 @@ pub fn simplest(problem: &Problem) -> Result<Found, NoLaw> {
         for (family, found) in simple {
             let miss = match found(problem) {
                 Err(NoLaw::Fault(_)) => continue,
-                Err(NoLaw::Stuck(stuck)) => conflict(problem, &stuck),
-                Ok(mut found) => match missed_by(problem, &found)? {
+                Err(NoLaw::Stuck(stuck)) => PassedOver::Limits {
+                    family: family.name(),
+                    limits: explain(problem, &stuck).conflict,
+                },
+                Ok(mut found) => match missed_by(problem, &found, family.name())? {
                     Some(miss) => miss,
                     None => {
-                        found.solver.status.push_str(&passed_over);
+                        found.solver.passed_over = passed_over;
                         return Ok(found);
                     }
                 },
             };
-            passed_over.push_str(&format!("; {} misses {miss}", family.name()));
+            passed_over.push(miss);
         }
     }
     let mut found = spline::found(problem)?;
-    found.solver.status.push_str(&passed_over);
+    found.solver.passed_over = passed_over;
     Ok(found)
 }
 
-fn conflict(problem: &Problem, stuck: &Stuck) -> String {
-    explain(problem, stuck).conflict.join(", ")
-}
-
-/// What the cam of a law breaks first, in words; `None` when it passes.
-fn missed_by(problem: &Problem, found: &Found) -> Result<Option<String>, NoLaw> {
+/// What the cam of a law breaks first; `None` when it passes.
+fn missed_by(
+    problem: &Problem,
+    found: &Found,
+    family: &'static str,
+) -> Result<Option<PassedOver>, NoLaw> {
     let law = on_base_circle(problem, found.law.clone());
     let cam = sizing::cam(problem, law.clone(), &law)?;
     let force = force_report(problem, &cam.law);
     // A scene that asks for no accuracy still asks for its force.
     let wanted = problem.wanted_error();
     if problem.target.is_some() && problem.accuracy.is_none() && force.rms_error_n > wanted {
-        let over = force.rms_error_n - wanted;
-        return Ok(Some(format!("the accuracy by {over:.4} N")));
+        let excess = Quantity::force(force.rms_error_n - wanted);
+        return Ok(Some(PassedOver::Accuracy { family, excess }));
     }
     let checks = verify::checks(problem, &cam, &cam.law, &force);
-    let broken = checks.iter().find(|c| !c.pass);
     let measures = cam.follower.measures();
-    Ok(broken.map(|c| {
-        format!(
-            "{} ({} against {})",
-            c.name,
-            in_units(measures, &c.name, c.worst),
-            in_units(measures, &c.name, c.limit)
-        )
+    let broken = checks.into_iter().find(|c| !c.pass);
+    Ok(broken.map(|c| PassedOver::Check {
+        family,
+        value: quantity(measures, &c.name, c.worst),
+        limit: quantity(measures, &c.name, c.limit),
+        check: c.name,
     }))
 }

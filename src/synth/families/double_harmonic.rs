@@ -18,6 +18,8 @@ use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
 use crate::scene::Family;
 use crate::synth::design::Tier;
+use crate::synth::method::Method;
+use crate::units::Quantity;
 
 /// A placed hump.
 #[derive(Debug, Clone)]
@@ -45,11 +47,14 @@ const NODES: usize = 256;
 pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let hump = fit(target, &problem.drive, problem.limits.stroke)?;
-    let [phase, rise, fall] = hump.angles.map(f64::to_degrees);
-    let status = format!(
-        "rise of {rise:.2}° from {phase:.2}°, fall of {fall:.2}°, found by {} steps of search; misses the force by {:.4} N RMS",
-        hump.evaluations, hump.rms
-    );
+    let [from, rise, fall] = hump.angles.map(Quantity::angle);
+    let method = Method::Search {
+        rise,
+        from,
+        fall,
+        steps: hump.evaluations,
+        error: Quantity::force(hump.rms),
+    };
     Ok(Found {
         law: hump.law,
         family: Family::DoubleHarmonic,
@@ -57,7 +62,7 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
         coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Equality, &status, hump.evaluations, true),
+        solver: report(Tier::Equality, method, hump.evaluations, true),
     })
 }
 

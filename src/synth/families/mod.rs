@@ -14,6 +14,7 @@ pub use spline::stopped_at_noise;
 
 use super::design::{Binding, Easing, SolverReport, Tier};
 use super::limits::NonconvexLimits;
+use super::method::Method;
 use super::qp::{Failure, Program, Row, Solution};
 use crate::error::Error;
 use crate::law::Law;
@@ -87,15 +88,15 @@ pub fn on_base_circle(problem: &Problem, law: Law) -> Law {
     law.raised(-lowest)
 }
 
-fn report(tier: Tier, status: &str, iterations: usize, certified: bool) -> SolverReport {
+fn report(tier: Tier, method: Method, iterations: usize, certified: bool) -> SolverReport {
     SolverReport {
         tier,
-        status: status.to_string(),
+        method,
+        passed_over: Vec::new(),
         iterations,
         certified,
         certificate: None,
         steps: Vec::new(),
-        ended: "",
     }
 }
 

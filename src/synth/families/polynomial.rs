@@ -9,6 +9,7 @@ use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
+use crate::synth::method::Method;
 
 /// The problem's polynomial with how it was found.
 ///
@@ -24,12 +25,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         coefficients: p.monomials,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(
-            Tier::Equality,
-            "as many conditions as coefficients: one linear system",
-            0,
-            true,
-        ),
+        solver: report(Tier::Equality, Method::Interpolation, 0, true),
     })
 }
 

@@ -6,6 +6,7 @@ use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
+use crate::synth::method::Method;
 
 /// The law of the problem's segments.
 ///
@@ -31,12 +32,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         family: Family::Program,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(
-            Tier::Equality,
-            "the programme is given: nothing to solve",
-            0,
-            true,
-        ),
+        solver: report(Tier::Equality, Method::Programme, 0, true),
     })
 }
 

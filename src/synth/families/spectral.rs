@@ -11,8 +11,10 @@ use crate::poly::amplitudes;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Tier;
+use crate::synth::method::Method;
 use crate::synth::qp::{Basis, Program, TOLERANCE};
 use crate::synth::{easing, limits, qp};
+use crate::units::Quantity;
 
 /// Most harmonics that "auto" takes.
 const MOST_AUTO: usize = 60;
@@ -116,16 +118,16 @@ pub fn invert(
 pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<(Found, f64)> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let spectral = invert(&target.curve, &problem.drive, count, wanted)?;
-    let status = format!(
-        "{} harmonics inverted one by one; {:.4} N RMS lie in the rest",
-        spectral.count, spectral.left_over
-    );
+    let method = Method::Spectral {
+        harmonics: spectral.count,
+        rest: Quantity::force(spectral.left_over),
+    };
     let found = Found {
         family: Family::Harmonic,
         degree: 0,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Spectral, &status, 0, true),
+        solver: report(Tier::Spectral, method, 0, true),
         law: spectral.law(),
         coefficients: spectral.x,
     };
@@ -155,12 +157,13 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
     };
     found.law = program.basis.law(&solution.x);
     found.binding = gathered(&program, &solution, 2 * count);
-    let status = format!(
-        "{count} harmonics, {} rounds of exchange; limits hold to {:.1e}",
-        solution.rounds, solution.violation
-    );
+    let method = Method::Harmonics {
+        harmonics: count,
+        rounds: solution.rounds,
+        violation: solution.violation,
+    };
     let certified = solution.violation <= TOLERANCE * 1.000_001;
-    found.solver = report(Tier::Qp, &status, solution.iterations, certified);
+    found.solver = report(Tier::Qp, method, solution.iterations, certified);
     found.solver.certificate = Some(qp::certificate(&program, &solution));
     found.easing = easing::easings(&program, &solution, Minimise::ForceError);
     found.coefficients = solution.x;

@@ -6,6 +6,7 @@ use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
+use crate::synth::method::{Ended, Method};
 use crate::synth::qp::{Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
 use crate::synth::{easing, limits, qp, scp};
 use crate::units::Quantity;
@@ -28,7 +29,7 @@ struct Fitted {
     program: Program,
     solution: Solution,
     /// The sequence of convex programs, where one was needed, and why it ended.
-    sequence: Option<(Vec<Step>, &'static str)>,
+    sequence: Option<(Vec<Step>, Ended)>,
     spans: usize,
 }
 
@@ -226,36 +227,34 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
 }
 
 /// Which tier answered, and how.
-fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, &'static str)>) -> SolverReport {
+fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> SolverReport {
     let solution = &fitted.solution;
-    let certified = solution.violation <= TOLERANCE * 1.000_001;
-    let holds = format!("limits hold to {:.1e}", solution.violation);
+    let violation = solution.violation;
+    let certified = violation <= TOLERANCE * 1.000_001;
     if let Some((steps, ended)) = sequence {
-        let status = format!(
-            "{} convex programs in sequence for what is not convex, ended because {ended}; {holds}",
-            steps.len() + 1
-        );
+        let method = Method::Sequence {
+            programs: steps.len() + 1,
+            ended,
+            violation,
+        };
         return SolverReport {
             steps,
-            ended,
-            ..report(Tier::Scp, &status, solution.iterations, certified)
+            ..report(Tier::Scp, method, solution.iterations, certified)
         };
     }
     if !solution.used_rows {
-        let status = "no limit is broken without being asked";
-        return report(Tier::Equality, status, 0, certified);
+        return report(Tier::Equality, Method::NoLimitActive, 0, certified);
     }
     let tier = if fitted.program.cone {
         Tier::Socp
     } else {
         Tier::Qp
     };
-    let rounds = match solution.rounds {
-        1 => "one round".to_string(),
-        n => format!("{n} rounds"),
+    let method = Method::Exchange {
+        rounds: solution.rounds,
+        violation,
     };
-    let status = format!("{rounds} of exchange; {holds}");
-    report(tier, &status, solution.iterations, certified)
+    report(tier, method, solution.iterations, certified)
 }
 
 /// What relaxing each active limit would buy; where phases are weighed, of the weighted error.

@@ -288,7 +288,7 @@ fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
     let limit = 0.9 * high.value.max(-low.value);
     let limits = format!("pressure_angle = \"{limit} rad\"");
     let held = scene("roller-oscillating", &limits, arm);
-    assert_eq!(held.solver.tier.name(), "scp", "{}", held.solver.status);
+    assert_eq!(held.solver.tier.name(), "scp", "{}", held.solver.status());
     assert!(held.checks.iter().all(|c| c.pass), "{:?}", held.checks);
     let (low, high) = held.cam.pressure_angle_extremes();
     assert!(high.value.max(-low.value) <= limit * (1.0 + 1e-6));

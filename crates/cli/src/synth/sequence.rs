@@ -1,6 +1,7 @@
 //! `synth --verbose`: the sequence of convex programs, step by step.
 
 use gaitcam::synth::Synthesis;
+use gaitcam::wording::Language;
 
 /// One line per step.
 pub fn text(design: &Synthesis) -> String {
@@ -22,6 +23,8 @@ pub fn text(design: &Synthesis) -> String {
             step.taken
         ));
     }
-    out.push(format!("  ended because {}", solver.ended));
+    if let Some(ended) = solver.ended() {
+        out.push(format!("  ended because {}", ended.sentence(Language::En)));
+    }
     out.join("\n")
 }

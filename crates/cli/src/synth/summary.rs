@@ -215,7 +215,7 @@ fn solver(design: &Synthesis, time: Timing) -> Vec<String> {
             solver.tier.name(),
             1e3 * time.solve_s,
             1e3 * time.total_s,
-            solver.status
+            solver.status()
         ),
     )];
     if let Some(c) = &solver.certificate {

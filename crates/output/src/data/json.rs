@@ -49,7 +49,7 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     relaxed_together: Vec<RelaxationSummary<'a>>,
     remarks: Vec<String>,
-    solver: Solver<'a>,
+    solver: Solver,
     time: Total,
 }
 
@@ -181,9 +181,9 @@ struct RelaxationSummary<'a> {
 }
 
 #[derive(Serialize)]
-struct Solver<'a> {
+struct Solver {
     tier: &'static str,
-    status: &'a str,
+    status: String,
     iterations: usize,
     solve_s: f64,
     certified: bool,
@@ -262,7 +262,7 @@ impl<'a> Summary<'a> {
             remarks: synthesis.remarks(),
             solver: Solver {
                 tier: solver.tier.name(),
-                status: &solver.status,
+                status: solver.status(),
                 iterations: solver.iterations,
                 solve_s: time.solve_s,
                 certified: solver.certified,

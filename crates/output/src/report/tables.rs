@@ -265,7 +265,7 @@ pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
         Tier::Socp => "as a second-order cone program",
         Tier::Scp => "as a sequence of convex programs",
     };
-    let status = sentence(&solver.status);
+    let status = sentence(&solver.status());
     let spent = format!(
         "in {} ms ({} iterations)",
         number(1000.0 * time.solve_s, 3),

@@ -56,7 +56,7 @@ fn accuracy(scene: &Scene, design: &Synthesis) -> String {
 
 fn family(scene: &Scene, design: &Synthesis) -> Choice {
     let asked = scene.law.family;
-    let status = &design.solver.status;
+    let status = design.solver.status();
     let because = match asked {
         Family::Auto => format!("the simplest that passes every check: {status}"),
         Family::Ladder => format!("the lowest rung that passes every check: {status}"),
@@ -130,7 +130,7 @@ fn tier(design: &Synthesis) -> Choice {
         chosen: solver.tier.name().to_string(),
         because: format!(
             "{}; {} limit(s) bind, {} iterations",
-            solver.status,
+            solver.status(),
             design.binding.len(),
             solver.iterations
         ),

@@ -1,0 +1,108 @@
+//! How a law was found and what simpler families missed: data, whose sentences stand in
+//! `wording/en/solver.ftl`.
+
+use serde::Serialize;
+
+use crate::units::Quantity;
+use crate::wording::{self, Language};
+
+/// How a tier came to its law.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named as in the sentences
+pub enum Method {
+    /// A programme is given: nothing to solve.
+    Programme,
+    /// As many conditions as coefficients: one linear system.
+    Interpolation,
+    /// Harmonics inverted one by one; the RMS force that lies in the rest.
+    Spectral { harmonics: usize, rest: Quantity },
+    /// Harmonics with limits, by rounds of exchange.
+    Harmonics {
+        harmonics: usize,
+        rounds: usize,
+        violation: f64,
+    },
+    /// Rise and fall searched for.
+    Search {
+        rise: Quantity,
+        from: Quantity,
+        fall: Quantity,
+        steps: usize,
+        error: Quantity,
+    },
+    /// Least squares alone keep every limit.
+    NoLimitActive,
+    /// Rounds of exchange.
+    Exchange { rounds: usize, violation: f64 },
+    /// A sequence of convex programs.
+    Sequence {
+        programs: usize,
+        ended: Ended,
+        violation: f64,
+    },
+}
+
+/// Why a sequence of convex programs ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Ended {
+    /// As many steps as are allowed were taken.
+    MostSteps,
+    /// The linearised program has no solution beside the last law.
+    NoSolution,
+    /// No part of the last step improves the objective.
+    NoImprovement,
+    /// The last step improved the objective by too little.
+    SmallGain,
+}
+
+/// What a simpler family missed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)]
+pub enum PassedOver {
+    /// The accuracy.
+    Accuracy {
+        family: &'static str,
+        excess: Quantity,
+    },
+    /// A limit of the finished cam.
+    Check {
+        family: &'static str,
+        check: String,
+        value: Quantity,
+        limit: Quantity,
+    },
+    /// Limits that leave it no law.
+    Limits {
+        family: &'static str,
+        limits: Vec<String>,
+    },
+    /// It cannot be had at all.
+    Fault { family: &'static str, fault: String },
+}
+
+impl Method {
+    /// The method as a clause.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "method", self)
+    }
+}
+
+impl Ended {
+    /// The reason as a clause.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "ended", self)
+    }
+}
+
+impl PassedOver {
+    /// What was missed as a clause.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "passed-over", self)
+    }
+}
