@@ -4,8 +4,7 @@ use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::profile_curve::{Emitted, recover};
+use gaitcam::dynamics::recover::{Emitted, recover};
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{Machine, Model, Run, rigid, simulate, thesis};
 
@@ -14,14 +13,14 @@ fn main() {
 }
 
 fn emitted(cam: &Cam) -> Emitted {
-    recover(&cam.follower, &cam.profile(1440), 0.0).expect("the thesis's cams are curves")
+    recover(&cam.follower, &cam.profile(1440)).expect("the thesis's cams are curves")
 }
 
 #[divan::bench]
 fn recover_1440_points(bencher: divan::Bencher) {
     let cam = thesis::double_harmonic();
     let points = cam.profile(1440);
-    bencher.bench(|| recover(&cam.follower, &points, 0.0));
+    bencher.bench(|| recover(&cam.follower, &points));
 }
 
 /// Asked for: ≤ 50 µs.
@@ -52,22 +51,7 @@ fn bouncing() -> (Vec<Surface>, Drive) {
 fn contact_cycle(bencher: divan::Bencher) {
     let (surfaces, drive) = bouncing();
     let limits = Limits::default();
-    bencher.bench(|| contact::run(&surfaces, &drive, &Restitution::Prescribed(0.5), &limits));
-}
-
-#[divan::bench]
-fn contact_cycle_compliant(bencher: divan::Bencher) {
-    let (surfaces, drive) = bouncing();
-    let limits = Limits {
-        turns: 1,
-        impacts: 10,
-    };
-    let contact = Restitution::Compliant {
-        stiffness: 1e10,
-        exponent: 1.5,
-        restitution: 0.5,
-    };
-    bencher.bench(|| contact::run(&surfaces, &drive, &contact, &limits));
+    bencher.bench(|| contact::run(&surfaces, &drive, 0.5, &limits));
 }
 
 #[divan::bench(args = ["rigid", "flexible", "contact", "auto"])]
@@ -81,7 +65,7 @@ fn whole_simulation(bencher: divan::Bencher, model: &str) {
         target: None,
         machine: Machine {
             train: Train::from_frequency(&drive, 30.0, 0.05).ok(),
-            restitution: Restitution::Prescribed(0.5),
+            restitution: 0.5,
             ..Machine::default()
         },
     };

@@ -134,7 +134,7 @@ fn main() {
         roller_radius: 0.01,
     };
     let build = || {
-        let law = program(black_box(&segments), Extent::Turn).expect("a full turn");
+        let law = program(black_box(&segments), Extent::TURN).expect("a full turn");
         Cam { law, follower }.profile(3600)
     };
     let seconds = median(|| drop(black_box(build())));

@@ -28,7 +28,7 @@ fn law(motion: Rise, lift: f64, extent: Extent, length: f64) -> Law {
 }
 
 fn turn(motion: Rise, lift: f64) -> Law {
-    law(motion, lift, Extent::Turn, TAU)
+    law(motion, lift, Extent::TURN, TAU)
 }
 
 fn run(bencher: divan::Bencher, law: Law, follower: Follower) {

@@ -12,8 +12,7 @@ use gaitcam::cam::{Cam, Follower, smallest_prime_circle};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::{Error, Result};
@@ -205,7 +204,7 @@ fn main_job(report: &mut Report) {
         seconds,
     );
     let cam = Cam {
-        law: turn("3-4-5", 0.02, Extent::Turn, TAU),
+        law: turn("3-4-5", 0.02, Extent::TURN, TAU),
         follower: Follower::RollerTranslating {
             prime_radius: 0.05,
             offset: 0.005,
@@ -311,7 +310,7 @@ fn ladder(report: &mut Report) {
         1e-3,
         seconds,
     );
-    let law = turn("3-4-5", 0.02, Extent::Turn, TAU);
+    let law = turn("3-4-5", 0.02, Extent::TURN, TAU);
     let seconds = times(|| smallest_prime_circle(black_box(&law), PI / 6.0, PI / 6.0, None));
     report.time(
         "synthesis",
@@ -325,7 +324,7 @@ fn followers(report: &mut Report) {
     let straight = 0.2;
     let cams = [
         (
-            turn("3-4-5", 0.3, Extent::Turn, TAU),
+            turn("3-4-5", 0.3, Extent::TURN, TAU),
             Follower::RollerOscillating {
                 pivot_distance: 0.08,
                 arm: 0.06,
@@ -334,7 +333,7 @@ fn followers(report: &mut Report) {
             },
         ),
         (
-            turn("3-4-5", 0.2, Extent::Turn, TAU),
+            turn("3-4-5", 0.2, Extent::TURN, TAU),
             Follower::FlatOscillating {
                 pivot_distance: 0.1,
                 face_offset: 0.01,
@@ -342,11 +341,11 @@ fn followers(report: &mut Report) {
             },
         ),
         (
-            turn("3-4-5", 0.02, Extent::Turn, TAU),
+            turn("3-4-5", 0.02, Extent::TURN, TAU),
             Follower::FlatTranslating { base_radius: 0.04 },
         ),
         (
-            turn("3-4-5", 0.02, Extent::Turn, TAU),
+            turn("3-4-5", 0.02, Extent::TURN, TAU),
             Follower::MushroomTranslating {
                 prime_radius: 0.14,
                 offset: 0.0,
@@ -361,7 +360,7 @@ fn followers(report: &mut Report) {
             },
         ),
         (
-            turn("3-4-5", 0.04, Extent::Turn, TAU),
+            turn("3-4-5", 0.04, Extent::TURN, TAU),
             Follower::Barrel {
                 radius: 0.03,
                 roller_radius: 0.005,
@@ -422,7 +421,7 @@ fn recordings(report: &mut Report) {
 
 fn dynamics(report: &mut Report) {
     let cam = thesis::double_harmonic();
-    let emitted = recover(&cam.follower, &cam.profile(1440), 0.0).expect("a curve");
+    let emitted = recover(&cam.follower, &cam.profile(1440)).expect("a curve");
     let drive = thesis::real(thesis::SPEED);
     let seconds = times(|| rigid::cycle(black_box(&emitted.nodes), &drive, 0.1, 0.03));
     report.time("dynamics", "rigid, cycle of 1440 points", 50e-6, seconds);
@@ -436,8 +435,8 @@ fn dynamics(report: &mut Report) {
     );
     let fast = thesis::real(27.0);
     let surfaces = [Surface::new(emitted.law, &fast)];
-    let bounce = Restitution::Prescribed(0.5);
-    let seconds = times(|| contact::run(&surfaces, &fast, &bounce, &Limits::default()));
+    let bounce = 0.5;
+    let seconds = times(|| contact::run(&surfaces, &fast, bounce, &Limits::default()));
     report.time(
         "dynamics",
         "contact, about thirty impacts (asked for ten)",

@@ -139,7 +139,7 @@ fn rise_and_fall() -> Law {
         third("3-4-5", -0.02),
         third("dwell", 0.0),
     ];
-    program(&segments, Extent::Turn).expect("a full turn")
+    program(&segments, Extent::TURN).expect("a full turn")
 }
 
 /// Closed-form prime circle from exact extrema of the law.

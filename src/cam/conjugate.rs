@@ -31,10 +31,29 @@ pub struct Conjugate {
 }
 
 impl Conjugate {
-    /// The conjugate of `first`; its roller may differ (`None`: equal). Fails when no such cam exists and
-    /// says from where on one does.
+    /// The conjugate of `first`; its roller may differ (`None`: equal).
+    ///
+    /// # Errors
+    /// When no such cam exists; the error says from where on one does.
     pub fn new(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
-        first.check()?;
+        Conjugate::closed(first, closure, second_roller, Cam::check)
+    }
+
+    /// The same with arms in other planes than the cams, so that their pivots may lie within the profiles.
+    ///
+    /// # Errors
+    /// As [`Conjugate::new`].
+    pub fn beside(first: &Cam, closure: Closure, second_roller: Option<f64>) -> Result<Conjugate> {
+        Conjugate::closed(first, closure, second_roller, Cam::check_beside)
+    }
+
+    fn closed(
+        first: &Cam,
+        closure: Closure,
+        second_roller: Option<f64>,
+        check: fn(&Cam) -> Result<()>,
+    ) -> Result<Conjugate> {
+        check(first)?;
         let radius = second_roller.unwrap_or_else(|| first.follower.roller_radius());
         let (_, top) = Follower::lift_range(&first.law);
         let law = first.law.scaled(-1.0).raised(top);
@@ -43,7 +62,7 @@ impl Conjugate {
             follower: opposite(&first.follower, radius)?,
         };
         // Place of the first follower at its top, from which the closure measures.
-        let reach = place(&first.follower) + top;
+        let reach = first.follower.start_place() + top;
         match closure {
             Closure::SecondBaseRadius(base) => {
                 second.follower = second.follower.with_base_radius(base);
@@ -59,19 +78,19 @@ impl Conjugate {
             }
             Closure::Distance(total) | Closure::Angle(total) => {
                 let start = total - reach;
-                second.follower = placed(&second.follower, start).ok_or_else(|| {
+                second.follower = second.follower.with_start_place(start).ok_or_else(|| {
                     no_conjugate(&second, reach, total, first.follower.is_oscillating())
                 })?;
             }
         }
-        if let Err(fault) = second.check() {
+        if let Err(fault) = check(&second) {
             return Err(Error::new(format!(
                 "the conjugate cam does not exist: {}",
                 fault.what()
             ))
             .help(fault.cure().unwrap_or_default()));
         }
-        let total = reach + place(&second.follower);
+        let total = reach + second.follower.start_place();
         Ok(Conjugate {
             first: first.clone(),
             second,
@@ -83,16 +102,10 @@ impl Conjugate {
     /// same at every θ.
     pub fn sum(&self, theta: f64) -> f64 {
         let (first, second) = (&self.first, &self.second);
-        place(&first.follower)
+        first.follower.start_place()
             + first.law.svaj(theta).s
-            + place(&second.follower)
+            + second.follower.start_place()
             + second.law.svaj(theta).s
-    }
-
-    /// The second cam's contact at `theta`, in the frame of the shaft, where the first one's is
-    /// `first.point(theta)`.
-    pub fn second_point(&self, theta: f64) -> ProfilePoint {
-        half_turned(self.second.point(theta))
     }
 
     /// The second cam's profile in the frame of the shaft.
@@ -113,42 +126,6 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
         pitch_y: -p.pitch_y,
         ..p
     }
-}
-
-/// Where the follower stands at s = 0: height of face or centre over the cam's centre, or angle of the arm.
-fn place(follower: &Follower) -> f64 {
-    match follower.start_angle() {
-        Some(angle) => angle,
-        None => {
-            let (rp, e) = (follower.prime_radius(), follower.offset());
-            (rp * rp - e * e).sqrt()
-        }
-    }
-}
-
-/// The follower whose place at s = 0 is `start`; `None` when none has it.
-fn placed(follower: &Follower, start: f64) -> Option<Follower> {
-    let radius = follower.roller_radius();
-    let base = match *follower {
-        Follower::RollerOscillating {
-            pivot_distance: c,
-            arm,
-            ..
-        }
-        | Follower::MushroomOscillating {
-            pivot_distance: c,
-            arm,
-            ..
-        } => (arm * arm + c * c - 2.0 * arm * c.abs() * start.cos()).sqrt() - radius,
-        Follower::FlatOscillating {
-            pivot_distance,
-            face_offset,
-            ..
-        } => face_offset + pivot_distance.abs() * start.sin(),
-        _ => start.hypot(follower.offset()) - radius,
-    };
-    let reaches = start > 0.0 || matches!(follower, Follower::FlatOscillating { .. });
-    (reaches && base > 0.0).then(|| follower.with_base_radius(base))
 }
 
 /// The second member's follower before its size is known: other side, other roller.
@@ -228,7 +205,7 @@ fn no_conjugate(second: &Cam, reach: f64, total: f64, angular: bool) -> Error {
     ));
     match smallest_for(second, &SizeLimits::no_undercut()) {
         Ok(base) => {
-            let least = reach + place(&second.follower.with_base_radius(base));
+            let least = reach + second.follower.with_base_radius(base).start_place();
             error.help(format!(
                 "from {} on (second base radius {}) one exists without undercut",
                 words(least),

@@ -90,8 +90,7 @@ impl Cam {
 
     /// A follower that sinks to the cam's centre turns the cam inside out.
     fn check_above_centre(&self, low: f64) -> Result<()> {
-        let (rp, e) = (self.follower.prime_radius(), self.follower.offset());
-        let rise = (rp * rp - e * e).sqrt();
+        let (rise, e) = (self.follower.start_height(), self.follower.offset());
         if rise + low > 0.0 {
             return Ok(());
         }

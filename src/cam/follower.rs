@@ -158,6 +158,43 @@ impl Follower {
         )
     }
 
+    /// Height D = √(Rp² − e²) of the face, or of the circle's centre, over the cam's centre at s = 0, m, of
+    /// a translating follower.
+    pub fn start_height(&self) -> f64 {
+        let (rp, e) = (self.prime_radius(), self.offset());
+        (rp * rp - e * e).sqrt()
+    }
+
+    /// Where the follower stands at s = 0: its height over the cam's centre, m, or the angle of its arm, rad.
+    pub(super) fn start_place(&self) -> f64 {
+        self.start_angle().unwrap_or_else(|| self.start_height())
+    }
+
+    /// The follower on the base circle that puts it at `start` when s = 0; `None` when there is none.
+    pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
+        let radius = self.roller_radius();
+        let flat_arm = matches!(self, Follower::FlatOscillating { .. });
+        let base = match *self {
+            Follower::RollerOscillating {
+                pivot_distance: c,
+                arm,
+                ..
+            }
+            | Follower::MushroomOscillating {
+                pivot_distance: c,
+                arm,
+                ..
+            } => (arm * arm + c * c - 2.0 * arm * c.abs() * start.cos()).sqrt() - radius,
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset,
+                ..
+            } => face_offset + pivot_distance.abs() * start.sin(),
+            _ => start.hypot(self.offset()) - radius,
+        };
+        ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
+    }
+
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. Not a number when the arm
     /// cannot reach ([`Cam::check`](super::Cam::check) says so).
     pub fn start_angle(&self) -> Option<f64> {

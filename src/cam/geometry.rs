@@ -21,7 +21,8 @@ pub(super) struct Contact {
     pub pitch: [f64; 2],
     /// Signed radius of curvature of the cam.
     pub rho: f64,
-    /// tan of the signed pressure angle: the push leans by φ from the motion, counter-clockwise positive.
+    /// tan of the signed pressure angle: the push leans by φ from the motion of the follower's point there,
+    /// counter-clockwise positive.
     pub tan_pressure: f64,
 }
 
@@ -31,14 +32,14 @@ pub(super) enum Geometry {
     Flat {
         base: f64,
     },
-    Swinging {
+    FlatArm {
         pivot: f64,
         /// +1 for a pivot on +x, −1 on −x.
         side: f64,
         offset: f64,
         start: f64,
     },
-    Sliding {
+    Circle {
         rise: f64,
         offset: f64,
         radius: f64,
@@ -68,23 +69,15 @@ impl Geometry {
                 pivot_distance,
                 face_offset,
                 ..
-            } => Geometry::Swinging {
+            } => Geometry::FlatArm {
                 pivot: pivot_distance.abs(),
                 side: pivot_distance.signum(),
                 offset: face_offset,
                 start,
             },
-            Follower::RollerTranslating {
-                prime_radius,
-                offset,
-                ..
-            }
-            | Follower::MushroomTranslating {
-                prime_radius,
-                offset,
-                ..
-            } => Geometry::Sliding {
-                rise: (prime_radius * prime_radius - offset * offset).sqrt(),
+            Follower::RollerTranslating { offset, .. }
+            | Follower::MushroomTranslating { offset, .. } => Geometry::Circle {
+                rise: follower.start_height(),
                 offset,
                 radius,
             },
@@ -129,20 +122,20 @@ impl Geometry {
     pub fn contact(&self, at: Svaj) -> Contact {
         match *self {
             Geometry::Flat { base } => flat([at.s, at.v, at.a], base),
-            Geometry::Swinging {
+            Geometry::FlatArm {
                 pivot,
                 side,
                 offset,
                 start,
             } => {
                 let turn = (start + at.s).sin_cos();
-                swinging([at.v, at.a], turn, pivot, side, offset)
+                flat_arm([at.v, at.a], turn, pivot, side, offset)
             }
-            Geometry::Sliding {
+            Geometry::Circle {
                 rise,
                 offset,
                 radius,
-            } => sliding([at.s, at.v, at.a], rise, offset, radius),
+            } => circle([at.s, at.v, at.a], rise, offset, radius),
             Geometry::Arm {
                 pivot,
                 side,
@@ -178,7 +171,7 @@ impl Geometry {
                     out.set(k, flat([s[k], v[k], a[k]], base));
                 }
             }
-            Geometry::Swinging {
+            Geometry::FlatArm {
                 pivot,
                 side,
                 offset,
@@ -187,16 +180,16 @@ impl Geometry {
                 let turns = turns(batch, start);
                 for k in 0..BATCH {
                     let turn = (turns[0][k], turns[1][k]);
-                    out.set(k, swinging([v[k], a[k]], turn, pivot, side, offset));
+                    out.set(k, flat_arm([v[k], a[k]], turn, pivot, side, offset));
                 }
             }
-            Geometry::Sliding {
+            Geometry::Circle {
                 rise,
                 offset,
                 radius,
             } => {
                 for k in 0..BATCH {
-                    out.set(k, sliding([s[k], v[k], a[k]], rise, offset, radius));
+                    out.set(k, circle([s[k], v[k], a[k]], rise, offset, radius));
                 }
             }
             Geometry::Arm {
@@ -222,16 +215,11 @@ impl Geometry {
                 }
             }
         }
-        if !self.is_flat() {
+        if !matches!(self, Geometry::Flat { .. }) {
             for tan in &mut out.pressure_angle {
                 *tan = arc_tangent(*tan);
             }
         }
-    }
-
-    /// Whether the follower's face is flat: its pressure angle is zero always.
-    fn is_flat(&self) -> bool {
-        matches!(self, Geometry::Flat { .. } | Geometry::Swinging { .. })
     }
 
     /// Signed curvature of the pitch curve, 1/m: finite where its radius is not.
@@ -249,8 +237,8 @@ impl Geometry {
     /// Radius of the roller or arc.
     pub fn radius(&self) -> f64 {
         match *self {
-            Geometry::Flat { .. } | Geometry::Swinging { .. } => 0.0,
-            Geometry::Sliding { radius, .. }
+            Geometry::Flat { .. } | Geometry::FlatArm { .. } => 0.0,
+            Geometry::Circle { radius, .. }
             | Geometry::Arm { radius, .. }
             | Geometry::Unrolled { radius, .. } => radius,
         }
@@ -261,7 +249,7 @@ impl Geometry {
     pub fn travel(&self, at: Svaj) -> f64 {
         match *self {
             Geometry::Flat { .. } => at.v,
-            Geometry::Swinging {
+            Geometry::FlatArm {
                 pivot, side, start, ..
             } => pivot * (start + at.s).cos() / (1.0 + side * at.v),
             _ => {
@@ -346,7 +334,7 @@ fn flat([s, v, a]: [f64; 3], base: f64) -> Contact {
 
 /// Circle on a slide: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
 #[inline(always)]
-fn sliding([s, v, a]: [f64; 3], rise: f64, offset: f64, radius: f64) -> Contact {
+fn circle([s, v, a]: [f64; 3], rise: f64, offset: f64, radius: f64) -> Contact {
     let (x, y) = (rise + s, v - offset);
     let square = x * x + y * y;
     let length = square.sqrt();
@@ -379,7 +367,7 @@ fn unrolled([s, v, a]: [f64; 3], scale: f64, base: f64, radius: f64) -> Contact 
 
 /// Oscillating flat face: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
 #[inline(always)]
-fn swinging(
+fn flat_arm(
     [v, a]: [f64; 2],
     (sin, cos): (f64, f64),
     pivot: f64,
@@ -397,7 +385,8 @@ fn swinging(
         point,
         pitch: point,
         rho,
-        tan_pressure: 0.0,
+        // From the foot of the pivot on the face the contact lies c cos ξ/(1 + σξ′) along it.
+        tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
     }
 }
 

@@ -41,6 +41,19 @@ use crate::error::Result;
 use crate::law::Law;
 
 /// A law of motion on its follower.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // s = 10 mm (1 + sin θ) under a flat face is an eccentric disc: a circle of 30 mm about (10 mm, 0).
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
+/// for p in cam.profile(360) {
+///     assert!(((p.x - 0.01).hypot(p.y) - 0.03).abs() < 1e-15);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cam {
     /// The law of motion; its lift is measured from the base (prime) circle.
@@ -50,10 +63,23 @@ pub struct Cam {
 }
 
 impl Cam {
-    /// A cam whose follower fits its law: [`Cam::check`] passes.
+    /// A cam whose follower fits its law; the pivot of an arm lies outside the profile.
+    ///
+    /// # Errors
+    /// Where [`Cam::check`] fails.
     pub fn new(law: Law, follower: Follower) -> Result<Cam> {
         let cam = Cam { law, follower };
         cam.check()?;
+        Ok(cam)
+    }
+
+    /// A cam whose arm runs in another plane, so that its pivot may lie within the profile.
+    ///
+    /// # Errors
+    /// Where [`Cam::check_beside`] fails.
+    pub fn beside(law: Law, follower: Follower) -> Result<Cam> {
+        let cam = Cam { law, follower };
+        cam.check_beside()?;
         Ok(cam)
     }
 }

@@ -2,8 +2,11 @@
 
 use super::Cam;
 use super::geometry::{Contacts, Geometry};
-use crate::law::{BATCH, Batch, Turns};
+use crate::law::{BATCH, Batch, Svaj, Turns};
 use pulp::{Arch, NullaryFnOnce};
+
+/// Jumps below this part of the largest value of their derivative are rounding.
+const NO_JUMP: f64 = 1e-9;
 
 /// One row of the profile; lengths in m, angles in rad.
 ///
@@ -29,8 +32,12 @@ pub struct ProfilePoint {
 impl Cam {
     /// The profile point that touches the follower at `theta`.
     pub fn point(&self, theta: f64) -> ProfilePoint {
+        self.point_of(theta, self.law.svaj(theta))
+    }
+
+    fn point_of(&self, theta: f64, at: Svaj) -> ProfilePoint {
         let geometry = Geometry::new(&self.follower);
-        let contact = geometry.contact(self.law.svaj(theta));
+        let contact = geometry.contact(at);
         let frame = match geometry.straight() {
             Some(scale) => Frame::Moved(scale * theta),
             None => {
@@ -49,6 +56,26 @@ impl Cam {
             rho: contact.rho,
             pressure_angle: contact.tan_pressure.atan(),
         }
+    }
+
+    /// The profile points on both sides of every angle at which a derivative of the law up to `order`
+    /// (2: acceleration, 3: jerk) jumps, in order of their angles. They go with an emitted profile: between
+    /// them it is smooth.
+    pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
+        let law = &self.law;
+        let n = law.poly().pieces();
+        let none = [0, 1, 2, 3].map(|k| NO_JUMP * law.bound(k));
+        let jumps = |a: Svaj, b: Svaj| {
+            let apart = [b.s - a.s, b.v - a.v, b.a - a.a, b.j - a.j];
+            (0..=order.min(3)).any(|k| apart[k].abs() > none[k])
+        };
+        (usize::from(!law.is_closed())..n)
+            .filter_map(|i| {
+                let (before, after) = (law.svaj_on((i + n - 1) % n, 1.0), law.svaj_on(i, 0.0));
+                let at = law.breaks()[i];
+                jumps(before, after).then(|| [self.point_of(at, before), self.point_of(at, after)])
+            })
+            .collect()
     }
 
     /// `n` profile points at equal steps of the cam angle, from the law's first angle on. The curve of a

@@ -10,9 +10,15 @@ const STAND_IN: f64 = 1e-12;
 
 impl Cam {
     /// Smallest and largest pressure angle, rad, signed: positive leans the push counter-clockwise from
-    /// the motion, as a rise does. Zero for flat faces, which push along their own normal.
+    /// the motion, as a rise does. Zero for a flat face that translates; sin φ = f/L for one on an arm, L
+    /// from pivot to contact.
     pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
-        if self.follower.is_flat() {
+        let along_normal = match self.follower {
+            Follower::FlatTranslating { .. } => true,
+            Follower::FlatOscillating { face_offset, .. } => face_offset == 0.0,
+            _ => false,
+        };
+        if along_normal {
             let zero = Extreme {
                 at: self.law.extent().0,
                 value: 0.0,

@@ -72,6 +72,8 @@ pub struct SizeLimits {
     pub pressure_rise: f64,
     /// Largest pressure angle on the negative side, rad; π/2 for any.
     pub pressure_fall: f64,
+    /// The arm runs in another plane: its pivot may lie within the profile.
+    pub pivot_beside: bool,
 }
 
 impl SizeLimits {
@@ -81,11 +83,17 @@ impl SizeLimits {
             rho_min: 0.0,
             pressure_rise: std::f64::consts::FRAC_PI_2,
             pressure_fall: std::f64::consts::FRAC_PI_2,
+            pivot_beside: false,
         }
     }
 
     fn hold(&self, cam: &Cam) -> bool {
-        if cam.check().is_err() {
+        let fits = if self.pivot_beside {
+            cam.check_beside()
+        } else {
+            cam.check()
+        };
+        if fits.is_err() {
             return false;
         }
         let (low, high) = cam.pressure_angle_extremes();

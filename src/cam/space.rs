@@ -13,7 +13,7 @@ impl Cam {
     }
 
     /// Unit direction in which the contact side of the follower moves as its lift grows, fixed frame: +y,
-    /// or square to the arm.
+    /// or square to the arm (the outward normal of a flat face on an arm).
     pub fn motion(&self, theta: f64) -> [f64; 2] {
         let Some(start) = self.follower.start_angle() else {
             return [0.0, 1.0];
@@ -23,10 +23,15 @@ impl Cam {
         [side * sin, cos]
     }
 
-    /// Outward unit normal of the cam at one of its profile points, cam frame, exact: the motion leaned by
-    /// the pressure angle.
+    /// Outward unit normal of the cam at one of its profile points, cam frame, exact: that of a flat face, or
+    /// the motion leaned by the pressure angle.
     pub fn normal(&self, point: &ProfilePoint) -> [f64; 2] {
-        let fixed = turned(self.motion(point.theta), point.pressure_angle);
+        let motion = self.motion(point.theta);
+        let fixed = if self.follower.is_flat() {
+            motion
+        } else {
+            turned(motion, point.pressure_angle)
+        };
         match self.follower {
             Follower::TranslatingCam { .. } | Follower::Barrel { .. } => fixed,
             _ => turned(fixed, -point.theta),

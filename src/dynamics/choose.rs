@@ -1,11 +1,11 @@
 //! `--model auto`: the least model that is enough, and the numbers that say so.
 
-use super::contact_model::contact_run;
 use super::flexible::Train;
-use super::models::{flexible_run, rigid_run};
+use super::models::{contact_run, flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
-use super::profile_curve::Cycle;
-use super::simulate::{Prepared, Run};
+use super::prepared::Prepared;
+use super::recover::Cycle;
+use super::run::Run;
 use crate::cam::Measures;
 use crate::error::Result;
 use realfft::RealFftPlanner;
@@ -157,17 +157,14 @@ fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
 /// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, and what
 /// to say about it: each harmonic n is passed on with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, String) {
-    let Some(&natural) = train.natural_frequencies(&p.drive).first() else {
+    let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass nothing rings, but springs in series share the lift: always worth running.
         return (
             f64::INFINITY,
             "the column gives without ringing".to_string(),
         );
     };
-    let damping = match *train {
-        Train::OneMass { damping, .. } | Train::TwoMass { damping, .. } => damping,
-    };
-    let zeta = damping / (2.0 * p.drive.mass * natural);
+    let zeta = train.damping / (2.0 * p.drive.mass * natural);
     let mut planner = RealFftPlanner::<f64>::new();
     let forward = planner.plan_fft_forward(forces.len());
     let mut spectrum = forward.make_output_vec();

@@ -1,46 +1,33 @@
 //! The cam in motion, with no more model than the scene needs.
 //!
 //! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
-//! ([`profile_curve`]) and runs it under one of three models:
+//! ([`recover`]) and runs it under one of three models:
 //!
-//! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, what the parts must bear ([`hertz`], [`motor`]);
-//! - [`flexible`]: what vibrates, in exact steady state ([`linear`], [`train`], [`shaft`]);
-//! - [`contact`]: lift-off, flight, impact and rest, one event after the other ([`flight`], [`impact`]).
+//! - [`rigid`]: F = F₀ + k s + c ω v + m ω² a, torque, contact pressure ([`rigid::hertz`]);
+//! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
+//! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
-//! [`choose`] picks the least that is enough and says why; [`design`] hands limits back to the synthesis,
-//! [`polydyne`] shapes the cam so that a follower that gives ends where it should;
-//! [`experiment`] runs the cams of Campillo de Blas (2017) again.
+//! [`choose`] picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
+//! the end of a compliant follower moves as wanted.
 
-mod backwards;
 pub mod choose;
 pub mod contact;
-mod contact_model;
-pub mod design;
-mod events;
 pub mod flexible;
-pub mod flight;
-pub mod hertz;
-pub mod impact;
-pub mod linear;
-pub mod load_cell;
 mod models;
-pub mod motor;
 pub mod outcome;
 pub mod piecewise_force;
-pub mod polydyne;
-pub mod profile_curve;
+mod prepared;
+pub mod recover;
+pub mod report;
 pub mod rigid;
 mod rows;
-pub mod shaft;
-pub mod simulate;
-mod slopes;
-mod smoothing;
-pub mod stance;
+mod run;
+mod simulate;
 pub mod surface;
 pub mod thesis;
-pub mod touch;
-pub mod train;
-pub mod two_cams;
 
+pub use flexible::Train;
 pub use outcome::{Model, Outcome};
-pub use simulate::{Face, Machine, Run, simulate};
+pub use rigid::hertz;
+pub use run::{Face, Machine, Run};
+pub use simulate::simulate;

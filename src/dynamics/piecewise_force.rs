@@ -86,12 +86,12 @@ pub fn steps(law: &Law) -> Vec<Joint> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dynamics::{profile_curve::recover, thesis};
+    use crate::dynamics::{recover::recover, thesis};
 
     #[test]
     fn one_pass_gives_what_the_law_gives() {
         let cam = thesis::double_harmonic();
-        let law = recover(&cam.follower, &cam.profile(90), 0.0).unwrap().law;
+        let law = recover(&cam.follower, &cam.profile(90)).unwrap().law;
         let (a, b) = (
             combination(&law, [3.0, -0.7, 0.4], 2.0),
             law.combination([3.0, -0.7, 0.4, 0.0], 2.0),

@@ -1,10 +1,10 @@
-//! What the rows of a run share: forces at equal angles with torque, pressure and load cell made of them.
+//! What the rows of a run share: forces at equal angles with torque and pressure made of them.
 
-use super::hertz;
 use super::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
-use super::rigid;
-use super::simulate::{Prepared, Run};
-use super::touch::{Touch, touch};
+use super::prepared::Prepared;
+use super::rigid::touch::{Touch, touch};
+use super::rigid::{self, hertz};
+use super::run::Run;
 use crate::law::Svaj;
 
 impl Prepared {
@@ -19,20 +19,9 @@ impl Prepared {
     }
 
     /// Rows from forces (and heights over the profile's lift) at equal angles over whole turns.
-    pub fn rows(
-        &self,
-        input: &Run,
-        forces: &[f64],
-        heights: &[f64],
-        blows: &[(f64, f64)],
-    ) -> Vec<Row> {
+    pub fn rows(&self, input: &Run, forces: &[f64], heights: &[f64]) -> Vec<Row> {
         let n = self.nodes.len();
         let total = forces.len();
-        let length = self.step * total as f64;
-        let cell = input.machine.load_cell.map_or_else(
-            || forces.to_vec(),
-            |c| c.reading(forces, blows, length, self.drive.speed),
-        );
         let sign = if self.reversed { -1.0 } else { 1.0 };
         let first = if self.reversed {
             -(self.start + self.cycle.length)
@@ -64,7 +53,6 @@ impl Prepared {
                 sliding: sign * touch.sliding,
                 entraining: sign * touch.entraining,
                 side_thrust: touch.side_thrust,
-                load_cell: cell[i],
             };
         }
         rows
@@ -77,7 +65,7 @@ impl Prepared {
             (Some(cam), Some(nodes)) if force < 0.0 => {
                 touch(&cam.follower, speed, friction, nodes[row], -force)
             }
-            _ => touch(&input.cam.follower, speed, friction, at, force),
+            _ => touch(&self.bearing, speed, friction, at, force),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
 /// Forces this small against the largest are rounding, not a pull.
-const NO_PULL: f64 = 1e-11;
+pub(super) const NO_PULL: f64 = 1e-11;
 /// The same without inertia: the force is the lift's own, and rounded coordinates know a lift of zero to
 /// about a nanometre in a millimetre.
 const NO_PULL_STATIC: f64 = 1e-6;

@@ -5,6 +5,7 @@ mod hermite;
 mod joint;
 mod pieces;
 mod program;
+mod reversed;
 mod rise;
 mod walk;
 mod wave;

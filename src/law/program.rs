@@ -18,18 +18,18 @@ pub struct Segment {
 /// What a programme fills.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// One turn; the law repeats.
-    Turn,
-    /// Several turns of a barrel cam; the law repeats after them.
+    /// Whole turns (several: a barrel cam); the law repeats after them.
     Turns(usize),
     /// A length of travel, m (translating cam); the law ends where it ends.
     Length(f64),
 }
 
 impl Extent {
+    /// One turn.
+    pub const TURN: Extent = Extent::Turns(1);
+
     fn length(self) -> f64 {
         match self {
-            Extent::Turn => TAU,
             Extent::Turns(n) => TAU * n as f64,
             Extent::Length(l) => l,
         }
@@ -116,7 +116,7 @@ pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let segments: Vec<Segment> = half.iter().cloned().chain(mirrored).collect();
     let ends = ends_of(&segments, TAU / (2.0 * total));
     let draft = Draft { law, ends };
-    check_joints(&draft, &segments, Extent::Turn)?;
+    check_joints(&draft, &segments, Extent::TURN)?;
     Ok(draft.law)
 }
 

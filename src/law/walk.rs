@@ -270,7 +270,7 @@ mod tests {
                 segment(Rise::Poly56789, 0.5, 1.1),
                 segment(Rise::Cycloidal, -1.5, TAU - 3.1),
             ],
-            Extent::Turn,
+            Extent::TURN,
         )
         .unwrap();
         let harmonic = Law::harmonic(0.3, &[(1.0, 0.0), (0.0, 0.5), (0.2, 0.1)]);

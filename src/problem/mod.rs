@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
-use crate::dynamics::train::Train;
+use crate::dynamics::Train;
 use crate::error::{Error, Result};
 use crate::force::{ForceCurve, implausible, spread_rms_n};
 use crate::law::Rise;

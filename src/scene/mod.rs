@@ -15,7 +15,7 @@ use std::path::PathBuf;
 
 use crate::cam::{Closure, FollowerKind, Measures};
 use crate::drive::{Drive, DriveKind};
-use crate::dynamics::train::Train;
+use crate::dynamics::Train;
 use crate::error::{Place, Result};
 use crate::force::Feet;
 use crate::law::Rise;
@@ -288,7 +288,7 @@ impl MachineSpec {
                 .map(Some)
                 .map_err(|e| e.at(Place::Key("machine.natural_frequency".to_string())));
         }
-        Ok(self.stiffness.map(|stiffness| Train::OneMass {
+        Ok(self.stiffness.map(|stiffness| Train {
             stiffness,
             damping: 2.0 * self.damping_ratio * (stiffness * drive.mass).sqrt(),
         }))

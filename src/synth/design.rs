@@ -5,7 +5,7 @@ use super::qp::Certificate;
 use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
 use crate::drive::Drive;
-use crate::dynamics::polydyne::Miss;
+use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;

@@ -6,8 +6,8 @@ use super::families::{Found, NoLaw, find_law, on_base_circle};
 use super::limits::force_report;
 use super::{sizing, verify};
 use crate::cam::{Cam, Check};
-use crate::dynamics::polydyne::{end_error, polydyne};
-use crate::dynamics::train::Train;
+use crate::dynamics::Train;
+use crate::dynamics::flexible::polydyne::{end_error, polydyne};
 use crate::error::{Place, Result};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
@@ -142,12 +142,7 @@ fn own_limit<'a>(limits: &'a mut Limits, check: &str) -> Option<&'a mut f64> {
 
 /// What the flexible machine makes of the cam, and of one cut to the wanted law itself.
 fn known(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
-    let (stiffness, damping) = match *train {
-        Train::OneMass { stiffness, damping }
-        | Train::TwoMass {
-            stiffness, damping, ..
-        } => (stiffness, damping),
-    };
+    let Train { stiffness, damping } = *train;
     // Undamped and on a harmonic nothing is steady: then there is nothing to tell.
     let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
     End {

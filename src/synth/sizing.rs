@@ -49,7 +49,14 @@ pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem
         .cam
         .conjugate
-        .map(|pair| Conjugate::new(cam, pair.closure, pair.roller_radius))
+        .map(|pair| {
+            let conjugate = if problem.cam.pivot_beside {
+                Conjugate::beside
+            } else {
+                Conjugate::new
+            };
+            conjugate(cam, pair.closure, pair.roller_radius)
+        })
         .transpose()
         .map_err(|e| e.at(Place::Key("cam.conjugate".to_string())))
 }
@@ -82,6 +89,7 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
 pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
         rho_min: problem.limits.curvature.unwrap_or(0.0),
+        pivot_beside: problem.cam.pivot_beside,
         ..SizeLimits::no_undercut()
     };
     smallest_for(cam, &limits).ok()
@@ -163,7 +171,9 @@ pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
     let by_curvature_alone = matches!(
         cam.follower,
-        Follower::FlatTranslating { .. } | Follower::TranslatingCam { .. }
+        Follower::FlatTranslating { .. }
+            | Follower::FlatOscillating { .. }
+            | Follower::TranslatingCam { .. }
     );
     if asked || by_curvature_alone {
         return None;
@@ -248,19 +258,26 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     // Any size will do to start from: `smallest_for` looks at all else only.
     let follower = other(problem, given.unwrap_or(1.0))?;
     if given.is_some() || matches!(follower, Follower::TranslatingCam { .. }) {
-        let cam = Cam { law, follower };
-        let fits = if spec.pivot_beside {
-            cam.check_beside()
+        let new = if spec.pivot_beside {
+            Cam::beside
         } else {
-            cam.check()
+            Cam::new
         };
-        return fits.map(|()| cam).map_err(|e| e.at(place));
+        return new(law, follower).map_err(|e| e.at(place));
     }
-    let [pressure_rise, pressure_fall] = problem.sizing_pressure_angles();
+    let limits = &problem.limits;
+    let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
+    // The usual rule is one for rollers: the size of a flat face changes its pressure angle little.
+    let [pressure_rise, pressure_fall] = if follower.is_flat() && !asked {
+        [std::f64::consts::FRAC_PI_2; 2]
+    } else {
+        problem.sizing_pressure_angles()
+    };
     let limits = SizeLimits {
-        rho_min: problem.limits.curvature.unwrap_or(0.0),
+        rho_min: limits.curvature.unwrap_or(0.0),
         pressure_rise,
         pressure_fall,
+        pivot_beside: spec.pivot_beside,
     };
     let cam = Cam { law, follower };
     let smallest =
@@ -277,7 +294,12 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
         smallest.max(problem.outside_bore()).max(1e-6)
     };
     let base = base * (1.0 + ROUNDING);
-    Cam::new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
+    let new = if spec.pivot_beside {
+        Cam::beside
+    } else {
+        Cam::new
+    };
+    new(cam.law, follower.with_base_radius(base)).map_err(|e| e.at(place))
 }
 
 /// The scene's follower on a base circle of the given radius.

@@ -7,8 +7,7 @@
 //! `cargo run --release --manifest-path benches/rapier/Cargo.toml > benches/rapier/measured.csv`.
 
 use gaitcam::dynamics::contact::{self, Limits, Phase};
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
 use rapier2d_f64::prelude::*;
@@ -60,14 +59,14 @@ fn events(points: usize, land: f64) {
     let mut errors = Vec::new();
     for _ in 0..40 * REPEATS + 1 {
         let clock = Instant::now();
-        let law = recover(&cam.follower, &profile, 0.0)
+        let law = recover(&cam.follower, &profile)
             .expect("a smooth cam")
             .law;
         let surfaces = [Surface::new(law, &drive)];
         let run = contact::run(
             &surfaces,
             &drive,
-            &Restitution::Prescribed(0.0),
+            0.0,
             &Limits::default(),
         );
         walls.push(clock.elapsed().as_secs_f64() / run.turns as f64);

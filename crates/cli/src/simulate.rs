@@ -12,9 +12,8 @@ use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
 use crate::terminal::{print, print_json, report};
 use gaitcam::drive::Drive;
+use gaitcam::dynamics::Train;
 use gaitcam::dynamics::hertz::STEEL;
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::train::Train;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::scene::{MachineSpec, Scene};
@@ -125,6 +124,7 @@ fn no_cam(design: &Synthesis) -> Option<String> {
 /// The emitted profile of the design on the machine.
 fn prepared(args: &SimulateArgs, input: &Input, design: &Synthesis) -> Result<Run> {
     let mut machine = machine(args, &input.scene, &design.drive)?;
+    machine.groove_floor = design.groove.as_ref().map(|groove| groove.depth().0);
     machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
     let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
     Ok(Run {
@@ -174,7 +174,7 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
                 .help("0 lands without rebound, 1 loses nothing"),
         );
     }
-    machine.restitution = Restitution::Prescribed(e);
+    machine.restitution = e;
     machine.second_cam =
         given("--second-cam", &args.second_cam, Dimension::Angle)?.or(spec.second_cam);
     machine.face = Some(Face {

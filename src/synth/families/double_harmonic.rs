@@ -207,7 +207,7 @@ fn shape([phase, rise, fall]: [f64; 3]) -> Result<Law> {
     if rest > 1e-9 {
         segments.push(segment(Rise::Dwell, 0.0, rest));
     }
-    Ok(assemble(&segments, Extent::Turn)?.ahead(-phase))
+    Ok(assemble(&segments, Extent::TURN)?.ahead(-phase))
 }
 
 #[cfg(test)]

@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 
 use super::Finished;
 use crate::cam::Check;
-use crate::dynamics::linear::gauss_points;
-use crate::dynamics::polydyne::end_error;
+use crate::dynamics::flexible::linear::gauss_points;
+use crate::dynamics::flexible::polydyne::end_error;
 use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Problem;

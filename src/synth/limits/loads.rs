@@ -8,11 +8,10 @@ use std::f64::consts::PI;
 use super::Finished;
 use super::nonconvex::{Profile, ProfileSize, Slack};
 use super::row::row as limit_row;
-use crate::cam::{Cam, Check, Follower, FollowerKind};
+use crate::cam::{Cam, Check, FollowerKind};
 use crate::drive::Drive;
-use crate::dynamics::design::hertz_at_most;
-use crate::dynamics::hertz::{STEEL, modulus};
-use crate::dynamics::touch::touch;
+use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
+use crate::dynamics::rigid::touch::touch;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly, stand_in};
 use crate::problem::Problem;
@@ -63,11 +62,9 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
-    let face = Follower::FlatTranslating { base_radius };
     let steel = modulus(STEEL, STEEL);
-    let l = hertz_at_most(&problem.drive, &face, cam.thickness, steel, pressure)?;
-    let [s, v, a, j] = l.weights;
-    let bound = l.upper - l.constant;
+    let ([s, v, a, j], bound) =
+        flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
     let scale = bound.abs().max(problem.drive.rest_force.abs());
     let weights = [s, v, a, j, 0.0];
     Some(limit_row(

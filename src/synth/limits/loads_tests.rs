@@ -5,7 +5,7 @@ use super::nonconvex::{ProfileSize, Slack};
 use crate::cam::Follower;
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, line, modulus};
-use crate::dynamics::touch::touch;
+use crate::dynamics::rigid::touch::touch;
 use crate::law::Svaj;
 use std::f64::consts::PI;
 

@@ -250,7 +250,7 @@ mod tests {
             angle,
         };
         let pi = std::f64::consts::PI;
-        program(&[segment(lift, pi), segment(-lift, pi)], Extent::Turns(1)).unwrap()
+        program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
     }
 
     /// Central differences of h against the derivatives stated, at places of many kinds.

@@ -13,7 +13,7 @@ fn turn(segments: &[(&str, f64, f64)]) -> Law {
             angle: degrees.to_radians(),
         })
         .collect();
-    program(&list, Extent::Turn).unwrap()
+    program(&list, Extent::TURN).unwrap()
 }
 
 fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {

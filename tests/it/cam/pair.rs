@@ -16,7 +16,7 @@ fn segments(list: &[(&str, f64, f64)]) -> Vec<Segment> {
 }
 
 fn turn(list: &[(&str, f64, f64)]) -> Law {
-    program(&segments(list), Extent::Turn).unwrap()
+    program(&segments(list), Extent::TURN).unwrap()
 }
 
 #[test]

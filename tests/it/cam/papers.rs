@@ -17,7 +17,7 @@ fn turn(segments: &[(&str, f64, f64)]) -> Law {
             angle: degrees.to_radians(),
         })
         .collect();
-    program(&list, Extent::Turn).unwrap()
+    program(&list, Extent::TURN).unwrap()
 }
 
 fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
@@ -264,6 +264,7 @@ fn smallest_prime_circles_have_their_closed_form() {
             rho_min: f64::NEG_INFINITY,
             pressure_rise: deg(30.0),
             pressure_fall: deg(30.0),
+            pivot_beside: false,
         };
         near(smallest_for(&cam, &limits).unwrap(), circle.radius, 1e-6);
     }

@@ -25,7 +25,7 @@ fn segment(motion: &str, lift: f64, degrees: f64) -> Segment {
 
 fn turn(segments: &[(&str, f64, f64)]) -> Law {
     let list: Vec<Segment> = segments.iter().map(|s| segment(s.0, s.1, s.2)).collect();
-    program(&list, Extent::Turn).unwrap()
+    program(&list, Extent::TURN).unwrap()
 }
 
 fn lopsided(lift: f64) -> Law {

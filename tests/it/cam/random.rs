@@ -76,7 +76,7 @@ proptest! {
 
     #[test]
     fn programmes_are_refused_in_words_or_joined(list in segments()) {
-        match program(&list, Extent::Turn) {
+        match program(&list, Extent::TURN) {
             Err(e) => prop_assert!(!e.what().is_empty() && e.cure().is_some(), "{e}"),
             Ok(law) => {
                 let scale = law.extremes(1).1.value.abs().max(law.stroke());
@@ -99,7 +99,7 @@ proptest! {
                 segment(Rise::Poly345, -lift, down),
                 segment(Rise::Dwell, 0.0, TAU - up - rest - down),
             ],
-            Extent::Turn,
+            Extent::TURN,
         )
         .unwrap();
         match Cam::new(law, follower) {

@@ -17,7 +17,7 @@ fn segments(list: &[(&str, f64, f64)]) -> Vec<Segment> {
 }
 
 fn turn(list: &[(&str, f64, f64)]) -> Law {
-    program(&segments(list), Extent::Turn).unwrap()
+    program(&segments(list), Extent::TURN).unwrap()
 }
 
 fn up_and_down(motion: &str, lift: f64) -> Law {
@@ -226,7 +226,7 @@ fn verdicts_have_three_classes_and_a_reason() {
             ("constant-velocity", -0.02, 90.0),
             ("dwell", 0.0, 90.0),
         ]),
-        Extent::Turn,
+        Extent::TURN,
     )
     .unwrap();
     let torn = judge(&flat(torn), &[]);

@@ -17,7 +17,7 @@ fn segment(motion: &str, lift: f64, degrees: f64) -> Segment {
 
 fn turn(segments: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
     let list: Vec<Segment> = segments.iter().map(|s| segment(s.0, s.1, s.2)).collect();
-    program(&list, Extent::Turn)
+    program(&list, Extent::TURN)
 }
 
 /// Largest and smallest of a derivative at whole degrees, as CAM-DAS samples.

@@ -1,7 +1,7 @@
 //! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
 
 use gaitcam::dynamics::flexible::residual_vibration;
-use gaitcam::dynamics::{hertz, touch::touch};
+use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::scene;

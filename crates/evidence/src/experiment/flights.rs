@@ -1,10 +1,10 @@
 //! Lift-off, flights and landings.
 
+use super::compliant::{Compliant, exact_chi, returned_restitution};
 use super::{POINTS, cams, line, picture, run_points, scene};
 use gaitcam::dynamics::contact::Phase;
-use gaitcam::dynamics::impact::{Restitution, exact_chi, returned_restitution};
-use gaitcam::dynamics::profile_curve::recover;
-use gaitcam::dynamics::simulate::simulate;
+use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::simulate;
 use gaitcam::dynamics::{Model, rigid, thesis};
 use gaitcam::error::Result;
 use std::f64::consts::PI;
@@ -18,7 +18,7 @@ pub(super) fn lift_off(out: &mut String) -> Result<()> {
     line(out, "|---|---|---|---|---|---|");
     for (name, cam, _) in cams() {
         let drive = thesis::real(thesis::SPEED);
-        let emitted = recover(&cam.follower, &cam.profile(POINTS), 0.0)?.law;
+        let emitted = recover(&cam.follower, &cam.profile(POINTS))?.law;
         let (Some(own), Some(law)) = (
             rigid::liftoff_speed(&emitted, &drive),
             rigid::liftoff_speed(&cam.law, &drive),
@@ -114,7 +114,7 @@ pub(super) fn restitution(out: &mut String) {
     );
     line(out, "|---|---|---|---|---|---|");
     for e in [0.1, 0.3, 0.5, 0.7, 0.9] {
-        let contact = Restitution::Compliant {
+        let contact = Compliant {
             stiffness: 1e10,
             exponent: 1.5,
             restitution: e,

@@ -1,9 +1,9 @@
 //! A follower that gives, and the motor.
 
-use super::{POINTS, cams, line};
+use super::{POINTS, cams, line, motor};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::profile_curve::recover;
-use gaitcam::dynamics::{motor, rigid, thesis};
+use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::Result;
 
 pub(super) fn vibration(out: &mut String) -> Result<()> {
@@ -19,7 +19,7 @@ pub(super) fn vibration(out: &mut String) -> Result<()> {
     line(out, "|---|---|---|---|");
     let cam = thesis::double_harmonic();
     let drive = thesis::real(thesis::SPEED);
-    let law = recover(&cam.follower, &cam.profile(POINTS), 0.0)?.law;
+    let law = recover(&cam.follower, &cam.profile(POINTS))?.law;
     for hertz in [10.0, 20.0, 30.0, 50.0, 100.0] {
         let steady = flexible::steady(&law, &drive, &Train::from_frequency(&drive, hertz, 0.05)?)?;
         let sum: f64 = steady

@@ -2,20 +2,23 @@
 //! simulation. The text of reports/dynamics.md; everything in it is computed here but the times of
 //! [`peers`], which a benchmark measured.
 
+pub mod compliant;
 mod flights;
 mod give;
+pub mod motor;
+mod outline;
 pub mod peers;
 pub mod pictures;
 mod running;
+mod smoothing;
 
 use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, ContactRun, Limits};
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::profile_curve::recover;
-use gaitcam::dynamics::simulate::{Machine, Run};
+use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
+use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -63,11 +66,11 @@ pub(crate) fn scene(cam: &Cam, drive: Drive) -> Run {
 
 fn run_points(cam: &Cam, n: usize, speed: f64, e: f64) -> Result<ContactRun> {
     let drive = thesis::real(speed);
-    let law = recover(&cam.follower, &cam.profile(n), 0.0)?.law;
+    let law = recover(&cam.follower, &cam.profile(n))?.law;
     Ok(contact::run(
         &[Surface::new(law, &drive)],
         &drive,
-        &Restitution::Prescribed(e),
+        e,
         &Limits::default(),
     ))
 }
@@ -76,7 +79,7 @@ fn run_points(cam: &Cam, n: usize, speed: f64, e: f64) -> Result<ContactRun> {
 /// multiple of the points.
 pub(crate) fn worst_force_error(cam: &Cam, n: usize, speed: f64) -> Result<f64> {
     let drive = thesis::real(speed);
-    let law = recover(&cam.follower, &cam.profile(n), 0.0)?.law;
+    let law = recover(&cam.follower, &cam.profile(n))?.law;
     let angles = (0..7201).map(|i| TAU * f64::from(i) / 7201.0);
     Ok(angles
         .map(|t| (drive.force(law.svaj(t)) - drive.force(cam.law.svaj(t))).abs())

@@ -2,7 +2,6 @@
 
 use super::{cams, scene, worst_force_error};
 use gaitcam::cam::Cam;
-use gaitcam::dynamics::impact::Restitution;
 use gaitcam::dynamics::{Model, Outcome, simulate, thesis};
 use gaitcam::error::Result;
 
@@ -131,7 +130,7 @@ pub fn pictures() -> Result<Vec<Picture>> {
 
 fn bouncing(cam: &Cam, speed: f64, e: f64) -> Result<Outcome> {
     let mut run = scene(cam, thesis::real(speed));
-    run.machine.restitution = Restitution::Prescribed(e);
+    run.machine.restitution = e;
     simulate(&run, Model::Contact)
 }
 

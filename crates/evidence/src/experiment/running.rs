@@ -1,8 +1,8 @@
 //! Steady running: force and torque, the points' error, and a contour drawn by hand.
 
+use super::outline::recover_outline;
 use super::{cams, line, picture, scene, worst_force_error};
-use gaitcam::dynamics::profile_curve::recover_outline;
-use gaitcam::dynamics::simulate::simulate;
+use gaitcam::dynamics::simulate;
 use gaitcam::dynamics::{Model, rigid, thesis};
 use gaitcam::error::Result;
 
@@ -139,7 +139,7 @@ pub(super) fn hand_drawn(out: &mut String) -> Result<()> {
                 let rms = (errors.sum::<f64>() / 360.0).sqrt();
                 format!(
                     "{} harmonics kept, force within {rms:.3} N RMS of the law",
-                    smooth.harmonics.unwrap_or(0)
+                    smooth.harmonics
                 )
             }
         };

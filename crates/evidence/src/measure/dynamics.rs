@@ -6,9 +6,8 @@ use super::Watch;
 use crate::chart::{Across, Chart};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
+use gaitcam::dynamics::flexible::linear::Linear;
 use gaitcam::dynamics::flexible::{Train, steady};
-use gaitcam::dynamics::impact::Restitution;
-use gaitcam::dynamics::linear::Linear;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
 use gaitcam::error::Result;
@@ -313,8 +312,8 @@ pub fn flight(watch: &Watch) -> Result<Chart> {
         turns: 1,
         ..Limits::default()
     };
-    let plastic = Restitution::Prescribed(0.0);
-    let (run, timing) = watch.time(|| contact::run(&surfaces, &drive, &plastic, &once));
+    let plastic = 0.0;
+    let (run, timing) = watch.time(|| contact::run(&surfaces, &drive, plastic, &once));
     let at = run.impacts.first().map_or(f64::NAN, |i| i.at);
     let mut row = timing.row(
         "event-driven, flight in closed form",

@@ -29,7 +29,7 @@ fn cam() -> Result<Cam> {
         offset: 0.0,
         roller_radius: 0.01,
     };
-    Cam::new(program(&segments, Extent::Turn)?, follower)
+    Cam::new(program(&segments, Extent::TURN)?, follower)
 }
 
 /// Polylines and arcs of one cam.

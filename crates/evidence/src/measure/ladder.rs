@@ -88,7 +88,7 @@ fn hump(angle: f64) -> Result<Law> {
             segment(poly, -1.0, angle),
             rest,
         ],
-        Extent::Turns(1),
+        Extent::TURN,
     )
 }
 

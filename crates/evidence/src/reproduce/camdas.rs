@@ -21,7 +21,7 @@ fn segments(list: &[(Rise, f64, f64)]) -> Vec<Segment> {
 
 /// Lifts are numbers in the unit printed, mm or degrees.
 fn turn(list: &[(Rise, f64, f64)]) -> Result<Law> {
-    program(&segments(list), Extent::Turn)
+    program(&segments(list), Extent::TURN)
 }
 
 fn example_11() -> Result<Law> {

@@ -147,7 +147,7 @@ pub fn methods() -> Result<Vec<Method>> {
     ];
     let third = Rise::Cycloidal;
     let iteration_3 = [rise(&third, 0.01, 135.0), rise(&third, -0.01, 135.0), rest];
-    let law = |segments: &[Segment]| program(segments, Extent::Turn);
+    let law = |segments: &[Segment]| program(segments, Extent::TURN);
     let mut out = Vec::new();
     let mut add = |name: &str, law: &Law| out.push(measured(name, law, &drive, &target));
     add("eccentric", &thesis::eccentric().law);

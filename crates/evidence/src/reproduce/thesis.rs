@@ -1,7 +1,8 @@
 //! Campillo de Blas (2017): eccentric and double-harmonic cams, motor table (theory §3).
 
 use super::{Class, LAST_DIGITS, Row, Rows};
-use gaitcam::dynamics::{motor, thesis};
+use crate::experiment::motor;
+use gaitcam::dynamics::thesis;
 use gaitcam::error::Result;
 
 pub(super) fn rows() -> Result<Vec<Row>> {

@@ -390,7 +390,7 @@ fn rise_cam(prime: f64, roller: f64) -> Cam {
         segment("cycloidal", -0.02, 40.0),
         segment("dwell", 0.0, 140.0),
     ];
-    let law = program(&segments, Extent::Turn).unwrap();
+    let law = program(&segments, Extent::TURN).unwrap();
     Cam {
         law,
         follower: Follower::RollerTranslating {

@@ -6,7 +6,7 @@ use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
 use crate::pose::{Pose, angles, face_reach, pose};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
-use gaitcam::dynamics::two_cams::shifted;
+use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::synth::Synthesis;
 
 const MM: f64 = 1000.0;

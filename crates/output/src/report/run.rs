@@ -247,7 +247,7 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome) {
 
 fn remarks(out: &mut String, outcome: &Outcome) {
     let next = outcome.next.as_ref().map(|n| {
-        let words = gaitcam::dynamics::outcome::difference_words(n);
+        let words = gaitcam::dynamics::report::difference_words(n);
         format!("The next model up, {words}.")
     });
     if outcome.notes.is_empty() && next.is_none() {

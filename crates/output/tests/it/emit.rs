@@ -842,7 +842,7 @@ fn odd_designs_are_handed_over_without_fault() {
 
 #[test]
 fn the_report_of_a_run_moves_the_follower_as_it_ran() {
-    use gaitcam::dynamics::{Machine, Model, Run, impact::Restitution, simulate};
+    use gaitcam::dynamics::{Machine, Model, Run, simulate};
     use gaitcam_output::report::{Running, html_of_run};
     // Far above lift-off: the follower flies for a part of every turn.
     let mut s = footbridge();
@@ -853,7 +853,7 @@ fn the_report_of_a_run_moves_the_follower_as_it_ran() {
         drive: s.drive,
         target: None,
         machine: Machine {
-            restitution: Restitution::Prescribed(0.3),
+            restitution: 0.3,
             ..Machine::default()
         },
     };

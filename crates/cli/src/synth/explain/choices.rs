@@ -8,7 +8,7 @@
 use std::f64::consts::TAU;
 
 use gaitcam::cam::Cam;
-use gaitcam::dynamics::profile_curve::recover;
+use gaitcam::dynamics::recover::recover;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
@@ -187,7 +187,7 @@ pub fn chord_error(cam: &Cam, n: usize) -> f64 {
 ///
 /// Fails where the follower cannot be put back on the points ([`recover`]).
 pub fn force_of_points(design: &Synthesis, n: usize) -> Result<f64> {
-    let emitted = recover(&design.cam.follower, &design.cam.profile(n), 0.0)?;
+    let emitted = recover(&design.cam.follower, &design.cam.profile(n))?;
     Ok(rms_difference(design, &design.cam.law, &emitted.law))
 }
 

@@ -1,0 +1,408 @@
+//! The engine of the contact run: from one event to the next.
+
+use super::flight::Flight;
+use super::impact::Pulse;
+use super::{ContactRun, Impact, Limits, Phase, Stretch};
+use crate::drive::Drive;
+use crate::dynamics::surface::Surface;
+use std::f64::consts::TAU;
+
+/// Rebounds slower than this part of the machine's own speeds are rest.
+const REST: f64 = 1e-9;
+/// κ beyond which the flight is so fast against the turn that the mass has no inertia worth naming.
+const QUASI_STATIC: f64 = 1e10;
+/// Gaps below this part of the lift are rounding.
+const TOUCHING: f64 = 1e-15;
+/// Steps in search of one landing.
+const MOST_STEPS: usize = 200_000;
+/// Relative difference of state after a turn that counts as the same.
+const SAME: f64 = 1e-9;
+
+/// State on a turn's first angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mark {
+    On(usize),
+    Air(f64, f64),
+}
+
+struct Engine<'a> {
+    surfaces: &'a [Surface],
+    drive: &'a Drive,
+    restitution: f64,
+    /// Free motion y″ + γ y′ + κ y + f = 0, per radian.
+    gamma: f64,
+    kappa: f64,
+    push: f64,
+    massless: bool,
+    /// Lift, m, and velocity, m/s, against which rounding is measured.
+    lift_scale: f64,
+    rest_speed: f64,
+    run: ContactRun,
+    marks: Vec<Mark>,
+}
+
+/// Runs one mass on one or more profiles of a shaft (drive's speed positive or zero), from contact at the
+/// first angle, until the motion repeats.
+///
+/// Source of the events: theory §10. Gravity and preload are the drive's rest force.
+pub fn run(surfaces: &[Surface], drive: &Drive, restitution: f64, limits: &Limits) -> ContactRun {
+    let inertia = drive.mass * drive.speed * drive.speed;
+    let kappa = drive.spring_rate / inertia;
+    let massless = !inertia.is_normal() || kappa.abs() > QUASI_STATIC;
+    let (mut lift_scale, mut rate_scale) = (0.0_f64, 0.0_f64);
+    for surface in surfaces {
+        let (low, high) = surface.law.extremes(0);
+        lift_scale = lift_scale.max(high.value.abs()).max(low.value.abs());
+        let (low, high) = surface.law.extremes(1);
+        rate_scale = rate_scale.max(high.value).max(-low.value);
+    }
+    let fall = if massless {
+        0.0
+    } else {
+        drive.rest_force.abs() / inertia
+    };
+    let start = surfaces.first().map_or(0.0, |s| s.law.extent().0);
+    let engine = Engine {
+        surfaces,
+        drive,
+        restitution,
+        gamma: drive.damping * drive.speed / inertia,
+        kappa: if massless { 0.0 } else { kappa },
+        push: if massless {
+            0.0
+        } else {
+            drive.rest_force / inertia
+        },
+        massless,
+        lift_scale,
+        rest_speed: REST * drive.speed * rate_scale.max(fall.min(lift_scale)),
+        run: ContactRun {
+            stretches: Vec::new(),
+            impacts: Vec::new(),
+            start,
+            settle: None,
+            period: 1,
+            turns: 0,
+            escaped: false,
+        },
+        marks: Vec::new(),
+    };
+    engine.go(limits)
+}
+
+impl Engine<'_> {
+    fn go(mut self, limits: &Limits) -> ContactRun {
+        let end = self.run.start + TAU * limits.turns as f64;
+        let mut now = self.run.start;
+        let mut surface = self.highest(now);
+        self.marks.push(Mark::On(surface));
+        // In the air: the flight, and the profile it has just left with the angle until which it recedes.
+        let mut air: Option<(Flight, usize, f64)> = None;
+        while now < end && self.run.impacts.len() < limits.impacts {
+            if let Some((flight, left, blind)) = air.take() {
+                let Some((at, struck)) = self.landing(&flight, left, blind, end) else {
+                    self.stretch(Phase::Flight(flight), now, end);
+                    self.run.escaped = self.gap(&flight, end) > 1e3 * self.lift_scale;
+                    now = end;
+                    continue;
+                };
+                if self.stretch(Phase::Flight(flight), now, at) {
+                    break;
+                }
+                let speed = self.closing_speed(flight.at(at).1, struck, at);
+                let height = self.height(&flight, at);
+                (now, surface) = (at, struck);
+                air = self.strike(now, surface, speed, flight.start, height);
+                continue;
+            }
+            let (until, event) = self.leave(surface, now, end);
+            if self.stretch(Phase::Contact { surface }, now, until) {
+                break;
+            }
+            now = until;
+            match event {
+                Leave::End => {}
+                Leave::Pull(to) if self.massless => {
+                    if self.stretch(Phase::Parted { surface }, now, to) {
+                        break;
+                    }
+                    now = to;
+                }
+                Leave::Pull(to) => {
+                    let at = self.surfaces[surface].at(now);
+                    air = Some((self.flight(now, at.s, at.v), surface, self.blind(now, to)));
+                }
+                Leave::Handover(next) => {
+                    let rate = self.surfaces[surface].at(now).v;
+                    let speed = self.closing_speed(rate, next, now);
+                    surface = next;
+                    if speed > self.rest_speed && !self.massless {
+                        let since = now;
+                        air = self.strike(now, next, speed, since, 0.0);
+                    }
+                }
+            }
+        }
+        self.close()
+    }
+
+    /// Lands on a profile: rest, or the flight of the rebound.
+    fn strike(
+        &mut self,
+        now: f64,
+        surface: usize,
+        speed: f64,
+        since: f64,
+        height: f64,
+    ) -> Option<(Flight, usize, f64)> {
+        if speed <= self.rest_speed {
+            return None;
+        }
+        let pulse = Pulse::new(self.drive.mass, speed, self.restitution);
+        self.run.impacts.push(Impact {
+            at: now,
+            surface,
+            speed,
+            since,
+            height,
+            pulse,
+        });
+        if pulse.rebound <= self.rest_speed {
+            return None;
+        }
+        let here = self.surfaces[surface].at(now);
+        let rate = here.v + pulse.rebound / self.drive.speed;
+        Some((self.flight(now, here.s, rate), surface, now))
+    }
+
+    fn flight(&self, start: f64, y: f64, rate: f64) -> Flight {
+        Flight {
+            start,
+            y,
+            rate,
+            curvature: -(self.push + self.kappa * y + self.gamma * rate),
+            kappa: self.kappa,
+            gamma: self.gamma,
+        }
+    }
+
+    /// From lift-off to this angle the gap surely opens: the pull lasts, and no spring has swung back yet.
+    fn blind(&self, from: f64, to: f64) -> f64 {
+        to.min(
+            from + 0.5
+                / self
+                    .kappa
+                    .max(0.25 * self.gamma * self.gamma)
+                    .sqrt()
+                    .max(1e-3),
+        )
+    }
+
+    /// Speed at which a body with slope `rate` meets profile `surface`, m/s, not below zero.
+    fn closing_speed(&self, rate: f64, surface: usize, at: f64) -> f64 {
+        ((self.surfaces[surface].at(at).v - rate) * self.drive.speed).max(0.0)
+    }
+
+    fn highest(&self, at: f64) -> usize {
+        let lift = |i: usize| self.surfaces[i].at(at).s;
+        (0..self.surfaces.len())
+            .max_by(|&a, &b| lift(a).total_cmp(&lift(b)))
+            .unwrap_or(0)
+    }
+
+    fn gap(&self, flight: &Flight, at: f64) -> f64 {
+        let lift = |s: &Surface| s.at(at).s;
+        flight.at(at).0
+            - self
+                .surfaces
+                .iter()
+                .map(lift)
+                .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// First angle at which the flight meets a profile, and which one.
+    ///
+    /// g″ ≥ −B on the way, so no zero lies before g + g′d − Bd²/2 has one: each step goes exactly there.
+    fn landing(&self, flight: &Flight, left: usize, blind: f64, end: f64) -> Option<(f64, usize)> {
+        let fall = flight.steepest_fall();
+        let mut now = flight.start;
+        for _ in 0..MOST_STEPS {
+            let (y, rate) = flight.at(now);
+            let mut step = f64::INFINITY;
+            for (i, surface) in self.surfaces.iter().enumerate() {
+                if i == left && now < blind {
+                    step = step.min(blind - now);
+                    continue;
+                }
+                let at = surface.at(now);
+                let (gap, opening) = (y - at.s, rate - at.v);
+                let floor = TOUCHING * self.lift_scale;
+                let just_left = i == left && now == flight.start;
+                if gap <= floor && !just_left && opening <= 0.0 {
+                    return Some((now, i));
+                }
+                if gap <= -1e3 * floor && !just_left {
+                    return Some((now, i));
+                }
+                let bound = (fall + surface.steepest).max(f64::MIN_POSITIVE);
+                let free =
+                    (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
+                let free = if just_left {
+                    2.0 * opening.max(0.0) / bound
+                } else {
+                    free
+                };
+                if free <= 2.0 * f64::EPSILON * now.abs().max(1.0) {
+                    return Some((now, i));
+                }
+                step = step.min(free);
+            }
+            now += step;
+            if now >= end {
+                return None;
+            }
+        }
+        Some((now, left))
+    }
+
+    /// Largest gap of a flight that ends at `to`: the bracketed zero of the opening rate.
+    fn height(&self, flight: &Flight, to: f64) -> f64 {
+        const PARTS: usize = 16;
+        let gap = |t: f64| self.gap(flight, t);
+        let at = |k: usize| flight.start + (to - flight.start) * k as f64 / PARTS as f64;
+        let top = (1..PARTS)
+            .max_by(|&a, &b| gap(at(a)).total_cmp(&gap(at(b))))
+            .unwrap_or(1);
+        // Golden section between the neighbours of the best part.
+        let (mut a, mut b) = (at(top - 1), at(top + 1));
+        let ratio = 0.618_033_988_749_895;
+        for _ in 0..40 {
+            let (c, d) = (b - ratio * (b - a), a + ratio * (b - a));
+            if gap(c) > gap(d) { b = d } else { a = c }
+        }
+        gap(0.5 * (a + b)).max(0.0)
+    }
+
+    /// Until when the mass rides on `surface`, and why it leaves.
+    fn leave(&self, surface: usize, now: f64, end: f64) -> (f64, Leave) {
+        let own = &self.surfaces[surface];
+        let (mut until, mut event) = (end, Leave::End);
+        if let Some((from, to)) = own.next_pull(now).filter(|pull| pull.0 < until) {
+            (until, event) = (from.max(now), Leave::Pull(to));
+        }
+        for (i, other) in self.surfaces.iter().enumerate() {
+            if i == surface {
+                continue;
+            }
+            if let Some(at) = overtaken(own, other, now, until, TOUCHING * self.lift_scale) {
+                (until, event) = (at, Leave::Handover(i));
+            }
+        }
+        (until, event)
+    }
+
+    /// Records a stretch and the states at the turns it passes; true when the motion repeats.
+    fn stretch(&mut self, phase: Phase, from: f64, to: f64) -> bool {
+        if to > from {
+            self.run.stretches.push(Stretch { phase, from, to });
+        }
+        loop {
+            let turn = self.marks.len();
+            let at = self.run.start + TAU * turn as f64;
+            if at > to {
+                return false;
+            }
+            let mark = match phase {
+                Phase::Contact { surface } | Phase::Parted { surface } => Mark::On(surface),
+                Phase::Flight(flight) => {
+                    let (y, rate) = flight.at(at);
+                    Mark::Air(y, rate)
+                }
+            };
+            let before = self.marks.iter().position(|m| self.same(m, &mark));
+            self.marks.push(mark);
+            self.run.turns = turn;
+            if let Some(before) = before {
+                self.run.settle = Some(before);
+                self.run.period = turn - before;
+                return true;
+            }
+        }
+    }
+
+    fn same(&self, a: &Mark, b: &Mark) -> bool {
+        match (a, b) {
+            (Mark::On(i), Mark::On(j)) => i == j,
+            (Mark::Air(y, v), Mark::Air(z, w)) => {
+                (y - z).abs().max((v - w).abs()) <= SAME * self.lift_scale
+            }
+            _ => false,
+        }
+    }
+
+    fn close(self) -> ContactRun {
+        let mut run = self.run;
+        run.turns = run.turns.max(1);
+        run
+    }
+}
+
+/// Why a mass leaves the profile it rides on.
+enum Leave {
+    End,
+    /// The force would pull, until the angle given.
+    Pull(f64),
+    /// Another profile of the shaft lifts it.
+    Handover(usize),
+}
+
+/// First angle in (now, until) at which `other` rises through `own`.
+fn overtaken(own: &Surface, other: &Surface, now: f64, until: f64, floor: f64) -> Option<f64> {
+    let bound = (other.steepest - own.hollowest).max(f64::MIN_POSITIVE);
+    let mut at = now;
+    for _ in 0..MOST_STEPS {
+        let (a, b) = (own.at(at), other.at(at));
+        let (gap, opening) = (a.s - b.s, a.v - b.v);
+        if gap <= floor && opening < -floor && at > now {
+            return Some(at);
+        }
+        let free = (opening + (opening * opening + 2.0 * bound * gap.max(0.0)).sqrt()) / bound;
+        // Profiles that coincide (both on the base circle) are stepped over in small parts; the crossing
+        // itself is found again from the last open gap.
+        let small = 1e-7;
+        if free < small && gap > floor && opening < 0.0 {
+            if free <= 4.0 * f64::EPSILON * at.abs().max(1.0) {
+                return Some(at);
+            }
+            at += free;
+        } else {
+            at += free.max(if gap <= floor { 1e-4 } else { small });
+            let (a, b) = (own.at(at), other.at(at));
+            if a.s - b.s < -floor {
+                return Some(bisect(own, other, at - free.max(1e-4), at));
+            }
+        }
+        if at >= until {
+            return None;
+        }
+    }
+    None
+}
+
+fn bisect(own: &Surface, other: &Surface, mut low: f64, mut high: f64) -> f64 {
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if own.at(middle).s - other.at(middle).s < 0.0 {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    high
+}
+
+#[cfg(test)]
+mod tests;
+
+#[cfg(test)]
+mod edge_tests;

@@ -1,0 +1,52 @@
+//! Impacts of a rigid mass: the surfaces part at e times the speed at which they met.
+
+use crate::error::{Error, Result};
+
+/// What one impact does; it takes no time.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pulse {
+    /// Speed at which the surfaces part, m/s; 0 when they stay together.
+    pub rebound: f64,
+    /// Impulse handed over, N·s.
+    pub impulse: f64,
+}
+
+impl Pulse {
+    /// The impact of `mass` kg at `speed` m/s ≥ 0 with coefficient of restitution `e`.
+    pub fn new(mass: f64, speed: f64, e: f64) -> Pulse {
+        Pulse {
+            rebound: e * speed,
+            impulse: mass * (1.0 + e) * speed,
+        }
+    }
+}
+
+/// # Errors
+/// When a coefficient of restitution lies outside [0, 1].
+pub fn check_restitution(e: f64) -> Result<()> {
+    if (0.0..=1.0).contains(&e) {
+        return Ok(());
+    }
+    Err(
+        Error::new(format!("coefficient of restitution {e} is out of range"))
+            .help("it lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn momentum_before_and_after_differs_by_the_impulse() {
+        let pulse = Pulse::new(2.0, 0.5, 0.3);
+        assert!((pulse.rebound - 0.15).abs() < 1e-16);
+        assert!((pulse.impulse - 2.0 * (0.5 + 0.15)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn restitution_outside_its_range_is_refused() {
+        assert!(check_restitution(1.2).is_err() && check_restitution(f64::NAN).is_err());
+        assert!(check_restitution(-0.1).is_err() && check_restitution(1.0).is_ok());
+    }
+}

@@ -1,0 +1,285 @@
+//! A compliant follower: the moved mass on the cam through a spring and a damper, or a column of fluid.
+//!
+//! Written relative to the rigid motion: the mass stands at s + x, and x is driven by minus the rigid
+//! force. For a mass m on a train of stiffness k₁ and damping c₁, with the machine's own k and c,
+//! m ẍ + (c + c₁) ẋ + (k + k₁) x = −F(θ), and the cam feels N = −(k₁ x + c₁ ẋ). The forcing is the law's
+//! own piecewise polynomial, so each piece has a closed form ([`Linear`]); steps of velocity or lift in
+//! the law kick the state.
+
+pub mod linear;
+pub mod polydyne;
+pub mod train;
+
+pub use train::Train;
+
+use super::piecewise_force::{combination, steps};
+use crate::drive::{Drive, DriveKind};
+use crate::error::{Error, Result};
+use crate::law::Law;
+use crate::poly::{Extreme, PiecewisePoly};
+use linear::{Linear, States};
+use nalgebra::{Matrix4, Vector4};
+
+/// Steady motion of a flexible machine at equal or unequal angles (the breaks of the forcing).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steady {
+    /// Cam angles, rad; the last is one period after the first.
+    pub theta: Vec<f64>,
+    /// What the moved mass does beyond the rigid lift, m.
+    pub deflection: Vec<f64>,
+    /// Force between cam and follower, N.
+    pub contact: Vec<f64>,
+    /// Its derivative by the angle, N/rad.
+    pub contact_rate: Vec<f64>,
+    /// Force the machine hands on, N: the contact force, but for hydraulics the piston's.
+    pub output: Vec<f64>,
+}
+
+/// The linear system of a train, its forcing polynomial and the way back to forces.
+struct Model {
+    linear: Linear,
+    /// The rigid force, N.
+    force: PiecewisePoly,
+    /// Contact force = Σ wᵢ zᵢ; the states are x and x′/scale.
+    contact: Vector4<f64>,
+    scale: f64,
+}
+
+fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
+    let w = drive.speed;
+    let mut rates = -Matrix4::identity();
+    let force = rigid_force(law, drive);
+    let Train { stiffness, damping } = *train;
+    if drive.mass <= 0.0 {
+        // Without mass the state is x alone: (c + c₁) ω x′ = −(k + k₁) x − F.
+        let drag = (drive.damping + damping) * w;
+        rates[(0, 0)] = -(drive.spring_rate + stiffness) / drag;
+        return Model {
+            linear: Linear {
+                rates,
+                inputs: vec![Vector4::new(-1.0 / drag, 0.0, 0.0, 0.0)],
+            },
+            force,
+            contact: Vector4::new(-stiffness, 0.0, 0.0, 0.0),
+            scale: 0.0,
+        };
+    }
+    let inertia = drive.mass * w * w;
+    let rate = (drive.spring_rate + stiffness) / inertia;
+    let scale = rate.sqrt();
+    rates[(0, 0)] = 0.0;
+    rates[(0, 1)] = scale;
+    rates[(1, 0)] = -scale;
+    rates[(1, 1)] = -(drive.damping + damping) * w / inertia;
+    Model {
+        linear: Linear {
+            rates,
+            inputs: vec![Vector4::new(0.0, -1.0 / (inertia * scale), 0.0, 0.0)],
+        },
+        force,
+        contact: Vector4::new(-stiffness, -damping * w * scale, 0.0, 0.0),
+        scale,
+    }
+}
+
+/// The periodic steady state under a closed law, exact at the angles returned.
+///
+/// The drive's speed must be positive (a cam that turns clockwise: run the mirrored law). Fails on
+/// stiffness or masses that are none, and at the resonance of an undamped machine, which has no steady
+/// state.
+pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
+    train.check()?;
+    if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
+        return Ok(quasi_static(law, drive, train));
+    }
+    let model = model(law, drive, train);
+    let stiffest = model.linear.rates.norm() * widest(&model.force);
+    if stiffest > linear::STIFFEST {
+        // Millions of cycles of ringing between two points: nothing is left of it but the static part.
+        return Ok(quasi_static(law, drive, train));
+    }
+    let kicks = Kicks::new(law, &model);
+    let states = model
+        .linear
+        .periodic(&[&model.force], |i| kicks.at(i))
+        .ok_or_else(|| resonance(drive, train))?;
+    Ok(read(law, drive, train, &model, &states))
+}
+
+/// Amplitude of the vibration left after a rise of an undamped follower of natural frequency `ratio`
+/// radians per radian of the cam (λ·2π/β for a rise in β), in the units of the lift.
+///
+/// The follower starts at rest at the law's first angle; the law's own steps in velocity at its start and
+/// end (into the dwell) are counted.
+pub fn residual_vibration(law: &Law, ratio: f64) -> f64 {
+    let mut rates = -Matrix4::identity();
+    (rates[(0, 0)], rates[(1, 1)]) = (0.0, 0.0);
+    (rates[(0, 1)], rates[(1, 0)]) = (ratio, -ratio);
+    let linear = Linear {
+        rates,
+        inputs: vec![Vector4::new(0.0, -1.0 / ratio, 0.0, 0.0)],
+    };
+    let acceleration = law.combination([0.0, 0.0, 1.0, 0.0], 0.0);
+    let model = Model {
+        linear,
+        force: acceleration,
+        contact: Vector4::zeros(),
+        scale: ratio,
+    };
+    let kicks = Kicks::new(law, &model);
+    let first = law.svaj_on(0, 0.0);
+    let start = Vector4::new(0.0, -first.v / ratio, 0.0, 0.0);
+    let states = model
+        .linear
+        .through(&[&model.force], start, |i| kicks.at(i));
+    let last = states.last().copied().unwrap_or_default();
+    let end = law.svaj_on(law.breaks().len() - 2, 1.0);
+    last[0].hypot(last[1] + end.v / ratio)
+}
+
+/// What the jumps of the law do to the relative state, per piece of the forcing: the mass does not
+/// follow a step of the lift, so x and x′ step by minus it.
+struct Kicks {
+    at_piece: Vec<(usize, Vector4<f64>)>,
+}
+
+impl Kicks {
+    fn new(law: &Law, model: &Model) -> Self {
+        let breaks = model.force.breaks();
+        let counted = steps(law);
+        let at_piece = counted
+            .into_iter()
+            .filter_map(|j| {
+                let piece = breaks.iter().position(|b| (b - j.at).abs() < 1e-12)?;
+                let (x, v) = (
+                    -j.jump.s,
+                    if model.scale > 0.0 {
+                        -j.jump.v / model.scale
+                    } else {
+                        0.0
+                    },
+                );
+                Some((piece, Vector4::new(x, v, 0.0, 0.0)))
+            })
+            .collect();
+        Kicks { at_piece }
+    }
+
+    fn at(&self, piece: usize) -> Vector4<f64> {
+        self.at_piece
+            .iter()
+            .find(|k| k.0 == piece)
+            .map_or_else(Vector4::zeros, |k| k.1)
+    }
+}
+
+/// The force of rigid parts, N.
+fn rigid_force(law: &Law, drive: &Drive) -> PiecewisePoly {
+    let [k, c, m, _] = drive.weights();
+    combination(law, [k, c, m], drive.rest_force)
+}
+
+fn widest(p: &PiecewisePoly) -> f64 {
+    p.breaks()
+        .windows(2)
+        .map(|w| w[1] - w[0])
+        .fold(0.0, f64::max)
+}
+
+fn still(drive: &Drive, train: &Train) -> bool {
+    drive.damping + train.damping <= 0.0
+}
+
+fn resonance(drive: &Drive, train: &Train) -> Error {
+    let ratio = train.natural_frequency(drive).unwrap_or(f64::NAN) / drive.speed;
+    Error::new(format!(
+        "resonance: the undamped follower rings {ratio:.6} times per turn, on a harmonic of the cam, and has no steady state"
+    ))
+    .help("give a damping ratio above 0, or another speed")
+}
+
+/// Inertia of the vibration left out: springs in series carry the rigid force.
+fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
+    let force = rigid_force(law, drive);
+    let give = 1.0 / (train.stiffness + drive.spring_rate);
+    let carried = 1.0 - drive.spring_rate * give;
+    let rate = force.derivative();
+    let theta = force.breaks().to_vec();
+    let at: Vec<(f64, f64)> = breaks_of(&force).zip(breaks_of(&rate)).collect();
+    let deflection: Vec<f64> = at.iter().map(|(f, _)| -f * give).collect();
+    let contact: Vec<f64> = at.iter().map(|(f, _)| f * carried).collect();
+    Steady {
+        theta,
+        deflection,
+        contact_rate: at.iter().map(|(_, r)| r * carried).collect(),
+        output: contact.clone(),
+        contact,
+    }
+}
+
+/// Values at the breaks, from the right, and at the end from the left.
+fn breaks_of(p: &PiecewisePoly) -> impl Iterator<Item = f64> + '_ {
+    let last = p.pieces() - 1;
+    (0..=last)
+        .map(|i| p.piece(i)[0])
+        .chain(std::iter::once(p.piece(last)[p.degree()]))
+}
+
+fn read(law: &Law, drive: &Drive, train: &Train, model: &Model, states: &States) -> Steady {
+    let theta = model.force.breaks().to_vec();
+    let rates = &model.linear.rates;
+    let forces: Vec<f64> = breaks_of(&model.force).collect();
+    let mut out = Steady {
+        deflection: states.iter().map(|z| z[0]).collect(),
+        contact: Vec::with_capacity(states.len()),
+        contact_rate: Vec::with_capacity(states.len()),
+        output: Vec::new(),
+        theta,
+    };
+    // Without mass the damper's force follows from balance: N = F + (k x + c ω x′).
+    let extra = if drive.mass <= 0.0 {
+        train.damping * drive.speed
+    } else {
+        0.0
+    };
+    for (i, z) in states.iter().enumerate() {
+        let dz = rates * z + model.linear.inputs[0] * forces[i];
+        out.contact.push(model.contact.dot(z) - extra * dz[0]);
+        out.contact_rate.push(model.contact.dot(&dz));
+    }
+    out.output = match drive.kind {
+        DriveKind::Hydraulic => {
+            let (start, length) = law.extent();
+            out.theta
+                .iter()
+                .zip(states)
+                .map(|(t, z)| {
+                    let at = law.svaj(t.min(start + length));
+                    drive.rest_force + drive.spring_rate * (at.s + z[0])
+                })
+                .collect()
+        }
+        DriveKind::MovingAxis | DriveKind::FixedAxis => out.contact.clone(),
+    };
+    out
+}
+
+impl Steady {
+    /// Smallest and largest contact force, N: extremes of the cubics through the exact values and slopes.
+    pub fn contact_extremes(&self) -> (Extreme, Extreme) {
+        let mut coef = Vec::with_capacity(4 * self.theta.len());
+        for i in 0..self.theta.len() - 1 {
+            let third = (self.theta[i + 1] - self.theta[i]) / 3.0;
+            coef.extend([
+                self.contact[i],
+                self.contact[i] + third * self.contact_rate[i],
+                self.contact[i + 1] - third * self.contact_rate[i + 1],
+                self.contact[i + 1],
+            ]);
+        }
+        PiecewisePoly::new(self.theta.clone(), 3, coef).extremes()
+    }
+}
+
+#[cfg(test)]
+mod tests;

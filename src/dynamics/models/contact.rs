@@ -1,0 +1,191 @@
+//! The contact model on a prepared cam: the run over its events, read at the rows and integrated.
+
+use crate::dynamics::contact::{self, ContactRun, Phase};
+use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
+use crate::dynamics::prepared::Prepared;
+use crate::dynamics::recover::Cycle;
+use crate::dynamics::run::Run;
+use crate::dynamics::surface::Surface;
+use crate::error::{Error, Result};
+use std::f64::consts::TAU;
+
+/// Lift-off has no meaning where both sides hold, and no steady state where the cam ends.
+fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
+    if p.held {
+        let what = if input.machine.conjugate.is_some() {
+            "a conjugate pair holds its follower from both sides"
+        } else {
+            "the groove holds its roller from both sides"
+        };
+        return Err(Error::new(format!("{what}: nothing lifts off"))
+            .help("run --model rigid or flexible; they say which side bears"));
+    }
+    if p.cycle != Cycle::TURN {
+        return Err(
+            Error::new("the contact model follows a cam that turns once per cycle")
+                .help("run --model rigid: its smallest force says whether a slide keeps contact"),
+        );
+    }
+    Ok(())
+}
+
+pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
+    refuse_contact(input, p)?;
+    let surfaces: Vec<Surface> = p
+        .laws
+        .iter()
+        .map(|law| Surface::new(law.clone(), &p.drive))
+        .collect();
+    let run = contact::run(
+        &surfaces,
+        &p.drive,
+        input.machine.restitution,
+        &input.machine.limits,
+    );
+    let mut out = p.outcome(Model::Contact, "asked for");
+    let (from, to) = run.window();
+    let n = p.nodes.len();
+    let total = n * run.period;
+    let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
+    let mut k = 0;
+    for i in 0..total {
+        let angle = from + TAU * i as f64 / n as f64;
+        while k + 1 < run.stretches.len() && run.stretches[k].to <= angle {
+            k += 1;
+        }
+        let state = run.stretches.get(k).map(|s| s.phase);
+        let (force, lift) = match state {
+            Some(Phase::Contact { surface }) => {
+                let at = surfaces[surface].at(angle);
+                (p.drive.force(at), at.s)
+            }
+            Some(Phase::Flight(flight)) => (0.0, flight.at(angle).0),
+            Some(Phase::Parted { surface }) => (0.0, surfaces[surface].at(angle).s),
+            None => (0.0, 0.0),
+        };
+        forces.push(force);
+        heights.push(lift - p.nodes[i % n].s);
+    }
+    let sums = integrate(&run, &surfaces, input, p);
+    let pressed: f64 = run
+        .steady_impacts()
+        .map(|i| i.pulse.impulse * p.drive.speed * surfaces[i.surface].at(i.at).v)
+        .sum();
+    let error_count = to - from;
+    out.lost_fraction = run.lost_fraction();
+    out.contact_lost = out.lost_fraction > 0.0;
+    out.force = Force {
+        min: sums.min,
+        max: sums.max,
+        rms_error: p.target.as_ref().map(|_| (sums.error / error_count).sqrt()),
+    };
+    out.torque = p.signed(Torque {
+        min: sums.torque_min,
+        max: sums.torque_max,
+        mean: (sums.work + pressed) / error_count,
+        rms: (sums.torque_square / error_count).sqrt(),
+    });
+    out.settle_cycles = run.settle;
+    out.period_turns = run.period;
+    out.rows = p.rows(input, &forces, &heights);
+    out.hertz = p.hertz(input, &out.rows);
+    if run.escaped {
+        out.notes
+            .push("the mass leaves the cam and nothing brings it back".to_string());
+    } else if run.settle.is_none() {
+        out.notes.push(format!(
+            "the motion does not repeat within {} turns and {} impacts",
+            run.turns,
+            run.impacts.len()
+        ));
+    }
+    out.impacts = run.impacts;
+    Ok(out)
+}
+
+/// Integrals and extremes over one repetition.
+struct Sums {
+    min: f64,
+    max: f64,
+    torque_min: f64,
+    torque_max: f64,
+    work: f64,
+    torque_square: f64,
+    error: f64,
+}
+
+/// Two Gauss points per row and stretch: fourth order, the ends of flights resolved.
+fn integrate(run: &ContactRun, surfaces: &[Surface], input: &Run, p: &Prepared) -> Sums {
+    const OFFSET: f64 = 0.211_324_865_405_187_1; // (1 − 1/√3)/2
+    let (from, to) = run.window();
+    let n = p.nodes.len();
+    let step = TAU / n as f64;
+    let mut sums = Sums {
+        min: f64::INFINITY,
+        max: f64::NEG_INFINITY,
+        torque_min: f64::INFINITY,
+        torque_max: f64::NEG_INFINITY,
+        work: 0.0,
+        torque_square: 0.0,
+        error: 0.0,
+    };
+    for stretch in &run.stretches {
+        let (a, b) = (stretch.from.max(from), stretch.to.min(to));
+        if b <= a {
+            continue;
+        }
+        let surface = match stretch.phase {
+            Phase::Contact { surface } => Some(&surfaces[surface]),
+            Phase::Flight(_) | Phase::Parted { .. } => None,
+        };
+        let state = |x: f64| {
+            surface.map_or((0.0, 0.0), |s| {
+                let at = s.at(x);
+                let force = p.drive.force(at);
+                (force, p.torque(input, force, at))
+            })
+        };
+        let mut x = a;
+        while x < b {
+            let cell = ((x - p.start) / step + 1e-9).floor();
+            let next = (p.start + step * (cell + 1.0)).min(b);
+            let width = next - x;
+            for u in [OFFSET, 1.0 - OFFSET] {
+                let at = x + u * width;
+                let (force, torque) = state(at);
+                sums.work += 0.5 * width * torque;
+                sums.torque_square += 0.5 * width * torque * torque;
+                if let Some(target) = &p.target {
+                    let wanted = row_value(target, (at - p.start) / step);
+                    sums.error += 0.5 * width * (force - wanted).powi(2);
+                }
+            }
+            let (force, torque) = state(x);
+            sums.see(force, torque);
+            x = next;
+        }
+        // The end of a stretch, seen from inside: at a landing or lift-off the force steps.
+        let (force, torque) = state(b - 1e-12 * (b - a));
+        sums.see(force, torque);
+    }
+    if run.lost_fraction() == 0.0 && surfaces.len() == 1 {
+        let (low, high) = surfaces[0].force.extremes();
+        (sums.min, sums.max) = (low.value, high.value);
+    }
+    sums
+}
+
+impl Sums {
+    fn see(&mut self, force: f64, torque: f64) {
+        self.min = self.min.min(force.max(0.0));
+        self.max = self.max.max(force);
+        self.torque_min = self.torque_min.min(torque);
+        self.torque_max = self.torque_max.max(torque);
+    }
+}
+
+fn row_value(values: &[f64], x: f64) -> f64 {
+    let n = values.len();
+    let (i, u) = (x.floor().rem_euclid(n as f64) as usize, x - x.floor());
+    values[i % n] * (1.0 - u) + values[(i + 1) % n] * u
+}

@@ -1,0 +1,65 @@
+//! The flexible model on a prepared cam.
+
+use super::note_other_side;
+use crate::dynamics::flexible;
+use crate::dynamics::outcome::{Force, Model, Outcome};
+use crate::dynamics::prepared::Prepared;
+use crate::dynamics::run::Run;
+use crate::error::{Error, Result};
+
+pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
+    let Some(train) = &input.machine.train else {
+        return Err(Error::new("the flexible model needs to know what gives")
+            .help("give the follower's natural frequency or its stiffness: --natural-frequency, or under [machine] in the scene"));
+    };
+    if !p.cycle.closed {
+        return Err(
+            Error::new("a slide that ends has no steady vibration").help("run --model rigid")
+        );
+    }
+    let steady = flexible::steady(&p.lift, &p.drive, train)?;
+    let mut out = p.outcome(Model::Flexible, "asked for");
+    let n = p.nodes.len();
+    // Most rows' angles are among the breaks of the forcing; the others all but touch one.
+    let mut k = 0;
+    let (mut forces, mut heights, mut outputs) = (Vec::new(), Vec::new(), Vec::new());
+    for i in 0..n {
+        let at = p.start + p.step * i as f64;
+        while k + 1 < steady.theta.len() && steady.theta[k] < at - 1e-9 {
+            k += 1;
+        }
+        let back = steady.theta[k] - at;
+        let value = |values: &[f64]| {
+            if back <= 1e-9 || k == 0 {
+                return values[k];
+            }
+            let part = back / (steady.theta[k] - steady.theta[k - 1]);
+            values[k] + part * (values[k - 1] - values[k])
+        };
+        forces.push(value(&steady.contact));
+        heights.push(value(&steady.deflection));
+        outputs.push(value(&steady.output));
+    }
+    let (low, high) = steady.contact_extremes();
+    out.force = Force {
+        min: low.value,
+        max: high.value,
+        rms_error: p.rms_error(&outputs),
+    };
+    out.torque = p.signed(p.sampled_torque(input, &forces));
+    let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / n as f64;
+    if p.held {
+        note_other_side(&mut out, input, pulled);
+    } else {
+        out.contact_lost = low.value < 0.0;
+        out.lost_fraction = pulled;
+    }
+    if out.contact_lost {
+        out.notes.push(
+            "the vibrating follower leaves the cam: the flexible model pulls there".to_string(),
+        );
+    }
+    out.rows = p.rows(input, &forces, &heights);
+    out.hertz = p.hertz(input, &out.rows);
+    Ok(out)
+}

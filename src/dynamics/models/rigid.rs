@@ -1,0 +1,56 @@
+//! The rigid model on a prepared cam.
+
+use super::note_other_side;
+use crate::dynamics::outcome::{Force, Model, Outcome};
+use crate::dynamics::prepared::Prepared;
+use crate::dynamics::rigid;
+use crate::dynamics::run::Run;
+use crate::dynamics::surface::Surface;
+use crate::error::Result;
+
+pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
+    let friction = input.machine.friction;
+    let mut out = p.outcome(Model::Rigid, "asked for");
+    let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
+    let surface = Surface::new(p.lift.clone(), &p.drive);
+    let (low, high) = surface.force.extremes();
+    out.force = Force {
+        min: low.value,
+        max: high.value,
+        rms_error: p.rms_error(&forces),
+    };
+    out.torque = p.sampled_torque(input, &forces);
+    let curve = if p.rubs {
+        None
+    } else {
+        let friction = if p.reach > 0.0 { friction } else { 0.0 };
+        rigid::torque_curve(&p.lift, &p.drive, friction, p.reach)
+    };
+    if let Some(curve) = curve {
+        let (low, high) = curve.extremes();
+        (out.torque.min, out.torque.max) = (low.value, high.value);
+        out.torque.mean = curve.integral() / p.cycle.length;
+    }
+    out.torque = p.signed(out.torque);
+    let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
+    if p.held {
+        note_other_side(&mut out, input, pulled);
+    } else {
+        out.lost_fraction = pulled;
+    }
+    out.contact_lost = out.lost_fraction > 0.0;
+    if out.contact_lost {
+        out.notes.push(
+            "the rigid model pulls where the force is negative: run --model contact".to_string(),
+        );
+    }
+    if p.laws.len() > 1 {
+        out.notes.push(
+            "the rigid model leaves out the blows where one cam takes over from the other"
+                .to_string(),
+        );
+    }
+    out.rows = p.rows(input, &forces, &vec![0.0; forces.len()]);
+    out.hertz = p.hertz(input, &out.rows);
+    Ok(out)
+}

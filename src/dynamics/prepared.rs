@@ -1,0 +1,237 @@
+//! The emitted cam as the models see it.
+
+use super::contact::impact::check_restitution;
+use super::contact::two_cams::{envelope, shifted};
+use super::recover::{Cycle, recover_cam};
+use super::rigid;
+use super::rigid::hertz::Material;
+use super::rigid::touch::{held, rubs, touch};
+use super::run::Run;
+use crate::cam::{Cam, Follower, Measures};
+use crate::drive::Drive;
+use crate::error::{Error, Result};
+use crate::law::{Law, Svaj};
+
+/// The cam as the models see it: turning in the sense of growing angle, one or two profiles.
+pub(super) struct Prepared {
+    pub drive: Drive,
+    pub reversed: bool,
+    /// Lift of each cam.
+    pub laws: Vec<Law>,
+    /// Lift of the higher one.
+    pub lift: Law,
+    /// Motion at the angles of the rows.
+    pub nodes: Vec<Svaj>,
+    /// Motion of the conjugate cam's follower at the angles of the rows.
+    pub second: Option<Vec<Svaj>>,
+    pub start: f64,
+    pub cycle: Cycle,
+    pub step: f64,
+    pub reach: f64,
+    /// The follower where it bears hardest: a barrel's at the floor of its groove.
+    pub bearing: Follower,
+    /// What the law is measured in, for words.
+    pub measures: Measures,
+    /// Whether neither side can lift off the other.
+    pub held: bool,
+    /// Whether friction makes the torque other than F·v and it is not the flat face's.
+    pub rubs: bool,
+    /// Target at the angles of the rows.
+    pub target: Option<Vec<f64>>,
+    pub mismatch: f64,
+    pub law_mismatch: f64,
+    pub notes: Vec<String>,
+}
+
+pub(super) fn prepare(input: &Run) -> Result<Prepared> {
+    let drive = &input.drive;
+    let numbers = [
+        drive.rest_force,
+        drive.spring_rate,
+        drive.damping,
+        drive.mass,
+        drive.speed,
+        input.machine.friction,
+    ];
+    if numbers.iter().any(|x| !x.is_finite())
+        || drive.mass < 0.0
+        || drive.damping < 0.0
+        || drive.spring_rate < 0.0
+    {
+        return Err(Error::new(
+            "the machine's mass, spring, damping and speed must be finite, the first three not negative",
+        ));
+    }
+    if input.machine.friction < 0.0 {
+        return Err(Error::new("friction cannot be negative"));
+    }
+    if let Some(face) = &input.machine.face {
+        let sound = |m: &Material| m.young > 0.0 && (0.0..=0.5).contains(&m.poisson);
+        if !(face.length > 0.0 && sound(&face.cam) && sound(&face.follower)) {
+            return Err(Error::new(
+                "a contact line needs a positive length and materials with a positive modulus and a Poisson's ratio in [0, 0.5]",
+            ));
+        }
+    }
+    check_restitution(input.machine.restitution)?;
+    let cycle = Cycle::of(&input.cam.law);
+    let emitted = recover_cam(&input.cam, &input.profile, cycle)?;
+    let law_mismatch = input
+        .profile
+        .iter()
+        .zip(&emitted.nodes)
+        .fold(0.0_f64, |m, (p, at)| {
+            m.max((input.cam.law.svaj(p.theta).s - at.s).abs())
+        });
+    let mut notes = Vec::new();
+    let reversed = drive.speed < 0.0;
+    let held = held(&input.cam, input.machine.conjugate.as_ref());
+    refuse_unknown(input, cycle, held)?;
+    let forward = Drive {
+        speed: drive.speed.abs(),
+        ..*drive
+    };
+    let one = if reversed {
+        emitted.law.reversed()
+    } else {
+        emitted.law
+    };
+    let n = input.profile.len();
+    let start = one.extent().0;
+    let mut laws = vec![one];
+    let mut lift = laws[0].clone();
+    if let Some(angle) = input.machine.second_cam {
+        let second = shifted(&laws[0], if reversed { -angle } else { angle });
+        lift = envelope(&lift, &second);
+        laws.push(second);
+    }
+    let step = cycle.step(n);
+    let at = |i: usize| start + step * i as f64;
+    let single = laws.len() == 1 && !reversed;
+    let nodes = if single {
+        emitted.nodes
+    } else {
+        (0..n).map(|i| lift.svaj(at(i))).collect()
+    };
+    let sign = if reversed { -1.0 } else { 1.0 };
+    let target = match &input.target {
+        Some(values) if values.is_empty() || values.iter().any(|f| !f.is_finite()) => {
+            return Err(Error::new("the target force must be finite at every angle"));
+        }
+        Some(values) => Some(
+            (0..n)
+                .map(|i| phase_value(values, sign * at(i) / cycle.length))
+                .collect(),
+        ),
+        None => None,
+    };
+    let second = match &input.machine.conjugate {
+        Some(cam) => Some(conjugate_nodes(cam, n, reversed, &nodes, &mut notes)?),
+        None => None,
+    };
+    let follower = &input.cam.follower;
+    if follower.is_oscillating() {
+        notes.push(
+            "the follower swings: lift and gap are angles, rad, the force is the moment about the pivot, N·m, and the drive's mass, spring and preload count about it; the normal force is in N"
+                .to_string(),
+        );
+    }
+    Ok(Prepared {
+        drive: forward,
+        reversed,
+        laws,
+        lift,
+        nodes,
+        second,
+        start,
+        cycle,
+        step,
+        reach: rigid::reach(follower),
+        bearing: match (follower, input.machine.groove_floor) {
+            (Follower::Barrel { .. }, Some(floor)) => follower.with_base_radius(floor),
+            _ => *follower,
+        },
+        measures: follower.measures(),
+        held,
+        rubs: input.machine.friction > 0.0
+            && rubs(follower)
+            && !matches!(follower, Follower::FlatTranslating { .. }),
+        target,
+        mismatch: emitted.mismatch,
+        law_mismatch,
+        notes,
+    })
+}
+
+/// What no model here can answer, in words.
+fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
+    if !cycle.closed && input.drive.speed < 0.0 {
+        return Err(Error::new("a slide that ends is run forwards only")
+            .help("give the drive a positive speed"));
+    }
+    if input.machine.second_cam.is_some() && (held || cycle != Cycle::TURN) {
+        return Err(Error::new(
+            "a second cam that follows on the shaft needs a follower that rests on the first, and a law of one turn",
+        )
+        .help("leave the second cam out"));
+    }
+    Ok(())
+}
+
+/// Motion of the second follower at the angles of the rows, from its own emitted profile, and a note on
+/// how well both cams keep their distance.
+fn conjugate_nodes(
+    cam: &Cam,
+    n: usize,
+    reversed: bool,
+    first: &[Svaj],
+    notes: &mut Vec<String>,
+) -> Result<Vec<Svaj>> {
+    let cycle = Cycle::of(&cam.law);
+    let emitted = recover_cam(cam, &cam.profile(n), cycle)?;
+    let nodes: Vec<Svaj> = if reversed {
+        let law = emitted.law.reversed();
+        let (start, step) = (law.extent().0, cycle.step(n));
+        (0..n).map(|i| law.svaj(start + step * i as f64)).collect()
+    } else {
+        emitted.nodes
+    };
+    let sums = first.iter().zip(&nodes).map(|(a, b)| a.s + b.s);
+    let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
+        (l.min(x), h.max(x))
+    });
+    notes.push(format!(
+        "the conjugate pair keeps its distance within {:.1e}; where the force turns negative the second cam takes it",
+        high - low
+    ));
+    Ok(nodes)
+}
+
+impl Prepared {
+    /// Torque in the sense of turning for force and motion, N·m.
+    pub fn torque(&self, input: &Run, force: f64, at: Svaj) -> f64 {
+        let friction = input.machine.friction;
+        if self.rubs {
+            return touch(&input.cam.follower, self.drive.speed, friction, at, force).torque;
+        }
+        match input.cam.follower {
+            Follower::FlatTranslating { .. } => {
+                force * at.v + friction * force.abs() * (self.reach + at.s)
+            }
+            _ => force * at.v,
+        }
+    }
+}
+
+/// Value at the share `part` of a cycle of samples at its equal steps, linear between.
+fn phase_value(values: &[f64], part: f64) -> f64 {
+    let n = values.len();
+    let x = part.rem_euclid(1.0) * n as f64;
+    // A sample's own angle, met within rounding, is that sample.
+    let nearest = x.round();
+    if (x - nearest).abs() < 1e-6 {
+        return values[nearest as usize % n];
+    }
+    let (i, u) = (x.floor() as usize, x.fract());
+    values[i % n] * (1.0 - u) + values[(i + 1) % n] * u
+}

@@ -1,0 +1,222 @@
+//! The lift between breakpoints: each stretch has its own spline of slopes, so that nothing oscillates at a
+//! jump of acceleration or jerk.
+
+use super::slopes::slopes_at;
+use super::{Cycle, Emitted};
+use crate::law::Law;
+use crate::poly::{PiecewisePoly, bernstein};
+
+/// Rows nearer to a breakpoint than this part of a step are left to the curve: their distance would divide
+/// the noise of their coordinates.
+const TOO_NEAR: f64 = 0.25;
+/// Rows nearer than this part of a step are no breaks of the law either: a polynomial on so short a piece
+/// loses its derivatives to rounding.
+const NO_PIECE: f64 = 0.02;
+
+/// Height and slope of the lift at one angle.
+#[derive(Debug, Clone, Copy)]
+pub struct Station {
+    pub theta: f64,
+    pub height: f64,
+    pub slope: f64,
+}
+
+/// The lift through `rows` (equal steps) with both sides of every breakpoint, in order of their angles.
+/// `known`: the slopes are; otherwise they follow from the heights.
+pub fn between_breaks(
+    rows: &[Station],
+    breaks: &[[Station; 2]],
+    cycle: Cycle,
+    step: f64,
+    known: bool,
+) -> Emitted {
+    let mut stretches = stretches(rows, breaks, cycle, step);
+    if !known {
+        slopes_from_heights(&mut stretches, cycle);
+    }
+    let (mut knots, mut coef) = (Vec::new(), Vec::new());
+    let (mut lift, mut levels) = (0.0, Vec::new());
+    let drift = if cycle.closed {
+        drift(&stretches, cycle)
+    } else {
+        0.0
+    };
+    for stretch in &stretches {
+        let slopes: Vec<f64> = stretch.iter().map(|s| s.slope - drift).collect();
+        let accelerations = accelerations(stretch);
+        for (i, pair) in stretch.windows(2).enumerate() {
+            let width = pair[1].theta - pair[0].theta;
+            let velocity = [
+                slopes[i],
+                slopes[i] + accelerations[i] * width / 3.0,
+                slopes[i + 1] - accelerations[i + 1] * width / 3.0,
+                slopes[i + 1],
+            ];
+            levels.push(pair[0].height - lift);
+            let piece = bernstein::antiderivative(&velocity);
+            coef.extend(piece.iter().map(|x| lift + width * x));
+            lift += width * piece[4];
+            knots.push(pair[0].theta);
+        }
+    }
+    let level = levels.iter().sum::<f64>() / levels.len() as f64;
+    coef.iter_mut().for_each(|c| *c += level);
+    let last = stretches.last().and_then(|s| s.last());
+    knots.extend(last.map(|s| s.theta));
+    let poly = with_rows_as_breaks(PiecewisePoly::new(knots, 4, coef), rows, cycle, step);
+    let law = Law::from_poly(poly, cycle.closed);
+    let nodes: Vec<_> = (0..rows.len())
+        .map(|i| law.svaj(rows[0].theta + step * i as f64))
+        .collect();
+    let mismatch = rows
+        .iter()
+        .zip(&nodes)
+        .fold(0.0_f64, |m, (row, at)| m.max((row.height - at.s).abs()));
+    Emitted {
+        law,
+        nodes,
+        mismatch,
+    }
+}
+
+/// The stations of every stretch between two breakpoints, both included. Angles of a closed cycle grow
+/// beyond its end.
+fn stretches(
+    rows: &[Station],
+    breaks: &[[Station; 2]],
+    cycle: Cycle,
+    step: f64,
+) -> Vec<Vec<Station>> {
+    let (start, n) = (rows[0].theta, rows.len());
+    let mut ends: Vec<(Station, Station)> = Vec::with_capacity(breaks.len() + 1);
+    for pair in breaks.windows(2) {
+        ends.push((pair[0][1], pair[1][0]));
+    }
+    let (first, last) = (breaks[0], breaks[breaks.len() - 1]);
+    if cycle.closed {
+        let next = Station {
+            theta: first[0].theta + cycle.length,
+            ..first[0]
+        };
+        ends.push((last[1], next));
+    } else {
+        ends.insert(0, (rows[0], first[0]));
+        ends.push((last[1], rows[n - 1]));
+    }
+    // Breakpoints a rounding error apart enclose nothing.
+    ends.retain(|(from, to)| to.theta - from.theta > 1e-6 * step);
+    ends.into_iter()
+        .map(|(from, to)| {
+            let row = |theta: f64| (theta - start) / step;
+            let low = (row(from.theta) + TOO_NEAR).ceil().max(0.0) as usize;
+            let high = (row(to.theta) - TOO_NEAR).floor().max(0.0) as usize;
+            let inner = (low..=high).map(|i| Station {
+                theta: start + step * i as f64,
+                ..rows[i % n]
+            });
+            let mut stations = vec![from];
+            stations.extend(inner);
+            stations.push(to);
+            stations
+        })
+        .collect()
+}
+
+/// Slopes of the splines through the heights; the mean of both sides where two stretches meet.
+fn slopes_from_heights(stretches: &mut [Vec<Station>], cycle: Cycle) {
+    for stretch in stretches.iter_mut() {
+        let x: Vec<f64> = stretch.iter().map(|s| s.theta).collect();
+        let y: Vec<f64> = stretch.iter().map(|s| s.height).collect();
+        for (station, slope) in stretch.iter_mut().zip(slopes_at(&x, &y)) {
+            station.slope = slope;
+        }
+    }
+    let count = stretches.len();
+    let joints = if cycle.closed { count } else { count - 1 };
+    for k in 0..joints {
+        let next = (k + 1) % count;
+        let last = stretches[k].len() - 1;
+        let mean = 0.5 * (stretches[k][last].slope + stretches[next][0].slope);
+        stretches[k][last].slope = mean;
+        stretches[next][0].slope = mean;
+    }
+}
+
+fn accelerations(stretch: &[Station]) -> Vec<f64> {
+    let x: Vec<f64> = stretch.iter().map(|s| s.theta).collect();
+    let v: Vec<f64> = stretch.iter().map(|s| s.slope).collect();
+    slopes_at(&x, &v)
+}
+
+/// Mean slope of a closed lift, which has none: what noise leaves of it is spread evenly.
+fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
+    let mut sum = 0.0;
+    for stretch in stretches {
+        let a = accelerations(stretch);
+        for (i, pair) in stretch.windows(2).enumerate() {
+            let width = pair[1].theta - pair[0].theta;
+            sum +=
+                width * (0.5 * (pair[0].slope + pair[1].slope) + width * (a[i] - a[i + 1]) / 12.0);
+        }
+    }
+    sum / cycle.length
+}
+
+/// The same lift from the first row's angle on, with every row among its breaks that does not all but
+/// coincide with one.
+fn with_rows_as_breaks(
+    poly: PiecewisePoly,
+    rows: &[Station],
+    cycle: Cycle,
+    step: f64,
+) -> PiecewisePoly {
+    let start = rows[0].theta;
+    let (from, to) = (poly.breaks()[0], poly.breaks()[poly.pieces()]);
+    let mut further = Vec::new();
+    let first = ((from - start) / step).ceil().max(0.0) as usize;
+    let mut k = 0;
+    for i in first.. {
+        let at = start + step * i as f64;
+        if at >= to {
+            break;
+        }
+        while k + 1 < poly.pieces() && poly.breaks()[k + 1] <= at {
+            k += 1;
+        }
+        let near = |b: f64| (at - b).abs() <= NO_PIECE * step;
+        // The cycle begins at its first row, however near a breakpoint.
+        let begins = cycle.closed && i % rows.len() == 0 && (at - from).abs() > 1e-9 * step;
+        if begins || !(near(poly.breaks()[k]) || near(poly.breaks()[k + 1])) {
+            further.push(at);
+        }
+    }
+    let poly = poly.cut_at(&further);
+    if !cycle.closed {
+        return poly;
+    }
+    beginning_at(&poly, start, cycle.length, step)
+}
+
+/// A closed lift whose pieces begin at `start`, which is a break of it or a whole cycle before one.
+fn beginning_at(poly: &PiecewisePoly, start: f64, length: f64, step: f64) -> PiecewisePoly {
+    let n = poly.pieces();
+    let end = start + length;
+    // The piece that begins the cycle: the break within rounding of `start` or of its end.
+    let turn = (0..n)
+        .find(|&i| poly.breaks()[i] > end - 1e-6 * step)
+        .unwrap_or(0);
+    let mut breaks = Vec::with_capacity(n + 1);
+    let mut coef = Vec::with_capacity(5 * n);
+    for k in 0..n {
+        let i = (turn + k) % n;
+        let shift = if turn > 0 && i >= turn { length } else { 0.0 };
+        breaks.push(poly.breaks()[i] - shift);
+        coef.extend_from_slice(poly.piece(i));
+    }
+    breaks[0] = start;
+    breaks.push(end);
+    PiecewisePoly::new(breaks, poly.degree(), coef)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,264 @@
+//! The emitted profile as a smooth closed curve: the lift that its points give the follower.
+//!
+//! Row i of a profile is the contact at θᵢ, so its coordinates, turned into the fixed frame, hold two
+//! things: how high the follower stands and, by where it touches, the slope of the lift. For a flat face
+//! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
+//! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
+//! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
+//! step of the angle once, not twice, and there is no facet anywhere (theory §10). Where each follower
+//! stands over a contact point is `stance`'s business; `breaks` joins stretches at the jumps of acceleration or jerk.
+
+mod breaks;
+mod slopes;
+mod stance;
+
+use super::rigid::touch::touch;
+use crate::cam::{Cam, Follower, ProfilePoint};
+use crate::error::{Error, Result};
+use crate::law::{Law, Svaj};
+use crate::poly::{PiecewisePoly, bernstein};
+use breaks::{Station, between_breaks};
+use slopes::spline_slopes;
+use stance::{height_and_slope, slopes_known};
+use std::f64::consts::TAU;
+
+/// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
+const STEP_SLACK: f64 = 1e-3;
+/// Rows that a stretch between two breakpoints needs on average to show its own shape.
+pub const ROWS_BETWEEN_BREAKS: usize = 6;
+
+/// The motion that an emitted profile gives its follower.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Emitted {
+    /// Lift over the base (prime) circle; degree 4 between the angles of the points, C³ at them but for
+    /// the breakpoints.
+    pub law: Law,
+    /// Lift and derivatives at the points.
+    pub nodes: Vec<Svaj>,
+    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or a
+    /// profile whose rows are not the contacts they claim to be.
+    pub mismatch: f64,
+}
+
+/// What a profile covers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycle {
+    /// rad (m of travel for a slide).
+    pub length: f64,
+    /// Whether the last point leads back to the first, which is then not repeated.
+    pub closed: bool,
+}
+
+impl Cycle {
+    /// One turn.
+    pub const TURN: Cycle = Cycle {
+        length: TAU,
+        closed: true,
+    };
+
+    /// What a cam's law covers.
+    pub fn of(law: &Law) -> Cycle {
+        Cycle {
+            length: law.extent().1,
+            closed: law.is_closed(),
+        }
+    }
+
+    /// Distance of two neighbouring points of n.
+    pub fn step(&self, n: usize) -> f64 {
+        self.length / if self.closed { n } else { n - 1 } as f64
+    }
+}
+
+/// The lift that `points` (equal steps of θ over one turn) give `follower`, smooth all the way round.
+///
+/// # Errors
+/// As [`recover_over`].
+pub fn recover(follower: &Follower, points: &[ProfilePoint]) -> Result<Emitted> {
+    recover_over(follower, points, &[], Cycle::TURN)
+}
+
+/// The lift of an emitted cam: its points with the breakpoints of its law.
+///
+/// Breakpoints closer to each other than [`ROWS_BETWEEN_BREAKS`] rows, as the knots of a fine spline are,
+/// are left out: first those where only the jerk jumps, then all.
+///
+/// # Errors
+/// As [`recover_over`].
+pub fn recover_cam(cam: &Cam, points: &[ProfilePoint], cycle: Cycle) -> Result<Emitted> {
+    let few = |breaks: &Vec<[ProfilePoint; 2]>| ROWS_BETWEEN_BREAKS * breaks.len() <= points.len();
+    let breaks = [3, 2]
+        .into_iter()
+        .map(|order| cam.breakpoints(order))
+        .find(few)
+        .unwrap_or_default();
+    recover_over(&cam.follower, points, &breaks, cycle)
+}
+
+/// The lift that `points` (equal steps of θ over one cycle) give `follower`.
+///
+/// `breaks` are the contacts on both sides of every angle where the acceleration or the jerk jumps
+/// ([`Cam::breakpoints`]); between them the lift is smooth. A spline that ignores a jump of acceleration
+/// overshoots it by 18 % and oscillates over four rows on both sides.
+///
+/// # Errors
+/// On fewer than 8 points, on angles that are not equal steps of the cycle, on coordinates that are not
+/// finite or out of the follower's reach, and on a profile with a concave or undercut stretch under a flat
+/// face.
+pub fn recover_over(
+    follower: &Follower,
+    points: &[ProfilePoint],
+    breaks: &[[ProfilePoint; 2]],
+    cycle: Cycle,
+) -> Result<Emitted> {
+    let step = equal_step(points, cycle)?;
+    let station = |row: usize, point: &ProfilePoint| {
+        height_and_slope(follower, point)
+            .map(|(height, slope)| Station {
+                theta: point.theta,
+                height,
+                slope,
+            })
+            .ok_or_else(|| out_of_reach(follower, row))
+    };
+    let rows = points
+        .iter()
+        .enumerate()
+        .map(|(i, p)| station(i, p))
+        .collect::<Result<Vec<_>>>()?;
+    let start = points[0].theta;
+    let emitted = if breaks.is_empty() {
+        let heights: Vec<f64> = rows.iter().map(|r| r.height).collect();
+        let slopes = if slopes_known(follower) {
+            rows.iter().map(|r| r.slope).collect()
+        } else {
+            spline_slopes(&heights, step, cycle.closed)
+        };
+        from_heights(start, step, cycle.closed, &heights, &slopes)
+    } else {
+        let row_before = |at: f64| ((at - start) / step).max(0.0) as usize;
+        let breaks = breaks
+            .iter()
+            .map(|[before, after]| {
+                let row = row_before(before.theta);
+                Ok([station(row, before)?, station(row, after)?])
+            })
+            .collect::<Result<Vec<_>>>()?;
+        let known = slopes_known(follower);
+        between_breaks(&rows, &breaks, cycle, step, known)
+    };
+    if follower.is_flat() {
+        refuse_concave(&emitted, follower, start, step)?;
+    }
+    Ok(emitted)
+}
+
+fn equal_step(points: &[ProfilePoint], cycle: Cycle) -> Result<f64> {
+    let n = points.len();
+    if n < 8 {
+        return Err(Error::new(format!("a profile of {n} points is no curve"))
+            .help("emit at least 8 points, better 360 or more"));
+    }
+    let step = cycle.step(n);
+    for (i, p) in points.iter().enumerate() {
+        let expected = points[0].theta + step * i as f64;
+        if (p.theta - expected).abs() > STEP_SLACK * step || !p.theta.is_finite() {
+            return Err(Error::new(format!(
+                "profile row {i} stands at {} rad, not at {expected} rad",
+                p.theta
+            ))
+            .help("a run needs rows at equal steps of the cam's cycle"));
+        }
+    }
+    Ok(step)
+}
+
+fn out_of_reach(follower: &Follower, row: usize) -> Error {
+    Error::new(format!(
+        "profile row {row} cannot touch a {} follower",
+        follower.name()
+    ))
+    .help("its coordinates must be finite and within the follower's reach")
+}
+
+fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> Result<()> {
+    let radius = |at: &Svaj| 1.0 / touch(face, 1.0, 0.0, *at, 0.0).curvature;
+    match emitted.nodes.iter().position(|at| radius(at) <= 0.0) {
+        None => Ok(()),
+        Some(i) => Err(Error::new(format!(
+            "the profile is undercut or concave at {:.2}°: radius of curvature {:.4e} m",
+            (start + step * i as f64).to_degrees(),
+            radius(&emitted.nodes[i])
+        ))
+        .help("a flat face cannot touch it; enlarge the base radius")),
+    }
+}
+
+/// The quartic C³ lift through the slopes, raised to the mean of the heights.
+fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
+    let n = heights.len();
+    // A closed lift has no mean slope; what noise leaves of it is spread evenly.
+    let drift = if closed {
+        slopes.iter().sum::<f64>() / n as f64
+    } else {
+        0.0
+    };
+    let slopes: Vec<f64> = slopes.iter().map(|v| v - drift).collect();
+    let accelerations = spline_slopes(&slopes, step, closed);
+    let spans = if closed { n } else { n - 1 };
+    let mut rising = Vec::with_capacity(n);
+    let mut pieces = Vec::with_capacity(spans);
+    let mut lift = 0.0;
+    for i in 0..spans {
+        let k = (i + 1) % n;
+        let velocity = [
+            slopes[i],
+            slopes[i] + accelerations[i] * step / 3.0,
+            slopes[k] - accelerations[k] * step / 3.0,
+            slopes[k],
+        ];
+        rising.push(lift);
+        let piece: Vec<f64> = bernstein::antiderivative(&velocity)
+            .iter()
+            .map(|x| lift + step * x)
+            .collect();
+        lift = piece[4];
+        pieces.push(piece);
+    }
+    if !closed {
+        rising.push(lift);
+    }
+    let level = heights.iter().zip(&rising).map(|(h, r)| h - r).sum::<f64>() / n as f64;
+    let mismatch = heights
+        .iter()
+        .zip(&rising)
+        .fold(0.0_f64, |m, (h, r)| m.max((h - r - level).abs()));
+    let breaks: Vec<f64> = (0..=spans).map(|i| start + step * i as f64).collect();
+    let coef: Vec<f64> = pieces.iter().flatten().map(|b| b + level).collect();
+    // Jerk at both ends of the velocity's cubic from node i to node k.
+    let jerk = |i: usize, k: usize, near: f64, far: f64| {
+        let sign = (near - far).signum();
+        6.0 * sign * (slopes[k] - slopes[i]) / (step * step)
+            - sign * (near * accelerations[i] + far * accelerations[k]) / step
+    };
+    let nodes = (0..n)
+        .map(|i| Svaj {
+            s: rising[i] + level,
+            v: slopes[i],
+            a: accelerations[i],
+            j: if i < spans {
+                jerk(i, (i + 1) % n, 4.0, 2.0)
+            } else {
+                jerk(i - 1, i, 2.0, 4.0)
+            },
+        })
+        .collect();
+    Emitted {
+        law: Law::from_poly(PiecewisePoly::new(breaks, 4, coef), closed),
+        nodes,
+        mismatch,
+    }
+}
+
+#[cfg(test)]
+mod tests;

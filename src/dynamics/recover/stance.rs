@@ -1,0 +1,104 @@
+//! Where a follower stands whose contact with the cam is a given point: its lift and the lift's slope.
+
+use crate::cam::{Follower, ProfilePoint};
+
+/// Whether a contact point alone tells the slope; a knife edge touches whatever the slope is.
+pub fn slopes_known(follower: &Follower) -> bool {
+    follower.is_flat() || follower.roller_radius() > 0.0
+}
+
+/// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with
+/// `point`; `None` where the follower cannot reach it. Without meaning for a knife edge: the slope.
+pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
+    let p = match *follower {
+        Follower::TranslatingCam { .. } => [point.x - point.theta, point.y],
+        Follower::Barrel { radius, .. } => [point.x - radius * point.theta, point.y],
+        _ => {
+            let (sin, cos) = point.theta.sin_cos();
+            [cos * point.x - sin * point.y, sin * point.x + cos * point.y]
+        }
+    };
+    let radius = follower.roller_radius();
+    let (height, slope) = match *follower {
+        Follower::FlatTranslating { base_radius } => (p[1] - base_radius, p[0]),
+        Follower::FlatOscillating {
+            pivot_distance,
+            face_offset,
+            ..
+        } => swung_face(follower, p, pivot_distance, face_offset)?,
+        Follower::RollerTranslating { .. } | Follower::MushroomTranslating { .. } => {
+            above(p, follower.offset(), radius, follower.start_height())
+        }
+        Follower::RollerOscillating {
+            pivot_distance,
+            arm,
+            ..
+        }
+        | Follower::MushroomOscillating {
+            pivot_distance,
+            arm,
+            ..
+        } => on_arm(follower, p, pivot_distance, arm)?,
+        Follower::TranslatingCam { base_height, .. } => {
+            unrolled(p, base_height + radius, radius, 1.0)
+        }
+        Follower::Barrel { radius: scale, .. } => unrolled(p, 0.0, radius, scale),
+    };
+    (height.is_finite() && slope.is_finite()).then_some((height, slope))
+}
+
+/// A circle whose centre stands over `p` on the line x = offset. The pitch curve's tangent is normal to
+/// (side, up): Y·side + (Y′ − e)·up = 0.
+fn above(p: [f64; 2], offset: f64, radius: f64, rest: f64) -> (f64, f64) {
+    if radius == 0.0 {
+        return (p[1] - rest, 0.0);
+    }
+    let side = offset - p[0];
+    let up = (radius * radius - side * side).sqrt();
+    let centre = p[1] + up;
+    (centre - rest, offset - centre * side / up)
+}
+
+/// A circle over a profile that slides: its contact lies (slope, −1)·Rf/√(1 + slope²) from the centre.
+fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
+    if radius == 0.0 {
+        return (p[1] - rest, 0.0);
+    }
+    let up = (radius * radius - p[0] * p[0]).sqrt();
+    (p[1] + up - rest, scale * p[0] / up)
+}
+
+/// A circle at the end of an arm: its centre lies on the circle about the pivot, a radius away from `p`
+/// on the side of growing ξ; with its normal n the slope is (J·C)·n/(C′·n).
+fn on_arm(follower: &Follower, p: [f64; 2], pivot: f64, arm: f64) -> Option<(f64, f64)> {
+    let side = pivot.signum();
+    let radius = follower.roller_radius();
+    let away = [-side * (p[0] - pivot), p[1]];
+    let far = away[0].hypot(away[1]);
+    let (gap, sum) = (arm - far, arm + far);
+    // The triangle pivot, contact, centre: tan(δ/2) without the cancellation of an arc cosine.
+    let open = ((radius - gap) * (radius + gap)).max(0.0) / ((sum - radius) * (sum + radius));
+    if (radius - gap.abs()) < -1e-12 * arm {
+        return None;
+    }
+    let angle = away[1].atan2(away[0]) + 2.0 * open.sqrt().atan();
+    let (sin, cos) = angle.sin_cos();
+    let centre = [pivot - side * arm * cos, arm * sin];
+    let normal = [centre[0] - p[0], centre[1] - p[1]];
+    let across = centre[0] * normal[1] - centre[1] * normal[0];
+    let along = arm * (side * sin * normal[0] + cos * normal[1]);
+    let slope = if radius > 0.0 { across / along } else { 0.0 };
+    Some((angle - follower.start_angle()?, slope))
+}
+
+/// A face on an arm through `p`: (P − pivot)·n = f with n = (σ sin ξ, cos ξ), the contact on the arm's side
+/// of the pivot. Along the face the contact stands at −σ c cos ξ·v/(1 + v), v = σξ′.
+fn swung_face(follower: &Follower, p: [f64; 2], pivot: f64, offset: f64) -> Option<(f64, f64)> {
+    let (c, side) = (pivot.abs(), pivot.signum());
+    let away = [side * p[0] - c, p[1]];
+    let angle = away[0].atan2(away[1]) + (offset / away[0].hypot(away[1])).acos();
+    let (sin, cos) = angle.sin_cos();
+    let along = side * sin * p[1] - cos * p[0];
+    let part = -side * along / (c * cos);
+    Some((angle - follower.start_angle()?, side * part / (1.0 - part)))
+}

@@ -1,0 +1,120 @@
+//! Hertz contact of cam and follower: pressure, half-width, and the depth at which fatigue begins.
+//!
+//! Curvatures are 1/radius, positive for convex bodies; E* = 1/((1 − ν₁²)/E₁ + (1 − ν₂²)/E₂).
+
+use crate::drive::Drive;
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// Depth of the largest shear under a line contact over its half-width, and that shear over the pressure
+/// (Johnson 1985, Contact Mechanics, §4.2).
+const LINE_DEPTH: f64 = 0.786;
+const LINE_SHEAR: f64 = 0.300;
+
+/// Elastic constants of one body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Young's modulus, Pa.
+    pub young: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+}
+
+/// Steel: 206.8 GPa, 0.3 (theory §10).
+pub const STEEL: Material = Material {
+    young: 206.8e9,
+    poisson: 0.3,
+};
+
+/// A line contact under load.
+///
+/// ```
+/// use gaitcam::dynamics::hertz::{STEEL, line, modulus};
+///
+/// // 1 kN on rollers of 10 and 50 mm radius, 10 mm long.
+/// let contact = line(1000.0, 0.01, 100.0 + 20.0, modulus(STEEL, STEEL));
+/// assert!((contact.pressure / 658.8e6 - 1.0).abs() < 1e-4);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct LineContact {
+    /// Largest pressure p₀, Pa.
+    pub pressure: f64,
+    /// Half-width of the contact, m.
+    pub half_width: f64,
+    /// Depth of the largest shear, m: where pitting starts.
+    pub shear_depth: f64,
+    /// That shear, Pa.
+    pub shear: f64,
+}
+
+/// E* of two bodies, Pa.
+pub fn modulus(a: Material, b: Material) -> f64 {
+    1.0 / ((1.0 - a.poisson * a.poisson) / a.young + (1.0 - b.poisson * b.poisson) / b.young)
+}
+
+/// Line contact: p₀ = √(F E*/(π L R)), 1/R the sum of `curvature` of both bodies.
+///
+/// `force` N, `length` m. A force or curvature of 0 or less presses with nothing (a face wider than its
+/// hollow is no Hertz contact).
+pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContact {
+    if force <= 0.0 || curvature <= 0.0 {
+        return LineContact::default();
+    }
+    let pressure = (force * modulus * curvature / (PI * length)).sqrt();
+    let half_width = (4.0 * force / (PI * length * modulus * curvature)).sqrt();
+    LineContact {
+        pressure,
+        half_width,
+        shear_depth: LINE_DEPTH * half_width,
+        shear: LINE_SHEAR * pressure,
+    }
+}
+
+/// Line pressure under a flat translating face at most `pressure` Pa, exact and linear in the law:
+/// w·(s, v, a, j) ≤ bound, returned as (w, bound).
+///
+/// F ≤ π L p²/E*·(Rb + s + a), because the radius of curvature is itself linear in the law (theory §6).
+pub fn flat_face_limit(
+    drive: &Drive,
+    base_radius: f64,
+    length: f64,
+    modulus: f64,
+    pressure: f64,
+) -> ([f64; 4], f64) {
+    let per_radius = PI * length * pressure * pressure / modulus;
+    let mut weights = drive.weights();
+    weights[0] -= per_radius;
+    weights[2] -= per_radius;
+    (weights, -(drive.rest_force - per_radius * base_radius))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dynamics::thesis;
+
+    #[test]
+    fn steel_rollers_press_with_658_8_megapascals_over_0_0966_millimetres() {
+        // theory §10: 1 kN, 10 mm, radii 10 and 50 mm.
+        let contact = line(1000.0, 0.01, 100.0 + 20.0, modulus(STEEL, STEEL));
+        assert!((contact.pressure / 658.8e6 - 1.0).abs() < 1e-4);
+        assert!((contact.half_width / 0.0966e-3 - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn the_limit_under_a_flat_face_is_reached_exactly_at_its_pressure() {
+        let cam = thesis::double_harmonic();
+        let drive = thesis::real(20.0);
+        let star = modulus(STEEL, STEEL);
+        let at = cam.law.svaj(1.1);
+        let contact = line(drive.force(at), 0.01, 1.0 / (0.03 + at.s + at.a), star);
+        let (w, bound) = flat_face_limit(&drive, 0.03, 0.01, star, contact.pressure);
+        let row = w[0] * at.s + w[1] * at.v + w[2] * at.a + w[3] * at.j;
+        assert!((row - bound).abs() < 1e-9);
+    }
+
+    #[test]
+    fn no_force_no_pressure() {
+        assert_eq!(line(-3.0, 0.01, 120.0, 1e11).pressure, 0.0);
+    }
+}

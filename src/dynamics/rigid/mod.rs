@@ -1,0 +1,174 @@
+//! Rigid bodies that stay in contact: force, torque and what they ask of parts and motor.
+//!
+//! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (theory §1); the camshaft gives
+//! T = F·v, plus μ|F|·d against the turning under a flat face (Campillo de Blas 2017, eq. 27).
+
+pub mod hertz;
+pub mod touch;
+
+use super::piecewise_force::combination;
+use super::surface::NO_PULL;
+use crate::cam::Follower;
+use crate::drive::Drive;
+use crate::law::{Law, Svaj};
+use crate::poly::{Extreme, PiecewisePoly};
+
+/// Rounds of the search below; it settles in fewer than ten.
+const ROUNDS: usize = 60;
+/// A pull at rest below this part of the largest force is none: a lift of zero is known from emitted points
+/// to their spline's error only, and a law's dwell to its solver's tolerance.
+const NO_PULL_AT_REST: f64 = 1e-6;
+
+/// What the machine does at one cam angle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Instant {
+    /// Lift, m.
+    pub lift: f64,
+    /// Force along the follower's motion, N: what a plate or load cell feels.
+    pub force: f64,
+    /// Torque the shaft must give in the sense of growing θ, N·m.
+    pub torque: f64,
+    /// Power of the shaft, W.
+    pub power: f64,
+}
+
+/// Force, torque and power at every angle of a table of the motion; `friction` is μ between cam and flat
+/// face, `reach` the height of the contact over the cam's centre at s = 0, m (0 where the follower rolls).
+pub fn cycle(motion: &[Svaj], drive: &Drive, friction: f64, reach: f64) -> Vec<Instant> {
+    let [k, c, m, _] = drive.weights();
+    let rub = friction * drive.speed.signum();
+    let instant = |at: &Svaj| {
+        let force = drive.rest_force + k * at.s + c * at.v + m * at.a;
+        let torque = force * at.v + rub * force.abs() * (reach + at.s);
+        Instant {
+            lift: at.s,
+            force,
+            torque,
+            power: torque * drive.speed,
+        }
+    };
+    motion.iter().map(instant).collect()
+}
+
+/// Height over the centre at which friction acts when s = 0: the base radius under a flat face; a
+/// roller's friction is in its bearing and is left out.
+pub fn reach(follower: &Follower) -> f64 {
+    if let Follower::FlatTranslating { base_radius } = follower {
+        *base_radius
+    } else {
+        0.0
+    }
+}
+
+/// Torque over the whole law, N·m, as a piecewise polynomial; friction included where the force presses
+/// all the way round (with a force that changes sign it is not a polynomial: `None`).
+pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
+    let force = drive.force_curve(law);
+    let rub = friction * drive.speed.signum();
+    if rub != 0.0 && force.extremes().0.value < 0.0 {
+        return None;
+    }
+    let arm = law.combination([rub, 1.0, 0.0, 0.0], rub * reach);
+    Some(force.times(&arm))
+}
+
+/// Lowest speed, rad/s, at which the force first falls to zero: there the contact is lost. 0 when the
+/// force is below zero at rest already, `None` when no speed lifts the follower off.
+///
+/// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
+/// nearer, and the extremes are exact.
+pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
+    let springs = combination(law, [drive.spring_rate, 0.0, 0.0], drive.rest_force);
+    let (rest, most) = springs.extremes();
+    if rest.value < -NO_PULL_AT_REST * most.value.abs() {
+        return Some(0.0);
+    }
+    if drive.mass <= 0.0 && drive.damping <= 0.0 {
+        return None;
+    }
+    // A speed at which inertia (or damping) surely outweighs springs somewhere, if any does.
+    let highest = most.value;
+    let least_a = combination(law, [0.0, 0.0, 1.0], 0.0).extremes().0;
+    let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
+        let at = law.svaj(least_a.at);
+        let pull = (drive.mass * at.a.min(least_a.value)).abs();
+        2.0 * (highest.max(0.0) / pull).sqrt() + drive.damping * at.v.abs() / pull
+    } else {
+        let least_v = law.extremes(1).0;
+        if drive.damping <= 0.0 || least_v.value >= 0.0 {
+            return None;
+        }
+        2.0 * highest.max(0.0) / (drive.damping * -least_v.value)
+    };
+    let sign = if drive.speed < 0.0 { -1.0 } else { 1.0 };
+    for _ in 0..ROUNDS {
+        let here = Drive {
+            speed: sign * speed,
+            ..*drive
+        };
+        let [k, c, m, _] = here.weights();
+        let (worst, largest) = combination(law, [k, c, m], drive.rest_force).extremes();
+        // A force that only touches zero, as in a dwell without preload, is no lift-off.
+        if worst.value >= -NO_PULL * largest.value.abs() {
+            break;
+        }
+        let at = one_sided(law, worst, &here);
+        let (p, q, r) = (
+            drive.mass * at.a,
+            sign * drive.damping * at.v,
+            drive.rest_force + drive.spring_rate * at.s,
+        );
+        let next = smallest_positive_root(p, q, r);
+        if next.is_none_or(|n| n >= speed * (1.0 - 1e-15)) {
+            break;
+        }
+        speed = next.unwrap_or(speed);
+    }
+    Some(speed)
+}
+
+/// The motion at an extreme, from whichever side of a break gave it.
+fn one_sided(law: &Law, extreme: Extreme, drive: &Drive) -> Svaj {
+    let right = law.svaj(extreme.at);
+    let n = law.breaks().len() - 1;
+    let left = law
+        .breaks()
+        .iter()
+        .position(|b| (b - extreme.at).abs() <= 1e-12 * (1.0 + b.abs()))
+        .map(|i| law.svaj_on((i + n - 1) % n, 1.0));
+    match left {
+        Some(left)
+            if (drive.force(left) - extreme.value).abs()
+                < (drive.force(right) - extreme.value).abs() =>
+        {
+            left
+        }
+        _ => right,
+    }
+}
+
+/// Smallest positive root of p x² + q x + r with r ≥ 0, written without cancellation.
+fn smallest_positive_root(p: f64, q: f64, r: f64) -> Option<f64> {
+    let discriminant = q * q - 4.0 * p * r;
+    if discriminant < 0.0 {
+        return None;
+    }
+    let t = -0.5 * (q + q.signum() * discriminant.sqrt());
+    let roots = [t / p, r / t];
+    roots
+        .into_iter()
+        .filter(|x| x.is_finite() && *x > 0.0)
+        .min_by(f64::total_cmp)
+}
+
+/// Preload, N, with which the spring of rate k just keeps `margin` N of contact all the way round.
+pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
+    let free = Drive {
+        rest_force: 0.0,
+        ..*drive
+    };
+    (margin - free.force_curve(law).extremes().0.value).max(0.0)
+}
+
+#[cfg(test)]
+mod tests;

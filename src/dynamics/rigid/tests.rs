@@ -1,0 +1,173 @@
+use super::*;
+use crate::cam::Cam;
+use crate::dynamics::rigid::touch::{Touch, touch};
+
+use crate::drive::DriveKind;
+use crate::dynamics::thesis;
+use crate::units::G;
+
+fn spring_loaded(speed: f64) -> Drive {
+    // theory §10: k = 5000 N/m, preload kδ with δ = 0.01 m, m = 1 kg; lift measured from the lowest point.
+    Drive {
+        kind: DriveKind::FixedAxis,
+        rest_force: 5000.0 * 0.01,
+        spring_rate: 5000.0,
+        damping: 0.0,
+        mass: 1.0,
+        speed,
+    }
+}
+
+fn touch_at(cam: &Cam, drive: &Drive, friction: f64, theta: f64) -> Touch {
+    let at = cam.law.svaj(theta);
+    touch(&cam.follower, drive.speed, friction, at, drive.force(at))
+}
+
+#[test]
+fn thesis_cams_lift_off_at_31_320920_and_23_490690() {
+    // theory §10, g = 9.81.
+    let eccentric = liftoff_speed(&thesis::eccentric().law, &thesis::real(11.624)).unwrap();
+    assert!(
+        (eccentric / (G / 0.01).sqrt() - 1.0).abs() < 1e-12,
+        "{eccentric}"
+    );
+    assert!((eccentric - 31.320920).abs() < 5e-7);
+    let double = liftoff_speed(&thesis::double_harmonic().law, &thesis::real(11.624)).unwrap();
+    assert!((double - 23.490690).abs() < 5e-7, "{double}");
+}
+
+#[test]
+fn spring_loaded_eccentric_jumps_at_122_474() {
+    // ω = √(k(2e + δ)/(m e)), theory §10: at the top the spring is compressed 2e + δ.
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    for speed in [50.0, -50.0] {
+        let jump = liftoff_speed(&law, &spring_loaded(speed)).unwrap();
+        assert!((jump - 15000.0_f64.sqrt()).abs() < 1e-9, "{jump}");
+    }
+}
+
+#[test]
+fn damping_moves_the_jump_as_the_quadratic_says() {
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let drive = Drive {
+        damping: 30.0,
+        ..spring_loaded(10.0)
+    };
+    let jump = liftoff_speed(&law, &drive).unwrap();
+    let lowest = |speed: f64| {
+        Drive { speed, ..drive }
+            .force_curve(&law)
+            .extremes()
+            .0
+            .value
+    };
+    assert!(lowest(jump * (1.0 - 1e-7)) > 0.0 && lowest(jump * (1.0 + 1e-7)) < 0.0);
+}
+
+#[test]
+fn a_machine_without_mass_never_jumps_and_one_pulled_off_jumps_at_rest() {
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let hydraulic = Drive::hydraulic(1e9, 0.02, 12.0);
+    assert_eq!(liftoff_speed(&law, &hydraulic), None);
+    let pulled = Drive {
+        rest_force: -200.0,
+        ..spring_loaded(10.0)
+    };
+    assert_eq!(liftoff_speed(&law, &pulled), Some(0.0));
+}
+
+#[test]
+fn lossless_torque_integrates_to_zero_to_1e_10_of_its_range() {
+    for cam in [thesis::eccentric(), thesis::double_harmonic()] {
+        let drive = Drive {
+            spring_rate: 800.0,
+            ..thesis::real(20.0)
+        };
+        let torque = torque_curve(&cam.law, &drive, 0.0, 0.03).unwrap();
+        let (low, high) = torque.extremes();
+        let range = high.value - low.value;
+        assert!(
+            torque.integral().abs() < 1e-10 * range,
+            "{}",
+            torque.integral()
+        );
+    }
+}
+
+#[test]
+fn thesis_friction_torque_is_equation_27() {
+    let cam = thesis::eccentric();
+    let drive = thesis::real(thesis::SPEED);
+    let motion = [cam.law.svaj(0.7)];
+    let at = motion[0];
+    let force = thesis::MASS * (G + thesis::SPEED.powi(2) * at.a);
+    let expected = 0.1 * force * (0.03 + at.s) + force * at.v;
+    let got = cycle(&motion, &drive, 0.1, 0.03)[0];
+    assert!((got.torque - expected).abs() < 1e-15 && (got.power - expected * 11.624).abs() < 1e-13);
+}
+
+#[test]
+fn thesis_eccentric_slides_at_0_465_metres_per_second() {
+    // theory §3: 0.465 m/s at 90°; entraining ω(d + 2a)/2 = ω(0.04 − 0.02)/2.
+    let at = touch_at(
+        &thesis::eccentric(),
+        &thesis::real(11.624),
+        0.0,
+        0.5 * std::f64::consts::PI,
+    );
+    assert!((at.sliding - 0.46496).abs() < 1e-9);
+    assert!((at.entraining - 11.624 * 0.01).abs() < 1e-12);
+}
+
+#[test]
+fn entraining_speed_of_a_concentric_roller_is_the_cam_surface_speed() {
+    let cam = Cam {
+        law: Law::harmonic(0.0, &[]),
+        follower: Follower::RollerTranslating {
+            prime_radius: 0.05,
+            offset: 0.0,
+            roller_radius: 0.01,
+        },
+    };
+    let at = touch_at(&cam, &thesis::real(10.0), 0.0, 1.0);
+    assert!((at.entraining - 0.4).abs() < 1e-12 && at.side_thrust.abs() < 1e-12);
+}
+
+#[test]
+fn entraining_speed_of_a_roller_is_the_walk_of_the_contact_along_the_profile() {
+    let cam = Cam {
+        law: thesis::double_harmonic().law,
+        follower: Follower::RollerTranslating {
+            prime_radius: 0.05,
+            offset: 0.006,
+            roller_radius: 0.012,
+        },
+    };
+    let h = 1e-5;
+    for theta in [0.4, 1.5, 3.0] {
+        let (p, q) = (cam.point(theta - h), cam.point(theta + h));
+        let walk = (q.x - p.x).hypot(q.y - p.y) / (2.0 * h) * 10.0;
+        let at = touch_at(&cam, &thesis::real(10.0), 0.0, theta);
+        assert!(
+            (at.entraining.abs() - walk).abs() < 1e-6,
+            "{} {walk}",
+            at.entraining
+        );
+    }
+}
+
+#[test]
+fn the_least_preload_touches_its_margin() {
+    let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+    let drive = spring_loaded(130.0);
+    let with = |d: Drive| d.force_curve(&law).extremes().0.value;
+    let preload = least_preload(&law, &drive, 3.0);
+    assert!(
+        (with(Drive {
+            rest_force: preload,
+            ..drive
+        }) - 3.0)
+            .abs()
+            < 1e-9
+    );
+}

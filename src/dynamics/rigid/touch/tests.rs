@@ -1,0 +1,247 @@
+use super::*;
+use crate::law::Law;
+use std::f64::consts::TAU;
+
+/// One follower of every kind, on both sides where it has any, with the stroke it takes.
+pub fn everything() -> Vec<(Follower, f64)> {
+    let mut all = vec![(Follower::FlatTranslating { base_radius: 0.05 }, 0.01)];
+    for roller_radius in [0.0, 0.012] {
+        all.push((
+            Follower::RollerTranslating {
+                prime_radius: 0.06,
+                offset: -0.011,
+                roller_radius,
+            },
+            0.01,
+        ));
+    }
+    all.push((
+        Follower::MushroomTranslating {
+            prime_radius: 0.12,
+            offset: 0.009,
+            arc_radius: 0.08,
+        },
+        0.01,
+    ));
+    for side in [1.0, -1.0] {
+        for roller_radius in [0.0, 0.01] {
+            all.push((
+                Follower::RollerOscillating {
+                    pivot_distance: side * 0.09,
+                    arm: 0.07,
+                    prime_radius: 0.05,
+                    roller_radius,
+                },
+                0.12,
+            ));
+        }
+        all.push((
+            Follower::MushroomOscillating {
+                pivot_distance: side * 0.13,
+                arm: 0.1,
+                prime_radius: 0.09,
+                arc_radius: 0.05,
+            },
+            0.08,
+        ));
+        all.push((
+            Follower::FlatOscillating {
+                pivot_distance: side * 0.11,
+                face_offset: 0.006,
+                base_radius: 0.045,
+            },
+            0.07,
+        ));
+    }
+    all
+}
+
+fn cams() -> Vec<Cam> {
+    everything()
+        .into_iter()
+        .map(|(follower, stroke)| Cam {
+            law: Law::harmonic(0.5 * stroke, &[(-0.5 * stroke, 0.0), (0.0, 0.06 * stroke)]),
+            follower,
+        })
+        .collect()
+}
+
+pub fn slides() -> Vec<Cam> {
+    let follower = Follower::TranslatingCam {
+        base_height: 0.02,
+        roller_radius: 0.008,
+    };
+    let wave = |length: f64| {
+        crate::law::program(
+            &[
+                segment("4-5-6-7", 0.02, 0.5 * length),
+                segment("4-5-6-7", -0.02, 0.5 * length),
+            ],
+            crate::law::Extent::Length(length),
+        )
+        .unwrap()
+    };
+    let barrel = Follower::Barrel {
+        radius: 0.03,
+        roller_radius: 0.005,
+    };
+    let turns = crate::law::program(
+        &[
+            segment("4-5-6-7", 0.03, TAU),
+            segment("4-5-6-7", -0.03, TAU),
+        ],
+        crate::law::Extent::Turns(2),
+    )
+    .unwrap();
+    vec![
+        Cam {
+            law: wave(0.12),
+            follower,
+        },
+        Cam {
+            law: turns,
+            follower: barrel,
+        },
+    ]
+}
+
+fn segment(name: &str, lift: f64, angle: f64) -> crate::law::Segment {
+    crate::law::Segment {
+        motion: crate::law::Rise::from_name(name).unwrap(),
+        lift,
+        angle,
+    }
+}
+
+fn name(cam: &Cam, theta: f64) -> String {
+    format!("{} at {theta}", cam.follower.name())
+}
+
+#[test]
+fn the_normal_force_does_the_work_that_the_shaft_gives() {
+    for cam in cams().into_iter().chain(slides()) {
+        for i in 0..24 {
+            let (start, length) = cam.law.extent();
+            let theta = start + length * (f64::from(i) + 0.3) / 24.0;
+            let at = cam.law.svaj(theta);
+            let place = place(&cam.follower, at);
+            // N = Q/(n·G) pushed through the cam's own point gives Q·v.
+            let through = dot(place.normal, place.cam) / dot(place.normal, place.follower);
+            assert!((through - at.v).abs() < 1e-14, "{}", name(&cam, theta));
+            // The normal is the cam's own, turned into space.
+            let [a, b] = [cam.point(theta), cam.point(theta)].map(|p| cam.normal(&p));
+            assert_eq!(a, b);
+            let turn = if matches!(
+                cam.follower,
+                Follower::TranslatingCam { .. } | Follower::Barrel { .. }
+            ) {
+                0.0
+            } else {
+                theta
+            };
+            let (sin, cos) = turn.sin_cos();
+            let fixed = [cos * a[0] - sin * a[1], sin * a[0] + cos * a[1]];
+            let off = (fixed[0] - place.normal[0]).hypot(fixed[1] - place.normal[1]);
+            assert!(off < 1e-12, "{}", name(&cam, theta));
+        }
+    }
+}
+
+#[test]
+fn friction_takes_from_the_shaft_what_rubbing_burns() {
+    let (speed, mu) = (7.0, 0.15);
+    for cam in cams() {
+        for i in 0..24 {
+            let theta = TAU * (f64::from(i) + 0.3) / 24.0;
+            let at = cam.law.svaj(theta);
+            for force in [30.0, -4.0] {
+                let got = touch(&cam.follower, speed, mu, at, force);
+                let burnt = if rubs(&cam.follower) {
+                    mu * got.normal.abs() * got.sliding.abs()
+                } else {
+                    0.0
+                };
+                let power = got.torque * speed;
+                assert!(
+                    (power - force * at.v * speed - burnt).abs() < 1e-12 * (1.0 + power.abs()),
+                    "{}",
+                    name(&cam, theta)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn curvature_and_walk_are_those_of_the_profile() {
+    for cam in cams().into_iter().chain(slides()) {
+        let (start, length) = cam.law.extent();
+        for i in 0..17 {
+            let theta = start + length * (f64::from(i) + 0.41) / 17.0;
+            let p = cam.point(theta);
+            let place = place(&cam.follower, cam.law.svaj(theta));
+            let radius = cam.follower.roller_radius();
+            if radius > 0.0 || cam.follower.is_flat() {
+                let own = if radius > 0.0 { 1.0 / radius } else { 0.0 };
+                let both = 1.0 / p.rho + own;
+                assert!(
+                    (place.curvature - both).abs() < 1e-9 * both.abs(),
+                    "{}: {} {both}",
+                    name(&cam, theta),
+                    place.curvature
+                );
+            }
+            let h = 1e-6 * length;
+            let (a, b) = (cam.point(theta - h), cam.point(theta + h));
+            let walked = (b.x - a.x).hypot(b.y - a.y) / (2.0 * h);
+            assert!(
+                (place.walk.abs() - walked).abs() < 1e-7 * (1.0 + walked),
+                "{}: {} {walked}",
+                name(&cam, theta),
+                place.walk
+            );
+        }
+    }
+}
+
+#[test]
+fn emitted_points_give_back_the_lift_under_every_follower() {
+    use crate::dynamics::recover::{Cycle, recover_cam};
+    for cam in cams().into_iter().chain(slides()) {
+        let cycle = Cycle::of(&cam.law);
+        let stroke = cam.law.stroke();
+        let worst = |n: usize| {
+            let emitted = recover_cam(&cam, &cam.profile(n), cycle).unwrap();
+            let (start, length) = cam.law.extent();
+            let mut worst = [0.0_f64; 3];
+            for i in 0..1009 {
+                let theta = start + length * f64::from(i) / 1009.0;
+                let (a, b) = (emitted.law.svaj(theta), cam.law.svaj(theta));
+                let scale = stroke * (TAU / length).powi(2);
+                let off = [
+                    (a.s - b.s) / stroke,
+                    (a.v - b.v) * length / (TAU * stroke),
+                    (a.a - b.a) / scale,
+                ];
+                for (w, x) in worst.iter_mut().zip(off) {
+                    *w = w.max(x.abs());
+                }
+            }
+            worst
+        };
+        let (coarse, fine) = (worst(360), worst(1440));
+        let knife = !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0;
+        let slides = cycle != Cycle::TURN;
+        // A programme's fourth derivative steps at its joints: second order there.
+        let limit = if slides { 2e-5 } else { 1e-6 };
+        assert!(
+            fine[0] < 1e-8 && fine[1] < 1e-7 && fine[2] < limit,
+            "{}: {fine:?}",
+            cam.follower.name()
+        );
+        if !slides && !knife {
+            let order = (coarse[2] / fine[2]).log2() / 2.0;
+            assert!(order > 1.9, "{}: order {order}", cam.follower.name());
+        }
+    }
+}

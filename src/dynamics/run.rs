@@ -1,0 +1,86 @@
+//! What a simulation needs: the emitted cam, its drive and the machine around it.
+
+use super::contact::Limits;
+use super::flexible::Train;
+use super::rigid::hertz::Material;
+use crate::cam::{Cam, ProfilePoint};
+use crate::drive::Drive;
+
+/// What is known of the machine beyond its drive; the default is a rigid one without friction, with
+/// plastic landings and one cam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Machine {
+    /// The elastic train between cam and mass, where it is known.
+    pub train: Option<Train>,
+    /// Coefficient of friction where cam and follower rub; a roller rolls.
+    pub friction: f64,
+    /// Coefficient of restitution of landings, 0 (plastic) … 1 (elastic).
+    pub restitution: f64,
+    /// Angle by which a second, equal cam follows the first on the shaft, rad.
+    pub second_cam: Option<f64>,
+    /// The second cam of a conjugate pair, in its own frame: it takes the force where the first one's
+    /// would be a pull.
+    pub conjugate: Option<Cam>,
+    /// Where cam and follower press on each other, where pressure is asked for.
+    pub face: Option<Face>,
+    /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None`: it is
+    /// given for the radius of the follower.
+    pub groove_floor: Option<f64>,
+    /// How long a contact run may take to settle.
+    pub limits: Limits,
+}
+
+impl Default for Machine {
+    fn default() -> Self {
+        Machine {
+            train: None,
+            friction: 0.0,
+            restitution: 0.0,
+            second_cam: None,
+            conjugate: None,
+            face: None,
+            groove_floor: None,
+            limits: Limits::default(),
+        }
+    }
+}
+
+/// Cylindrical surfaces that press on each other along a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face {
+    /// Length of the line, m: the thickness of the cam.
+    pub length: f64,
+    /// Material of the cam.
+    pub cam: Material,
+    /// Material of the follower.
+    pub follower: Material,
+}
+
+/// Everything one simulation needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// The cam the profile was emitted from. Its follower is used; of its law only the breakpoints, which
+    /// go with the profile, and how far the emitted points are from it.
+    pub cam: Cam,
+    /// The machine; a negative speed turns the cam clockwise.
+    pub drive: Drive,
+    /// The emitted profile: equal steps of θ over the law's cycle, one turn for most.
+    pub profile: Vec<ProfilePoint>,
+    /// Wanted force at equal steps of one cycle from θ = 0, N.
+    pub target: Option<Vec<f64>>,
+    /// Machine data.
+    pub machine: Machine,
+}
+
+impl Run {
+    /// The run of a cam emitted at `points` equal steps, with a rigid machine and no target.
+    pub fn new(cam: Cam, drive: Drive, points: usize) -> Run {
+        Run {
+            profile: cam.profile(points),
+            cam,
+            drive,
+            target: None,
+            machine: Machine::default(),
+        }
+    }
+}

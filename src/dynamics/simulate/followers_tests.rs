@@ -1,0 +1,165 @@
+//! Every follower, run: rigid for all, contact wherever something can lift off.
+
+use super::*;
+use crate::cam::{Cam, Closure, Conjugate, Follower};
+use crate::drive::Drive;
+use crate::dynamics::Machine;
+use crate::dynamics::rigid::touch::tests::everything;
+use crate::law::Law;
+
+fn law(stroke: f64) -> Law {
+    Law::harmonic(0.5 * stroke, &[(-0.5 * stroke, 0.0)])
+}
+
+fn run(cam: Cam, speed: f64) -> Run {
+    let drive = Drive {
+        spring_rate: 400.0,
+        rest_force: 6.0,
+        ..crate::dynamics::thesis::ideal(speed)
+    };
+    Run {
+        profile: cam.profile(1440),
+        cam,
+        drive,
+        target: None,
+        machine: Machine::default(),
+    }
+}
+
+#[test]
+fn every_follower_runs_rigid_and_in_contact_alike_below_lift_off() {
+    for (follower, stroke) in everything() {
+        let cam = Cam {
+            law: law(stroke),
+            follower,
+        };
+        let input = run(cam, 5.0);
+        let what = follower.name();
+        let rigid = simulate(&input, Model::Rigid).unwrap();
+        let contact = simulate(&input, Model::Contact).unwrap();
+        assert!(!contact.contact_lost, "{what}");
+        for (i, (a, b)) in rigid.rows.iter().zip(&contact.rows).enumerate() {
+            let at = input.cam.law.svaj(a.theta);
+            let force = input.drive.force(at);
+            assert!((a.contact_force - force).abs() < 1e-6, "{what} row {i}");
+            assert!(
+                (a.contact_force - b.contact_force).abs() < 1e-6,
+                "{what} row {i}"
+            );
+            assert!((a.torque - force * at.v).abs() < 1e-6, "{what} row {i}");
+        }
+        // Without friction the turn costs nothing.
+        let range = rigid.torque.max - rigid.torque.min;
+        assert!(rigid.torque.mean.abs() < 1e-10 * range, "{what}");
+    }
+}
+
+#[test]
+fn every_follower_lifts_off_where_its_own_force_ends() {
+    for (follower, stroke) in everything() {
+        let cam = Cam {
+            law: law(stroke),
+            follower,
+        };
+        // s = h/2 (1 − cos θ): the force F₀ + k h + (k − mω²)(−h/2 …) is least at the top or nowhere.
+        let input = run(cam, 5.0);
+        let d = input.drive;
+        let half = 0.5 * stroke;
+        // At θ = π: F = F₀ + 2kh/2 − mω²h/2 = 0.
+        let expected = ((d.rest_force + 2.0 * d.spring_rate * half) / (d.mass * half)).sqrt();
+        let rigid = simulate(&input, Model::Rigid).unwrap();
+        let own = rigid.liftoff_speed.unwrap();
+        assert!(
+            (own / expected - 1.0).abs() < 1e-6,
+            "{}: {own} {expected}",
+            follower.name()
+        );
+        for (factor, lost) in [(0.999, false), (1.01, true)] {
+            let mut fast = input.clone();
+            fast.drive.speed = expected * factor;
+            let out = simulate(&fast, Model::Contact).unwrap();
+            assert_eq!(out.contact_lost, lost, "{} at {factor}", follower.name());
+        }
+    }
+}
+
+#[test]
+fn rubbing_costs_work_and_rolling_does_not() {
+    for (follower, stroke) in everything() {
+        let mut input = run(
+            Cam {
+                law: law(stroke),
+                follower,
+            },
+            5.0,
+        );
+        input.machine.friction = 0.1;
+        let out = simulate(&input, Model::Rigid).unwrap();
+        let rolls = !follower.is_flat() && follower.name().starts_with("roller");
+        let range = out.torque.max - out.torque.min;
+        assert_eq!(out.torque.mean < 1e-9 * range, rolls, "{}", follower.name());
+        let contact = simulate(&input, Model::Contact).unwrap();
+        assert!(
+            (contact.torque.mean - out.torque.mean).abs() < 1e-6 * range,
+            "{}: {} {}",
+            follower.name(),
+            contact.torque.mean,
+            out.torque.mean
+        );
+    }
+}
+
+#[test]
+fn a_pair_never_lifts_off_and_says_which_cam_bears() {
+    let first = Cam {
+        law: law(0.02),
+        follower: Follower::RollerTranslating {
+            prime_radius: 0.06,
+            offset: 0.0,
+            roller_radius: 0.01,
+        },
+    };
+    let pair = Conjugate::new(&first, Closure::SecondBaseRadius(0.06), None).unwrap();
+    let mut input = run(first, 60.0);
+    input.drive.spring_rate = 0.0;
+    input.machine.conjugate = Some(pair.second.clone());
+    let out = simulate(&input, Model::Auto).unwrap();
+    assert_eq!(out.model, Model::Rigid);
+    assert!(!out.contact_lost && out.liftoff_speed.is_none());
+    assert!(out.force.min < 0.0);
+    let words = out.notes.join("; ");
+    assert!(words.contains("the second cam bears for"), "{words}");
+    for (i, row) in out.rows.iter().enumerate() {
+        assert!(row.normal_force >= 0.0, "{i}");
+        // Both sides work on the same freedom: N·n·G is the force, whichever bears.
+        if row.contact_force < 0.0 {
+            let p = pair.second.point(row.theta);
+            let expected = -row.contact_force / p.pressure_angle.cos();
+            assert!((row.normal_force - expected).abs() < 1e-6, "{i}");
+        }
+    }
+    let refused = simulate(&input, Model::Contact).unwrap_err().to_string();
+    assert!(refused.contains("from both sides"), "{refused}");
+}
+
+#[test]
+fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
+    for (cam, word) in crate::dynamics::rigid::touch::tests::slides()
+        .into_iter()
+        .zip(["turns once per cycle", "from both sides"])
+    {
+        let input = run(cam, 3.0);
+        let out = simulate(&input, Model::Auto).unwrap();
+        assert_eq!(out.model, Model::Rigid);
+        let (start, length) = input.cam.law.extent();
+        // Where the programme's jerk steps, the spline of the points is off by a part of a step.
+        let slack = 3e-3 * out.force.max.abs().max(out.force.min.abs());
+        for row in &out.rows {
+            assert!(row.theta >= start - 1e-12 && row.theta <= start + length + 1e-12);
+            let at = input.cam.law.svaj(row.theta);
+            assert!((row.contact_force - input.drive.force(at)).abs() < slack);
+        }
+        let refused = simulate(&input, Model::Contact).unwrap_err().to_string();
+        assert!(refused.contains(word), "{refused}");
+    }
+}

@@ -1,0 +1,386 @@
+use super::*;
+use crate::cam::{Cam, Measures};
+use crate::drive::{Drive, DriveKind};
+use crate::dynamics::thesis;
+use crate::dynamics::{Face, Machine, Train};
+use std::f64::consts::TAU;
+
+fn scene(cam: &Cam, speed: f64) -> Run {
+    Run {
+        cam: cam.clone(),
+        drive: thesis::real(speed),
+        profile: cam.profile(1440),
+        target: None,
+        machine: Machine::default(),
+    }
+}
+
+#[test]
+fn rigid_and_contact_agree_on_the_thesis_cams_to_1e_6_newtons() {
+    for cam in [thesis::eccentric(), thesis::double_harmonic()] {
+        for speed in [thesis::SPEED, -thesis::SPEED, 20.0, 23.0] {
+            let run = scene(&cam, speed);
+            let (rigid, contact) = (
+                simulate(&run, Model::Rigid).unwrap(),
+                simulate(&run, Model::Contact).unwrap(),
+            );
+            assert!(!rigid.contact_lost && !contact.contact_lost);
+            for (a, b) in rigid.rows.iter().zip(&contact.rows) {
+                let law = run.drive.force(cam.law.svaj(a.theta));
+                assert!(
+                    (a.contact_force - b.contact_force).abs() < 1e-6,
+                    "{a:?} {b:?}"
+                );
+                assert!(
+                    (a.contact_force - law).abs() < 1e-6,
+                    "{} {law}",
+                    a.contact_force
+                );
+                assert!(
+                    (a.torque - b.torque).abs() < 1e-8 && (a.theta - b.theta).abs() < 1e-12,
+                    "{a:?} {b:?}"
+                );
+            }
+            assert!((rigid.force.min - contact.force.min).abs() < 1e-12);
+            assert!((rigid.torque.mean - contact.torque.mean).abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_forces_of_campillos_cams_are_the_closed_forms() {
+    for (cam, low, high) in [
+        (thesis::eccentric(), 8.4588, 11.1612),
+        (thesis::double_harmonic(), 7.40791, 11.16117),
+    ] {
+        let out = simulate(&scene(&cam, thesis::SPEED), Model::Contact).unwrap();
+        assert!((out.force.min - low).abs() < 5e-5 && (out.force.max - high).abs() < 5e-5);
+    }
+}
+
+#[test]
+fn the_force_is_independent_of_the_number_of_points_beyond_second_order() {
+    let cam = thesis::double_harmonic();
+    let worst = |n: usize| {
+        let run = Run {
+            profile: cam.profile(n),
+            ..scene(&cam, 23.0)
+        };
+        let out = simulate(&run, Model::Contact).unwrap();
+        out.rows
+            .iter()
+            .map(|r| (r.contact_force - run.drive.force(cam.law.svaj(r.theta))).abs())
+            .fold(0.0, f64::max)
+    };
+    // Second-order interpolation of a would err by (step²/8)·max|s''''|·Mω²; s'''' = h/2·(π/β)⁴·5.
+    let second_order = |n: usize| {
+        let step = TAU / n as f64;
+        step * step / 8.0 * 0.005 * (4.0_f64 / 3.0).powi(4) * 5.0 * 23.0 * 23.0
+    };
+    let errors: Vec<f64> = [360, 720, 1440, 2880, 5760]
+        .iter()
+        .map(|&n| worst(n))
+        .collect();
+    for (e, n) in errors.iter().zip([360, 720, 1440, 2880, 5760]) {
+        assert!(*e < 0.1 * second_order(n), "{errors:?}");
+    }
+    assert!(
+        errors[0] / errors[1] > 4.0 && errors[1] / errors[2] > 4.0,
+        "{errors:?}"
+    );
+}
+
+#[test]
+fn reversed_rotation_mirrors_the_torque_and_keeps_the_force() {
+    let cam = thesis::double_harmonic();
+    let (there, back) = (
+        simulate(&scene(&cam, 20.0), Model::Rigid).unwrap(),
+        simulate(&scene(&cam, -20.0), Model::Rigid).unwrap(),
+    );
+    for (a, b) in there.rows.iter().zip(&back.rows) {
+        assert!((a.theta - b.theta).abs() < 1e-12, "{a:?} {b:?}");
+        assert!(
+            (a.contact_force - b.contact_force).abs() < 1e-8,
+            "{a:?} {b:?}"
+        );
+        assert!((a.torque - b.torque).abs() < 1e-10 && (a.power + b.power).abs() < 1e-8);
+    }
+    // Flights run the other way about the symmetry of the double harmonic: lost just as long.
+    let (a, b) = (
+        simulate(&scene(&cam, 27.0), Model::Contact).unwrap(),
+        simulate(&scene(&cam, -27.0), Model::Contact).unwrap(),
+    );
+    assert!((a.lost_fraction - b.lost_fraction).abs() < 1e-9);
+    let friction = |speed: f64| {
+        let mut run = scene(&cam, speed);
+        run.machine.friction = 0.2;
+        simulate(&run, Model::Contact).unwrap().torque.mean * speed
+    };
+    assert!(friction(20.0) > 0.0 && (friction(20.0) - friction(-20.0)).abs() < 1e-6);
+}
+
+#[test]
+fn the_shaft_pays_for_what_the_impacts_lose() {
+    // Mean torque × turn = ½ m (u² − e²u²) summed over the impacts of a repetition.
+    for (cam, speed, e) in [
+        (thesis::eccentric(), 35.0, 0.0),
+        (thesis::double_harmonic(), 27.0, 0.5),
+    ] {
+        let mut run = scene(&cam, speed);
+        run.machine.restitution = e;
+        let out = simulate(&run, Model::Contact).unwrap();
+        let hits: Vec<_> = out.impacts.iter().filter(|i| i.at < TAU).collect();
+        let lost: f64 = hits
+            .iter()
+            .map(|i| 0.5 * (i.speed.powi(2) - i.pulse.rebound.powi(2)))
+            .sum();
+        assert!(
+            (out.torque.mean * TAU - lost).abs() < 1e-9,
+            "{} {lost}",
+            out.torque.mean * TAU
+        );
+        assert!(lost > 0.0 && out.contact_lost);
+    }
+}
+
+#[test]
+fn the_target_error_is_measured_in_newtons() {
+    let cam = thesis::eccentric();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.target = Some(
+        (0..360)
+            .map(|i| run.drive.force(cam.law.svaj(f64::from(i).to_radians())) + 0.25)
+            .collect(),
+    );
+    for model in [Model::Rigid, Model::Contact] {
+        let error = simulate(&run, model).unwrap().force.rms_error.unwrap();
+        assert!((error - 0.25).abs() < 1e-4, "{error}");
+    }
+    run.target = Some(vec![f64::NAN; 10]);
+    assert!(simulate(&run, Model::Rigid).is_err());
+}
+
+#[test]
+fn auto_is_rigid_where_rigid_is_enough_and_says_the_numbers() {
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.machine.train = Some(Train::from_frequency(&run.drive, 80.0, 0.05).unwrap());
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert_eq!(out.model, Model::Rigid);
+    assert!(
+        out.why.contains("80.00 Hz") && out.why.contains("23.49"),
+        "{}",
+        out.why
+    );
+    assert_eq!(out.next.as_ref().unwrap().model, Model::Flexible);
+
+    run.machine.train = Some(Train::from_frequency(&run.drive, 12.0, 0.05).unwrap());
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert_eq!(out.model, Model::Flexible);
+    assert!(out.why.contains("12.00 Hz"), "{}", out.why);
+
+    run.drive.speed = 23.0;
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert_eq!(out.model, Model::Contact);
+    assert!(out.why.contains("23.49"), "{}", out.why);
+    run.machine.train = None;
+    run.drive.speed = thesis::SPEED;
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert_eq!(
+        (out.model, out.next.unwrap().model),
+        (Model::Rigid, Model::Contact)
+    );
+}
+
+#[test]
+fn the_forecast_of_auto_is_the_difference_the_flexible_run_makes() {
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.machine.train = Some(Train::from_frequency(&run.drive, 25.0, 0.03).unwrap());
+    run.target = Some(
+        simulate(&run, Model::Rigid)
+            .unwrap()
+            .rows
+            .iter()
+            .map(|r| r.contact_force)
+            .collect(),
+    );
+    let flexible = simulate(&run, Model::Flexible).unwrap();
+    let percent = 100.0 * flexible.force.rms_error.unwrap() / 9.81;
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert!(
+        out.why.contains(&format!("{percent:.3} %")),
+        "{} {percent}",
+        out.why
+    );
+}
+
+#[test]
+fn a_hydraulic_machine_runs_under_every_model() {
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, 12.0);
+    run.drive = Drive::hydraulic(1e9, 0.02, 12.0);
+    for model in [Model::Rigid, Model::Contact, Model::Auto] {
+        let out = simulate(&run, model).unwrap();
+        assert!(!out.contact_lost, "{:?}", out.force);
+        let most = run.drive.spring_rate * 0.01;
+        assert!((out.force.max - most).abs() < 1e-6 * most);
+        assert_eq!(out.liftoff_speed, None);
+    }
+    assert!(simulate(&run, Model::Flexible).is_err());
+    run.machine.train = Some(Train {
+        stiffness: 9.0 * run.drive.spring_rate,
+        damping: 0.0,
+    });
+    let out = simulate(&run, Model::Flexible).unwrap();
+    assert!((out.force.max / (0.9 * run.drive.spring_rate * 0.01) - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn two_cams_strike_where_one_takes_over_from_the_other() {
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.machine.second_cam = Some(std::f64::consts::PI);
+    let out = simulate(&run, Model::Auto).unwrap();
+    assert_eq!(out.model, Model::Contact);
+    assert!(!out.contact_lost && out.impacts.len() >= 2);
+    for model in [Model::Rigid, Model::Contact] {
+        run.drive.speed = -thesis::SPEED;
+        assert!(simulate(&run, model).is_ok());
+    }
+}
+
+#[test]
+fn answers_have_the_keys_and_columns_that_were_promised() {
+    let mut run = scene(&thesis::eccentric(), 35.0);
+    run.machine.restitution = 0.5;
+    let out = simulate(&run, Model::Contact).unwrap();
+    let json = out.json();
+    let keys: Vec<&String> = json.as_object().unwrap().keys().collect();
+    assert_eq!(
+        keys,
+        [
+            "model",
+            "why",
+            "contact_lost",
+            "lost_fraction",
+            "force",
+            "torque",
+            "liftoff_speed_rad_per_s",
+            "settle_cycles",
+            "details"
+        ]
+    );
+    for key in ["min", "max", "rms_error_n"] {
+        assert!(json["force"].get(key).is_some());
+    }
+    for key in ["min", "max", "mean", "rms"] {
+        assert!(json["torque"][key].is_number());
+    }
+    let csv = out.csv();
+    assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
+    assert_eq!(csv.lines().count(), 1441);
+    assert!(out.table(Measures::Translating).contains("lift-off"));
+}
+
+#[test]
+fn machines_that_cannot_be_are_refused() {
+    let good = scene(&thesis::eccentric(), 10.0);
+    let refuse = |change: &dyn Fn(&mut Run)| {
+        let mut run = good.clone();
+        change(&mut run);
+        assert!(simulate(&run, Model::Auto).is_err());
+    };
+    refuse(&|r| r.drive.mass = f64::NAN);
+    refuse(&|r| r.drive.mass = -1.0);
+    refuse(&|r| r.machine.friction = -0.1);
+    refuse(&|r| r.machine.restitution = 1.5);
+    refuse(&|r| r.profile.truncate(700));
+    refuse(&|r| r.drive.speed = f64::INFINITY);
+}
+
+#[test]
+fn a_slow_or_standing_shaft_gives_the_static_force_in_every_model() {
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, 0.0);
+    run.drive = Drive {
+        kind: DriveKind::FixedAxis,
+        rest_force: 5.0,
+        spring_rate: 800.0,
+        damping: 3.0,
+        mass: 1.0,
+        speed: 0.0,
+    };
+    run.machine.train = Some(Train {
+        stiffness: 1e9,
+        damping: 10.0,
+    });
+    for speed in [0.0, -1e-9, 1e-300] {
+        run.drive.speed = speed;
+        for model in [Model::Rigid, Model::Flexible, Model::Contact, Model::Auto] {
+            let out = simulate(&run, model).unwrap();
+            assert!(
+                (out.force.max - 13.0).abs() < 1e-4,
+                "{speed} {model:?} {}",
+                out.force.max
+            );
+            assert!(!out.contact_lost);
+        }
+    }
+}
+
+#[test]
+fn an_emitted_roller_cam_presses_as_its_law_says_and_lifts_off_with_it() {
+    // A knife edge gives heights alone: its slopes are splined too, one order less where the snap steps.
+    for (roller_radius, near) in [(0.01, 1e-6), (0.0, 1e-5)] {
+        let cam = Cam {
+            law: thesis::double_harmonic().law,
+            follower: crate::cam::Follower::RollerTranslating {
+                prime_radius: 0.04,
+                offset: 0.005,
+                roller_radius,
+            },
+        };
+        let run = scene(&cam, 20.0);
+        let out = simulate(&run, Model::Contact).unwrap();
+        for r in &out.rows {
+            let law = run.drive.force(cam.law.svaj(r.theta));
+            assert!(
+                (r.contact_force - law).abs() < near,
+                "{roller_radius} {} {law}",
+                r.contact_force
+            );
+            assert!(
+                r.normal_force >= r.contact_force && (r.sliding == 0.0) == (roller_radius > 0.0)
+            );
+        }
+        assert!((out.liftoff_speed.unwrap() - 23.490690).abs() < 5e-7);
+        assert!(
+            simulate(&scene(&cam, 27.0), Model::Auto)
+                .unwrap()
+                .contact_lost
+        );
+    }
+}
+
+#[test]
+fn hertz_pressure_of_the_run_is_that_of_its_worst_angle() {
+    use crate::dynamics::hertz;
+    let cam = thesis::double_harmonic();
+    let mut run = scene(&cam, thesis::SPEED);
+    run.machine.face = Some(Face {
+        length: 0.01,
+        cam: hertz::STEEL,
+        follower: hertz::STEEL,
+    });
+    let found = simulate(&run, Model::Rigid).unwrap().hertz.unwrap();
+    let star = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let worst = (0..1440)
+        .map(|i| cam.law.svaj(TAU * f64::from(i) / 1440.0))
+        .map(|at| hertz::line(run.drive.force(at), 0.01, 1.0 / (0.03 + at.s + at.a), star).pressure)
+        .fold(0.0, f64::max);
+    assert!((found.contact.pressure / worst - 1.0).abs() < 1e-9);
+    assert!(
+        simulate(&run, Model::Auto).unwrap().json()["details"]["hertz"]["pressure_pa"].is_number()
+    );
+}

@@ -1,0 +1,62 @@
+//! A law run backwards.
+
+use super::Law;
+use crate::poly::PiecewisePoly;
+
+impl Law {
+    /// The law run backwards: s(−θ), for a cam that turns clockwise. Its extent is mirrored about zero.
+    #[must_use]
+    pub fn reversed(&self) -> Law {
+        let poly = self.poly();
+        let breaks: Vec<f64> = poly.breaks().iter().rev().map(|b| -b).collect();
+        let pieces = poly.pieces();
+        let mut coef = Vec::with_capacity(pieces * (poly.degree() + 1));
+        let mut waves = Vec::new();
+        for i in (0..pieces).rev() {
+            coef.extend(poly.piece(i).iter().rev());
+            let width = poly.breaks()[i + 1] - poly.breaks()[i];
+            waves.push(
+                self.waves(i)
+                    .iter()
+                    .map(|w| w.mirrored(width))
+                    .collect::<Vec<_>>(),
+            );
+        }
+        if waves.iter().all(Vec::is_empty) {
+            waves.clear();
+        }
+        let poly = PiecewisePoly::new(breaks, poly.degree(), coef);
+        Law::with_waves(poly, waves, self.is_closed())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Extent, Rise, Segment, program};
+
+    #[test]
+    fn a_mirrored_law_runs_backwards() {
+        let segment = |motion, lift, angle| Segment {
+            motion,
+            lift,
+            angle,
+        };
+        let pi = std::f64::consts::PI;
+        let law = program(
+            &[
+                segment(Rise::ModifiedSine, 0.01, 0.75 * pi),
+                segment(Rise::Poly345, -0.01, 0.75 * pi),
+                segment(Rise::Dwell, 0.0, 0.5 * pi),
+            ],
+            Extent::TURN,
+        )
+        .unwrap();
+        let back = law.reversed();
+        for i in 0..100 {
+            let t = 0.0628 * f64::from(i) + 0.01;
+            let (a, b) = (law.svaj(t), back.svaj(-t));
+            assert!((a.s - b.s).abs() < 1e-15 && (a.v + b.v).abs() < 1e-15);
+            assert!((a.a - b.a).abs() < 1e-14 && (a.j + b.j).abs() < 1e-13);
+        }
+    }
+}
