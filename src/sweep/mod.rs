@@ -2,15 +2,14 @@
 //!
 //! A [`Plan`] says which scenes: a grid, a list or a sample over scene keys. The [`Kernel`] turns a
 //! [`Batch`] of parameters into [`Results`], row by row and without side effects, so that any number of
-//! threads, processes or machines may share the work. The [`journal`] keeps what is done in checked
-//! chunks, and [`table`] writes it down. Reading and writing files is the command's business.
+//! threads, processes or machines may share the work. [`table`] writes
+//! results down. Reading and writing files is the command's business.
 
 mod axis;
 mod batch;
 mod closed;
 mod front;
 mod interpolant;
-pub mod journal;
 mod kernel;
 mod key;
 #[cfg(feature = "parquet")]

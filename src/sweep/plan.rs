@@ -250,7 +250,13 @@ impl Plan {
         }
     }
 
-    /// The plan in words, for the head of a journal: equal plans have equal descriptions.
+    /// Names of the base scenes, where there are several.
+    pub fn scene_names(&self) -> Option<Vec<String>> {
+        let names = self.scenes.iter().map(|s| s.name.clone());
+        (self.scenes.len() > 1).then(|| names.collect())
+    }
+
+    /// The plan as data, to be kept beside its table: equal plans have equal descriptions.
     pub fn description(&self) -> Value {
         let mut vary = Map::new();
         for axis in &self.axes {

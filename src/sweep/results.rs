@@ -1,6 +1,4 @@
-//! Answers of many scenes as plain columns, and their bytes in the journal.
-
-mod bytes;
+//! Answers of many scenes as plain columns.
 
 use crate::cam::Verdict;
 use crate::synth::{Synthesis, Tier};
@@ -108,6 +106,27 @@ impl Row {
             error: what.replace(['\n', '\r'], " "),
             time_s: 0.0,
         }
+    }
+
+    /// The row that a line of a table holds, from its fields: the last ones are results and time.
+    pub fn of_fields(fields: &[&str]) -> Row {
+        let mut row = Row::error(String::new());
+        let results = NUMBERS.len() + WORDS.len() + 1;
+        let own = &fields[fields.len().saturating_sub(results)..];
+        let (numbers, rest) = own.split_at(NUMBERS.len().min(own.len()));
+        for (number, field) in row.numbers.iter_mut().zip(numbers) {
+            *number = field.parse().unwrap_or(f64::NAN);
+        }
+        let word = |i: usize| rest.get(i).copied().unwrap_or("");
+        row.outcome = Outcome::ALL
+            .into_iter()
+            .find(|o| o.name() == word(0))
+            .unwrap_or(Outcome::Error);
+        row.verdict = VERDICTS.into_iter().find(|v| v.name() == word(1));
+        row.tier = TIERS.into_iter().find(|t| t.name() == word(2));
+        [row.binding, row.failed, row.error] = [3, 4, 5].map(|i| word(i).to_string());
+        row.time_s = word(WORDS.len()).parse().unwrap_or(0.0);
+        row
     }
 
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
@@ -228,25 +247,6 @@ impl Results {
         self.time_s.push(row.time_s);
     }
 
-    /// Adds the rows of another.
-    pub fn append(&mut self, other: Results) {
-        if self.numbers.is_empty() {
-            *self = other;
-            return;
-        }
-        let shift = self.len() as u32;
-        for (own, more) in self.numbers.iter_mut().zip(&other.numbers) {
-            own.extend_from_slice(more);
-        }
-        self.outcome.extend(other.outcome);
-        self.verdict.extend(other.verdict);
-        self.tier.extend(other.tier);
-        for (own, more) in self.texts.iter_mut().zip(other.texts) {
-            own.extend(more.into_iter().map(|(row, text)| (row + shift, text)));
-        }
-        self.time_s.extend(other.time_s);
-    }
-
     /// A column of [`NUMBERS`].
     pub fn numbers(&self, column: usize) -> &[f64] {
         &self.numbers[column]
@@ -289,29 +289,6 @@ impl Results {
             }
         }
     }
-
-    /// The rows `from .. to` alone.
-    #[must_use]
-    pub fn part(&self, from: usize, to: usize) -> Results {
-        let cut = |texts: &Sparse| -> Sparse {
-            let inside = texts
-                .iter()
-                .filter(|(r, _)| (from..to).contains(&(*r as usize)));
-            inside.map(|(r, t)| (r - from as u32, t.clone())).collect()
-        };
-        Results {
-            numbers: self.numbers.iter().map(|c| c[from..to].to_vec()).collect(),
-            outcome: self.outcome[from..to].to_vec(),
-            verdict: self.verdict[from..to].to_vec(),
-            tier: self.tier[from..to].to_vec(),
-            texts: [
-                cut(&self.texts[0]),
-                cut(&self.texts[1]),
-                cut(&self.texts[2]),
-            ],
-            time_s: self.time_s[from..to].to_vec(),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -331,29 +308,11 @@ mod tests {
     }
 
     #[test]
-    fn rows_survive_their_bytes() {
+    fn columns_hold_what_rows_say() {
         let r = some();
-        let back = Results::from_bytes(&r.to_bytes()).unwrap();
-        assert_eq!(back.to_bytes(), r.to_bytes());
-        assert_eq!(back.words(5), ["wrong here", ""]);
-        assert_eq!(back.words(3), ["", "stroke+jerk"]);
-        assert_eq!(back.words(2), ["", "qp"]);
-        assert!(back.numbers(0)[0].is_nan() && back.numbers(0)[1] == 0.1);
-    }
-
-    #[test]
-    fn cut_bytes_are_refused_wherever_they_are_cut() {
-        let bytes = some().to_bytes();
-        for length in 0..bytes.len() {
-            assert!(Results::from_bytes(&bytes[..length]).is_err(), "{length}");
-        }
-    }
-
-    #[test]
-    fn parts_join_to_the_whole() {
-        let r = some();
-        let mut joined = r.part(0, 1);
-        joined.append(r.part(1, 2));
-        assert_eq!(joined.to_bytes(), r.to_bytes());
+        assert_eq!(r.words(5), ["wrong here", ""]);
+        assert_eq!(r.words(3), ["", "stroke+jerk"]);
+        assert_eq!(r.words(2), ["", "qp"]);
+        assert!(r.numbers(0)[0].is_nan() && r.numbers(0)[1] == 0.1);
     }
 }

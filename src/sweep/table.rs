@@ -131,7 +131,7 @@ fn quoted(out: &mut String, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::Row;
+    use crate::sweep::{Outcome, Row};
 
     #[test]
     fn lines_have_as_many_fields_as_the_header() {
@@ -148,5 +148,8 @@ mod tests {
         let record = reader.records().next().unwrap().unwrap();
         assert_eq!(&record[0], "9");
         assert_eq!(&record[record.len() - 2], "a, \"b\"");
+        let fields: Vec<&str> = record.iter().collect();
+        let row = Row::of_fields(&fields);
+        assert_eq!((row.outcome, &*row.error), (Outcome::Error, "a, \"b\""));
     }
 }

@@ -1,8 +1,8 @@
 //! `gaitcam sweep`: thousands of designs into one table, none lost.
 
 mod arguments;
-mod finish;
-mod journal;
+mod format;
+mod partial;
 mod tolerance;
 mod work;
 
@@ -13,11 +13,11 @@ use clap::Args;
 
 use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
 use crate::terminal::{self, print, print_json};
-use finish::Counts;
+use format::Format;
 use gaitcam::error::{Error, Result};
-use gaitcam::sweep::{Kernel, Method};
-use journal::Journal;
-pub use journal::beside;
+use gaitcam::sweep::{Kernel, Method, table};
+pub use partial::beside;
+use partial::{Counts, Opened, PartialTable};
 
 /// More rows than this are asked for twice.
 const MANY: u128 = 100_000_000;
@@ -91,7 +91,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let start = Instant::now();
     // A row that fails by our own fault says so in the table; its trace would only hide the others.
     std::panic::set_hook(Box::new(|_| {}));
-    let format = finish::Format::of(&args.out)?;
+    let format = Format::of(&args.out)?;
     let sweep = arguments::plan(args)?;
     let plan = &sweep.plan;
     if let [first, ..] = &sweep.skipped[..] {
@@ -112,14 +112,15 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     }
     plan.validate()?;
     let description = arguments::description(&sweep);
-    let mut journal = match Journal::open(&args.out, &description, args.resume)? {
-        journal::Opened::Finished => {
+    let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
+    let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {
+        Opened::Finished => {
             print(&format!("{} is already complete.", args.out.display()));
             return Ok(BUILT);
         }
-        journal::Opened::Journal(journal) => journal,
+        Opened::Partial(partial) => partial,
     };
-    if let Some(repair) = journal.repaired() {
+    if let Some(repair) = partial.repaired() {
         terminal::report(repair);
     }
     let clock = || start.elapsed().as_secs_f64();
@@ -130,19 +131,27 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .build()
         .map_err(|e| Error::argument("--jobs", e.to_string()))?;
     let stop = work::stop_on_ctrl_c();
-    let before = journal.rows();
+    let before = partial.counts().rows;
     let computed = Instant::now();
-    work::compute(plan, &kernel, &pool, &mut journal, &stop)?;
+    work::compute(plan, &kernel, &pool, &mut partial, &stop)?;
     let seconds = computed.elapsed().as_secs_f64();
-    if u128::from(journal.rows()) < rows {
+    let done = partial.counts().rows;
+    if u128::from(done) < rows {
         terminal::report(format!(
-            "stopped after {} of {rows} rows; nothing is lost, go on with --resume",
-            journal.rows()
+            "stopped after {done} of {rows} rows; nothing is lost, go on with --resume"
         ));
         return Ok(INTERRUPTED);
     }
-    let counts = finish::table(plan, &kernel, &pool, &mut journal, &args.out, format)?;
-    journal.finish(&args.out, &description)?;
+    let counts = match format {
+        Format::Csv => partial.finish(&description, None)?,
+        #[cfg(feature = "parquet")]
+        Format::Parquet => partial.finish(
+            &description,
+            Some(&|csv, parquet| format::to_parquet(plan, csv, parquet)),
+        )?,
+        #[cfg(not(feature = "parquet"))]
+        Format::Parquet => return Err(Error::argument("--out", "built without Parquet")),
+    };
     report(args, &counts, rows as u64 - before, seconds);
     Ok(if counts.built > 0 { BUILT } else { NO_SUCH_CAM })
 }

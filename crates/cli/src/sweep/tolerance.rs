@@ -5,7 +5,7 @@ use std::fmt::Write;
 use rayon::prelude::*;
 
 use super::SweepArgs;
-use super::journal::beside;
+use super::partial::beside;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input::{self, SceneArgs};
 use crate::terminal::{self, print, print_json};

@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
-use super::journal::Journal;
+use super::partial::{Counts, PartialTable};
 use crate::exit_code::INTERRUPTED;
 use gaitcam::error::{Error, Result};
-use gaitcam::sweep::{Kernel, Plan, Results};
+use gaitcam::sweep::{Kernel, Plan, table};
 
 /// A wave aims at this much time: no more than this is lost in a crash.
 const WAVE_S: f64 = 0.25;
@@ -27,7 +27,7 @@ const BLOCKS_PER_THREAD: u64 = 16;
 pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let flag = stop.clone();
-    // Without a handler Ctrl-C simply kills, and the journal is made for that.
+    // Without a handler Ctrl-C simply kills, which the partial table survives.
     let _ = ctrlc::set_handler(move || {
         if flag.swap(true, Ordering::Relaxed) {
             std::process::exit(i32::from(INTERRUPTED));
@@ -54,35 +54,49 @@ pub fn progress(what: &'static str, total: u64, done: u64) -> ProgressBar {
     bar
 }
 
-/// Computes the rows that the journal lacks, until done or stopped.
+/// Rows that one task has computed, in order.
+struct Block {
+    counts: Counts,
+    lines: String,
+}
+
+/// Computes the rows that the table lacks, until done or stopped.
 pub fn compute(
     plan: &Plan,
     kernel: &Kernel,
     pool: &rayon::ThreadPool,
-    journal: &mut Journal,
+    partial: &mut PartialTable,
     stop: &AtomicBool,
 ) -> Result<()> {
     let total = plan.rows() as u64;
-    let mut next = journal.rows();
+    let mut next = partial.counts().rows;
     let bar = progress("designs", total, next);
-    let (send, receive) = sync_channel::<Results>(1);
+    let (send, receive) = sync_channel::<Vec<Block>>(1);
     let written = std::thread::scope(|scope| {
         let bar = &bar;
         let writer = scope.spawn(move || -> Result<()> {
-            for results in receive {
-                journal.append(&results)?;
-                bar.set_position(journal.rows());
+            for blocks in receive {
+                let mut counts = Counts::default();
+                let mut lines = String::new();
+                for block in blocks {
+                    lines.push_str(&block.lines);
+                    counts.add(block.counts);
+                }
+                partial.append(&lines, counts)?;
+                bar.set_position(partial.counts().rows);
             }
             Ok(())
         });
+        let names = plan.scene_names();
         let mut wave = FIRST_WAVE;
         while next < total && !stop.load(Ordering::Relaxed) {
             let rows = wave.min(total - next);
             let start = Instant::now();
-            let results = one_wave(plan, kernel, pool, next, rows, stop);
-            next += results.len() as u64;
+            let one = |first, count| block(plan, kernel, names.as_deref(), first, count);
+            let blocks = one_wave(pool, next, rows, stop, &one);
+            next += blocks.iter().map(|b| b.counts.rows).sum::<u64>();
             // The writer is gone only after a failure, which it returns.
-            if results.is_empty() || send.send(results).is_err() {
+            if blocks.is_empty() || send.send(blocks).is_err() {
                 break;
             }
             let fits = rows as f64 * WAVE_S / start.elapsed().as_secs_f64().max(1e-6);
@@ -92,20 +106,19 @@ pub fn compute(
         writer.join()
     });
     bar.finish_and_clear();
-    written.unwrap_or_else(|_| Err(Error::new("the journal's writer failed")))
+    written.unwrap_or_else(|_| Err(Error::new("the table's writer failed")))
 }
 
-/// Rows `first .. first + rows`, or as many of them from the start as were done when the stop came.
+/// Rows `first .. first + rows`, or as many blocks of them from the start as were done when the stop came.
 fn one_wave(
-    plan: &Plan,
-    kernel: &Kernel,
     pool: &rayon::ThreadPool,
     first: u64,
     rows: u64,
     stop: &AtomicBool,
-) -> Results {
+    block: &(impl Fn(u64, usize) -> Block + Sync),
+) -> Vec<Block> {
     let blocks = (pool.current_num_threads() as u64 * BLOCKS_PER_THREAD).clamp(1, rows);
-    let parts: Vec<Option<Results>> = pool.install(|| {
+    let parts: Vec<Option<Block>> = pool.install(|| {
         (0..blocks)
             .into_par_iter()
             .map(|b| {
@@ -113,13 +126,24 @@ fn one_wave(
                     return None;
                 }
                 let (from, to) = (b * rows / blocks, (b + 1) * rows / blocks);
-                Some(kernel.run(&plan.batch(first + from, (to - from) as usize)))
+                Some(block(first + from, (to - from) as usize))
             })
             .collect()
     });
-    let mut all = Results::default();
-    for part in parts.into_iter().map_while(|p| p) {
-        all.append(part);
+    parts.into_iter().map_while(|p| p).collect()
+}
+
+fn block(
+    plan: &Plan,
+    kernel: &Kernel,
+    names: Option<&[String]>,
+    first: u64,
+    count: usize,
+) -> Block {
+    let batch = plan.batch(first, count);
+    let results = kernel.run(&batch);
+    Block {
+        counts: Counts::of(first, &results),
+        lines: table::csv_rows(first, &batch, &results, names),
     }
-    all
 }

@@ -109,7 +109,7 @@ fn killed_again_and_again(out: &Path, arguments: &[&str], kills: usize, longest_
         child.wait().unwrap();
         if ended {
             // The table stands: begin again, so that every kill meets a running sweep.
-            for ending in ["", ".partial", ".sweep.json"] {
+            for ending in ["", ".partial", ".partial.json", ".sweep.json"] {
                 let _ = fs::remove_file(PathBuf::from(format!("{}{ending}", out.display())));
             }
         } else {
@@ -319,7 +319,7 @@ fn bad_sweeps_are_refused_before_anything_is_written() {
         &["--vary", "law.degree=3,5", "--resume"],
     );
     assert!(
-        words(&output).contains("not the journal of a sweep"),
+        words(&output).contains("not the partial table of a sweep"),
         "{}",
         words(&output)
     );

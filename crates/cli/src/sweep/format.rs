@@ -1,0 +1,71 @@
+//! Kinds of tables.
+
+use std::path::Path;
+
+use gaitcam::error::{Error, Result};
+#[cfg(feature = "parquet")]
+use gaitcam::sweep::Plan;
+
+/// Kind of table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Comma-separated text.
+    Csv,
+    /// Apache Parquet.
+    Parquet,
+}
+
+impl Format {
+    /// From the ending of the file's name.
+    pub fn of(path: &Path) -> Result<Format> {
+        let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("csv") => Ok(Format::Csv),
+            Some("parquet") if cfg!(feature = "parquet") => Ok(Format::Parquet),
+            Some("parquet") => Err(Error::argument(
+                "--out",
+                "this gaitcam was built without Parquet (the feature \"parquet\")",
+            )
+            .help("write a .csv, or build with --features parquet")),
+            _ => Err(Error::argument(
+                "--out",
+                format!("{} is neither .csv nor .parquet", path.display()),
+            )
+            .help("give the table one of these endings")),
+        }
+    }
+}
+
+/// Writes the rows of a complete CSV table as Parquet.
+#[cfg(feature = "parquet")]
+pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
+    use gaitcam::sweep::parquet::{GROUP_ROWS, Writer, record_batch, schema};
+    use gaitcam::sweep::{Results, Row};
+
+    let fault = |e: std::io::Error| Error::file(parquet, format!("cannot be written ({e})"));
+    let unreadable = |e: csv::Error| Error::file(csv, format!("cannot be read ({e})"));
+    let names = plan.scene_names();
+    let schema = schema(&plan.keys(), names.is_some());
+    let file = std::fs::File::create(parquet).map_err(fault)?;
+    let mut writer = Writer::new(file, &schema)?;
+    let mut reader = csv::Reader::from_path(csv).map_err(unreadable)?;
+    let mut records = reader.records().peekable();
+    let mut first = 0;
+    while records.peek().is_some() {
+        let mut results = Results::with_capacity(GROUP_ROWS);
+        for record in records.by_ref().take(GROUP_ROWS) {
+            let record = record.map_err(unreadable)?;
+            results.push(Row::of_fields(&record.iter().collect::<Vec<_>>()));
+        }
+        let batch = plan.batch(first, results.len());
+        writer.write(&record_batch(
+            &schema,
+            first,
+            &batch,
+            &results,
+            names.as_deref(),
+        )?)?;
+        first += results.len() as u64;
+    }
+    writer.close()?.sync_all().map_err(fault)
+}
