@@ -17,6 +17,7 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::SplineSpace;
 use crate::problem::Target;
+use crate::wording::{self, Language};
 
 /// A two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -189,9 +190,11 @@ pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law>
 
 fn refused(failure: &Failure) -> Error {
     Error::new(match failure {
-        Failure::Equalities(names) => format!("demands contradict each other: {names:?}"),
-        Failure::Infeasible => "the limits leave nothing".to_string(),
-        Failure::Solver(word) => format!("the solver gave up: {word}"),
+        Failure::Inconsistent { equalities } => {
+            format!("contradicting equalities: {equalities:?}")
+        }
+        Failure::Infeasible => "infeasible limits".to_string(),
+        Failure::Numerical { stop } => wording::sentence(Language::En, "solver", stop),
     })
 }
 

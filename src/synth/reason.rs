@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::qp::Stop;
 use crate::cam::Measures;
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
@@ -92,7 +93,7 @@ pub enum Reason {
     /// Limits that no law keeps together.
     LimitsInfeasible { limits: Vec<String> },
     /// The solver stopped, which proves nothing.
-    SolverStopped { word: String },
+    SolverStopped { stop: Stop },
     /// One limit whose change is enough.
     Relaxation { changes: Vec<Change> },
     /// Several limits of which one change is enough.

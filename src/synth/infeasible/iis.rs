@@ -22,14 +22,11 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
         reasons: vec![reason],
     };
     match &stuck.failure {
-        Failure::Equalities(names) => {
-            let demands = names.clone();
-            because(Reason::DemandsContradict { demands }, names.clone())
+        Failure::Inconsistent { equalities } => {
+            let demands = equalities.clone();
+            because(Reason::DemandsContradict { demands }, equalities.clone())
         }
-        Failure::Solver(word) => {
-            let word = word.to_string();
-            because(Reason::SolverStopped { word }, Vec::new())
-        }
+        Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
             let limits = conflicting_limits(stuck);
             if limits.is_empty() {
@@ -132,8 +129,8 @@ fn is_asked(limit: &Limit) -> bool {
 fn can_hold(program: &Program, nonconvex: Option<NonconvexLimits>) -> Option<bool> {
     match program.solve() {
         Ok(own) => Some(nonconvex.is_none_or(|b| scp::feasible(program, &own, b).is_some())),
-        Err(Failure::Infeasible | Failure::Equalities(_)) => Some(false),
-        Err(Failure::Solver(_)) => None,
+        Err(Failure::Infeasible | Failure::Inconsistent { .. }) => Some(false),
+        Err(Failure::Numerical { .. }) => None,
     }
 }
 

@@ -7,8 +7,8 @@ use clarabel::solver::{
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
 use crate::error::{Error, Result};
-use crate::synth::qp::Failure;
 use crate::synth::qp::{Basis, Entries};
+use crate::synth::qp::{Failure, Stop};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {
@@ -264,7 +264,7 @@ impl Prepared {
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
                 return Err(refused(&Failure::Infeasible));
             }
-            other => return Err(refused(&Failure::Solver(format!("{other:?}")))),
+            _ => return Err(refused(&Stop::NumericalError.into())),
         }
         let x: Vec<f64> = answer.x[..self.n].iter().map(|y| y * self.length).collect();
         Ok(Answer {

@@ -9,7 +9,7 @@ use clarabel::solver::{
 
 use super::basis::Entries;
 use super::lifted::Lifted;
-use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row};
+use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
 
 /// What the interior-point method returns, in the program's own units.
 pub struct Point {
@@ -98,20 +98,14 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         .tol_feas(own.tolerance)
         .max_threads(1)
         .build()
-        .map_err(|e| Failure::Solver(e.to_string()))?;
-    let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings)
-        .map_err(|e| Failure::Solver(e.to_string()))?;
+        .map_err(|_| Stop::Refused)?;
+    let mut solver =
+        DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(|_| Stop::Refused)?;
     solver.solve();
     let answer = &solver.solution;
-    match answer.status {
-        SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {}
-        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-            return Err(Failure::Infeasible);
-        }
-        other => return Err(Failure::Solver(format!("{other:?}"))),
-    }
+    accepted(answer.status)?;
     if answer.x.iter().any(|v| !v.is_finite()) {
-        return Err(Failure::Solver("not finite".to_string()));
+        return Err(Stop::NumericalError.into());
     }
     let weight = program.multiplier_unit(columns.unit[PEAK]);
     for ((row, z), unit) in rows.iter_mut().zip(&answer.z[equalities..]).zip(&units) {
@@ -127,6 +121,23 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         x: law.coefficients(&answer.x, length),
         extra,
         iterations: answer.iterations as usize,
+    })
+}
+
+/// Whether a status comes with a point; a program close to infeasible counts as infeasible.
+fn accepted(status: SolverStatus) -> Result<(), Failure> {
+    Err(match status {
+        SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
+            return Ok(());
+        }
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+            Failure::Infeasible
+        }
+        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Stop::Unbounded.into(),
+        SolverStatus::MaxIterations | SolverStatus::MaxTime => Stop::IterationLimit.into(),
+        SolverStatus::Unsolved
+        | SolverStatus::NumericalError
+        | SolverStatus::CallbackTerminated => Stop::NumericalError.into(),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
-use super::program::{Equality, Failure, Program};
+use super::program::{Equality, Failure, Program, Stop};
 
 /// The optimum without limits and the factorisation that gave it.
 pub struct Unlimited {
@@ -26,10 +26,7 @@ pub struct Unlimited {
 /// will want to move it.
 pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     let (hessian, pin) = regular(program);
-    let factor = hessian
-        .clone()
-        .factor()
-        .ok_or_else(|| Failure::Solver("singular objective".to_string()))?;
+    let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;
     let pull: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
     let mut x = pull.clone();
     factor.solve(&mut x);
@@ -192,7 +189,7 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
             (e.value - apply(&e.entries, &x)) / safe(unit[kept[i]])
         });
         let Some(lambda) = decomposed.solve(&rhs) else {
-            return Err(Failure::Solver("singular demands".to_string()));
+            return Err(Stop::SingularEqualities.into());
         };
         for (i, &demand) in kept.iter().enumerate() {
             let step = lambda[i] / safe(unit[demand]);
@@ -213,6 +210,6 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
     if missed.is_empty() {
         Ok(x)
     } else {
-        Err(Failure::Equalities(missed))
+        Err(Failure::Inconsistent { equalities: missed })
     }
 }

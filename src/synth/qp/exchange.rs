@@ -2,7 +2,7 @@
 //! solve again, until no limit is broken on the whole turn.
 
 use super::basis::apply;
-use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution};
+use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution, Stop};
 use super::{active_set, equality};
 use crate::poly::Peak;
 
@@ -172,7 +172,7 @@ impl Program {
             }
             self.add_rows(&mut rows, broken);
         }
-        best.ok_or_else(|| Failure::Solver("no progress".to_string()))
+        best.ok_or(Stop::NoProgress.into())
     }
 
     /// Whether a row is worth keeping beside a law that all but keeps its limits. Rows on sizes alone are.

@@ -49,7 +49,7 @@ pub use equality::solve as solve_equalities;
 pub use objective::Quadratic;
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, Row, Solution,
+    RISE, Row, Solution, Stop,
 };
 pub use settings::{
     ActiveSetSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,

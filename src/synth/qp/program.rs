@@ -11,6 +11,7 @@ use super::lifted::Lifted;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
 use crate::poly::{Peak, PiecewisePoly};
+use serde::Serialize;
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
 pub const EXTRAS: usize = 6;
@@ -245,15 +246,48 @@ pub struct Solution {
     pub violation: f64,
 }
 
-/// Why there is no solution.
-#[derive(Debug, Clone, PartialEq)]
+/// Why there is no solution. Only the first two are proofs that there is none.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Failure {
-    /// The demands contradict each other; the names of those that are left over.
-    Equalities(Vec<String>),
+    /// The equalities contradict each other.
+    Inconsistent {
+        /// Names of those that do not follow from the others.
+        equalities: Vec<String>,
+    },
     /// The limits leave nothing.
     Infeasible,
-    /// The solver gave up; its word.
-    Solver(String),
+    /// The solver stopped without an answer.
+    Numerical {
+        /// How it stopped.
+        stop: Stop,
+    },
+}
+
+/// How a solver stopped without an answer; says nothing about whether there is one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stop {
+    /// The objective's matrix has no factor.
+    SingularObjective,
+    /// The equalities' matrix has no factor.
+    SingularEqualities,
+    /// As many iterations as are allowed were taken.
+    IterationLimit,
+    /// Rounds of exchange no longer came nearer.
+    NoProgress,
+    /// The objective has no lower bound.
+    Unbounded,
+    /// Rounding spoilt the iteration or its result.
+    NumericalError,
+    /// The interior-point method refused its settings or data.
+    Refused,
+}
+
+impl From<Stop> for Failure {
+    fn from(stop: Stop) -> Self {
+        Failure::Numerical { stop }
+    }
 }
 
 impl Program {

@@ -182,7 +182,9 @@ fn contradicting_demands_are_named() {
     program.equalities.push(again.clone());
     assert_eq!(
         program.solve().unwrap_err(),
-        Failure::Equalities(vec!["the second end".to_string()])
+        Failure::Inconsistent {
+            equalities: vec!["the second end".to_string()]
+        }
     );
     again.value = 1.0;
     program.equalities.pop();

@@ -25,3 +25,12 @@ passed-over-accuracy = { $family } misses the accuracy by { $excess }
 passed-over-check = { $family } misses { $check } ({ $value } against { $limit })
 passed-over-limits = { $family } misses { $limits }
 passed-over-fault = { $family } misses: { $fault }
+
+# How a solver of convex programs stopped without an answer.
+name-singular-objective = singular matrix of the objective
+name-singular-equalities = singular matrix of the equality constraints
+name-iteration-limit = iteration limit reached
+name-no-progress = no further progress
+name-unbounded = objective unbounded below
+name-numerical-error = loss of numerical accuracy
+name-refused = program refused by the interior-point method
