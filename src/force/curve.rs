@@ -200,7 +200,7 @@ fn slopes(f: &[f64]) -> Vec<f64> {
 /// between two samples is not flattened.
 fn slope(f: [f64; 5]) -> f64 {
     let (before, after) = (f[2] - f[1], f[3] - f[2]);
-    let centred = (2.0 * THIRD) * (f[3] - f[1]) - (0.25 * THIRD) * (f[4] - f[0]);
+    let centred = centred(f);
     let (own, next) = (before.abs(), after.abs());
     let smaller = if own < next { own } else { next };
     let steady = before * after > 0.0;
@@ -210,6 +210,16 @@ fn slope(f: [f64; 5]) -> f64 {
     let held = if held < -bound { -bound } else { held };
     let backwards = steady & (centred * before < 0.0);
     if backwards { 0.0 } else { held }
+}
+
+fn centred(f: [f64; 5]) -> f64 {
+    (2.0 * THIRD) * (f[3] - f[1]) - (0.25 * THIRD) * (f[4] - f[0])
+}
+
+/// The slope per sample that the interpolation takes at the middle of five samples, less the centred
+/// difference: zero but near crests and steps.
+pub(crate) fn slope_correction(f: [f64; 5]) -> f64 {
+    slope(f) - centred(f)
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ mod recording;
 mod report;
 mod stance;
 
+pub(crate) use curve::slope_correction;
 pub use curve::{ForceCurve, SAMPLES};
 pub use cycle::{Cycle, Overlay, cycle, force_curve, overlay};
 pub use feet::Feet;

@@ -10,6 +10,7 @@ mod fourier;
 mod gauss;
 mod piecewise;
 mod proxy;
+mod trigonometric;
 
 pub use bspline::{Span, SplineSpace};
 pub use distance::{Distance, distance};
@@ -17,3 +18,4 @@ pub use fourier::{amplitudes, sums};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
 pub use proxy::stand_in;
+pub(crate) use trigonometric::{harmonic_extremes, harmonic_sum};

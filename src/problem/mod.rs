@@ -5,9 +5,12 @@
 //! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
 
 mod notes;
+mod spans;
 mod target;
 
 pub use notes::Note;
+pub(crate) use spans::Key as SpanKey;
+pub use spans::SpanMemo;
 pub use target::Target;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -29,7 +32,7 @@ pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 /// Room around a bore, m, when the base circle follows from it.
 const WALL: f64 = 1e-3;
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
-const USUAL_ACCURACY: f64 = 0.005;
+pub(crate) const USUAL_ACCURACY: f64 = 0.005;
 /// Degree of splines, and two more for the first terms of a polydyne follower's damping.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
@@ -64,6 +67,8 @@ pub struct Problem {
     pub accuracy: Option<f64>,
     /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
     pub above_base_circle: bool,
+    /// Numbers of spans already found for this force and law.
+    pub spans: SpanMemo,
     weights: Vec<PhaseWeight>,
     given: Given,
 }
@@ -131,6 +136,7 @@ impl Problem {
             machine: scene.machine.clone(),
             accuracy: scene.rms,
             above_base_circle: true,
+            spans: SpanMemo::default(),
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             given: Given {
                 force,
@@ -248,7 +254,7 @@ impl Problem {
 
     /// Smallest base radius that the bore leaves, m.
     pub fn outside_bore(&self) -> f64 {
-        self.cam.bore.map_or(0.0, |b| 0.5 * b + WALL)
+        outside_bore(self.cam.bore)
     }
 
     /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
@@ -386,12 +392,29 @@ impl Problem {
     }
 }
 
+/// Smallest base radius that a bore of given diameter leaves, m.
+pub(crate) fn outside_bore(bore: Option<f64>) -> f64 {
+    bore.map_or(0.0, |b| 0.5 * b + WALL)
+}
+
 /// The drive with every number, and the force scaled to its mass where that is asked for.
 fn settled_drive(given: &Given, force: Option<ForceCurve>) -> Result<(Drive, Option<ForceCurve>)> {
-    let spec = &given.drive;
-    let speed = match (spec.speed, &force) {
+    let known = force.as_ref().map(|curve| (curve.mean_n(), curve.period_s));
+    let drive = drive_of(&given.drive, known)?;
+    match force {
+        Some(curve) if given.to_mass && drive.kind == DriveKind::MovingAxis => {
+            let scaled = scaled_to(&curve, drive.rest_force)?;
+            Ok((drive, Some(scaled)))
+        }
+        other => Ok((drive, other)),
+    }
+}
+
+/// The drive with every number, for a force of which mean, N, and period, s, are known.
+pub(crate) fn drive_of(spec: &DriveSpec, force: Option<(f64, f64)>) -> Result<Drive> {
+    let speed = match (spec.speed, force) {
         (Some(w), _) => w,
-        (None, Some(curve)) => TAU / curve.period_s,
+        (None, Some((_, period_s))) => TAU / period_s,
         (None, None) => {
             return Err(Error::key(
                 "drive.speed",
@@ -399,45 +422,36 @@ fn settled_drive(given: &Given, force: Option<ForceCurve>) -> Result<(Drive, Opt
             ));
         }
     };
-    match spec.kind {
+    Ok(match spec.kind {
         DriveKind::MovingAxis => {
-            let mass = moving_mass(spec, force.as_ref())?;
-            let force = match force {
-                Some(curve) if given.to_mass => Some(scaled_to(&curve, mass * spec.gravity)?),
-                other => other,
-            };
-            Ok((Drive::moving_axis(mass, spec.gravity, speed), force))
+            let mass = moving_mass(spec, force.map(|f| f.0))?;
+            Drive::moving_axis(mass, spec.gravity, speed)
         }
-        DriveKind::FixedAxis => {
-            let drive = Drive {
-                kind: DriveKind::FixedAxis,
-                rest_force: spec.preload,
-                spring_rate: spec.spring_rate,
-                damping: spec.damping,
-                mass: spec.mass.unwrap_or(0.0),
-                speed,
-            };
-            Ok((drive, force))
-        }
+        DriveKind::FixedAxis => Drive {
+            kind: DriveKind::FixedAxis,
+            rest_force: spec.preload,
+            spring_rate: spec.spring_rate,
+            damping: spec.damping,
+            mass: spec.mass.unwrap_or(0.0),
+            speed,
+        },
         DriveKind::Hydraulic => {
-            let drive = Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed);
-            Ok((drive, force))
+            Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed)
         }
-    }
+    })
 }
 
 /// The mass as given, otherwise the one whose weight is the mean force.
-fn moving_mass(spec: &DriveSpec, force: Option<&ForceCurve>) -> Result<f64> {
+fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
     if let Some(mass) = spec.mass {
         return Ok(mass);
     }
-    let Some(curve) = force else {
+    let Some(mean) = mean else {
         return Err(Error::key(
             "drive.mass",
             "needs a value where no force is given",
         ));
     };
-    let mean = curve.mean_n();
     if mean <= 0.0 {
         return Err(Error::key(
             "gait",

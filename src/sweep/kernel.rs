@@ -1,7 +1,7 @@
 //! From a batch of parameters to a batch of answers: pure, and the same for any number of threads.
 //!
 //! Words decide the structure of a scene, numbers only fill it in. Each combination of words is read once
-//! per batch; its rows then set their numbers directly. Rows of the spectral tier come from a shape that is
+//! per batch; its rows then set their numbers directly. Rows of the spectral tier come from a force that is
 //! taken apart once; all others go through the synthesis like a single scene.
 
 use std::collections::HashMap;
@@ -11,13 +11,14 @@ use toml::Table;
 
 use super::batch::{Batch, Column};
 use super::key::Key;
+use super::plan::NamedScene;
 use super::results::{Results, Row};
-use super::spectral::Shape;
-use super::{NamedScene, closed};
 use crate::error::{Error, Place, Result};
 use crate::force::{self, ForceCurve};
-use crate::scene::{self, Gait, Scene, Source};
-use crate::synth::synthesise;
+use crate::problem::SpanMemo;
+use crate::scene::{self, Gait, LawSpec, Scene, Source};
+use crate::synth::spectral::{self, HarmonicTarget};
+use crate::synth::synthesise_with;
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
@@ -25,8 +26,8 @@ pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
 /// Seconds on any clock; a caller without one gives 0 always.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 
-/// Shapes kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
-const KEPT_SHAPES: usize = 1024;
+/// Targets kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
+const KEPT_TARGETS: usize = 1024;
 
 /// Turns batches into results.
 pub struct Kernel<'a> {
@@ -34,11 +35,11 @@ pub struct Kernel<'a> {
     keys: Vec<Key>,
     targets: Targets<'a>,
     clock: Clock<'a>,
-    shapes: RwLock<HashMap<ShapeName, Option<Arc<Shape>>>>,
+    harmonics: RwLock<HashMap<TargetName, Option<Arc<HarmonicTarget>>>>,
 }
 
 /// What names a force, and the bits of its step frequency.
-type ShapeName = (Arc<str>, u64);
+type TargetName = (Arc<str>, u64);
 
 /// A combination of words, read.
 #[derive(Default)]
@@ -49,10 +50,18 @@ struct Base {
     source: Arc<str>,
     /// Whether the closed form may answer.
     closed: bool,
-    /// Step frequency and shape of the row before.
-    last: Option<(u64, Option<Arc<Shape>>)>,
-    /// The force wanted in the row before, and its curve.
-    curve: Option<(Gait, ForceCurve)>,
+    /// Step frequency and harmonics of the row before.
+    last: Option<(u64, Option<Arc<HarmonicTarget>>)>,
+    /// What the row before wanted.
+    before: Before,
+}
+
+/// What the row before wanted, and what was found for it.
+#[derive(Default)]
+struct Before {
+    force: Option<(Gait, ForceCurve)>,
+    /// The law asked for, with the numbers of spans found for it.
+    law: Option<(LawSpec, SpanMemo)>,
 }
 
 impl<'a> Kernel<'a> {
@@ -68,7 +77,7 @@ impl<'a> Kernel<'a> {
             keys,
             targets,
             clock,
-            shapes: RwLock::new(HashMap::new()),
+            harmonics: RwLock::new(HashMap::new()),
         }
     }
 
@@ -127,11 +136,11 @@ impl<'a> Kernel<'a> {
             },
         };
         Base {
-            closed: scene.as_ref().is_some_and(closed::suits),
+            closed: scene.as_ref().is_some_and(spectral::suits),
             scene,
             source,
             last: None,
-            curve: None,
+            before: Before::default(),
         }
     }
 
@@ -177,11 +186,11 @@ impl<'a> Kernel<'a> {
                 return answer;
             }
             if let Some(scene) = &base.scene {
-                return self.answer(index, scene, &mut base.curve);
+                return self.answer(index, scene, &mut base.before);
             }
         }
         match self.read(batch, row) {
-            Ok(scene) => self.answer(index, &scene, &mut base.curve),
+            Ok(scene) => self.answer(index, &scene, &mut base.before),
             Err(e) => Row::error(e.to_string()),
         }
     }
@@ -199,18 +208,26 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The synthesis of one scene. `known` is the force of the row before; a row that wants the same one
-    /// does not make it again.
-    fn answer(&self, index: usize, scene: &Scene, known: &mut Option<(Gait, ForceCurve)>) -> Row {
-        let same = matches!((&*known, &scene.gait), (Some(k), Some(gait)) if k.0 == *gait);
+    /// The synthesis of one scene. A row that wants the force of the row before does not make it again, and
+    /// one that asks for the same law too does not seek its spans again.
+    fn answer(&self, index: usize, scene: &Scene, before: &mut Before) -> Row {
+        let same = matches!((&before.force, &scene.gait), (Some(k), Some(gait)) if k.0 == *gait);
         if !same {
-            *known = match (self.target(index, scene), &scene.gait) {
+            *before = Before::default();
+            before.force = match (self.target(index, scene), &scene.gait) {
                 (Ok(curve), Some(gait)) => curve.map(|c| (gait.clone(), c)),
                 (Ok(_), None) => None,
                 (Err(e), _) => return Row::error(e.to_string()),
             };
         }
-        let design = synthesise(scene, known.as_ref().map(|k| &k.1));
+        let spans = match &before.law {
+            Some((law, spans)) if *law == scene.law => spans.clone(),
+            _ => SpanMemo::default(),
+        };
+        let design = synthesise_with(scene, before.force.as_ref().map(|k| &k.1), &spans);
+        if before.law.as_ref().is_none_or(|l| l.0 != scene.law) {
+            before.law = Some((scene.law.clone(), spans));
+        }
         match design {
             Ok(design) => Row::of(&design),
             Err(e) => Row::error(e.to_string()),
@@ -233,35 +250,35 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The shape of a scene's force, taken apart once.
-    fn shape(
+    /// The harmonics of a scene's force, taken apart once.
+    fn harmonic_target(
         &self,
         index: usize,
         scene: &Scene,
         source: &Arc<str>,
         frequency: u64,
-    ) -> Option<Arc<Shape>> {
+    ) -> Option<Arc<HarmonicTarget>> {
         let name = (source.clone(), frequency);
-        if let Some(shape) = self.shapes.read().ok()?.get(&name) {
-            return shape.clone();
+        if let Some(target) = self.harmonics.read().ok()?.get(&name) {
+            return target.clone();
         }
-        let (shape, cheap) = match self.take_apart(index, scene) {
-            Some((shape, cheap)) => (Some(Arc::new(shape)), cheap),
+        let (target, cheap) = match self.take_apart(index, scene) {
+            Some((target, cheap)) => (Some(Arc::new(target)), cheap),
             None => (None, false),
         };
-        let mut shapes = self.shapes.write().ok()?;
-        if shapes.len() >= KEPT_SHAPES {
+        let mut harmonics = self.harmonics.write().ok()?;
+        if harmonics.len() >= KEPT_TARGETS {
             if cheap {
-                return shape;
+                return target;
             }
-            shapes.clear();
+            harmonics.clear();
         }
-        shapes.insert(name, shape.clone());
-        shape
+        harmonics.insert(name, target.clone());
+        target
     }
 
-    /// A shape, and whether it costs less than keeping it.
-    fn take_apart(&self, index: usize, scene: &Scene) -> Option<(Shape, bool)> {
+    /// A target, and whether it costs less than keeping it.
+    fn take_apart(&self, index: usize, scene: &Scene) -> Option<(HarmonicTarget, bool)> {
         let gait = scene.gait.as_ref()?;
         let Source::Model {
             name,
@@ -270,16 +287,17 @@ impl<'a> Kernel<'a> {
         } = &gait.source
         else {
             let curve = (self.targets)(index, scene).ok()?;
-            return Some((Shape::of_curve(curve)?, false));
+            return Some((HarmonicTarget::of_curve(curve)?, false));
         };
         let fourier = force::fourier(name, *step_frequency_hz, gait.feet).ok()?;
-        let harmonics = fourier
-            .and_then(|(period_s, terms)| Shape::of_harmonics(period_s, terms, force::SAMPLES));
-        if let Some(shape) = harmonics {
-            return Some((shape, true));
+        let harmonics = fourier.and_then(|(period_s, terms)| {
+            HarmonicTarget::of_harmonics(period_s, terms, force::SAMPLES)
+        });
+        if let Some(target) = harmonics {
+            return Some((target, true));
         }
         let curve = force::model(name, *step_frequency_hz, 1.0, gait.feet).ok()?;
-        Some((Shape::of_curve(curve)?, false))
+        Some((HarmonicTarget::of_curve(curve)?, false))
     }
 }
 
@@ -305,11 +323,11 @@ fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
         } => (step_frequency_hz.unwrap_or(0.0).to_bits(), *body_weight_n),
     };
     if base.last.as_ref().is_none_or(|l| l.0 != frequency) {
-        let shape = kernel.shape(index, scene, &base.source, frequency);
-        base.last = Some((frequency, shape));
+        let target = kernel.harmonic_target(index, scene, &base.source, frequency);
+        base.last = Some((frequency, target));
     }
-    let shape = base.last.as_ref()?.1.as_ref()?;
-    closed::row(scene, shape, scale)
+    let target = base.last.as_ref()?.1.as_ref()?;
+    spectral::figures(scene, target, scale).map(|f| Row::spectral(&f))
 }
 
 /// Demands that several numbers can contradict together; the scene's reader has the words for them.

@@ -7,9 +7,7 @@
 
 mod axis;
 mod batch;
-mod closed;
 mod front;
-mod interpolant;
 mod kernel;
 mod key;
 #[cfg(feature = "parquet")]
@@ -18,10 +16,8 @@ mod plan;
 mod quantities;
 mod results;
 mod sample;
-mod spectral;
 pub mod table;
 mod tolerance;
-mod trig;
 
 pub use axis::{Axis, AxisValue, Values};
 pub use batch::{Batch, Column};

@@ -1,7 +1,7 @@
 //! Answers of many scenes as plain columns.
 
 use crate::cam::Verdict;
-use crate::synth::{Synthesis, Tier};
+use crate::synth::{Figures, Synthesis, Tier};
 
 /// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
 pub const NUMBERS: [&str; 19] = [
@@ -129,6 +129,17 @@ impl Row {
         row
     }
 
+    /// The row of a spectral design that keeps every limit.
+    pub fn spectral(figures: &Figures) -> Row {
+        Row {
+            numbers: numbers(figures),
+            outcome: Outcome::Built,
+            verdict: Some(Verdict::Acceptable),
+            tier: Some(Tier::Spectral),
+            ..Row::error(String::new())
+        }
+    }
+
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Synthesis) -> Row {
         let joined = |names: &mut dyn Iterator<Item = &str>| {
@@ -141,36 +152,22 @@ impl Row {
             list.join("+")
         };
         let mut row = Row::error(String::new());
-        let n = &mut row.numbers;
-        n[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
-        n[7] = design.drive.mass;
-        n[8] = design.drive.speed;
         if let Some(infeasible) = &design.infeasible {
+            row.numbers[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
+            row.numbers[7] = design.drive.mass;
+            row.numbers[8] = design.drive.speed;
             row.outcome = Outcome::Infeasible;
             row.binding = joined(&mut infeasible.conflict.iter().map(String::as_str));
             row.verdict = Some(Verdict::Unacceptable);
             return row;
         }
-        let (force, cam, speed) = (&design.force, &design.cam, design.drive.speed);
-        let wanted = |x: f64| if design.target.is_some() { x } else { f64::NAN };
-        n[0] = wanted(force.rms_error_n);
-        n[1] = wanted(force.rms_error_percent_of_mean);
-        n[2] = wanted(force.max_error_n);
-        n[4] = force.mean_n;
-        n[5] = force.min_n;
-        n[6] = force.max_n;
-        n[9] = cam.law.stroke();
-        for order in 1..=3 {
-            let (low, high) = cam.law.extremes(order);
-            n[9 + order] = high.value.max(-low.value) * speed.powi(order as i32);
+        row.numbers = numbers(&Figures::of(design));
+        if design.target.is_none() {
+            // Nothing is wanted, so nothing is missed.
+            for number in &mut row.numbers[..4] {
+                *number = f64::NAN;
+            }
         }
-        n[13] = cam.follower.base_radius();
-        n[14] = cam.follower.prime_radius();
-        n[15] = cam.follower.offset();
-        n[16] = cam.curvature().convex.value;
-        let (low, high) = design.pressure_angle_extremes();
-        n[17] = high.value.max(-low.value);
-        n[18] = cam.face_width().unwrap_or(f64::NAN);
         row.outcome = Outcome::Built;
         row.verdict = Some(design.verdict);
         row.tier = Some(design.solver.tier);
@@ -179,6 +176,32 @@ impl Row {
         row.failed = joined(&mut failed.map(|c| c.name.as_str()));
         row
     }
+}
+
+/// Figures in the order of [`NUMBERS`].
+fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
+    let force = &figures.force;
+    [
+        force.rms_error_n,
+        force.rms_error_percent_of_mean,
+        force.max_error_n,
+        force.target_mean_n,
+        force.mean_n,
+        force.min_n,
+        force.max_n,
+        figures.mass,
+        figures.speed,
+        figures.stroke,
+        figures.peaks[0],
+        figures.peaks[1],
+        figures.peaks[2],
+        figures.base_radius,
+        figures.prime_radius,
+        figures.offset,
+        figures.smallest_convex_radius,
+        figures.largest_pressure_angle,
+        figures.face_width.unwrap_or(f64::NAN),
+    ]
 }
 
 /// Text of the few rows that have any, by row number.

@@ -58,6 +58,7 @@
 mod design;
 mod easing;
 mod families;
+mod figures;
 mod infeasible;
 pub mod lab;
 mod limits;
@@ -69,12 +70,14 @@ pub mod qp;
 mod reason;
 mod scp;
 mod sizing;
+pub mod spectral;
 mod verdict;
 mod verify;
 
 pub use design::{
     Binding, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Synthesis, Tier,
 };
+pub use figures::Figures;
 pub use infeasible::{in_units, relaxed};
 pub use method::{Ended, Method, PassedOver};
 pub use pareto::{Against, Trade, trade};
@@ -84,7 +87,7 @@ pub use reason::{Change, Reason};
 use crate::cam::{Cam, Check, Verdict};
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
-use crate::problem::{Note, Problem};
+use crate::problem::{Note, Problem, SpanMemo};
 use crate::scene::{Family, Scene};
 use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 
@@ -96,7 +99,22 @@ use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 /// # Errors
 /// Faults of the input.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Synthesis> {
-    designed(Problem::settle(scene, force)?)
+    synthesise_with(scene, force, &SpanMemo::default())
+}
+
+/// The same for one of many scenes with the same force and the same demands on the law: what one finds of
+/// the number of spans the next need not seek again.
+///
+/// # Errors
+/// Faults of the input.
+pub fn synthesise_with(
+    scene: &Scene,
+    force: Option<&ForceCurve>,
+    spans: &SpanMemo,
+) -> Result<Synthesis> {
+    let mut problem = Problem::settle(scene, force)?;
+    problem.spans = spans.clone();
+    designed(problem)
 }
 
 /// The design of a problem, complete even where it has none that keeps its limits.

@@ -38,7 +38,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
                 .or_insert_with(|| kernel.base(&batch, row));
             let fast = kernel.row(&batch, row, base);
             let alone = match kernel.read(&batch, row) {
-                Ok(scene) => kernel.answer(0, &scene, &mut None),
+                Ok(scene) => kernel.answer(0, &scene, &mut Before::default()),
                 Err(e) => Row::error(e.to_string()),
             };
             (fast, alone)
@@ -200,7 +200,7 @@ fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
     let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
     scene::set(&mut table, vary).unwrap();
     let scene = scene::read(&table).unwrap();
-    (row, kernel.answer(0, &scene, &mut None))
+    (row, kernel.answer(0, &scene, &mut Before::default()))
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::spline_program::{force_distance, unlimited_program};
 use super::{Found, NoLaw, Stuck, gathered, report};
-use crate::problem::{Note, Problem, Size};
+use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
@@ -65,8 +65,19 @@ fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
         return solve(problem, SPANS_WITHOUT_FORCE);
     }
     let wanted = problem.wanted_error();
-    // The unlimited fit is the cheaper lower bound: spans that miss the accuracy without limits miss it
-    // with them.
+    let key = SpanKey {
+        wanted,
+        phase: problem.phase,
+        drive: problem.drive,
+        degree: problem.degree(),
+    };
+    let spans = (problem.spans).fewest(key, || fewest_without_limits(problem, wanted))?;
+    while_worthwhile(problem, spans, wanted)
+}
+
+/// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
+/// without limits miss it with them.
+fn fewest_without_limits(problem: &Problem, wanted: f64) -> crate::error::Result<usize> {
     let mut spans = 3;
     while spans < MOST_AUTO_SPANS {
         let (program, force) = unlimited_program(problem, spans)?;
@@ -75,7 +86,7 @@ fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
             _ => spans += 1 + spans / 40,
         }
     }
-    while_worthwhile(problem, spans, wanted)
+    Ok(spans)
 }
 
 /// Limits that bind may want more spans: more are tried while the error falls for them.

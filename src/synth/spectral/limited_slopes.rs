@@ -1,24 +1,25 @@
 //! What the cubic interpolation of a sampled harmonic force adds to it.
 //!
-//! A target curve is a cubic between samples whose slopes are held back near its crests, so that a sharp
-//! heel strike is not overshot. Where they are held back the curve leaves the harmonics by a bump of two
-//! cells; everywhere else it follows them to a few parts in 10¹⁰. The bumps are found from the samples, so
-//! the distance of a law to its target needs no piecewise polynomial.
+//! A target curve is a cubic between samples whose slopes are limited near its crests, so that a sharp heel
+//! strike is not overshot. Where they are limited the curve departs from the harmonics on two cells;
+//! everywhere else it follows them to a few parts in 10¹⁰. These departures are found from the samples, so
+//! the distance of a law from its target needs no piecewise polynomial.
 
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-use super::spectral::Range;
-use super::trig;
+use super::Range;
+use crate::force::slope_correction;
+use crate::poly::{harmonic_extremes, harmonic_sum};
 
 /// Samples of a turn that are worth tables.
 const SAMPLES: usize = 1024;
 /// Most harmonics that tables are kept for; further ones would also need finer samples.
 const MOST: usize = 6;
-/// Slopes nearer than this part of the largest value count as free.
+/// Slopes nearer than this part of the largest value count as unlimited.
 const FREE: f64 = 1e-13;
 
-/// One cell with its held-back slopes: p·u(1−u)² + q·u²(u−1), u from 0 to 1.
+/// One cell whose slopes are limited, and what that adds: p·u(1−u)² + q·u²(u−1), u from 0 to 1.
 #[derive(Debug, Clone, Copy)]
 struct Cell {
     index: usize,
@@ -26,8 +27,8 @@ struct Cell {
     q: f64,
 }
 
-/// Bumps of one curve.
-pub struct Bumps {
+/// Cells of one curve whose slopes are limited.
+pub struct LimitedSlopes {
     cells: Vec<Cell>,
 }
 
@@ -56,9 +57,9 @@ fn tables() -> &'static [(Vec<f64>, Vec<f64>)] {
     })
 }
 
-impl Bumps {
-    /// Finds the bumps; `None` for harmonics or samples without tables.
-    pub fn of(spectrum: &[(f64, f64)], samples: usize) -> Option<Bumps> {
+impl LimitedSlopes {
+    /// Finds the cells; `None` for harmonics or samples without tables.
+    pub fn of(spectrum: &[(f64, f64)], samples: usize) -> Option<LimitedSlopes> {
         if spectrum.len() > MOST || samples != SAMPLES {
             return None;
         }
@@ -74,9 +75,9 @@ impl Bumps {
         let size: f64 = spectrum.iter().map(|t| t.0.abs() + t.1.abs()).sum();
         let mut cells: Vec<Cell> = Vec::new();
         for i in 0..SAMPLES {
-            let held = held_back(&f[i..i + 5]);
-            if held.abs() > FREE * size {
-                add(&mut cells, i, held);
+            let change = slope_correction([f[i], f[i + 1], f[i + 2], f[i + 3], f[i + 4]]);
+            if change.abs() > FREE * size {
+                add(&mut cells, i, change);
             }
         }
         // The first and the last sample may share a cell.
@@ -88,11 +89,11 @@ impl Bumps {
             cells[0].q += last.q;
             cells.pop();
         }
-        Some(Bumps { cells })
+        Some(LimitedSlopes { cells })
     }
 
-    /// Σ of the first `count` harmonics less the target: −(the rest) − (the bumps). `None` when an extreme
-    /// of the rest falls on a bump.
+    /// Σ of the first `count` harmonics less the target: −(the rest) − (the departures). `None` when an
+    /// extreme of the rest falls on such a cell.
     pub fn error(&self, count: usize, rest: &[(f64, f64)]) -> Option<Error> {
         let mut terms = [(0.0, 0.0); MOST];
         terms[count..count + rest.len()].copy_from_slice(rest);
@@ -101,7 +102,7 @@ impl Bumps {
         } else {
             &terms[..count + rest.len()]
         };
-        let (low, high) = trig::extremes(rest);
+        let (low, high) = harmonic_extremes(rest);
         let own = |at: f64| ((at / TAU * SAMPLES as f64) as usize).min(SAMPLES - 1);
         if !rest.is_empty()
             && self
@@ -123,33 +124,20 @@ impl Bumps {
     }
 }
 
-/// The slope that the interpolation takes less the free one, per sample, at the middle of five samples.
-fn held_back(f: &[f64]) -> f64 {
-    let (before, after) = (f[2] - f[1], f[3] - f[2]);
-    let centred = (8.0 * (f[3] - f[1]) - (f[4] - f[0])) / 12.0;
-    let smaller = before.abs().min(after.abs());
-    let steady = before * after > 0.0;
-    if steady && centred * before < 0.0 {
-        return -centred;
-    }
-    let bound = if steady { 3.0 * smaller } else { 1.5 * smaller };
-    centred.clamp(-bound, bound) - centred
-}
-
-/// Adds a held-back slope at sample `i` to the cells on both sides.
-fn add(cells: &mut Vec<Cell>, i: usize, held: f64) {
+/// Adds a limited slope at sample `i` to the cells on both sides.
+fn add(cells: &mut Vec<Cell>, i: usize, change: f64) {
     let before = (i + SAMPLES - 1) % SAMPLES;
     match cells.last_mut() {
-        Some(last) if last.index == before => last.q += held,
+        Some(last) if last.index == before => last.q += change,
         _ => cells.push(Cell {
             index: before,
             p: 0.0,
-            q: held,
+            q: change,
         }),
     }
     cells.push(Cell {
         index: i,
-        p: held,
+        p: change,
         q: 0.0,
     });
 }
@@ -163,7 +151,7 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 impl Cell {
-    fn bump(&self, u: f64) -> f64 {
+    fn departure(&self, u: f64) -> f64 {
         let v = 1.0 - u;
         u * v * (self.p * v - self.q * u)
     }
@@ -176,16 +164,17 @@ impl Cell {
         let place = |u: f64| TAU * (self.index as f64 + u) * share;
         if !rest.is_empty() {
             for (u, weight) in GAUSS {
-                error.square += 2.0 * share * weight * self.bump(u) * trig::at(rest, place(u))[0];
+                error.square +=
+                    2.0 * share * weight * self.departure(u) * harmonic_sum(rest, place(u))[0];
             }
         }
         // A cubic over so short a cell: its peak from a parabola through the best of a few points.
         let value = |u: f64| {
-            -self.bump(u)
+            -self.departure(u)
                 - if rest.is_empty() {
                     0.0
                 } else {
-                    trig::at(rest, place(u))[0]
+                    harmonic_sum(rest, place(u))[0]
                 }
         };
         for sign in [1.0, -1.0] {

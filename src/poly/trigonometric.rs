@@ -1,16 +1,9 @@
-//! Extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
+//! Values and extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
 
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
-/// An extreme value and its angle, rad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extreme {
-    /// The value.
-    pub value: f64,
-    /// Where.
-    pub at: f64,
-}
+use super::Extreme;
 
 /// Grid points per period of the fastest harmonic, at least.
 const POINTS_PER_WAVE: usize = 16;
@@ -22,7 +15,7 @@ const STEPS: usize = 40;
 const FLAT: f64 = 1e-5;
 
 /// Value and two derivatives at `x`.
-pub fn at(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
+pub fn harmonic_sum(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
     let (sin, cos) = x.sin_cos();
     let (mut c, mut s) = (1.0, 0.0);
     let mut out = [0.0; 3];
@@ -52,7 +45,7 @@ fn circle(grid: usize) -> &'static [(f64, f64)] {
 /// Smallest and largest value, to rounding: every grid cell that could hold them is searched by Newton's
 /// method. Between grid points the sum exceeds the higher end of its cell by at most h²/8·max|f″|, and
 /// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
-pub fn extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
+pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let wanted = (POINTS_PER_WAVE * terms.len()).max(1);
     let grid = GRIDS
         .iter()
@@ -133,12 +126,12 @@ fn crest(
     start: f64,
     sign: f64,
 ) -> Option<Extreme> {
-    if sign * at(terms, low)[1] < 0.0 || sign * at(terms, high)[1] > 0.0 {
+    if sign * harmonic_sum(terms, low)[1] < 0.0 || sign * harmonic_sum(terms, high)[1] > 0.0 {
         return None;
     }
     let mut x = start;
     for _ in 0..STEPS {
-        let [value, slope, bend] = at(terms, x);
+        let [value, slope, bend] = harmonic_sum(terms, x);
         let newton = -slope / bend;
         if sign * bend < 0.0 && newton.abs() < FLAT {
             // What is left of the way changes the value by less than rounding.
@@ -160,7 +153,7 @@ fn crest(
         };
     }
     Some(Extreme {
-        value: sign * at(terms, x)[0],
+        value: sign * harmonic_sum(terms, x)[0],
         at: x,
     })
 }
@@ -168,32 +161,56 @@ fn crest(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::Law;
-    use crate::sweep::Method;
+    use crate::poly::bernstein::binomial;
 
+    /// (1 + cos θ)ᵏ = Σ C(2k, k − n) cos nθ · 2^(1−k) + its mean: 2ᵏ at 0, 0 at π.
     #[test]
-    fn extremes_equal_those_of_the_law() {
-        for case in 0..60_u64 {
-            let count = 1 + (case % 12) as usize;
-            let terms: Vec<(f64, f64)> = (0..count)
+    fn powers_of_one_plus_cosine_have_known_extremes() {
+        for k in 1..=12 {
+            let scale = 2.0_f64.powi(1 - k as i32);
+            let (sin, cos) = 0.3_f64.sin_cos();
+            let mut turned = (1.0, 0.0);
+            let terms: Vec<(f64, f64)> = (1..=k)
                 .map(|n| {
-                    let u = |axis| 2.0 * Method::Latin.coordinate(case, 60, axis, 5) - 1.0;
-                    let decay = ((n + 1) as f64).powi((case % 3) as i32);
-                    (u(2 * n) / decay, u(2 * n + 1) / decay)
+                    turned = (
+                        turned.0 * cos - turned.1 * sin,
+                        turned.1 * cos + turned.0 * sin,
+                    );
+                    let a = scale * binomial(2 * k, k - n);
+                    (a * turned.0, a * turned.1)
                 })
                 .collect();
-            let (low, high) = extremes(&terms);
-            let (a, b) = Law::harmonic(0.0, &terms).extremes(0);
-            let size = b.value - a.value;
+            let mean = 0.5 * scale * binomial(2 * k, k);
+            let (low, high) = harmonic_extremes(&terms);
+            let most = 2.0_f64.powi(k as i32);
             assert!(
-                (low.value - a.value).abs() < 1e-13 * size,
-                "{case}: {low:?} {a:?}"
+                (high.value + mean - most).abs() < 1e-13 * most,
+                "{k}: {high:?}"
             );
-            assert!(
-                (high.value - b.value).abs() < 1e-13 * size,
-                "{case}: {high:?} {b:?}"
-            );
+            assert!((low.value + mean).abs() < 1e-13 * most, "{k}: {low:?}");
+            assert!((high.at - 0.3).abs() < 1e-6, "{k}: {high:?}");
         }
-        assert_eq!(extremes(&[]).1.value, 0.0);
+        assert_eq!(harmonic_extremes(&[]).1.value, 0.0);
+    }
+
+    #[test]
+    fn every_extreme_is_at_least_what_a_fine_grid_sees() {
+        for case in 0..60_u32 {
+            let count = 1 + case % 12;
+            let terms: Vec<(f64, f64)> = (1..=count)
+                .map(|n| (f64::from(7 * n + case).sin(), f64::from(3 * n * case).cos()))
+                .collect();
+            let (low, high) = harmonic_extremes(&terms);
+            let size = high.value - low.value;
+            for i in 0..5000 {
+                let value = harmonic_sum(&terms, TAU * f64::from(i) / 5000.0)[0];
+                assert!(value <= high.value + 1e-13 * size && value >= low.value - 1e-13 * size);
+            }
+            for end in [low, high] {
+                let [value, slope, _] = harmonic_sum(&terms, end.at);
+                assert!((value - end.value).abs() < 1e-13 * size, "{case}");
+                assert!(slope.abs() < 1e-4 * size, "{case}");
+            }
+        }
     }
 }

@@ -1,16 +1,12 @@
-//! The spectral tier for many scenes of one force shape, without solving anything twice.
-//!
-//! A harmonic law gives the force of its harmonics exactly, so its error depends on the shape alone. Where
-//! the drive is pure inertia or pure spring, the law itself is one fixed curve times a factor: all extremes
-//! of lift, velocity, acceleration, jerk, force and flat-face curvature are those of the fixed curve, scaled.
+//! A force taken apart into its harmonics, and what laws of its first harmonics give, each found once.
 
 use std::sync::OnceLock;
 
-use super::interpolant::Bumps;
-use super::trig;
+use super::Range;
+use super::limited_slopes::LimitedSlopes;
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::{PiecewisePoly, amplitudes};
+use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes};
 
 /// Most harmonics that an automatic count takes.
 const MOST_AUTO: usize = 60;
@@ -18,7 +14,7 @@ const MOST_AUTO: usize = 60;
 const UNDECIDED: f64 = 1e-10;
 
 /// One turn of force with what can be said of it before a scene is known.
-pub struct Shape {
+pub struct HarmonicTarget {
     /// Mean of its samples, N.
     pub mean: f64,
     /// Duration of a cycle, s.
@@ -28,25 +24,22 @@ pub struct Shape {
     /// Harmonics that the samples hold.
     most: usize,
     /// What its samples' interpolation adds to the harmonics.
-    target: Target,
+    interpolation: Interpolation,
     fits: Vec<OnceLock<Box<Fit>>>,
 }
 
-enum Target {
+enum Interpolation {
     /// Any samples.
     Curve(ForceCurve),
-    /// Samples of the harmonics themselves: bumps where the interpolation is held back.
-    Bumps(Bumps),
+    /// Samples of the harmonics themselves.
+    Limited(LimitedSlopes),
 }
 
-/// Smallest and largest value.
-pub type Range = (f64, f64);
-
-/// A fixed curve in the law's derivatives by the cam angle, and the minimum of s + a.
+/// LawRanges of a law's derivatives by the cam angle, and the minimum of s + a.
 #[derive(Debug, Clone, Copy)]
-pub struct Unit {
+pub struct LawRanges {
     /// s, v, a, j.
-    pub ranges: [Range; 4],
+    pub svaj: [Range; 4],
     /// Least s + a.
     pub bend: f64,
 }
@@ -62,39 +55,43 @@ pub struct Fit {
     pub error_mean: f64,
     /// Mean square of the difference, N².
     pub error_square: f64,
-    inertia: OnceLock<Unit>,
-    spring: OnceLock<Unit>,
+    inertia: OnceLock<LawRanges>,
+    spring: OnceLock<LawRanges>,
 }
 
-impl Shape {
+impl HarmonicTarget {
     /// Takes the curve apart; `None` for a curve whose spectrum cannot be had.
-    pub fn of_curve(curve: ForceCurve) -> Option<Shape> {
+    pub fn of_curve(curve: ForceCurve) -> Option<HarmonicTarget> {
         let most = (curve.force_n.len() - 1) / 2;
         let spectrum = amplitudes(&curve.force_n)[1..=most].to_vec();
-        Some(Shape {
+        Some(HarmonicTarget {
             mean: curve.mean_n(),
             period_s: curve.period_s,
             fits: fits(spectrum.len()),
             most,
             spectrum,
-            target: Target::Curve(curve),
+            interpolation: Interpolation::Curve(curve),
         })
     }
 
     /// A mean of 1 with the given harmonics, sampled `samples` times; `None` for more harmonics than are
     /// worth it.
-    pub fn of_harmonics(period_s: f64, spectrum: Vec<(f64, f64)>, samples: usize) -> Option<Shape> {
-        Some(Shape {
+    pub fn of_harmonics(
+        period_s: f64,
+        spectrum: Vec<(f64, f64)>,
+        samples: usize,
+    ) -> Option<HarmonicTarget> {
+        Some(HarmonicTarget {
             mean: 1.0,
             period_s,
             fits: fits(spectrum.len()),
             most: (samples - 1) / 2,
-            target: Target::Bumps(Bumps::of(&spectrum, samples)?),
+            interpolation: Interpolation::Limited(LimitedSlopes::of(&spectrum, samples)?),
             spectrum,
         })
     }
 
-    /// Fewest harmonics whose remainder is at most `wanted` newtons RMS (at the shape's own scale);
+    /// Fewest harmonics whose remainder is at most `wanted` newtons RMS (at its own scale);
     /// `None` where rounding would decide.
     pub fn count(&self, wanted: f64) -> Option<usize> {
         let power = |h: usize| 0.5 * (self.spectrum[h].0.powi(2) + self.spectrum[h].1.powi(2));
@@ -120,7 +117,7 @@ impl Shape {
         self.most
     }
 
-    /// What `count` harmonics give; `count` is from 1 to [`Shape::most`]. `None` where the difference to the
+    /// What `count` harmonics give; `count` is from 1 to [`HarmonicTarget::most`]. `None` where the difference to the
     /// target has no simple form.
     pub fn fit(&self, count: usize) -> Option<&Fit> {
         let count = count.min(self.spectrum.len());
@@ -134,14 +131,14 @@ impl Shape {
 
     fn make_fit(&self, count: usize) -> Option<Fit> {
         let (harmonics, rest) = self.spectrum.split_at(count);
-        let (error, error_mean, error_square) = match &self.target {
-            Target::Curve(curve) => error_to(curve, harmonics, self.mean),
-            Target::Bumps(bumps) => {
-                let error = bumps.error(count, rest)?;
+        let (error, error_mean, error_square) = match &self.interpolation {
+            Interpolation::Curve(curve) => error_to(curve, harmonics, self.mean),
+            Interpolation::Limited(limited) => {
+                let error = limited.error(count, rest)?;
                 (error.range, error.mean, error.square)
             }
         };
-        let (low, high) = trig::extremes(harmonics);
+        let (low, high) = harmonic_extremes(harmonics);
         Some(Fit {
             harmonics: harmonics.to_vec(),
             force: (low.value, high.value),
@@ -181,31 +178,31 @@ impl Fit {
     }
 
     /// The law for m ω² = 1 and no spring: ŝₙ = −F̂ₙ/n².
-    pub fn inertia(&self) -> &Unit {
+    pub fn inertia(&self) -> &LawRanges {
         self.inertia
-            .get_or_init(|| Unit::of(&self.harmonics, |n| -1.0 / (n * n)))
+            .get_or_init(|| LawRanges::of(&self.harmonics, |n| -1.0 / (n * n)))
     }
 
     /// The law for k = 1 without mass and damping: ŝₙ = F̂ₙ.
-    pub fn spring(&self) -> &Unit {
+    pub fn spring(&self) -> &LawRanges {
         self.spring
-            .get_or_init(|| Unit::of(&self.harmonics, |_| 1.0))
+            .get_or_init(|| LawRanges::of(&self.harmonics, |_| 1.0))
     }
 
     /// The law of any drive: ŝₙ = F̂ₙ/(re + i·im) with the drive's gain at harmonic n.
-    pub fn law(&self, scale: f64, gain: impl Fn(usize) -> (f64, f64)) -> Unit {
+    pub fn law(&self, scale: f64, gain: impl Fn(usize) -> (f64, f64)) -> LawRanges {
         let divided = (1..).zip(&self.harmonics).map(|(n, &(a, b))| {
             let (re, im) = gain(n);
             let square = (re * re + im * im) / scale;
             ((a * re - b * im) / square, (b * re + a * im) / square)
         });
-        Unit::of(&divided.collect::<Vec<_>>(), |_| 1.0)
+        LawRanges::of(&divided.collect::<Vec<_>>(), |_| 1.0)
     }
 }
 
-impl Unit {
+impl LawRanges {
     /// The curve Σ factor(n)·(aₙ cos nθ + bₙ sin nθ).
-    fn of(harmonics: &[(f64, f64)], factor: impl Fn(f64) -> f64) -> Unit {
+    fn of(harmonics: &[(f64, f64)], factor: impl Fn(f64) -> f64) -> LawRanges {
         let mut terms = Vec::with_capacity(harmonics.len());
         let mut range = |turned: bool, power: &dyn Fn(f64) -> f64| {
             terms.clear();
@@ -219,11 +216,11 @@ impl Unit {
                     (f * a, f * b)
                 }
             }));
-            let (low, high) = trig::extremes(&terms);
+            let (low, high) = harmonic_extremes(&terms);
             (low.value, high.value)
         };
-        Unit {
-            ranges: [
+        LawRanges {
+            svaj: [
                 range(false, &|_| 1.0),
                 range(true, &|n| n),
                 range(false, &|n| -n * n),

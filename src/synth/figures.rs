@@ -1,0 +1,54 @@
+//! The figures of a design: what a row of a table says of it.
+
+use super::{ForceReport, Synthesis};
+
+/// Figures of one design, SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Figures {
+    /// Force against target.
+    pub force: ForceReport,
+    /// Moved mass, kg.
+    pub mass: f64,
+    /// Speed of the shaft, rad/s.
+    pub speed: f64,
+    /// Largest lift less smallest.
+    pub stroke: f64,
+    /// Largest |velocity|, |acceleration| and |jerk| by time.
+    pub peaks: [f64; 3],
+    /// Radius of the base circle.
+    pub base_radius: f64,
+    /// Radius of the prime circle.
+    pub prime_radius: f64,
+    /// Offset of the follower.
+    pub offset: f64,
+    /// Smallest radius of curvature of the profile where it is convex.
+    pub smallest_convex_radius: f64,
+    /// Largest |pressure angle|, rad.
+    pub largest_pressure_angle: f64,
+    /// Width of the face that the contact needs; `None` without a flat face.
+    pub face_width: Option<f64>,
+}
+
+impl Figures {
+    /// Of a finished design.
+    pub fn of(design: &Synthesis) -> Figures {
+        let (cam, speed) = (&design.cam, design.drive.speed);
+        let (low, high) = design.pressure_angle_extremes();
+        Figures {
+            force: design.force,
+            mass: design.drive.mass,
+            speed,
+            stroke: cam.law.stroke(),
+            peaks: [1, 2, 3].map(|order| {
+                let (low, high) = cam.law.extremes(order);
+                high.value.max(-low.value) * speed.powi(order as i32)
+            }),
+            base_radius: cam.follower.base_radius(),
+            prime_radius: cam.follower.prime_radius(),
+            offset: cam.follower.offset(),
+            smallest_convex_radius: cam.curvature().convex.value,
+            largest_pressure_angle: high.value.max(-low.value),
+            face_width: cam.face_width(),
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The figures of a spectral design in closed form.
+
+use super::{Fit, HarmonicTarget, LawRanges};
+use crate::cam::FollowerKind;
+use crate::drive::{Drive, DriveKind};
+use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
+use crate::scene::{Family, Minimise, Scene};
+use crate::synth::{Figures, ForceReport};
+
+/// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
+/// the limits.
+pub fn suits(scene: &Scene) -> bool {
+    let law = &scene.law;
+    law.family == Family::Harmonic
+        && scene.cam.follower == FollowerKind::FlatTranslating
+        && scene.gait.is_some()
+        && matches!(law.minimise, None | Some(Minimise::ForceError))
+        && law.points.is_empty()
+        && law.dwells.is_empty()
+        && law.segments.is_empty()
+        && !law.monotone
+        && !law.polydyne
+}
+
+/// The law as a factor times a curve plus a constant.
+struct Motion {
+    unit: LawRanges,
+    factor: f64,
+    level: f64,
+}
+
+impl Motion {
+    fn range(&self, order: usize) -> (f64, f64) {
+        let (low, high) = self.unit.svaj[order];
+        (self.factor * low, self.factor * high)
+    }
+}
+
+/// The figures of a scene for which [`suits`] holds; `scale` times the target is the wanted force before any
+/// scaling to the mass. `None` when a limit is violated or the scene is at fault: then the synthesis itself
+/// has to answer.
+pub fn figures(scene: &Scene, target: &HarmonicTarget, scale: f64) -> Option<Figures> {
+    let gait = scene.gait.as_ref()?;
+    let (drive, scale) = settled(scene, target, scale, gait.to_mass)?;
+    let mean = scale * target.mean;
+    if !(mean > 0.0 && drive.speed > 0.0) {
+        return None;
+    }
+    let count = match scene.law.harmonics {
+        Some(count) if count <= target.most() => count,
+        Some(_) => return None,
+        None => target.count(scene.rms.unwrap_or(USUAL_ACCURACY) * target.mean.abs())?,
+    };
+    let fit = target.fit(count)?;
+    let motion = motion(&drive, fit, scale, mean)?;
+    let mean_force = drive.rest_force + drive.spring_rate * motion.level;
+    kept(scene, &drive, fit, &motion, scale, mean, mean_force)
+}
+
+/// Drive and scale of the force with every number settled.
+fn settled(
+    scene: &Scene,
+    target: &HarmonicTarget,
+    scale: f64,
+    to_mass: bool,
+) -> Option<(Drive, f64)> {
+    let mean = scale * target.mean;
+    let drive = drive_of(&scene.drive, Some((mean, target.period_s))).ok()?;
+    let on_mass = drive.kind == DriveKind::MovingAxis;
+    if on_mass && mean <= 0.0 {
+        return None;
+    }
+    let scale = if on_mass && to_mass {
+        scale * (drive.rest_force / mean)
+    } else {
+        scale
+    };
+    Some((drive, scale))
+}
+
+/// A gain below this part of the largest term that makes it up leaves the answer to the synthesis.
+const RESONANCE: f64 = 1e-8;
+
+/// Pure inertia and pure spring share a curve between rows; any other drive has its own.
+fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
+    let [k, c, m, _] = drive.weights();
+    let (unit, factor) = if c == 0.0 && k == 0.0 && m > 0.0 {
+        (*fit.inertia(), scale / m)
+    } else if c == 0.0 && m == 0.0 && k > 0.0 {
+        (*fit.spring(), scale / k)
+    } else {
+        let clear = (1..=fit.count()).all(|n| {
+            let (re, im) = drive.gain(n);
+            let largest = k.abs().max(m * (n * n) as f64).max(im.abs());
+            re.hypot(im) > RESONANCE * largest
+        });
+        if !clear {
+            return None;
+        }
+        (fit.law(scale, |n| drive.gain(n)), 1.0)
+    };
+    let level = if k == 0.0 {
+        // Nothing fixes the lift: the lowest point stands on the base circle.
+        -factor * unit.svaj[0].0
+    } else {
+        (mean - drive.rest_force) / k
+    };
+    Some(Motion {
+        unit,
+        factor,
+        level,
+    })
+}
+
+fn kept(
+    scene: &Scene,
+    drive: &Drive,
+    fit: &Fit,
+    motion: &Motion,
+    scale: f64,
+    mean: f64,
+    mean_force: f64,
+) -> Option<Figures> {
+    let (bottom, top) = motion.range(0);
+    let (lowest, stroke) = (bottom + motion.level, top - bottom);
+    if lowest < 0.0 {
+        return None;
+    }
+    let force = force(fit, scale, mean, mean_force);
+    let peaks = [1, 2, 3].map(|order| {
+        let (low, high) = motion.range(order);
+        high.max(-low) * drive.speed.powi(order as i32)
+    });
+    let (slowest, fastest) = motion.range(1);
+    let bend = motion.level + motion.factor * motion.unit.bend;
+    let wanted = scene.limits.curvature.unwrap_or(0.0);
+    let given = scene.cam.base_radius.or(scene.cam.prime_radius);
+    let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(scene.cam.bore)));
+    let figures = Figures {
+        force,
+        mass: drive.mass,
+        speed: drive.speed,
+        stroke,
+        peaks,
+        base_radius: base,
+        prime_radius: base,
+        offset: 0.0,
+        smallest_convex_radius: base + bend,
+        largest_pressure_angle: 0.0,
+        face_width: Some(fastest - slowest),
+    };
+    // A base circle made for the curvature meets it to rounding.
+    let rounding = if given.is_none() { 1e-12 * base } else { 0.0 };
+    keeps_limits(scene, &figures, lowest + stroke, wanted - rounding).then_some(figures)
+}
+
+/// Force against target: exact for the sum of the harmonics and what interpolation adds.
+fn force(fit: &Fit, scale: f64, mean: f64, mean_force: f64) -> ForceReport {
+    let shift = mean_force - mean;
+    let square =
+        shift * shift + 2.0 * shift * scale * fit.error_mean + scale * scale * fit.error_square;
+    let rms = square.max(0.0).sqrt();
+    ForceReport {
+        rms_error_n: rms,
+        max_error_n: (shift + scale * fit.error.1).max(-shift - scale * fit.error.0),
+        rms_error_percent_of_mean: 100.0 * rms / mean,
+        target_mean_n: mean,
+        mean_n: mean_force,
+        min_n: mean_force + scale * fit.force.0,
+        max_n: mean_force + scale * fit.force.1,
+    }
+}
+
+/// Whether every limit holds; limits of the running machine are the solver's business. The solver counts a
+/// stroke limit from the base circle, so `highest` is the largest lift above it.
+fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f64) -> bool {
+    let limits = &scene.limits;
+    let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
+    let machine = limits.torque.is_some()
+        || limits.torque_rate.is_some()
+        || limits.hertz_pressure.is_some()
+        || limits.residual.is_some();
+    let force = &figures.force;
+    !machine
+        && within(highest, limits.stroke)
+        && within(figures.peaks[0], limits.velocity)
+        && within(figures.peaks[1], limits.acceleration)
+        && within(figures.peaks[2], limits.jerk)
+        && within(force.max_n, limits.force_max)
+        && limits.force_min.is_none_or(|l| force.min_n >= l)
+        && within(figures.face_width.unwrap_or(0.0), limits.face_width)
+        && within(figures.base_radius, limits.prime_radius)
+        && figures.smallest_convex_radius >= least_radius
+        && figures.base_radius >= 0.5 * scene.cam.bore.unwrap_or(0.0)
+        && within(
+            force.rms_error_n,
+            scene.rms.map(|r| r * force.target_mean_n),
+        )
+}
