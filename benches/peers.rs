@@ -8,7 +8,7 @@ use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
-use gaitcam::synth::lab::{Bound, Task};
+use gaitcam_evidence::tiers::{Bound, Task};
 
 const WEIGHT: f64 = 700.0;
 const GRAVITY: f64 = 9.81;

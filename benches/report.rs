@@ -20,8 +20,8 @@ use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances}
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
-use gaitcam::synth::lab::{Bound, Task, spectral};
 use gaitcam::synth::synthesise;
+use gaitcam_evidence::tiers::{Bound, Task, spectral};
 use rayon::prelude::*;
 
 /// One line of the table.

@@ -8,8 +8,8 @@ use gaitcam::drive::Drive;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
-use gaitcam::synth::lab::{Between, Bound, Settings, Task, spectral};
 use gaitcam::synth::synthesise;
+use gaitcam_evidence::tiers::{Between, Bound, Settings, Task, spectral};
 
 fn main() {
     divan::main();

@@ -60,7 +60,6 @@ mod easing;
 mod families;
 mod figures;
 mod infeasible;
-pub mod lab;
 mod limits;
 mod method;
 mod pareto;

@@ -11,3 +11,4 @@ pub mod experiment;
 pub mod measure;
 pub mod reproduce;
 pub mod thesis_run;
+pub mod tiers;

@@ -9,7 +9,6 @@ mod spectral;
 mod spline;
 mod spline_program;
 
-pub use spectral::invert;
 pub use spline::stopped_at_noise;
 
 use super::design::{Binding, Easing, SolverReport, Tier};

@@ -1,4 +1,4 @@
-//! The spectral tier for many scenes of one force, without solving anything twice.
+//! The spectral tier: the inverse, and its figures for many scenes of one force without solving anything twice.
 //!
 //! A harmonic law gives the force of its harmonics exactly, so its error depends on the force alone. Where
 //! the drive is pure inertia or pure spring, the law itself is one fixed curve times a factor: all extremes
@@ -7,12 +7,17 @@
 //! compare the two to 1e-9.
 
 mod figures;
+mod inverse;
 mod limited_slopes;
 mod target;
 
 pub use figures::{figures, suits};
+pub use inverse::{Spectral, invert};
 pub use target::HarmonicTarget;
 use target::{Fit, LawRanges};
+
+/// Most harmonics that an automatic count takes.
+const MOST_AUTO: usize = 60;
 
 /// Smallest and largest value.
 type Range = (f64, f64);

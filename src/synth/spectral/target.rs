@@ -2,14 +2,12 @@
 
 use std::sync::OnceLock;
 
-use super::Range;
 use super::limited_slopes::LimitedSlopes;
+use super::{MOST_AUTO, Range};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes};
 
-/// Most harmonics that an automatic count takes.
-const MOST_AUTO: usize = 60;
 /// A remainder this near to what is asked (as part of the whole power) leaves the count to the solver.
 const UNDECIDED: f64 = 1e-10;
 

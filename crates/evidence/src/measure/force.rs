@@ -6,12 +6,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::{Watch, footbridge, force_error, reference, rms_error};
 use crate::chart::{Across, Chart, Row};
+use crate::tiers::{Task, first_rung, spectral};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::drive::Drive;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
-use gaitcam::synth::lab::{Task, first_rung, spectral};
 
 const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 

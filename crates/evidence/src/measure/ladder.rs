@@ -7,12 +7,12 @@ use std::path::Path;
 use super::limits::violation;
 use super::{Watch, footbridge, force_error};
 use crate::chart::{self, Across, Chart, Row};
+use crate::tiers::{self, Bound, Task};
 use gaitcam::cam::smallest_prime_circle;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
-use gaitcam::synth::lab::{self, Bound, Task};
 use gaitcam::synth::synthesise;
 use gaitcam_output::folder::Folder;
 
@@ -49,7 +49,7 @@ fn closed_forms(watch: &Watch) -> Result<Vec<Line>> {
         .map(|i| target.at(2.0 * PI * f64::from(i) / 1000.0))
         .collect();
     let thousand = ForceCurve::from_samples("1000 samples", target.period_s, samples)?;
-    let (law, timing) = watch.time(|| lab::spectral(&thousand, drive, 20));
+    let (law, timing) = watch.time(|| tiers::spectral(&thousand, drive, 20));
     let mut out = vec![Line {
         tier: "spectral",
         problem: "footbridge force, 1000 samples, 20 harmonics".to_string(),

@@ -2,9 +2,9 @@
 
 use super::{Watch, footbridge, force_error};
 use crate::chart::{Across, Chart};
+use crate::tiers::{Between, Bound, Settings, Task};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
-use gaitcam::synth::lab::{Between, Bound, Settings, Task};
 
 /// Jerk allowed, part of what the law takes without a limit.
 const ALLOWED: f64 = 0.5;

@@ -3,10 +3,10 @@
 use super::limits::violation;
 use super::{Watch, footbridge, force_error};
 use crate::chart::{Across, Chart, Row};
+use crate::tiers::{Answer, Between, Bound, Settings, Task};
 use gaitcam::drive::Drive;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
-use gaitcam::synth::lab::{Answer, Between, Bound, Settings, Task};
 
 /// The exact optimum, by which every answer is judged.
 struct Truth<'a> {

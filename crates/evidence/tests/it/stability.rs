@@ -9,8 +9,8 @@ use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::{PiecewisePoly, SplineSpace, bernstein, gauss_legendre};
 use gaitcam::scene;
-use gaitcam::synth::lab::{Between, Bound, Settings, Task};
 use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam_evidence::tiers::{Between, Bound, Settings, Task};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::{PI, TAU};
 

@@ -1,7 +1,7 @@
-//! The solver's rungs one by one, opened for measuring them against each other.
+//! The solver's tiers one by one, for measuring them against each other.
 //!
 //! `synthesise` picks among them by itself; this module is for charts, benchmarks and tests that must see
-//! a single rung, or a cheaper or dearer way to hold a limit between samples.
+//! a single tier, or a cheaper or dearer way to hold a limit between samples.
 
 use std::f64::consts::TAU;
 
@@ -9,15 +9,15 @@ mod conic;
 
 pub use conic::{Conic, Prepared};
 
-use super::families::invert;
-use super::qp::{self, Basis, Failure, Limit, Meaning, Program, Quadratic};
-use crate::drive::Drive;
-use crate::error::{Error, Result};
-use crate::force::ForceCurve;
-use crate::law::Law;
-use crate::poly::SplineSpace;
-use crate::problem::Target;
-use crate::wording::{self, Language};
+use gaitcam::drive::Drive;
+use gaitcam::error::{Error, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::law::Law;
+use gaitcam::poly::SplineSpace;
+use gaitcam::problem::Target;
+use gaitcam::synth::qp::{self, Basis, Failure, Limit, Meaning, Program, Quadratic};
+use gaitcam::synth::spectral::invert;
+use gaitcam::wording::{self, Language};
 
 /// A two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -201,7 +201,7 @@ fn refused(failure: &Failure) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::force::{Feet, model};
+    use gaitcam::force::{Feet, model};
 
     fn task<'a>(target: &'a ForceCurve, bounds: &'a [Bound]) -> Task<'a> {
         let drive = Drive::moving_axis(target.mean_n() / 9.81, 9.81, TAU / target.period_s);

@@ -6,9 +6,9 @@ use clarabel::solver::{
 };
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
-use crate::error::{Error, Result};
-use crate::synth::qp::{Basis, Entries};
-use crate::synth::qp::{Failure, Stop};
+use gaitcam::error::{Error, Result};
+use gaitcam::synth::qp::{Basis, Entries};
+use gaitcam::synth::qp::{Failure, Stop};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {
