@@ -1,6 +1,6 @@
 //! Designs a second of the sweep kernel, on one thread and on all.
 //!
-//! `cargo bench --bench sweep`. Numbers are rows a second of the kernel alone: no journal, no table.
+//! `cargo bench --bench sweep`. Numbers are rows a second of the kernel alone: no table.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;

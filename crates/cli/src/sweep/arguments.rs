@@ -90,7 +90,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     })
 }
 
-/// What a journal must agree with: the plan, and the program, since another version may design otherwise.
+/// What a sweep that is resumed must agree with: the plan, and the program, since another version may design otherwise.
 pub fn description(sweep: &Sweep) -> Value {
     let mut description = sweep.plan.description();
     for (i, folder) in sweep.folders.iter().enumerate() {
