@@ -4,10 +4,12 @@
 //! Nothing after [`Problem::settle`] looks at the [`Scene`] again. A search that changes a limit changes the
 //! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
 
+mod machine;
 mod notes;
 mod spans;
 mod target;
 
+pub(crate) use machine::drive_of;
 pub use notes::Note;
 pub(crate) use spans::Key as SpanKey;
 pub use spans::SpanMemo;
@@ -16,7 +18,7 @@ pub use target::Target;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::cam::FollowerKind;
-use crate::drive::{Drive, DriveKind};
+use crate::drive::Drive;
 use crate::dynamics::Train;
 use crate::error::{Error, Result};
 use crate::force::{ForceCurve, implausible, spread_rms_n};
@@ -158,7 +160,7 @@ impl Problem {
             Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
             other => other.clone(),
         };
-        let (drive, force) = settled_drive(&self.given, force)?;
+        let (drive, force) = machine::settled(&self.given.drive, self.given.to_mass, force)?;
         if force.is_some() && drive.weights() == [0.0; 4] {
             return Err(Error::key(
                 "drive",
@@ -395,80 +397,4 @@ impl Problem {
 /// Smallest base radius that a bore of given diameter leaves, m.
 pub(crate) fn outside_bore(bore: Option<f64>) -> f64 {
     bore.map_or(0.0, |b| 0.5 * b + WALL)
-}
-
-/// The drive with every number, and the force scaled to its mass where that is asked for.
-fn settled_drive(given: &Given, force: Option<ForceCurve>) -> Result<(Drive, Option<ForceCurve>)> {
-    let known = force.as_ref().map(|curve| (curve.mean_n(), curve.period_s));
-    let drive = drive_of(&given.drive, known)?;
-    match force {
-        Some(curve) if given.to_mass && drive.kind == DriveKind::MovingAxis => {
-            let scaled = scaled_to(&curve, drive.rest_force)?;
-            Ok((drive, Some(scaled)))
-        }
-        other => Ok((drive, other)),
-    }
-}
-
-/// The drive with every number, for a force of which mean, N, and period, s, are known.
-pub(crate) fn drive_of(spec: &DriveSpec, force: Option<(f64, f64)>) -> Result<Drive> {
-    let speed = match (spec.speed, force) {
-        (Some(w), _) => w,
-        (None, Some((_, period_s))) => TAU / period_s,
-        (None, None) => {
-            return Err(Error::key(
-                "drive.speed",
-                "needs a value where no force is given",
-            ));
-        }
-    };
-    Ok(match spec.kind {
-        DriveKind::MovingAxis => {
-            let mass = moving_mass(spec, force.map(|f| f.0))?;
-            Drive::moving_axis(mass, spec.gravity, speed)
-        }
-        DriveKind::FixedAxis => Drive {
-            kind: DriveKind::FixedAxis,
-            rest_force: spec.preload,
-            spring_rate: spec.spring_rate,
-            damping: spec.damping,
-            mass: spec.mass.unwrap_or(0.0),
-            speed,
-        },
-        DriveKind::Hydraulic => {
-            Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed)
-        }
-    })
-}
-
-/// The mass as given, otherwise the one whose weight is the mean force.
-fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
-    if let Some(mass) = spec.mass {
-        return Ok(mass);
-    }
-    let Some(mean) = mean else {
-        return Err(Error::key(
-            "drive.mass",
-            "needs a value where no force is given",
-        ));
-    };
-    if mean <= 0.0 {
-        return Err(Error::key(
-            "gait",
-            format!("the mean force is {mean:.3} N, so no mass can rest on the cam"),
-        )
-        .help("forces must press downwards: check the sign and the column"));
-    }
-    Ok(mean / spec.gravity)
-}
-
-fn scaled_to(curve: &ForceCurve, weight: f64) -> Result<ForceCurve> {
-    let mean = curve.mean_n();
-    if mean <= 0.0 {
-        return Err(Error::key(
-            "gait.scale",
-            format!("a mean force of {mean:.3} N cannot be scaled to {weight:.3} N"),
-        ));
-    }
-    Ok(curve.scaled(weight / mean))
 }

@@ -10,8 +10,10 @@
 //! geometry. A concave profile needs no row: its radius is the pitch curve's plus the roller's, so the
 //! roller always fits.
 
+mod start;
+
 use super::design::Step;
-use super::limits::{NonconvexLimits, Profile, ProfileSize, clearance, relative};
+use super::limits::{NonconvexLimits, ProfileSize, clearance, relative};
 use super::method::Ended;
 use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
 use crate::poly::{Peak, PiecewisePoly};
@@ -35,26 +37,19 @@ const ROOM: f64 = 1e-9;
 const NEARLY: f64 = 1e-3;
 /// Linearisations tried for the last law.
 const HELD_ROUNDS: usize = 6;
-/// Steps of a smallest radius that grows, and linearisations for each.
-const CLIMBS: usize = 40;
-const CLIMB_ROUNDS: usize = 8;
-/// Parts of a step that are looked at.
-const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
-/// Halvings that find the radius a law keeps.
-const HALVINGS: usize = 24;
 /// Part by which the last law's size is held larger than the sequence's.
 pub const ENLARGED: f64 = 4.0 * STEP_TOLERANCE;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
-/// Improves `program`'s solution until the follower's limits hold as well; `start` is its optimum without
+/// Improves `program`'s solution until the follower's limits hold as well; `from` is its optimum without
 /// them. Where the program has the size among its variables, the follower's own is not looked at.
 ///
 /// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
 /// feasible start was found.
 pub fn refine(
     program: &Program,
-    start: &Solution,
+    from: &Solution,
     limits: NonconvexLimits,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
     // Between steps limits need not hold better than the next step will change them.
@@ -65,7 +60,7 @@ pub fn refine(
     let given = limits.size();
     let sized = |extra: &[f64; EXTRAS]| sized(&limits, &present, given, extra);
     let mut current =
-        feasible_start(program, start, &sized).or_else(|| climbed(program, start, &sized))?;
+        start::feasible(program, from, &sized).or_else(|| start::climbed(program, from, &sized))?;
     let merit = |s: &Solution| {
         program.objective(&s.x)
             + (0..EXTRAS)
@@ -133,7 +128,7 @@ pub fn refine(
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     let present = program.present();
     let given = limits.size();
-    feasible_start(program, start, &|extra| {
+    start::feasible(program, start, &|extra| {
         sized(&limits, &present, given, extra)
     })
 }
@@ -204,149 +199,6 @@ fn contacts(solution: &Solution) -> Vec<Row> {
         .filter(|r| r.limit.is_some())
         .cloned()
         .collect()
-}
-
-/// The start itself where it holds; otherwise the optimum under the sufficient restriction, tightened
-/// about its own X a few times. Followers on an arm have no such restriction: there the linearised limits
-/// are solved until they hold.
-fn feasible_start(
-    program: &Program,
-    start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
-) -> Option<Solution> {
-    let mut current = start.clone();
-    let mut room = 2.0 * ROOM;
-    for _ in 0..20 {
-        let here = sized(&current.extra);
-        let clear = clearance(&program.basis.law(&current.x), &here);
-        if clear >= ROOM {
-            return Some(current);
-        }
-        // Low points that wander between two programs need a little more room than they take.
-        if clear > -NEARLY {
-            room = room.max(-2.0 * clear);
-        }
-        let mut next = program.clone();
-        next.fixed = match here.profile {
-            Some(Profile::Roller(size)) => {
-                // What is sufficient for the curvature says nothing of the loads.
-                let mut rows = linearised(program, &current, &here, &program.present(), room);
-                rows.retain(|r| r.name != "curvature");
-                rows.extend(restricted(program, &current, size));
-                rows
-            }
-            _ => linearised(program, &current, &here, &program.present(), room),
-        };
-        next.seeds = contacts(&current);
-        let solved = next.solve().ok()?;
-        current = Solution {
-            iterations: current.iterations + solved.iterations,
-            ..solved
-        };
-    }
-    None
-}
-
-/// A start by growing the smallest radius from what the law without it keeps to what is asked, each time
-/// from the law before.
-fn climbed(
-    program: &Program,
-    start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
-) -> Option<Solution> {
-    let present = program.present();
-    let asked = sized(&start.extra).profile?.rho();
-    let holds = |s: &Solution, rho: f64| {
-        let limits = sized(&s.extra).with_rho(rho);
-        clearance(&program.basis.law(&s.x), &limits) >= ROOM
-    };
-    let (mut reached, mut missed) = (0.0, asked);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (reached + missed);
-        if holds(start, middle) {
-            reached = middle;
-        } else {
-            missed = middle;
-        }
-    }
-    if reached == 0.0 {
-        return None;
-    }
-    let mut current = start.clone();
-    let mut step = asked - reached;
-    for _ in 0..CLIMBS {
-        let goal = (reached + step).min(asked);
-        let mut trial = current.clone();
-        let mut there = false;
-        let mut kept = 2.0 * ROOM;
-        for _ in 0..CLIMB_ROUNDS {
-            let limits = sized(&trial.extra).with_rho(goal);
-            let mut next = program.clone();
-            next.fixed = linearised(program, &trial, &limits, &present, kept);
-            next.seeds = contacts(&trial);
-            let Ok(solved) = next.solve() else { break };
-            // Where the whole step overshoots, the part of it that comes nearest.
-            let clear = |part: f64| {
-                let some = blend(&trial, &solved, part, program);
-                let limits = sized(&some.extra).with_rho(goal);
-                (clearance(&program.basis.law(&some.x), &limits), some)
-            };
-            let nearest = PARTS
-                .iter()
-                .map(|&part| clear(part))
-                .max_by(|a, b| a.0.total_cmp(&b.0));
-            let Some((room, some)) = nearest else { break };
-            trial = some;
-            there = room >= ROOM;
-            // Low points wander between two programs.
-            if room > -NEARLY {
-                kept = kept.max(-2.0 * room);
-            }
-            if there {
-                break;
-            }
-        }
-        if there && goal >= asked {
-            return Some(trial);
-        }
-        if there {
-            (current, reached) = (trial, goal);
-            step *= 1.5;
-        } else {
-            step *= 0.5;
-            if step < SHORTEST * asked {
-                return None;
-            }
-        }
-    }
-    None
-}
-
-/// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
-fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
-    let present = program.present();
-    let law = program.basis.law(&current.x);
-    let sufficient = 4.0 / 3.0 * size.rho;
-    let mut out = Vec::new();
-    each_place(program, |place| {
-        let at = law.svaj_on(place.piece, place.u);
-        let x0 = (size.rise + at.s).max(sufficient);
-        let by_x = 2.0 * x0 / size.rho - 1.0;
-        let mut bound = -x0 * x0 / size.rho;
-        let mut extra = [0.0; EXTRAS];
-        if present[RISE] {
-            extra[RISE] = -by_x;
-        } else {
-            bound += by_x * size.rise;
-        }
-        out.push(row(program, place, &[-by_x, 0.0, -1.0], extra, bound, x0));
-        if present[RISE] {
-            let mut high_enough = [0.0; EXTRAS];
-            high_enough[RISE] = -1.0;
-            out.push(row(program, place, &[-1.0], high_enough, -sufficient, x0));
-        }
-    });
-    out
 }
 
 /// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter.

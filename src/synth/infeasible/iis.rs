@@ -53,10 +53,11 @@ fn in_conflict(
     measures: Measures,
 ) -> Infeasible {
     let conflict: Vec<String> = kept.iter().map(|n| (*n).to_string()).collect();
-    let reasons = vec![
-        conflicting(&conflict),
-        smallest_relaxations(&relaxations, measures),
-    ];
+    let mut reasons = vec![conflicting(&conflict)];
+    // Without a first relaxation nothing is known yet of what would help.
+    if !relaxations.is_empty() {
+        reasons.push(smallest_relaxations(&relaxations, measures));
+    }
     Infeasible {
         conflict,
         relaxations,

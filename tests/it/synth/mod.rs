@@ -4,6 +4,7 @@ mod certificate;
 mod families;
 mod loads;
 mod machine;
+mod problem;
 mod random;
 mod relaxations;
 mod targets;

@@ -1,0 +1,91 @@
+//! Speed and mass of the machine, and the force that belongs to them.
+
+use std::f64::consts::TAU;
+
+use crate::drive::{Drive, DriveKind};
+use crate::error::{Error, Result};
+use crate::force::ForceCurve;
+use crate::scene::DriveSpec;
+
+/// The drive with every number, and the force scaled to its mass where that is asked for.
+///
+/// # Errors
+/// No speed or no mass where no force gives one; a mean force that no mass can rest under.
+pub fn settled(
+    spec: &DriveSpec,
+    to_mass: bool,
+    force: Option<ForceCurve>,
+) -> Result<(Drive, Option<ForceCurve>)> {
+    let known = force.as_ref().map(|curve| (curve.mean_n(), curve.period_s));
+    let drive = drive_of(spec, known)?;
+    match force {
+        Some(curve) if to_mass && drive.kind == DriveKind::MovingAxis => {
+            let scaled = scaled_to(&curve, drive.rest_force)?;
+            Ok((drive, Some(scaled)))
+        }
+        other => Ok((drive, other)),
+    }
+}
+
+/// The drive with every number, for a force of which mean, N, and period, s, are known.
+pub(crate) fn drive_of(spec: &DriveSpec, force: Option<(f64, f64)>) -> Result<Drive> {
+    let speed = match (spec.speed, force) {
+        (Some(w), _) => w,
+        (None, Some((_, period_s))) => TAU / period_s,
+        (None, None) => {
+            return Err(Error::key(
+                "drive.speed",
+                "needs a value where no force is given",
+            ));
+        }
+    };
+    Ok(match spec.kind {
+        DriveKind::MovingAxis => {
+            let mass = moving_mass(spec, force.map(|f| f.0))?;
+            Drive::moving_axis(mass, spec.gravity, speed)
+        }
+        DriveKind::FixedAxis => Drive {
+            kind: DriveKind::FixedAxis,
+            rest_force: spec.preload,
+            spring_rate: spec.spring_rate,
+            damping: spec.damping,
+            mass: spec.mass.unwrap_or(0.0),
+            speed,
+        },
+        DriveKind::Hydraulic => {
+            Drive::hydraulic(spec.pressure_per_volume, spec.piston_radius, speed)
+        }
+    })
+}
+
+/// The mass as given, otherwise the one whose weight is the mean force.
+fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
+    if let Some(mass) = spec.mass {
+        return Ok(mass);
+    }
+    let Some(mean) = mean else {
+        return Err(Error::key(
+            "drive.mass",
+            "needs a value where no force is given",
+        ));
+    };
+    if mean <= 0.0 {
+        return Err(Error::key(
+            "gait",
+            format!("the mean force is {mean:.3} N, so no mass can rest on the cam"),
+        )
+        .help("forces must press downwards: check the sign and the column"));
+    }
+    Ok(mean / spec.gravity)
+}
+
+fn scaled_to(curve: &ForceCurve, weight: f64) -> Result<ForceCurve> {
+    let mean = curve.mean_n();
+    if mean <= 0.0 {
+        return Err(Error::key(
+            "gait.scale",
+            format!("a mean force of {mean:.3} N cannot be scaled to {weight:.3} N"),
+        ));
+    }
+    Ok(curve.scaled(weight / mean))
+}

@@ -1,0 +1,91 @@
+//! What a problem settles once, and what is answered where its demands cannot be met.
+
+use gaitcam::force::{Feet, model};
+use gaitcam::problem::{Problem, Size};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Reason, synthesise};
+
+fn read(text: &str) -> Scene {
+    scene::read(&text.parse().unwrap()).unwrap()
+}
+
+const FLAT: &str = r#"
+name = "flat"
+[gait]
+model = "kerr"
+step_frequency = "1.986 Hz"
+body_weight = "700 N"
+feet = "both"
+[drive]
+kind = "moving-axis"
+[cam]
+follower = "flat-translating"
+base_radius = "6.47 mm"
+[limits]
+curvature = "23.6 mm"
+stroke = "34.57 mm"
+[law]
+family = "spline"
+degree = 4
+spans = 12
+"#;
+
+/// A flat face has no roller: its base and prime circles are one, whichever key gives it.
+#[test]
+fn base_and_prime_radius_of_a_flat_face_are_one_size() {
+    let force = model("kerr", Some(1.986), 700.0, Feet::Both).unwrap();
+    let by_base = read(FLAT);
+    let by_prime = read(&FLAT.replace("base_radius", "prime_radius"));
+    let size = |scene: &Scene| Problem::settle(scene, Some(&force)).unwrap().size();
+    let radius = 6.47e-3;
+    let given = Size::Given {
+        base: radius,
+        prime: radius,
+    };
+    assert_eq!((size(&by_base), size(&by_prime)), (given, given));
+    let [one, other] = [by_base, by_prime].map(|s| synthesise(&s, Some(&force)).unwrap());
+    assert!(one.infeasible.is_none() && one.checks.iter().all(|c| c.pass));
+    assert_eq!(one.coefficients, other.coefficients);
+    assert_eq!(one.verdict, other.verdict);
+}
+
+/// A point on the base circle with a velocity goes below it, whatever the limits.
+const BELOW: &str = r#"
+name = "below"
+[drive]
+kind = "fixed-axis"
+speed = "1.7 rad/s"
+mass = "2 kg"
+[cam]
+follower = "flat-translating"
+[limits]
+acceleration = "1.9 m/s^2"
+[law]
+family = "spline"
+degree = 5
+spans = 12
+[[law.point]]
+angle = "90 deg"
+lift = "0 mm"
+velocity = "5 mm/rad"
+[[law.point]]
+angle = "200 deg"
+lift = "10 mm"
+"#;
+
+#[test]
+fn demands_below_the_base_circle_are_an_infeasible_answer_that_names_them() {
+    let design = synthesise(&read(BELOW), None).unwrap();
+    let why = design.infeasible.as_ref().unwrap();
+    assert!(
+        matches!(why.reasons[..], [Reason::DemandsInfeasible { .. }]),
+        "{}",
+        why.words()
+    );
+    assert!(
+        why.conflict.len() == 2 && why.conflict.iter().all(|n| n.starts_with("law.point[1]")),
+        "{:?}",
+        why.conflict
+    );
+    assert_eq!(design.verdict.name(), "unacceptable");
+}
