@@ -60,6 +60,11 @@ def sources(folder):
     return [p for p in sorted(folder.rglob("*.rs")) if not skip.search(str(p.relative_to(folder)))]
 
 
+def folders(module):
+    """The folders of a module that hold more than tests."""
+    return sorted(p.name for p in module.iterdir() if p.is_dir() and sources(p)) if module.is_dir() else []
+
+
 def library():
     """Modules of the library with what each one imports, and its folders."""
     src = ROOT / "src"
@@ -81,11 +86,7 @@ def library():
             gathers = module == "error" and re.search(r"Error\b", name)
             if target in imports and target != module and not gathers:
                 imports[module].add(target)
-    rooms = {
-        m: sorted(p.name for p in (src / m).iterdir() if p.is_dir() and any(p.glob("*.rs")))
-        if (src / m).is_dir() else []
-        for m in modules
-    }
+    rooms = {m: folders(src / m) for m in modules}
     return imports, rooms
 
 
@@ -99,10 +100,7 @@ def crates():
         text = "\n".join(code(p) for p in sources(path / "src"))
         used = re.findall(r"(?<![\w:])(gaitcam\w*)::", text)
         imports[path.name] = {names[u] for u in used if u in names} - {path.name}
-    rooms = {
-        p.name: sorted(q.name for q in (p / "src").iterdir() if q.is_dir() and any(q.glob("*.rs")))
-        for p in found if (p / "src").is_dir()
-    }
+    rooms = {p.name: folders(p / "src") for p in found}
     return imports, rooms
 
 

@@ -4,6 +4,7 @@
     python3 docs/check.py
 
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
+- a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
 - nothing cites a document that is not in the repository.
 """
@@ -59,6 +60,10 @@ def faults(path, sections):
             yield f"`{found.group()}`, which is not in the repository"
     if path.suffix == ".md":
         yield from broken_links(path, text)
+    if path.suffix == ".md" and path.relative_to(ROOT).parts[0] in ("README.md", "CONTRIBUTING.md", "docs"):
+        for named in re.findall(r"`((?:src|crates|tests|docs|scenes|data|fuzz|benches)/[a-z0-9_./]+)`", text):
+            if not (ROOT / named).exists():
+                yield f"`{named}`, which does not exist"
 
 
 def main():
