@@ -20,9 +20,13 @@ pub struct Front {
     points: Vec<Point>,
 }
 
-/// Whether `a` is nowhere worse than `b`.
+/// Values that differ by less than this part of their size differ by rounding only.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether `a` is nowhere worse than `b` by more than rounding.
 fn covers(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(x, y)| x <= y)
+    let no_worse = |(x, y): (&f64, &f64)| x - y <= ROUNDING * x.abs().max(y.abs());
+    a.iter().zip(b).all(no_worse)
 }
 
 impl Front {
@@ -139,6 +143,13 @@ mod tests {
         );
         assert_eq!(front(&[[2.0, 2.0], [1.0, 1.0]]), [1]);
         assert_eq!(front(&[[1.0, 1.0], [1.0, 1.0], [f64::NAN, 0.0]]), [0]);
+        // Rounding keeps no design on the front, and a gain of 1e-6 does.
+        let stroke = 0.043_734_862;
+        assert_eq!(front(&[[stroke, 2.0], [stroke * (1.0 - 1e-15), 3.0]]), [0]);
+        assert_eq!(
+            front(&[[stroke, 2.0], [stroke * (1.0 - 1e-6), 3.0]]),
+            [1, 0]
+        );
     }
 
     #[test]

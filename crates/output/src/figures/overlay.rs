@@ -9,7 +9,21 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{plane, stroke};
 use gaitcam::cam::Measures;
 
-const COLOURS: [RGBAColor; 6] = [BLUE, ORANGE, GREEN, RED, PURPLE, INK];
+/// One colour per design; they repeat after twelve.
+const COLOURS: [RGBAColor; 12] = [
+    BLUE,
+    ORANGE,
+    GREEN,
+    RED,
+    PURPLE,
+    INK,
+    RGBAColor(86, 180, 233, 1.0),
+    RGBAColor(140, 108, 0, 1.0),
+    RGBAColor(120, 200, 80, 1.0),
+    RGBAColor(240, 150, 150, 1.0),
+    RGBAColor(90, 60, 160, 1.0),
+    RGBAColor(140, 146, 155, 1.0),
+];
 
 /// One diagram: what is drawn upwards, and one curve of (degrees, value) per name; empty ones are left out.
 #[derive(Debug, Clone)]
@@ -20,7 +34,7 @@ pub struct Strip {
     pub curves: Vec<Vec<(f64, f64)>>,
 }
 
-/// Strips over the cam angle one above the other, one colour per name (colours repeat after six).
+/// Strips over the cam angle one above the other, one colour per name (colours repeat after twelve).
 pub fn diagrams(head: &str, what: &str, names: &[String], rows: &[Strip]) -> Picture {
     diagrams_over(Measures::Translating.angle_words(), head, what, names, rows)
 }

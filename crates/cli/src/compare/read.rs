@@ -1,0 +1,122 @@
+//! A result read back from its folder.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::input::files::read_bytes;
+use crate::result_folder::settle;
+use gaitcam::error::{Error, Result};
+
+/// One result.
+pub struct Design {
+    /// Its name, or its folder where names repeat.
+    pub name: String,
+    /// Where it was read.
+    pub folder: PathBuf,
+    /// summary.json.
+    pub summary: Value,
+    /// law.csv.
+    pub law: Columns,
+    /// profile.csv.
+    pub profile: Columns,
+}
+
+impl Design {
+    /// Reads a folder that `gaitcam synth` wrote.
+    pub fn read(folder: &Path) -> Result<Design> {
+        settle(folder);
+        let path = folder.join("summary.json");
+        let summary: Value = serde_json::from_slice(&read_bytes(&path)?)
+            .map_err(|e| Error::line(&path, e.line(), format!("is not JSON ({e})")))?;
+        if summary["outcome"] == "infeasible" {
+            return Err(
+                Error::file(&path, "holds no cam: its outcome is infeasible")
+                    .help("relax its limits as the summary says, or leave it out"),
+            );
+        }
+        Ok(Design {
+            name: summary["name"].as_str().unwrap_or("cam").to_string(),
+            folder: folder.to_path_buf(),
+            law: Columns::read(&folder.join("law.csv"))?,
+            profile: Columns::read(&folder.join("profile.csv"))?,
+            summary,
+        })
+    }
+
+    /// Whether the cam slides, so that its θ is metres of travel.
+    pub fn slides(&self) -> bool {
+        self.summary["cam"]["follower"] == "translating-cam"
+    }
+
+    /// Whether the follower swings, so that its lift is an angle.
+    pub fn swings(&self) -> bool {
+        self.law.names.iter().any(|n| n == "s_rad")
+    }
+
+    /// Whether a force was to be met.
+    pub fn has_target(&self) -> bool {
+        self.summary["force"]["target_mean_n"]
+            .as_f64()
+            .is_some_and(|mean| mean != 0.0)
+    }
+
+    /// From θ to what is drawn to the right: degrees, or mm.
+    pub fn across(&self) -> f64 {
+        if self.slides() {
+            1e3
+        } else {
+            1f64.to_degrees()
+        }
+    }
+}
+
+/// A table of numbers by column; empty fields are NaN.
+pub struct Columns {
+    /// Names of the columns.
+    pub names: Vec<String>,
+    /// Rows of numbers.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Columns {
+    fn read(path: &Path) -> Result<Columns> {
+        let bytes = read_bytes(path)?;
+        let mut reader = csv::Reader::from_reader(bytes.as_slice());
+        let broken = |line: usize, what: String| {
+            Error::line(path, line, what).help("write it again with gaitcam synth")
+        };
+        let names = reader
+            .headers()
+            .map_err(|e| broken(1, e.to_string()))?
+            .iter()
+            .map(str::to_string)
+            .collect();
+        let mut rows = Vec::new();
+        for (i, record) in reader.records().enumerate() {
+            let record = record.map_err(|e| broken(i + 2, e.to_string()))?;
+            let row = record.iter().map(number).collect::<Option<Vec<f64>>>();
+            rows.push(row.ok_or_else(|| broken(i + 2, "a field is not a number".to_string()))?);
+        }
+        Ok(Columns { names, rows })
+    }
+
+    /// (θ times `across`, value times `factor`) of the column whose name starts with `prefix`.
+    pub fn curve(&self, prefix: &str, across: f64, factor: f64) -> Vec<(f64, f64)> {
+        let Some(k) = self.names.iter().position(|n| n.starts_with(prefix)) else {
+            return Vec::new();
+        };
+        self.rows
+            .iter()
+            .filter(|r| r[k].is_finite())
+            .map(|r| (across * r[0], factor * r[k]))
+            .collect()
+    }
+}
+
+fn number(field: &str) -> Option<f64> {
+    if field.is_empty() {
+        return Some(f64::NAN);
+    }
+    field.parse().ok()
+}
