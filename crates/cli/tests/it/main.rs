@@ -7,6 +7,7 @@ mod explain;
 mod folder;
 mod gait_command;
 mod gait_doubts;
+mod input_and_output;
 mod main_job;
 mod sweep;
 mod words;

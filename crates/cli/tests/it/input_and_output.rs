@@ -1,0 +1,125 @@
+//! What is read from where, and what is written only when it is asked for.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+const SCENE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../scenes/camdas_03_flat.toml"
+);
+
+fn gaitcam(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .current_dir(folder)
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn is_empty(folder: &Path) -> bool {
+    fs::read_dir(folder).unwrap().next().is_none()
+}
+
+#[test]
+fn json_without_a_folder_writes_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gaitcam(folder.path(), &["synth", SCENE, "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(summary["outcome"], "built");
+    assert!(is_empty(folder.path()));
+}
+
+#[test]
+fn no_png_leaves_the_other_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gaitcam(folder.path(), &["synth", SCENE, "--out", "a", "--no-png"]);
+    assert_eq!(output.status.code(), Some(0));
+    let there = |name: &str| folder.path().join("a").join(name).exists();
+    assert!(there("cam.svg") && !there("cam.png"));
+}
+
+#[test]
+fn the_scene_that_was_read_is_never_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.toml");
+    let own = format!("# mine\n{}", fs::read_to_string(SCENE).unwrap());
+    fs::write(&scene, &own).unwrap();
+    let output = gaitcam(folder.path(), &["synth", "scene.toml", "--out", "."]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(fs::read_to_string(&scene).unwrap(), own);
+    assert!(folder.path().join("scene.used.toml").exists());
+    // A summary as scene is an input, too.
+    let output = gaitcam(folder.path(), &["synth", "summary.json", "--out", "."]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .current_dir(folder.path())
+        .args(["synth", "-", "--json"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let text = fs::read(SCENE).unwrap();
+    child.stdin.take().unwrap().write_all(&text).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn errors_are_json_where_json_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gaitcam(
+        folder.path(),
+        &["synth", "--json", "--set", "limits.stroke=3 kg"],
+    );
+    assert_eq!(output.status.code(), Some(2));
+    let error: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(error["error"]["code"].is_string() && error["error"]["message"].is_string());
+}
+
+#[test]
+fn names_that_are_no_file_names_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in [" ", "a\nb", "-rf", "*", "~", "a\u{202e}b"] {
+        let set = format!("name={name}");
+        let output = gaitcam(folder.path(), &["synth", SCENE, "--set", &set]);
+        assert_eq!(output.status.code(), Some(2), "{name:?}");
+        assert!(
+            output.stderr.len() < 2200 && is_empty(folder.path()),
+            "{name:?}"
+        );
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_and_folders_are_no_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    for path in ["/dev/zero", "/dev/urandom", "/"] {
+        let output = gaitcam(folder.path(), &["synth", path]);
+        assert_eq!(output.status.code(), Some(2), "{path}");
+    }
+}
+
+#[test]
+fn the_console_says_the_verdict_first_and_all_in_25_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../scenes/heel_tester_fitted.toml"
+    );
+    let output = gaitcam(folder.path(), &["synth", scene, "--out", "a", "--no-png"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.lines().count() <= 25, "{text}");
+    assert!(text.starts_with("heel_tester_fitted: acceptable"), "{text}");
+}
