@@ -39,6 +39,8 @@ pub enum ForceError {
     FrequencyMissing { model: String },
     /// The load model gives both feet together only.
     BothFeetOnly { model: String },
+    /// The time column was taken as milliseconds, and no walker takes such strides.
+    ClockImplausible { period: Quantity },
     /// Every contact of the recording is one short hump: running.
     Running { duration: Quantity },
     /// The column is the total of both feet, and one foot was asked for.

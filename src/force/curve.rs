@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::note::Note;
 use super::quantity::seconds;
 use crate::error::{ForceError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
@@ -27,6 +28,8 @@ pub struct ForceCurve {
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, where it is known.
     pub mass_kg: Option<f64>,
+    /// What was guessed, left out or doubtful in the recording that it was made from.
+    pub notes: Vec<Note>,
 }
 
 impl ForceCurve {
@@ -51,6 +54,7 @@ impl ForceCurve {
             force_n,
             spread_n: None,
             mass_kg: None,
+            notes: Vec::new(),
         })
     }
 
@@ -70,6 +74,17 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
+    /// Notes but for those on mean force and mass, which change when the curve is scaled.
+    pub fn doubts(&self) -> impl Iterator<Item = &Note> {
+        let on_mass = |n: &Note| {
+            matches!(
+                n,
+                Note::MeanForceNotWeight { .. } | Note::MassImplausible { .. }
+            )
+        };
+        self.notes.iter().filter(move |n| !on_mass(n))
+    }
+
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
         let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 8];

@@ -82,6 +82,14 @@ pub enum Note {
     PlateTilted { plate: usize },
     /// The mass is the mean of insoles, which are seldom calibrated.
     InsoleMass { mass: Quantity },
+    /// Nothing on record gives the duration of a stride; the usual share of stance was assumed.
+    StrideAssumed { period: Quantity },
+    /// A stride no walker takes.
+    StrideImplausible { period: Quantity },
+    /// A share of stance in the stride that walking does not have.
+    DutyImplausible { duty: Quantity },
+    /// A highest force that walking does not have, in body weights.
+    PeakImplausible { ratio: f64 },
     /// Mean force over the cycle and weight do not fit.
     MeanForceNotWeight {
         ratio: f64,
@@ -121,8 +129,12 @@ pub enum MassSource {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum PeriodSource {
-    /// Consecutive heel strikes.
+    /// Consecutive heel strikes of one foot.
     HeelStrikes,
+    /// Consecutive strikes of one foot that the file marks.
+    MarkedStrikes,
+    /// Twice the mean step from one foot to the other.
+    DoubledSteps,
     /// The impulse that carries the known mass over a stride.
     Impulse,
     /// The usual part of a stride that a foot stands, since the recording does not say it.

@@ -123,6 +123,7 @@ impl Problem {
             && matches!(gait.source, Source::File { .. })
         {
             remarks.extend(implausible(force, gait.feet).map(|note| note.to_string()));
+            remarks.extend(force.doubts().map(|note| note.to_string()));
         }
         Problem {
             name: scene.name.clone(),

@@ -14,13 +14,13 @@ use std::path::Path;
 
 use average::{Mean, mean_stance, place};
 use stride::{Stride, alternate, sample_stride, whole_strides};
-use stride_time::{has_rows, stride_time};
+use stride_time::{has_rows, median, stride_time};
 use total::{TotalStride, total_stride};
 
 use super::curve::{ForceCurve, SAMPLES};
 use super::feet::Feet;
 use super::note::{CycleSource, MassSource, Note, PeriodSource};
-use super::plausibility::{implausible, mean_of_weight};
+use super::plausibility::{implausible, mean_of_weight, unlike_walking};
 use super::quantity::{kilograms, seconds};
 use super::read::{one_cycle, read};
 use super::recording::{Foot, ReadOptions, Recording};
@@ -95,7 +95,7 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
         Feet::Left => one_foot(recording, stances, Some(Foot::Left))?,
         Feet::Right => one_foot(recording, stances, Some(Foot::Right))?,
     };
-    finish(recording, average, feet)
+    finish(recording, stances, average, feet)
 }
 
 /// Reads one cycle of force from any file that [`read`](super::read) takes.
@@ -212,9 +212,8 @@ fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
 ///
 /// Strides from left to left and from right to right share their samples; one kind is averaged.
 fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
-    let mut durations: Vec<f64> = strides.iter().map(|s| s.end_s - s.start_s).collect();
-    durations.sort_by(f64::total_cmp);
-    let usual = durations[durations.len() / 2];
+    let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
+    let usual = median(durations).unwrap_or(0.0);
     let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
     let of = |foot: Option<Foot>| -> Vec<&Stride> {
         let usual = strides.iter().filter(usual_length);
@@ -305,7 +304,7 @@ fn by_side<'a>(stances: &[&'a Stance], rows: bool) -> (Vec<&'a Stance>, Vec<&'a 
     for (i, s) in stances.iter().enumerate() {
         let same = i
             .checked_sub(1)
-            .map_or(Some(true), |j| same_foot(stances[j], s));
+            .map_or(Some(true), |j| same_foot(&stances[j].into(), &(*s).into()));
         match same {
             Some(same) => first = first == same,
             None => return (Vec::new(), Vec::new()),
@@ -349,7 +348,7 @@ fn one_foot(recording: &Recording, stances: &Stances, foot: Option<Foot>) -> Res
 }
 
 /// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
-fn finish(recording: &Recording, average: Average, feet: Feet) -> Result<Cycle> {
+fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
     let Average {
         period_s,
         period_from,
@@ -374,11 +373,17 @@ fn finish(recording: &Recording, average: Average, feet: Feet) -> Result<Cycle> 
     let warning = implausible(&curve, feet);
     let mass_fits = warning.is_none();
     let mut notes: Vec<Note> = warning.into_iter().collect();
+    if period_from == PeriodSource::UsualDuty {
+        let period = seconds(period_s);
+        notes.push(Note::StrideAssumed { period });
+    }
+    notes.extend(not_walking(recording, stances, &curve)?);
     if recording.mass_kg.is_none() && recording.is_insole() {
         notes.push(Note::InsoleMass {
             mass: kilograms(mass_kg),
         });
     }
+    curve.notes = recording.notes.iter().chain(&notes).cloned().collect();
     Ok(Cycle {
         averaged,
         source,
@@ -391,4 +396,34 @@ fn finish(recording: &Recording, average: Average, feet: Feet) -> Result<Cycle> 
         notes,
         curve,
     })
+}
+
+/// What walking does not have, in a cycle.
+///
+/// # Errors
+///
+/// Where the clock of the recording was guessed and its strides cannot be walking.
+fn not_walking(recording: &Recording, stances: &Stances, curve: &ForceCurve) -> Result<Vec<Note>> {
+    let used = &stances.used;
+    let mean = |of: fn(&Stance) -> f64| {
+        (!used.is_empty()).then(|| used.iter().map(of).sum::<f64>() / used.len() as f64)
+    };
+    let stance_s = mean(|s| s.end_s - s.start_s);
+    let peak_n = mean(|s| s.p2.map_or(s.p1.force_n, |p| p.force_n.max(s.p1.force_n)));
+    let mass_kg = curve.mass_kg.unwrap_or(0.0);
+    // Subjects of a table differ in mass; each has its own peak.
+    let peak_n = peak_n.filter(|_| !has_rows(recording));
+    let notes = unlike_walking(curve.period_s, mass_kg, stance_s, peak_n);
+    let clock = |n: &Note| {
+        matches!(
+            n,
+            Note::StrideImplausible { .. } | Note::DutyImplausible { .. }
+        )
+    };
+    let guessed = (recording.notes.iter()).any(|n| matches!(n, Note::MillisecondsGuessed { .. }));
+    if guessed && notes.iter().any(clock) {
+        let period = seconds(curve.period_s);
+        return Err(ForceError::ClockImplausible { period }.into());
+    }
+    Ok(notes)
 }

@@ -9,6 +9,9 @@ const TOUCHED_N: f64 = 30.0;
 /// A recording shorter than this cannot tell a dead plate from a loaded one, s.
 const STEP_S: f64 = 0.4;
 
+/// A level above this part of the highest reading is a load.
+const LOADED: f64 = 0.15;
+
 /// Values looked at to find baseline and sign; more are thinned evenly.
 const SAMPLE: usize = 1 << 15;
 
@@ -170,6 +173,11 @@ fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
         return None;
     }
     if level.abs() > (0.1 * range).max(30.0) {
+        // A load, not an offset: high above zero, or left behind when the foot leaves the plate.
+        let below = sorted.partition_point(|x| *x < level - band);
+        if level > LOADED * high || level > 0.0 && 200 * below > sorted.len() {
+            return None;
+        }
         let held = (0.2 * rate_hz).max(3.0) as usize;
         if longest_run(force, level - 0.5 * band, level + 0.5 * band) < held {
             return None;
@@ -224,7 +232,7 @@ mod tests {
             (1.0, -19.7),
             (-1.0, 14.0),
             (-1.0, 250.0),
-            (1.0, 400.0),
+            (1.0, 120.0),
         ] {
             let raw = walk().iter().map(|f| sign * f + offset).collect();
             let c = channel(String::new(), raw, 100.0, None);
@@ -247,6 +255,21 @@ mod tests {
         let c = channel(String::new(), raw.clone(), 100.0, None);
         assert_eq!(c.baseline_n, 0.0);
         assert!(c.force_n == raw);
+    }
+
+    #[test]
+    fn standing_before_a_jump_is_no_offset() {
+        // A second of standing, half a second in the air, a landing.
+        let raw: Vec<f64> = (0..2000)
+            .map(|i| match i {
+                0..1000 => 690.0 + 3.0 * (0.05 * f64::from(i)).sin(),
+                1000..1500 => 2.0,
+                1500..1600 => 4700.0 * (PI * f64::from(i - 1500) / 100.0).sin(),
+                _ => 690.0,
+            })
+            .collect();
+        let c = channel(String::new(), raw, 1000.0, None);
+        assert!(c.baseline_n.abs() < 10.0, "{}", c.baseline_n);
     }
 
     #[test]

@@ -9,6 +9,7 @@ pub(super) const LEFT: &[&str] = &[
     "lf",
     "lt",
     "lgr",
+    "lgrf",
     "links",
     "linker",
     "linke",
@@ -21,8 +22,8 @@ pub(super) const LEFT: &[&str] = &[
     "esquerdo",
 ];
 pub(super) const RIGHT: &[&str] = &[
-    "right", "r", "rfx", "rfy", "rfz", "rf", "rt", "rgr", "rechts", "rechter", "rechte", "droit",
-    "droite", "derecha", "derecho", "destra", "destro", "direita", "direito",
+    "right", "r", "rfx", "rfy", "rfz", "rf", "rt", "rgr", "rgrf", "rechts", "rechter", "rechte",
+    "droit", "droite", "derecha", "derecho", "destra", "destro", "direita", "direito",
 ];
 pub(super) const FORCE: &[&str] = &[
     "force",
@@ -40,6 +41,8 @@ pub(super) const FORCE: &[&str] = &[
     "forca",
     "bodenreaktionskraft",
     "load",
+    "lgrf",
+    "rgrf",
 ];
 pub(super) const VERTICAL: &[&str] = &[
     "vertical",
@@ -131,4 +134,6 @@ pub(super) const OTHER: &[&str] = &[
     "impulse",
     "normalised",
     "normalized",
+    "ml",
+    "ap",
 ];

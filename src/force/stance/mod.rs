@@ -14,7 +14,7 @@ use sides::name_feet;
 
 use super::recording::{Foot, Recording};
 
-pub(crate) use sides::same_foot;
+pub(crate) use sides::{footfalls, same_foot};
 pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
 /// Finds the stances of a recording.

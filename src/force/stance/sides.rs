@@ -1,7 +1,7 @@
 //! Which foot a stance is of.
 
-use super::types::Stance;
-use crate::force::recording::Recording;
+use super::types::{RejectReason, Stance, Stances};
+use crate::force::recording::{Foot, Recording};
 
 /// Names the feet of plates: by marked strikes, then by turns from a stance whose foot is known.
 pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
@@ -23,17 +23,52 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
         };
         if stances[open].foot.is_none()
             && let Some(foot) = stances[known].foot
-            && let Some(same) = same_foot(&stances[i - 1], &stances[i])
+            && let Some(same) = same_foot(&(&stances[i - 1]).into(), &(&stances[i]).into())
         {
             stances[open].foot = Some(if same { foot } else { foot.other() });
         }
     }
 }
 
+/// A heel strike on record, with the contact that it begins.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Footfall {
+    channel: usize,
+    foot: Option<Foot>,
+    pub start_s: f64,
+    end_s: f64,
+}
+
+impl From<&Stance> for Footfall {
+    fn from(s: &Stance) -> Self {
+        Footfall {
+            channel: s.channel,
+            foot: s.foot,
+            start_s: s.start_s,
+            end_s: s.end_s,
+        }
+    }
+}
+
+/// Heel strikes in order of time: those of whole stances and of contacts that the recording cuts at its end.
+pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
+    let cut = stances.rejected.iter();
+    let cut = cut.filter(|r| r.reason == RejectReason::CutAtEnd);
+    let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
+    falls.extend(cut.map(|r| Footfall {
+        channel: r.channel,
+        foot: recording.channels.get(r.channel).and_then(|c| c.foot),
+        start_s: r.from_s,
+        end_s: r.to_s,
+    }));
+    falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
+    falls
+}
+
 /// Whether two stances that follow each other are of one foot; `None` where that cannot be told.
 ///
 /// In walking the next foot lands before this one has left; the same foot only after its swing.
-pub(crate) fn same_foot(a: &Stance, b: &Stance) -> Option<bool> {
+pub(crate) fn same_foot(a: &Footfall, b: &Footfall) -> Option<bool> {
     if let (Some(a), Some(b)) = (a.foot, b.foot) {
         return Some(a == b);
     }

@@ -22,6 +22,8 @@ force-frequency-missing = { $model } needs a step frequency
     .help = give for example step_frequency = "1.85 Hz"
 force-both-feet-only = { $model } gives the force of both feet together, not of one
     .help = use feet = "both", or a single-foot model: li-2010, iso-22675
+force-clock-implausible = the time column, taken as milliseconds, makes strides of { $period }, which is no walking
+    .help = give the sampling rate (option rate): the column may count samples
 force-running = no whole walking stance in { $duration } of recording: every contact is one short single-peak stance, as in running
     .help = give a recording of walking
 force-total-of-both-feet = no whole stance of one foot in { $duration } of recording: the column is the total of both feet, loaded throughout
@@ -69,6 +71,10 @@ note-plate-channel-missing = plate { $plate } is left out: its channel { $channe
 note-plate-matrix-missing = plate { $plate } is left out: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1; its normal force is not vertical if that of plate 1 is
 note-insole-mass = the mass of { $mass } is the mean of the insoles' totals, which are seldom calibrated: give the walker's mass
+note-stride-assumed = the recording does not give the duration of a stride; { $period } is assumed, with a stance of 62 % of it
+note-stride-implausible = a stride of { $period } is outside the range of walking (0.7 s to 2.2 s; children from 0.5 s): check the sampling rate
+note-duty-implausible = a foot stands { $duty } of the stride, outside the range of walking (52 % to 75 %): running, or a wrong sampling rate
+note-peak-implausible = the highest force of a stance is { $ratio } body weights, outside the range of walking (0.85 to 1.7; children to 2): the mass or the unit of force is wrong, or this is not walking
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
@@ -98,7 +104,9 @@ cycle-total-force = { $strides ->
        *[other] { $strides } strides
     } of the total force of both feet, from a rise through the mean force
 
-name-heel-strikes = consecutive heel strikes
+name-heel-strikes = consecutive heel strikes of one foot
+name-marked-strikes = consecutive marked strikes of one foot
+name-doubled-steps = twice the mean step
 name-impulse = the impulse that carries the mass
 name-usual-duty = a usual stance of 62 % of the stride (the recording does not give it)
 name-total-force = rises of the total force through its mean

@@ -15,7 +15,7 @@ use gaitcam::units::G;
 
 /// Folder of the recordings, beside the project or one level higher.
 fn folder() -> Option<PathBuf> {
-    let here = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let places = ["../shared/data/gait", "../../shared/data/gait"].map(|p| here.join(p));
     places.into_iter().find(|p| p.is_dir())
 }

@@ -90,7 +90,7 @@ impl<'a> Analog<'a> {
         let word = |at: usize| words.u16(bytes, at).map_or(0, usize::from);
         let points = word(2);
         let (first, last) = (word(6), word(8));
-        let (per_all, per_frame) = values_per_frame(path, word(4), word(18))?;
+        let (per_all, per_frame) = values_per_frame(path, word(4), word(18), parameters)?;
         let start = start_of_data(word(16), parameters);
         let scale = words.f32(bytes, 12).map_or(1.0, f64::from);
         let is_float = parameters.number("POINT", "SCALE").unwrap_or(scale) < 0.0;
@@ -178,7 +178,18 @@ impl<'a> Analog<'a> {
 }
 
 /// Analog values of one frame, all channels together, and samples of one channel in it.
-fn values_per_frame(path: &Path, values: usize, samples: usize) -> Result<(usize, usize)> {
+///
+/// Some programs write the number of channels where the number of values belongs.
+fn values_per_frame(
+    path: &Path,
+    values: usize,
+    samples: usize,
+    parameters: &Parameters,
+) -> Result<(usize, usize)> {
+    let used = parameters.number("ANALOG", "USED");
+    if samples > 1 && used == Some(values as f64) {
+        return Ok((values * samples, samples));
+    }
     if values == 0 || samples == 0 {
         return Err(ReadError::NoAnalog.at_byte(path, 4));
     }
