@@ -110,6 +110,8 @@ impl PartialTable {
             && let Some(done) = described(&beside(table, ".sweep.json"))
         {
             agree(table, &done, sweep)?;
+            // Left by a process that ended between its last two steps.
+            let _ = std::fs::remove_file(beside(table, ".partial.json"));
             return Ok(Opened::Finished);
         }
         let mut partial = PartialTable {
