@@ -3,6 +3,7 @@
 mod c3d;
 mod cycle;
 mod damaged_files;
+mod doubtful;
 mod laboratories;
 mod layouts;
 mod models;
