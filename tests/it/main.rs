@@ -2,6 +2,7 @@
 
 mod cam;
 mod dynamics;
+mod examples;
 mod force;
 mod law;
 mod layering;

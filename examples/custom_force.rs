@@ -1,0 +1,29 @@
+//! A force given as numbers → the cam that presses with it.
+//!
+//! `cargo run --release --example custom_force`
+use std::error::Error;
+use std::f64::consts::TAU;
+
+use gaitcam::force::ForceCurve;
+use gaitcam::{scene, synth};
+
+pub fn main() -> Result<(), Box<dyn Error>> {
+    // One cycle of 0.8 s: 500 N with two harmonics, at equal steps of time.
+    let samples = (0..256).map(|i| {
+        let theta = TAU * f64::from(i) / 256.0;
+        500.0 + 120.0 * theta.sin() + 40.0 * (2.0 * theta).cos()
+    });
+    let target = ForceCurve::from_samples("two harmonics", 0.8, samples.collect())?;
+
+    let mut table: toml::Table = scene::DEFAULT.parse()?;
+    scene::set(&mut table, "limits.stroke=100 mm")?;
+    let design = synth::synthesise(&scene::read(&table)?, Some(&target))?;
+
+    let (law, cam) = (&design.cam.law, &design.cam);
+    println!("{}: {}", design.name, design.verdict.name());
+    println!("stroke {:.2} mm", 1e3 * law.stroke());
+    println!("base radius {:.2} mm", 1e3 * cam.follower.base_radius());
+    println!("force error {:.3} N RMS", design.force.rms_error_n);
+    assert!((design.force.mean_n - 500.0).abs() < 1e-6);
+    Ok(())
+}
