@@ -5,9 +5,10 @@
 //! the unrolled groove at the angle tan φ = v/R (Bautista Morelos 2018, eq. 30), and touches the walls at ±R_f along
 //! the groove's normal.
 
-use crate::error::{Error, Result};
+use crate::error::{CamError, Result};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, stand_in};
+use crate::quantity::Quantity;
 
 /// What runs in the groove.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,10 +60,11 @@ impl BarrelGroove {
     /// may run over several turns.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
-            return Err(Error::new(format!(
-                "a groove from radius {inner} m to {outer} m has no depth"
-            ))
-            .help("the floor's radius must be more than 0 and less than the surface's"));
+            return Err(CamError::GrooveDepth {
+                floor: Quantity::length(inner),
+                surface: Quantity::length(outer),
+            }
+            .into());
         }
         let (radius, eccentricity) = match rollers {
             Rollers::One { radius } => (radius, 0.0),
@@ -72,16 +74,18 @@ impl BarrelGroove {
             } => (radius, eccentricity),
         };
         if !(radius > 0.0 && eccentricity >= 0.0 && eccentricity.is_finite()) {
-            return Err(Error::new(format!(
-                "rollers of radius {radius} m set off by {eccentricity} m do not fit a groove"
-            ))
-            .help("the radius must be more than 0, the eccentricity not negative"));
+            return Err(CamError::GrooveRollers {
+                radius: Quantity::length(radius),
+                eccentricity: Quantity::length(eccentricity),
+            }
+            .into());
         }
         if radius >= inner {
-            return Err(Error::new(format!(
-                "rollers of radius {radius} m are as thick as the groove's floor of radius {inner} m"
-            ))
-            .help("the roller must be thinner than the radius of the floor"));
+            return Err(CamError::GrooveFloor {
+                radius: Quantity::length(radius),
+                floor: Quantity::length(inner),
+            }
+            .into());
         }
         Ok(BarrelGroove {
             law,

@@ -4,9 +4,9 @@
 //! follower points the other way, so on the shaft it stands turned by half a turn. An offset changes its
 //! side, and so does a pivot (its sign).
 
-use super::fit::mm;
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
-use crate::error::{Error, Result};
+use crate::error::{CamError, ErrorKind, Result};
+use crate::quantity::Quantity;
 
 /// What closes the pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,27 +68,26 @@ impl Conjugate {
                 second.follower = second.follower.with_base_radius(base);
             }
             Closure::Distance(_) if first.follower.is_oscillating() => {
-                return Err(Error::new("arms are not closed by a distance")
-                    .help("give the angle between the arms or the second base radius"));
+                return Err(CamError::ArmsByDistance.into());
             }
             Closure::Angle(_) if !first.follower.is_oscillating() => {
-                return Err(Error::new("translating followers are not closed by an angle").help(
-                    "give the distance between faces or roller centres, or the second base radius",
-                ));
+                return Err(CamError::SlidesByAngle.into());
             }
             Closure::Distance(total) | Closure::Angle(total) => {
                 let start = total - reach;
-                second.follower = second.follower.with_start_place(start).ok_or_else(|| {
-                    no_conjugate(&second, reach, total, first.follower.is_oscillating())
-                })?;
+                second.follower = second
+                    .follower
+                    .with_start_place(start)
+                    .ok_or_else(|| no_conjugate(&second, reach, total))?;
             }
         }
-        if let Err(fault) = check(&second) {
-            return Err(Error::new(format!(
-                "the conjugate cam does not exist: {}",
-                fault.what()
-            ))
-            .help(fault.cure().unwrap_or_default()));
+        if let Err(mut fault) = check(&second) {
+            if let ErrorKind::Cam(because) = fault.kind {
+                fault.kind = ErrorKind::Cam(CamError::SecondCam {
+                    because: Box::new(because),
+                });
+            }
+            return Err(fault);
         }
         let total = reach + second.follower.start_place();
         Ok(Conjugate {
@@ -182,36 +181,22 @@ fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
             base_radius,
         },
         Follower::TranslatingCam { .. } | Follower::Barrel { .. } => {
-            return Err(
-                Error::new(format!("a {} has no conjugate cam", first.name()))
-                    .help("its groove holds the follower from both sides already"),
-            );
+            return Err(CamError::NoConjugateOf {
+                follower: first.kind(),
+            }
+            .into());
         }
     })
 }
 
-fn no_conjugate(second: &Cam, reach: f64, total: f64, angular: bool) -> Error {
-    let words = |x: f64| {
-        if angular {
-            format!("{:.4}°", x.to_degrees())
-        } else {
-            mm(x)
-        }
-    };
-    let error = Error::new(format!(
-        "no conjugate cam fits {}: the first follower alone reaches {}",
-        words(total),
-        words(reach)
-    ));
-    match smallest_for(second, &SizeLimits::no_undercut()) {
-        Ok(base) => {
-            let least = reach + second.follower.with_base_radius(base).start_place();
-            error.help(format!(
-                "from {} on (second base radius {}) one exists without undercut",
-                words(least),
-                mm(base)
-            ))
-        }
-        Err(_) => error.help(format!("it must exceed {} by far", words(reach))),
+fn no_conjugate(second: &Cam, reach: f64, total: f64) -> CamError {
+    let quantity = |x: f64| second.follower.lift_quantity(x);
+    let base = smallest_for(second, &SizeLimits::no_undercut()).ok();
+    let least = base.map(|b| reach + second.follower.with_base_radius(b).start_place());
+    CamError::NoConjugate {
+        total: quantity(total),
+        reach: quantity(reach),
+        least: least.map(quantity),
+        base: base.map(Quantity::length),
     }
 }

@@ -2,7 +2,8 @@
 
 use super::geometry::Geometry;
 use super::{Cam, Follower};
-use crate::error::{Error, Result};
+use crate::error::{ArmFault, CamError, CamLength, Result};
+use crate::quantity::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {
@@ -54,16 +55,13 @@ impl Cam {
             } => {
                 let c = pivot_distance.abs();
                 if (base_radius - face_offset).abs() >= c {
-                    return Err(Error::new(format!(
-                        "the face of offset {} cannot lie on a base circle of {} with its pivot at {}",
-                        mm(face_offset),
-                        mm(base_radius),
-                        mm(c)
-                    ))
-                    .help(format!(
-                        "the pivot distance must exceed {}",
-                        mm((base_radius - face_offset).abs())
-                    )));
+                    return Err(CamError::FaceReach {
+                        offset: Quantity::length(face_offset),
+                        base: Quantity::length(base_radius),
+                        pivot: Quantity::length(c),
+                        least: Quantity::length((base_radius - face_offset).abs()),
+                    }
+                    .into());
                 }
                 self.check_swing(low, high, -FRAC_PI_2, FRAC_PI_2)?;
                 self.check_arm_speed(pivot_distance.signum())
@@ -77,15 +75,11 @@ impl Cam {
         if e.abs() < rp {
             return Ok(());
         }
-        Err(Error::new(format!(
-            "the offset of {} is not smaller than the prime radius of {}",
-            mm(e),
-            mm(rp)
-        ))
-        .help(format!(
-            "the follower would miss the prime circle: keep the offset below {} or raise the prime radius",
-            mm(rp)
-        )))
+        Err(CamError::Offset {
+            offset: Quantity::length(e),
+            prime: Quantity::length(rp),
+        }
+        .into())
     }
 
     /// A follower that sinks to the cam's centre turns the cam inside out.
@@ -94,15 +88,12 @@ impl Cam {
         if rise + low > 0.0 {
             return Ok(());
         }
-        Err(Error::new(format!(
-            "the law falls to {}, below the cam's centre, which lies {} under the follower's start",
-            self.follower.lift_words(low),
-            mm(rise)
-        ))
-        .help(format!(
-            "the prime radius must exceed {}",
-            mm((low * low + e * e).sqrt())
-        )))
+        Err(CamError::BelowCentre {
+            lift: self.follower.lift_quantity(low),
+            height: Quantity::length(rise),
+            least: Quantity::length((low * low + e * e).sqrt()),
+        }
+        .into())
     }
 
     fn check_reach(&self, c: f64, arm: f64) -> Result<()> {
@@ -110,24 +101,22 @@ impl Cam {
         if (c - arm).abs() < rp && rp < c + arm {
             return Ok(());
         }
-        let what = if arm <= c - rp {
-            "is too short to reach"
+        let fault = if arm <= c - rp {
+            ArmFault::TooShort
         } else if arm >= c + rp {
-            "is too long to touch"
+            ArmFault::TooLong
         } else {
-            "cannot lie on"
+            ArmFault::Apart
         };
-        Err(Error::new(format!(
-            "the arm of {} {what} the prime circle of {} from a pivot at {}",
-            mm(arm),
-            mm(rp),
-            mm(c)
-        ))
-        .help(format!(
-            "its length must lie between {} and {}",
-            mm((c - rp).abs()),
-            mm(c + rp)
-        )))
+        Err(CamError::ArmReach {
+            arm: Quantity::length(arm),
+            fault,
+            prime: Quantity::length(rp),
+            pivot: Quantity::length(c),
+            least: Quantity::length((c - rp).abs()),
+            most: Quantity::length(c + rp),
+        }
+        .into())
     }
 
     fn check_swing(&self, low: f64, high: f64, least: f64, most: f64) -> Result<()> {
@@ -135,19 +124,15 @@ impl Cam {
         if start + low > least && start + high < most {
             return Ok(());
         }
-        Err(Error::new(format!(
-            "the arm swings from {:.4}° to {:.4}°, beyond its dead centres at {:.0}° and {:.0}°",
-            (start + low).to_degrees(),
-            (start + high).to_degrees(),
-            least.to_degrees(),
-            most.to_degrees()
-        ))
-        .help(format!(
-            "from its start at {:.4}° it may rise by less than {:.4}° and fall by less than {:.4}°",
-            start.to_degrees(),
-            (most - start).to_degrees(),
-            (start - least).to_degrees()
-        )))
+        Err(CamError::Swing {
+            from: Quantity::angle(start + low),
+            to: Quantity::angle(start + high),
+            dead: [Quantity::angle(least), Quantity::angle(most)],
+            start: Quantity::angle(start),
+            rise: Quantity::angle(most - start),
+            fall: Quantity::angle(start - least),
+        }
+        .into())
     }
 
     /// The face must turn against the cam: 1 + σξ′ > 0.
@@ -157,12 +142,11 @@ impl Cam {
         if 1.0 + side * worst.value > 0.0 {
             return Ok(());
         }
-        Err(Error::new(format!(
-            "at {:.3}° the arm swings with the cam at {:.4} rad/rad, as fast as the cam turns or faster",
-            worst.at.to_degrees(),
-            worst.value
-        ))
-        .help("a flat face then has no contact point: spread this motion over a larger angle"))
+        Err(CamError::FaceSpeed {
+            at: Quantity::angle(worst.at),
+            speed: worst.value,
+        }
+        .into())
     }
 
     fn check_pivot(&self, c: f64) -> Result<()> {
@@ -177,40 +161,41 @@ impl Cam {
         if c > reach {
             return Ok(());
         }
-        Err(Error::new(format!(
-            "the pivot at {} lies inside the cam, whose profile reaches {} at {:.3}°",
-            mm(c),
-            mm(reach),
-            largest.at.to_degrees()
-        ))
-        .help(format!("put the pivot farther out than {}", mm(reach))))
+        Err(CamError::PivotInside {
+            pivot: Quantity::length(c),
+            reach: Quantity::length(reach),
+            at: Quantity::angle(largest.at),
+        }
+        .into())
     }
 }
 
 fn check_lengths(follower: &Follower) -> Result<()> {
-    let positive = |name: &str, x: f64| {
+    let faulty = |length: CamLength, x: f64| CamError::NotPositive {
+        length,
+        value: Quantity::length(x),
+    };
+    let positive = |length: CamLength, x: f64| {
         if x.is_finite() && x > 0.0 {
             Ok(())
         } else {
-            Err(Error::new(format!("the {name} is {}", mm(x))).help("it must be more than 0"))
+            Err(faulty(length, x))
         }
     };
     let radius = follower.roller_radius();
-    let rolling = |name: &str| {
-        if radius.is_finite() && radius >= 0.0 {
-            Ok(())
-        } else {
-            Err(Error::new(format!("the {name} is {}", mm(radius)))
-                .help("it must be more than 0 (0: a knife edge)"))
-        }
-    };
     match *follower {
         Follower::MushroomTranslating { arc_radius, .. }
-        | Follower::MushroomOscillating { arc_radius, .. } => positive("arc radius", arc_radius)?,
-        _ => rolling("roller radius")?,
+        | Follower::MushroomOscillating { arc_radius, .. } => {
+            positive(CamLength::ArcRadius, arc_radius)?
+        }
+        _ if radius.is_finite() && radius >= 0.0 => {}
+        _ => return Err(faulty(CamLength::RollerRadius, radius).into()),
     }
     if !follower.offset().is_finite() {
-        return Err(Error::new("the offset is not a finite number"));
+        return Err(CamError::NotFinite {
+            length: CamLength::Offset,
+        }
+        .into());
     }
     match *follower {
         Follower::RollerOscillating {
@@ -223,37 +208,37 @@ fn check_lengths(follower: &Follower) -> Result<()> {
             arm,
             ..
         } => {
-            positive("pivot distance", pivot_distance.abs())?;
-            positive("arm", arm)?;
+            positive(CamLength::PivotDistance, pivot_distance.abs())?;
+            positive(CamLength::Arm, arm)?;
         }
         Follower::FlatOscillating {
             pivot_distance,
             face_offset,
             ..
         } => {
-            positive("pivot distance", pivot_distance.abs())?;
+            positive(CamLength::PivotDistance, pivot_distance.abs())?;
             if !face_offset.is_finite() {
-                return Err(Error::new("the face offset is not a finite number"));
+                return Err(CamError::NotFinite {
+                    length: CamLength::FaceOffset,
+                }
+                .into());
             }
         }
         Follower::TranslatingCam { base_height, .. } => {
-            return positive("base height", base_height);
+            return Ok(positive(CamLength::BaseHeight, base_height)?);
         }
-        Follower::Barrel { radius, .. } => return positive("radius of the barrel", radius),
+        Follower::Barrel { radius, .. } => return Ok(positive(CamLength::BarrelRadius, radius)?),
         _ => {}
     }
-    positive("prime radius", follower.prime_radius())?;
+    positive(CamLength::PrimeRadius, follower.prime_radius())?;
     if follower.base_radius() > 0.0 {
         return Ok(());
     }
-    Err(Error::new(format!(
-        "the roller (or arc) of {} leaves nothing of a prime circle of {}",
-        mm(radius),
-        mm(follower.prime_radius())
-    ))
-    .help(
-        "the prime radius is the base radius plus that of the roller; it must exceed the roller's",
-    ))
+    Err(CamError::RollerFillsCam {
+        radius: Quantity::length(radius),
+        prime: Quantity::length(follower.prime_radius()),
+    }
+    .into())
 }
 
 /// A length for messages.

@@ -1,6 +1,7 @@
 //! What rides on the cam.
 
 use crate::law::Law;
+use crate::quantity::Quantity;
 
 /// What rides on the cam, with the lengths that fix it, m.
 ///
@@ -224,12 +225,12 @@ impl Follower {
         }
     }
 
-    /// The law in words for messages: what its lift is measured in.
-    pub(super) fn lift_words(&self, lift: f64) -> String {
+    /// A lift with its unit: a length, or the angle of an arm.
+    pub(super) fn lift_quantity(&self, lift: f64) -> Quantity {
         if self.is_oscillating() {
-            format!("{:.4}°", lift.to_degrees())
+            Quantity::angle(lift)
         } else {
-            format!("{:.4} mm", 1e3 * lift)
+            Quantity::length(lift)
         }
     }
 

@@ -6,32 +6,26 @@
 
 mod arc_tangent;
 mod barrel;
-mod breadth;
 mod checks;
 mod conjugate;
-mod eccentric;
 mod fit;
 mod follower;
 mod follower_kind;
 mod geometry;
 mod interference;
 mod measures;
-mod pair;
 mod profile;
 mod shape;
 mod size;
 mod space;
 
 pub use barrel::{BarrelGroove, Rollers, Wall};
-pub use breadth::{constant_breadth_cam, constant_diameter_cam};
 pub use checks::{Check, Curvature, Judgement, Verdict, judge};
 pub use conjugate::{Closure, Conjugate};
-pub use eccentric::{eccentric_disc, eccentric_roller_law};
 pub use follower::Follower;
 pub use follower_kind::FollowerKind;
 pub use interference::{Body, Interference};
 pub use measures::{Measures, Unit};
-pub use pair::{Carrier, Handover, Pair};
 pub use profile::ProfilePoint;
 pub use size::{
     PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,

@@ -1,7 +1,7 @@
 //! The smallest cam for a law: closed forms of theory §6.
 
 use super::{Cam, Follower};
-use crate::error::{Error, Result};
+use crate::error::{CamError, Result};
 use crate::law::Law;
 
 /// A prime circle and the offset of the follower's line of motion, m.
@@ -120,10 +120,7 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));
     }
     if matches!(cam.follower, Follower::TranslatingCam { .. }) {
-        return Err(Error::new(
-            "the height of a translating cam changes neither curvature nor pressure angle",
-        )
-        .help("lengthen its travel or use a smaller roller"));
+        return Err(CamError::TranslatingHeight.into());
     }
     let at = |base: f64| Cam {
         law: cam.law.clone(),
@@ -147,12 +144,8 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if bad == 0.0 && found.is_some() {
         return Ok(0.0);
     }
-    let mut good = found.ok_or_else(|| {
-        Error::new(format!(
-            "no base radius lets this {} cam hold its limits",
-            cam.follower.name()
-        ))
-        .help("allow a larger pressure angle or a smaller radius, spread the motion over more angle, or move the pivot out")
+    let mut good = found.ok_or(CamError::NoSize {
+        follower: cam.follower.kind(),
     })?;
     while good - bad > 1e-10 * good {
         let middle = 0.5 * (good + bad);

@@ -9,7 +9,7 @@ use super::rigid::touch::{held, rubs, touch};
 use super::run::Run;
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
 /// The cam as the models see it: turning in the sense of growing angle, one or two profiles.
@@ -58,19 +58,18 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         || drive.damping < 0.0
         || drive.spring_rate < 0.0
     {
-        return Err(Error::new(
-            "the machine's mass, spring, damping and speed must be finite, the first three not negative",
-        ));
+        return Err(DynamicsError::Machine.into());
     }
     if input.machine.friction < 0.0 {
-        return Err(Error::new("friction cannot be negative"));
+        return Err(DynamicsError::Friction {
+            friction: input.machine.friction,
+        }
+        .into());
     }
     if let Some(face) = &input.machine.face {
         let sound = |m: &Material| m.young > 0.0 && (0.0..=0.5).contains(&m.poisson);
         if !(face.length > 0.0 && sound(&face.cam) && sound(&face.follower)) {
-            return Err(Error::new(
-                "a contact line needs a positive length and materials with a positive modulus and a Poisson's ratio in [0, 0.5]",
-            ));
+            return Err(DynamicsError::ContactLine.into());
         }
     }
     check_restitution(input.machine.restitution)?;
@@ -116,7 +115,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     let sign = if reversed { -1.0 } else { 1.0 };
     let target = match &input.target {
         Some(values) if values.is_empty() || values.iter().any(|f| !f.is_finite()) => {
-            return Err(Error::new("the target force must be finite at every angle"));
+            return Err(DynamicsError::Target.into());
         }
         Some(values) => Some(
             (0..n)
@@ -166,14 +165,10 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
 /// What no model here can answer, in words.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
-        return Err(Error::new("a slide that ends is run forwards only")
-            .help("give the drive a positive speed"));
+        return Err(DynamicsError::SlideBackwards.into());
     }
     if input.machine.second_cam.is_some() && (held || cycle != Cycle::TURN) {
-        return Err(Error::new(
-            "a second cam that follows on the shaft needs a follower that rests on the first, and a law of one turn",
-        )
-        .help("leave the second cam out"));
+        return Err(DynamicsError::SecondCam.into());
     }
     Ok(())
 }

@@ -4,6 +4,8 @@
 //! their sentences stand in `wording/en/AREA.ftl`, the cure as the attribute `.help`. A bad cam is not an error but a [`Verdict`](crate::cam::Verdict), an impossible one is an
 //! [`Infeasible`](crate::synth::Infeasible) answer, and a panic is our own bug.
 
+mod cam;
+mod dynamics;
 mod force;
 mod read;
 mod units;
@@ -15,6 +17,8 @@ use serde::Serialize;
 
 use crate::wording::{self, Language};
 
+pub use cam::{ArmFault, CamError, CamLength};
+pub use dynamics::DynamicsError;
 pub use force::ForceError;
 pub use read::{CycleColumn, FileKind, ReadError};
 pub use units::UnitsError;
@@ -66,10 +70,26 @@ pub enum ErrorKind {
     },
     /// In a quantity with a unit.
     Units(UnitsError),
+    /// In the lengths of a cam or its follower.
+    Cam(CamError),
+    /// In what a simulation is given.
+    Dynamics(DynamicsError),
     /// In a force curve, a load model or a mean cycle.
     Force(ForceError),
     /// In a file of force.
     Read(ReadError),
+}
+
+impl From<CamError> for Error {
+    fn from(kind: CamError) -> Error {
+        Error::from(ErrorKind::Cam(kind))
+    }
+}
+
+impl From<DynamicsError> for Error {
+    fn from(kind: DynamicsError) -> Error {
+        Error::from(ErrorKind::Dynamics(kind))
+    }
 }
 
 impl From<UnitsError> for Error {
@@ -96,6 +116,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { what, .. } => what.clone(),
             ErrorKind::Units(e) => wording::sentence(language, "units", e),
+            ErrorKind::Cam(e) => wording::sentence(language, "cam", e),
+            ErrorKind::Dynamics(e) => wording::sentence(language, "dynamics", e),
             ErrorKind::Force(e) => wording::sentence(language, "force", e),
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
         }
@@ -106,6 +128,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { help, .. } => (!help.is_empty()).then(|| help.clone()),
             ErrorKind::Units(e) => wording::help(language, "units", e),
+            ErrorKind::Cam(e) => wording::help(language, "cam", e),
+            ErrorKind::Dynamics(e) => wording::help(language, "dynamics", e),
             ErrorKind::Force(e) => wording::help(language, "force", e),
             ErrorKind::Read(e) => wording::help(language, "read", e),
         }
@@ -116,6 +140,8 @@ impl ErrorKind {
         match self {
             ErrorKind::Text { .. } => "text".to_string(),
             ErrorKind::Units(e) => wording::code("units", e),
+            ErrorKind::Cam(e) => wording::code("cam", e),
+            ErrorKind::Dynamics(e) => wording::code("dynamics", e),
             ErrorKind::Force(e) => wording::code("force", e),
             ErrorKind::Read(e) => wording::code("read", e),
         }

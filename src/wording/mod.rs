@@ -72,6 +72,8 @@ impl fmt::Display for Language {
 const ENGLISH: &[&str] = &[
     include_str!("en/names.ftl"),
     include_str!("en/units.ftl"),
+    include_str!("en/cam.ftl"),
+    include_str!("en/dynamics.ftl"),
     include_str!("en/force.ftl"),
     include_str!("en/read.ftl"),
     include_str!("en/synth.ftl"),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::error::{ForceError, ReadError, UnitsError};
+use gaitcam::error::{CamError, DynamicsError, ForceError, ReadError, UnitsError};
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
@@ -11,6 +11,8 @@ use strum::VariantNames;
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {
     vec![
         ("units", UnitsError::VARIANTS),
+        ("cam", CamError::VARIANTS),
+        ("dynamics", DynamicsError::VARIANTS),
         ("force", ForceError::VARIANTS),
         ("read", ReadError::VARIANTS),
         ("note", Note::VARIANTS),

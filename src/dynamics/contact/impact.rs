@@ -1,6 +1,6 @@
 //! Impacts of a rigid mass: the surfaces part at e times the speed at which they met.
 
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 
 /// What one impact does; it takes no time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -27,10 +27,7 @@ pub fn check_restitution(e: f64) -> Result<()> {
     if (0.0..=1.0).contains(&e) {
         return Ok(());
     }
-    Err(
-        Error::new(format!("coefficient of restitution {e} is out of range"))
-            .help("it lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one"),
-    )
+    Err(DynamicsError::Restitution { restitution: e }.into())
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ pub use train::Train;
 
 use super::piecewise_force::{combination, steps};
 use crate::drive::{Drive, DriveKind};
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Error, Result};
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
 use linear::{Linear, States};
@@ -191,11 +191,11 @@ fn still(drive: &Drive, train: &Train) -> bool {
 }
 
 fn resonance(drive: &Drive, train: &Train) -> Error {
-    let ratio = train.natural_frequency(drive).unwrap_or(f64::NAN) / drive.speed;
-    Error::new(format!(
-        "resonance: the undamped follower rings {ratio:.6} times per turn, on a harmonic of the cam, and has no steady state"
-    ))
-    .help("give a damping ratio above 0, or another speed")
+    let natural = train.natural_frequency(drive).unwrap_or(f64::NAN);
+    DynamicsError::Resonance {
+        cycles: natural / drive.speed,
+    }
+    .into()
 }
 
 /// Inertia of the vibration left out: springs in series carry the rigid force.

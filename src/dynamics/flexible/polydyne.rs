@@ -15,9 +15,10 @@
 use super::Train;
 use crate::drive::Drive;
 use crate::dynamics::flexible;
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Wave};
 use crate::poly::{Extreme, PiecewisePoly, bernstein};
+use crate::quantity::Quantity;
 
 /// Terms of the damping's series beyond the first; each needs one more continuous derivative.
 const MOST_TERMS: usize = 4;
@@ -35,27 +36,25 @@ pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
     if !wanted.is_closed() {
-        return Err(Error::new(
-            "a polydyne cam needs a law that repeats: a slide that ends has no steady motion",
-        ));
+        return Err(DynamicsError::OpenPolydyne.into());
     }
     let weights = drive.weights();
     // The cam's acceleration takes two derivatives more than the force does.
     let needed = 2 + weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
     let (smooth, broken_at) = continuous_derivatives(wanted, needed + MOST_TERMS);
     if smooth < needed {
-        let at = broken_at.to_degrees();
-        let order = [
+        let derivative = [
             "lift",
             "velocity",
             "acceleration",
             "jerk",
             "fourth derivative",
         ][smooth + 1];
-        return Err(Error::new(format!(
-            "the wanted law's {order} jumps at {at:.2}°; a polydyne cam has the force in its lift, so its own acceleration would jump there"
-        ))
-        .help("ask for a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments"));
+        return Err(DynamicsError::PolydyneJump {
+            derivative,
+            at: Quantity::angle(broken_at),
+        }
+        .into());
     }
     let lag = damping * drive.speed / stiffness;
     let terms = if lag > 0.0 { smooth - needed } else { 0 };

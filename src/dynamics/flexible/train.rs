@@ -1,7 +1,7 @@
 //! The elastic train between the cam and the moved mass.
 
 use crate::drive::Drive;
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 
 /// Spring and damper between the cam and the moved mass, in series with it.
 ///
@@ -31,14 +31,14 @@ impl Train {
     /// When frequency or mass is not positive or the ratio negative.
     pub fn from_frequency(drive: &Drive, hertz: f64, ratio: f64) -> Result<Self> {
         if !(hertz > 0.0 && hertz.is_finite() && ratio >= 0.0 && ratio.is_finite()) {
-            return Err(Error::new(format!(
-                "a follower cannot ring at {hertz} Hz with damping ratio {ratio}"
-            ))
-            .help("give a positive frequency and a ratio of 0 or more"));
+            return Err(DynamicsError::Frequency {
+                frequency: hertz,
+                ratio,
+            }
+            .into());
         }
         if drive.mass <= 0.0 {
-            return Err(Error::new("a natural frequency needs a moved mass")
-                .help("give the mass, or the stiffness of the fluid column"));
+            return Err(DynamicsError::FrequencyWithoutMass.into());
         }
         let w = std::f64::consts::TAU * hertz;
         Ok(Train {
@@ -59,8 +59,6 @@ impl Train {
         if sound(self.stiffness) && sound(self.damping) && self.stiffness > 0.0 {
             return Ok(());
         }
-        Err(Error::new(
-            "a follower's stiffness must be positive and its damping not negative",
-        ))
+        Err(DynamicsError::Train.into())
     }
 }

@@ -6,25 +6,21 @@ use crate::dynamics::prepared::Prepared;
 use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
 use crate::dynamics::surface::Surface;
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 use std::f64::consts::TAU;
 
 /// Lift-off has no meaning where both sides hold, and no steady state where the cam ends.
 fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
-        let what = if input.machine.conjugate.is_some() {
-            "a conjugate pair holds its follower from both sides"
+        let fault = if input.machine.conjugate.is_some() {
+            DynamicsError::HeldByPair
         } else {
-            "the groove holds its roller from both sides"
+            DynamicsError::HeldByGroove
         };
-        return Err(Error::new(format!("{what}: nothing lifts off"))
-            .help("run --model rigid or flexible; they say which side bears"));
+        return Err(fault.into());
     }
     if p.cycle != Cycle::TURN {
-        return Err(
-            Error::new("the contact model follows a cam that turns once per cycle")
-                .help("run --model rigid: its smallest force says whether a slide keeps contact"),
-        );
+        return Err(DynamicsError::NotOneTurn.into());
     }
     Ok(())
 }

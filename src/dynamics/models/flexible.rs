@@ -5,17 +5,14 @@ use crate::dynamics::flexible;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::prepared::Prepared;
 use crate::dynamics::run::Run;
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Result};
 
 pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let Some(train) = &input.machine.train else {
-        return Err(Error::new("the flexible model needs to know what gives")
-            .help("give the follower's natural frequency or its stiffness: --natural-frequency, or under [machine] in the scene"));
+        return Err(DynamicsError::NoTrain.into());
     };
     if !p.cycle.closed {
-        return Err(
-            Error::new("a slide that ends has no steady vibration").help("run --model rigid")
-        );
+        return Err(DynamicsError::OpenVibration.into());
     }
     let steady = flexible::steady(&p.lift, &p.drive, train)?;
     let mut out = p.outcome(Model::Flexible, "asked for");

@@ -14,9 +14,10 @@ mod stance;
 
 use super::rigid::touch::touch;
 use crate::cam::{Cam, Follower, ProfilePoint};
-use crate::error::{Error, Result};
+use crate::error::{DynamicsError, Error, Result};
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
+use crate::quantity::Quantity;
 use breaks::{Station, between_breaks};
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};
@@ -156,41 +157,40 @@ pub fn recover_over(
 fn equal_step(points: &[ProfilePoint], cycle: Cycle) -> Result<f64> {
     let n = points.len();
     if n < 8 {
-        return Err(Error::new(format!("a profile of {n} points is no curve"))
-            .help("emit at least 8 points, better 360 or more"));
+        return Err(DynamicsError::FewRows { rows: n }.into());
     }
     let step = cycle.step(n);
     for (i, p) in points.iter().enumerate() {
         let expected = points[0].theta + step * i as f64;
         if (p.theta - expected).abs() > STEP_SLACK * step || !p.theta.is_finite() {
-            return Err(Error::new(format!(
-                "profile row {i} stands at {} rad, not at {expected} rad",
-                p.theta
-            ))
-            .help("a run needs rows at equal steps of the cam's cycle"));
+            return Err(DynamicsError::RowAngle {
+                row: i,
+                at: Quantity::angle(p.theta),
+                expected: Quantity::angle(expected),
+            }
+            .into());
         }
     }
     Ok(step)
 }
 
 fn out_of_reach(follower: &Follower, row: usize) -> Error {
-    Error::new(format!(
-        "profile row {row} cannot touch a {} follower",
-        follower.name()
-    ))
-    .help("its coordinates must be finite and within the follower's reach")
+    DynamicsError::RowReach {
+        row,
+        follower: follower.kind(),
+    }
+    .into()
 }
 
 fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> Result<()> {
     let radius = |at: &Svaj| 1.0 / touch(face, 1.0, 0.0, *at, 0.0).curvature;
     match emitted.nodes.iter().position(|at| radius(at) <= 0.0) {
         None => Ok(()),
-        Some(i) => Err(Error::new(format!(
-            "the profile is undercut or concave at {:.2}°: radius of curvature {:.4e} m",
-            (start + step * i as f64).to_degrees(),
-            radius(&emitted.nodes[i])
-        ))
-        .help("a flat face cannot touch it; enlarge the base radius")),
+        Some(i) => Err(DynamicsError::Concave {
+            at: Quantity::angle(start + step * i as f64),
+            radius: Quantity::length(radius(&emitted.nodes[i])),
+        }
+        .into()),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Profiles, curvature, pressure angles, sizes, and cams that cannot be made.
 
 mod geometry;
-mod pair;
 mod papers;
 mod put_back;
 mod random;

@@ -4,11 +4,8 @@
 //! six neighbours, because straight chords alone miss a 5 cm cam by 1e-7 m. The follower is placed half
 //! way between the samples by formulas of its own, from the conventions of the interface.
 
-use gaitcam::cam::{
-    BarrelGroove, Cam, Closure, Conjugate, Follower, ProfilePoint, Rollers, Wall,
-    constant_breadth_cam, constant_diameter_cam,
-};
-use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::cam::{BarrelGroove, Cam, Closure, Conjugate, Follower, ProfilePoint, Rollers, Wall};
+use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use std::f64::consts::{PI, TAU};
 
 const POINTS: usize = 1440;
@@ -291,7 +288,7 @@ fn constant_breadth_is_constant_over_all_directions() {
         segment("dwell", 0.0, 60.0),
     ];
     let breadth = 0.13;
-    let cam = constant_breadth_cam(&half, breadth).unwrap();
+    let cam = between_faces(&half, breadth);
     assert!((cam.follower.base_radius() - 0.05).abs() < 1e-15);
     // The support in every direction, from the cam's own contacts, found without the law of the face.
     let curve = Curve::new(&cam.profile(4 * POINTS), true);
@@ -301,7 +298,7 @@ fn constant_breadth_is_constant_over_all_directions() {
         let width = reach(nx, ny) + reach(-nx, -ny);
         assert!((width - breadth).abs() < 1e-9, "{i} {width}");
     }
-    let smooth = constant_breadth_cam(&[segment("3-4-5", 0.03, 180.0)], breadth).unwrap();
+    let smooth = between_faces(&[segment("3-4-5", 0.03, 180.0)], breadth);
     let pair = Conjugate::new(&smooth, Closure::Distance(breadth), None).unwrap();
     for (p, q) in smooth
         .profile(POINTS)
@@ -313,13 +310,26 @@ fn constant_breadth_is_constant_over_all_directions() {
     }
 }
 
+/// The cam of constant breadth between two faces, from the law of its first half turn.
+fn between_faces(half: &[Segment], breadth: f64) -> Cam {
+    let law = constant_breadth(half).unwrap();
+    let base_radius = 0.5 * (breadth - law.stroke());
+    Cam::new(law, Follower::FlatTranslating { base_radius }).unwrap()
+}
+
 #[test]
-fn constant_diameter_cam_holds_both_rollers() {
+fn a_cam_of_constant_diameter_holds_both_rollers() {
     let half = [
         segment("cycloidal", 0.03, 120.0),
         segment("dwell", 0.0, 60.0),
     ];
-    let cam = constant_diameter_cam(&half, 0.15, 0.01).unwrap();
+    let law = constant_breadth(&half).unwrap();
+    let follower = Follower::RollerTranslating {
+        prime_radius: 0.5 * (0.15 - law.stroke()),
+        offset: 0.0,
+        roller_radius: 0.01,
+    };
+    let cam = Cam::new(law, follower).unwrap();
     for i in 0..POINTS {
         let theta = TAU * i as f64 / POINTS as f64;
         let (p, q) = (cam.point(theta), cam.point(theta + PI));

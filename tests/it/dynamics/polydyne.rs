@@ -237,7 +237,7 @@ fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
         .unwrap_err()
         .to_string();
     assert!(
-        rough.contains("law.polydyne") && rough.contains("jerk jumps at 60.00°"),
+        rough.contains("law.polydyne") && rough.contains("jerk of the wanted law jumps at 60°"),
         "{rough}"
     );
     for (change, words) in [

@@ -4,8 +4,9 @@ use std::ops::{Add, Mul};
 
 use super::Watch;
 use crate::chart::{Across, Chart};
-use gaitcam::cam::{Cam, eccentric_disc};
+use gaitcam::cam::{Cam, Follower};
 use gaitcam::error::Result;
+use gaitcam::law::Law;
 
 const RADIUS: f64 = 0.03;
 const ECCENTRICITY: f64 = 0.01;
@@ -14,7 +15,9 @@ const ANGLES: usize = 360;
 
 /// An eccentric disc under a flat face: its profile is a circle, whose radius is the truth.
 pub fn chart(watch: &Watch) -> Result<Chart> {
-    let cam = eccentric_disc(RADIUS, ECCENTRICITY)?;
+    let law = Law::harmonic(ECCENTRICITY, &[(0.0, ECCENTRICITY)]);
+    let base_radius = RADIUS - ECCENTRICITY;
+    let cam = Cam::new(law, Follower::FlatTranslating { base_radius })?;
     let mut rows = Vec::new();
     for degrees in [10.0, 3.0, 1.0, 0.3, 0.1, 0.01, 0.001] {
         let step = f64::to_radians(degrees);

@@ -1,9 +1,9 @@
 //! CAM-DAS: what its manual prints of its examples (theory §5), and misprints of its formulae.
 
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
-use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint, constant_breadth_cam};
+use gaitcam::cam::{Cam, Closure, Conjugate, Follower, ProfilePoint};
 use gaitcam::error::Result;
-use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -220,7 +220,9 @@ fn geometry(rows: &mut Rows) -> Result<()> {
         (Rise::Dwell, 0.0, 60.0),
     ]);
     let breadth = 0.15;
-    let cam = constant_breadth_cam(&half, breadth)?;
+    let law = constant_breadth(&half)?;
+    let base_radius = 0.5 * (breadth - law.stroke());
+    let cam = Cam::new(law, Follower::FlatTranslating { base_radius })?;
     let face = |theta: f64| cam.follower.base_radius() + cam.law.svaj(theta).s;
     let miss = (0..3600)
         .map(|i| f64::from(i) * TAU / 3600.0)

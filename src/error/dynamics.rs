@@ -1,0 +1,62 @@
+//! Faults in what a simulation is given, and what its models cannot answer.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::cam::FollowerKind;
+use crate::quantity::Quantity;
+
+/// What is wrong with a machine, an emitted profile or the model asked for.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the messages of wording/en/dynamics.ftl say what each field is
+pub enum DynamicsError {
+    Machine,
+    Friction {
+        friction: f64,
+    },
+    ContactLine,
+    Target,
+    SlideBackwards,
+    SecondCam,
+    Restitution {
+        restitution: f64,
+    },
+    FewRows {
+        rows: usize,
+    },
+    RowAngle {
+        row: usize,
+        at: Quantity,
+        expected: Quantity,
+    },
+    RowReach {
+        row: usize,
+        follower: FollowerKind,
+    },
+    Concave {
+        at: Quantity,
+        radius: Quantity,
+    },
+    Frequency {
+        frequency: f64,
+        ratio: f64,
+    },
+    FrequencyWithoutMass,
+    Train,
+    Resonance {
+        cycles: f64,
+    },
+    NoTrain,
+    OpenVibration,
+    HeldByGroove,
+    HeldByPair,
+    NotOneTurn,
+    OpenPolydyne,
+    PolydyneJump {
+        derivative: &'static str,
+        at: Quantity,
+    },
+}
