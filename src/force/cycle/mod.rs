@@ -5,6 +5,7 @@
 
 mod average;
 mod overlay;
+mod refusal;
 mod stride;
 mod stride_time;
 mod total;
@@ -13,6 +14,7 @@ use std::f64::consts::SQRT_2;
 use std::path::Path;
 
 use average::{Mean, mean_stance, place};
+use refusal::no_stance;
 use stride::{Stride, alternate, sample_stride, whole_strides};
 use stride_time::{has_rows, median, stride_time};
 use total::{TotalStride, total_stride};
@@ -24,7 +26,7 @@ use super::plausibility::{implausible, mean_of_weight, unlike_walking};
 use super::quantity::{kilograms, seconds};
 use super::read::{one_cycle, read};
 use super::recording::{Foot, ReadOptions, Recording};
-use super::stance::{RejectReason, Stance, Stances, same_foot, stances};
+use super::stance::{Stance, Stances, same_foot, stances};
 use crate::error::{ForceError, Place, Result};
 use crate::units::G;
 
@@ -121,55 +123,6 @@ pub fn force_curve(
     let mut curve = mean.curve;
     curve.name = format!("{file}, {}", mean.source);
     Ok(curve)
-}
-
-/// Why a recording without a whole stance gives no cycle.
-fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
-    let duration = seconds(recording.duration_s);
-    let Some(first) = stances.rejected.first() else {
-        return if recording.channels.iter().all(|c| c.idle.is_some()) {
-            ForceError::NoLiveChannel { duration }
-        } else {
-            ForceError::NoContact { duration }
-        };
-    };
-    let all_running = (stances.rejected.iter()).all(|r| r.reason == RejectReason::Running);
-    if all_running {
-        return ForceError::Running { duration };
-    }
-    if feet != Feet::Both && total_stride(recording, stances).is_some() {
-        return ForceError::TotalOfBothFeet { duration };
-    }
-    let reason = usual_reason(stances).into();
-    let cut = recording.notes.iter().find_map(|n| match n {
-        Note::RowsDiffer { announced, found } if found < announced => Some((*announced, *found)),
-        Note::FramesMissing { announced, found } => Some((*announced, *found)),
-        _ => None,
-    });
-    match cut {
-        Some((announced, found)) => ForceError::NoStanceFileCut {
-            duration,
-            announced,
-            found,
-            reason,
-        },
-        None => ForceError::NoStance {
-            duration,
-            contacts: stances.rejected.len(),
-            from: seconds(first.from_s),
-            to: seconds(first.to_s),
-            reason,
-        },
-    }
-}
-
-/// The reason that rejects most contacts.
-fn usual_reason(stances: &Stances) -> RejectReason {
-    let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
-    reasons.sort_unstable();
-    let runs = reasons.chunk_by(|a, b| a == b);
-    let longest = runs.max_by_key(|run| run.len());
-    longest.map_or(RejectReason::TooShort, |run| run[0])
 }
 
 fn of_total(total: TotalStride) -> Average {
