@@ -84,7 +84,7 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
             "minimise": names, "front": points, "best": point_json(&names, &best)});
         print_json(&object);
     } else if !args.json {
-        print(&words(args, &kept, &names, &sorted, &best));
+        print(&text(args, &kept, &columns, &names, &sorted, &best));
         print(&format!(
             "Files in {}; open {} first.",
             folder.path().display(),
@@ -152,30 +152,44 @@ fn point_json(names: &[String], p: &Point) -> Value {
     out
 }
 
-fn words(
+/// What a row is called: its recording where recordings vary, else its number.
+fn row_name(columns: &Columns, point: &Point) -> String {
+    let recording = columns.names.iter().position(|n| n == "gait.file");
+    let file = recording.map(|c| Path::new(&point.cells[c]));
+    match file.and_then(Path::file_name) {
+        Some(name) => name.to_string_lossy().into_owned(),
+        None => point.row.to_string(),
+    }
+}
+
+fn text(
     args: &FrontArgs,
     kept: &Kept,
+    columns: &Columns,
     names: &[String],
     front: &[&Point],
     best: &Point,
 ) -> String {
     let mut out = vec![format!(
-        "{}: {} of {} designs count, {} of them on the front",
+        "{}: {} of {} designs are feasible, {} of them non-dominated",
         args.file.display(),
         kept.candidates,
         kept.seen,
         front.len()
     )];
     let head: Vec<String> = names.iter().map(|n| format!("{n:>24}")).collect();
-    out.push(format!("{:>12} {}", "row", head.join(" ")));
-    for p in front.iter().take(SHOWN) {
-        let values: Vec<String> = p.values.iter().map(|v| format!("{v:>24.9}")).collect();
+    let called: Vec<String> = front.iter().map(|p| row_name(columns, p)).collect();
+    let shown = called.iter().take(SHOWN);
+    let wide = shown.map(|n| n.chars().count()).max().unwrap_or(0).max(12);
+    out.push(format!("{:>wide$} {}", "row", head.join(" ")));
+    for (p, name) in front.iter().zip(&called).take(SHOWN) {
+        let values: Vec<String> = p.values.iter().map(|v| format!("{v:>24.6}")).collect();
         let mark = if p.row == best.row {
             "  best compromise"
         } else {
             ""
         };
-        out.push(format!("{:>12} {}{mark}", p.row, values.join(" ")));
+        out.push(format!("{name:>wide$} {}{mark}", values.join(" ")));
     }
     if front.len() > SHOWN {
         out.push(format!(
@@ -292,14 +306,15 @@ fn pictures(
             .chain(objectives.iter().map(|&o| label(&columns.names[o])))
             .collect()
     };
-    let rows = front
-        .iter()
-        .take(SHOWN)
-        .map(|p| std::iter::once(p.row.to_string()).chain(short(p)).collect());
+    let rows = front.iter().take(SHOWN).map(|p| {
+        std::iter::once(row_name(columns, p))
+            .chain(short(p))
+            .collect()
+    });
     let page = sweep_report::Page {
         title: format!("Sweep {name}"),
         words: format!(
-            "{} designs, {} of them candidates; {} are on the front: none is beaten in {} at once. The best compromise is row {}.",
+            "{} designs, {} of them feasible; {} are non-dominated in {}. The best compromise is row {}.",
             kept.seen,
             kept.candidates,
             front.len(),

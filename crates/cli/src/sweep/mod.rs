@@ -168,7 +168,7 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
         return;
     }
     print(&format!(
-        "{} rows in {}: {} built ({} acceptable), {} infeasible, {} at fault",
+        "{} rows in {}: {} built ({} acceptable), {} infeasible, {} errors",
         counts.rows,
         args.out.display(),
         counts.built,
@@ -182,6 +182,6 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
         ));
     }
     if let Some(first) = &counts.first_error {
-        print(&format!("First fault, row {}: {}", first.0, first.1));
+        print(&format!("First error, row {}: {}", first.0, first.1));
     }
 }

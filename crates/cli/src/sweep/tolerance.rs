@@ -130,7 +130,7 @@ fn table(made: &[Made]) -> String {
 fn words(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
     let [p5, median, p95] = s.quantiles;
     let mut out = format!(
-        "{name}: {count} cams as made; force error by design {own:.3} % of the mean\n  \
+        "{name}: {count} manufactured samples; force error by design {own:.3} % of the mean\n  \
          spread    mean {:.3} %, standard deviation {:.3} %, 5 % to 95 %: {p5:.3} % … {p95:.3} %, median {median:.3} %, largest {:.3} %",
         s.mean, s.deviation, s.largest
     );
@@ -162,7 +162,11 @@ fn report(
     if let Some(band) = band {
         levels.push((100.0 * band, "band"));
     }
-    let picture = histogram(&format!("{name}: force error as made"), &quantity, &levels);
+    let picture = histogram(
+        &format!("{name}: force error of manufactured samples"),
+        &quantity,
+        &levels,
+    );
     let percent = |x: f64| format!("{x:.3} %");
     let mut cards = vec![
         (
@@ -171,7 +175,7 @@ fn report(
             "of the mean force, RMS".to_string(),
         ),
         (
-            "Median as made".to_string(),
+            "Median of the samples".to_string(),
             percent(s.quantiles[1]),
             String::new(),
         ),
@@ -191,9 +195,9 @@ fn report(
     }
     html(&Page {
         title: format!("{name}: manufacturing scatter"),
-        words: "Each sample makes the cam with errors spread evenly over their tolerances and runs it at once: how far is its force from the target?".to_string(),
+        words: "Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.".to_string(),
         cards,
-        pictures: vec![("Force error as made", &picture)],
+        pictures: vec![("Force error of manufactured samples", &picture)],
         tables: vec![(
             "Tolerances",
             Table {
