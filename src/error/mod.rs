@@ -8,6 +8,7 @@ mod cam;
 mod dynamics;
 mod force;
 mod read;
+mod scene;
 mod units;
 
 use std::fmt;
@@ -21,6 +22,7 @@ pub use cam::{ArmFault, CamError, CamLength};
 pub use dynamics::DynamicsError;
 pub use force::ForceError;
 pub use read::{CycleColumn, FileKind, ReadError};
+pub use scene::SceneError;
 pub use units::UnitsError;
 
 /// Where in the input a fault was found.
@@ -78,6 +80,8 @@ pub enum ErrorKind {
     Force(ForceError),
     /// In a file of force.
     Read(ReadError),
+    /// In a scene file.
+    Scene(SceneError),
 }
 
 impl From<CamError> for Error {
@@ -120,6 +124,7 @@ impl ErrorKind {
             ErrorKind::Dynamics(e) => wording::sentence(language, "dynamics", e),
             ErrorKind::Force(e) => wording::sentence(language, "force", e),
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
+            ErrorKind::Scene(e) => wording::sentence(language, "scene", e),
         }
     }
 
@@ -132,6 +137,7 @@ impl ErrorKind {
             ErrorKind::Dynamics(e) => wording::help(language, "dynamics", e),
             ErrorKind::Force(e) => wording::help(language, "force", e),
             ErrorKind::Read(e) => wording::help(language, "read", e),
+            ErrorKind::Scene(e) => wording::help(language, "scene", e),
         }
     }
 
@@ -144,6 +150,7 @@ impl ErrorKind {
             ErrorKind::Dynamics(e) => wording::code("dynamics", e),
             ErrorKind::Force(e) => wording::code("force", e),
             ErrorKind::Read(e) => wording::code("read", e),
+            ErrorKind::Scene(e) => wording::code("scene", e),
         }
     }
 }

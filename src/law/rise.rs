@@ -11,9 +11,10 @@ use crate::error::{Error, Result, nearest};
 use std::f64::consts::PI;
 
 /// A motion from one lift to another.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Rise {
     /// No motion.
+    #[default]
     Dwell,
     /// A straight line.
     ConstantVelocity,
@@ -210,6 +211,15 @@ impl Rise {
             Rise::Freudenstein135 => "freudenstein-1-3-5",
             Rise::Eccentric { .. } => "eccentric",
             Rise::User { name, .. } => name,
+        }
+    }
+
+    /// The name with its parameters, as [`Rise::from_name`] reads it.
+    pub fn written(&self) -> String {
+        match self {
+            Rise::Scca { b, c, d } => format!("scca {b} {c} {d}"),
+            Rise::Eccentric { ratio } if ratio.is_finite() => format!("eccentric {ratio}"),
+            other => other.name().to_string(),
         }
     }
 

@@ -25,8 +25,9 @@ use crate::force::{ForceCurve, implausible, spread_rms_n};
 use crate::law::Rise;
 use crate::scene::{
     Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
-    Scene, Source,
+    Scene,
 };
+use crate::wording::Language;
 use target::{band_about, weight_at};
 
 /// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
@@ -118,9 +119,10 @@ impl Problem {
             Some(Phase::At(phase)) => phase,
             _ => 0.0,
         };
-        let mut remarks = scene.ignored();
+        let notes = scene.notes();
+        let mut remarks: Vec<String> = notes.iter().map(|n| n.sentence(Language::En)).collect();
         if let (Some(gait), Some(force)) = (gait, &force)
-            && matches!(gait.source, Source::File { .. })
+            && gait.is_recording()
         {
             remarks.extend(implausible(force, gait.feet).map(|note| note.to_string()));
             remarks.extend(force.doubts().map(|note| note.to_string()));

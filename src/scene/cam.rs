@@ -1,238 +1,112 @@
-//! The cam of a scene: which lengths each follower has.
+//! `[cam]`: the cam and its follower.
 
-use super::table::Reader;
-use super::{CamSpec, ConjugateSpec, Family, Scene};
-use crate::cam::{Closure, FollowerKind};
-use crate::drive::DriveKind;
-use crate::error::{Error, Result};
-use crate::units::Dimension;
+use crate::cam::{Closure, FollowerKind, Measures};
 
 /// Plate thickness of solids when nothing is said, m.
 const THICKNESS: f64 = 0.01;
-/// Most turns of a barrel's groove.
-const MOST_TURNS: usize = 100;
 
-/// Reads `[cam]`. Keys that a follower does not have are refused.
-pub(super) fn read(reader: Option<Reader>) -> Result<CamSpec> {
-    let mut spec = CamSpec {
-        follower: FollowerKind::default(),
-        base_radius: None,
-        prime_radius: None,
-        offset: None,
-        roller_radius: 0.0,
-        pivot_distance: None,
-        arm: None,
-        pivot_beside: false,
-        face_offset: 0.0,
-        bore: None,
-        thickness: THICKNESS,
-        breadth: None,
-        travel: None,
-        turns: 1,
-        depth: None,
-        eccentricity: None,
-        conjugate: None,
-    };
-    let Some(mut r) = reader else { return Ok(spec) };
-    let kinds = FollowerKind::ALL.map(|k| (k.name(), k));
-    let kind = r.choice("follower", &kinds)?.unwrap_or_default();
-    spec.follower = kind;
-    spec.thickness = r
-        .positive("thickness", Dimension::Length)?
-        .unwrap_or(THICKNESS);
-    spec.base_radius = r.positive("base_radius", Dimension::Length)?;
-    spec.prime_radius = r.positive("prime_radius", Dimension::Length)?;
-    if kind != FollowerKind::TranslatingCam {
-        spec.bore = r.positive("bore", Dimension::Length)?;
-    }
-    let needed = |r: &mut Reader, key, why: &str, example: &str| {
-        let name = r.name(key);
-        r.positive(key, Dimension::Length)?
-            .ok_or_else(|| Error::key(&name, why).help(format!("write for example {example}")))
-    };
-    if kind.has_roller() {
-        spec.roller_radius = needed(
-            &mut r,
-            "roller_radius",
-            "a roller follower needs it",
-            "\"10 mm\"",
-        )?;
-    } else if kind.is_mushroom() {
-        spec.roller_radius = needed(
-            &mut r,
-            "arc_radius",
-            "a mushroom needs its arc",
-            "\"60 mm\"",
-        )?;
-    }
-    // The main job's default scene may be changed to any translating follower.
-    if kind.is_translating() {
-        spec.offset = r.quantity("offset", Dimension::Length)?;
-        spec.breadth = r.positive("breadth", Dimension::Length)?;
-    }
-    if spec.is_oscillating() {
-        let distance = r.name("pivot_distance");
-        let pivot = r
-            .quantity("pivot_distance", Dimension::Length)?
-            .ok_or_else(|| {
-                Error::key(&distance, "an oscillating follower needs its pivot")
-                    .help("write for example \"80 mm\"; negative puts it on the other side")
-            })?;
-        spec.pivot_distance = Some(pivot);
-        spec.pivot_beside = r.flag("pivot_beside")?.unwrap_or(false);
-        if kind == FollowerKind::FlatOscillating {
-            spec.face_offset = r.quantity("face_offset", Dimension::Length)?.unwrap_or(0.0);
-        } else {
-            spec.arm = Some(needed(
-                &mut r,
-                "arm",
-                "an oscillating follower needs its arm",
-                "\"70 mm\"",
-            )?);
+/// The cam and its follower; lengths in m.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CamSpec {
+    /// Kind of follower.
+    pub follower: FollowerKind,
+    /// Base radius; `None` = smallest that meets the limits.
+    pub base_radius: Option<f64>,
+    /// Prime radius; `None` = smallest that meets the limits.
+    pub prime_radius: Option<f64>,
+    /// Offset of the follower; `None` = the one that gives the smallest cam.
+    pub offset: Option<f64>,
+    /// Radius of the roller, or of a mushroom's arc.
+    pub roller_radius: f64,
+    /// Oscillating: distance from cam centre to pivot.
+    pub pivot_distance: Option<f64>,
+    /// Oscillating: length of the arm.
+    pub arm: Option<f64>,
+    /// Oscillating: the arm runs in another plane, so that its pivot may lie within the cam's outline.
+    pub pivot_beside: bool,
+    /// Oscillating flat face: distance of the face from the pivot.
+    pub face_offset: f64,
+    /// Diameter of the bore; the base circle stays outside it.
+    pub bore: Option<f64>,
+    /// Thickness of the plate, for solids.
+    pub thickness: f64,
+    /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
+    /// half turn only.
+    pub breadth: Option<f64>,
+    /// Translating cam: length of the travel; `None` = what the segments cover.
+    pub travel: Option<f64>,
+    /// Barrel: turns until the law repeats.
+    pub turns: usize,
+    /// Barrel: depth of the groove; `None` = the roller's diameter.
+    pub depth: Option<f64>,
+    /// Barrel: offset of each of two rollers from their stud; `None` = one roller.
+    pub eccentricity: Option<f64>,
+    /// The second cam of a conjugate pair.
+    pub conjugate: Option<ConjugateSpec>,
+}
+
+impl Default for CamSpec {
+    fn default() -> CamSpec {
+        CamSpec {
+            follower: FollowerKind::default(),
+            base_radius: None,
+            prime_radius: None,
+            offset: None,
+            roller_radius: 0.0,
+            pivot_distance: None,
+            arm: None,
+            pivot_beside: false,
+            face_offset: 0.0,
+            bore: None,
+            thickness: THICKNESS,
+            breadth: None,
+            travel: None,
+            turns: 1,
+            depth: None,
+            eccentricity: None,
+            conjugate: None,
         }
     }
-    if kind == FollowerKind::TranslatingCam {
-        spec.travel = r.positive("travel", Dimension::Length)?;
-    } else if kind == FollowerKind::Barrel {
-        spec.turns = r.count("turns", 1, MOST_TURNS)?.unwrap_or(1);
-        spec.depth = r.positive("depth", Dimension::Length)?;
-        spec.eccentricity = r.positive("roller_eccentricity", Dimension::Length)?;
-    } else if let Some(pair) = r.table("conjugate")? {
-        spec.conjugate = Some(conjugate(pair, &spec)?);
-    }
-    r.finish()?;
-    Ok(spec)
 }
 
-fn conjugate(mut r: Reader, spec: &CamSpec) -> Result<ConjugateSpec> {
-    let (key, closing) = if spec.is_oscillating() {
-        let angle = r.positive("angle", Dimension::Angle)?;
-        ("cam.conjugate.angle", angle.map(Closure::Angle))
-    } else {
-        let distance = r.positive("distance", Dimension::Length)?;
-        ("cam.conjugate.distance", distance.map(Closure::Distance))
-    };
-    let base = r.positive("base_radius", Dimension::Length)?;
-    let roller_radius = if spec.roller_radius > 0.0 {
-        r.positive("roller_radius", Dimension::Length)?
-    } else {
-        None
-    };
-    r.finish()?;
-    let closure = match (closing, base) {
-        (Some(closure), None) => closure,
-        (None, Some(base)) => Closure::SecondBaseRadius(base),
-        _ => {
-            return Err(Error::key(key, "says neither or both of this and base_radius").help(
-                "give the distance of both faces or roller centres (arms: the angle between them), or the second cam's base_radius",
-            ));
+/// The second cam of a conjugate pair: one of the first three lengths closes it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ConjugateSpec {
+    /// Translating followers: distance of both faces or roller centres, m.
+    pub distance: Option<f64>,
+    /// Oscillating followers: angle between both arms, rad.
+    pub angle: Option<f64>,
+    /// Base radius of the second cam, m.
+    pub base_radius: Option<f64>,
+    /// Radius of the second roller; `None` = as the first.
+    pub roller_radius: Option<f64>,
+}
+
+impl ConjugateSpec {
+    /// What closes the pair; `None` where nothing or more than one length does.
+    pub fn closure(&self) -> Option<Closure> {
+        match (self.distance, self.angle, self.base_radius) {
+            (Some(distance), None, None) => Some(Closure::Distance(distance)),
+            (None, Some(angle), None) => Some(Closure::Angle(angle)),
+            (None, None, Some(base)) => Some(Closure::SecondBaseRadius(base)),
+            _ => None,
         }
-    };
-    Ok(ConjugateSpec {
-        closure,
-        roller_radius,
-    })
+    }
 }
 
-/// Demands on the cam that only the whole scene can contradict.
-pub(super) fn consistent(scene: &Scene) -> Result<()> {
-    let cam = &scene.cam;
-    if let (Some(_), Some(_)) = (cam.base_radius, cam.prime_radius) {
-        return Err(Error::key(
-            "cam.prime_radius",
-            "base_radius is given as well, and one follows from the other",
-        )
-        .help("leave one of them out"));
+impl CamSpec {
+    /// Whether the follower swings about a pivot, so that the law is in rad.
+    pub fn is_oscillating(&self) -> bool {
+        self.follower.is_oscillating()
     }
-    if cam.breadth.is_some() && (cam.base_radius.is_some() || cam.prime_radius.is_some()) {
-        return Err(Error::key(
-            "cam.breadth",
-            "the base circle follows from the breadth: half of what the lift leaves of it",
-        )
-        .help("leave base_radius and prime_radius out"));
-    }
-    if cam.breadth.is_some() && scene.law.family != Family::Program {
-        return Err(Error::key(
-            "cam.breadth",
-            "constant breadth needs a programme whose halves mirror each other",
-        )
-        .help("set law.family = \"program\" with segments"));
-    }
-    let base = match (cam.base_radius, cam.prime_radius) {
-        (Some(base), _) => Some(base),
-        (None, Some(prime)) => Some(prime - cam.roller_radius),
-        _ => None,
-    };
-    if let Some(base) = base.filter(|b| *b <= 0.0) {
-        return Err(Error::key(
-            "cam.prime_radius",
-            format!(
-                "the roller (or arc) of {:.4} mm leaves a base circle of {:.4} mm",
-                1e3 * cam.roller_radius,
-                1e3 * base
-            ),
-        )
-        .help("the prime radius must exceed the roller's"));
-    }
-    if let (Some(bore), Some(base)) = (cam.bore, base)
-        && base <= 0.5 * bore
-    {
-        return Err(Error::key(
-            "cam.base_radius",
-            format!("{base} m lies inside the bore of {bore} m"),
-        )
-        .help(format!("make it larger than {} m", 0.5 * bore)));
-    }
-    let prime = base.map(|b| b + cam.roller_radius);
-    if let (Some(prime), Some(offset)) = (prime, cam.offset)
-        && offset.abs() >= prime
-    {
-        return Err(Error::key(
-            "cam.offset",
-            format!("{offset} m reaches the prime circle of {prime} m"),
-        )
-        .help("the offset must be smaller than the prime radius"));
-    }
-    force_needs_a_sliding_follower(scene)
-}
 
-/// Forces are related to a lift in metres over one turn; other motions take programmes only.
-fn force_needs_a_sliding_follower(scene: &Scene) -> Result<()> {
-    let cam = &scene.cam;
-    let other = cam.is_oscillating() || cam.is_straight() || cam.turns > 1;
-    if !other {
-        return Ok(());
+    /// What the law is measured in.
+    pub fn measures(&self) -> Measures {
+        self.follower.measures()
     }
-    if scene.gait.is_some() {
-        return Err(Error::key(
-            "gait",
-            format!(
-                "a wanted force shapes a lift in metres over one turn, which {} does not make",
-                cam.follower.name()
-            ),
-        )
-        .help("use a translating follower, or leave [gait] out and give a programme"));
+
+    /// Whether the cam slides instead of turning, so that the law runs over metres of travel.
+    pub fn is_straight(&self) -> bool {
+        self.follower == FollowerKind::TranslatingCam
     }
-    if (cam.is_straight() || cam.turns > 1) && scene.law.family != Family::Program {
-        return Err(Error::key(
-            "law.family",
-            format!(
-                "a law over {} is given as a programme",
-                if cam.turns > 1 {
-                    "several turns"
-                } else {
-                    "a length"
-                }
-            ),
-        )
-        .help("set law.family = \"program\" with segments"));
-    }
-    if cam.is_oscillating() && scene.drive.kind != DriveKind::FixedAxis {
-        return Err(Error::key(
-            "drive.kind",
-            "an arm's lift is an angle, which no mass or spring in newtons acts on",
-        )
-        .help("use kind = \"fixed-axis\"; inertia, spring_rate and preload then count about the pivot"));
-    }
-    Ok(())
 }

@@ -1,96 +1,56 @@
 //! `[drive]`: how lift becomes force.
 
-use super::table::Reader;
-use super::{CamSpec, DriveSpec};
-use crate::cam::FollowerKind;
+use super::CamSpec;
 use crate::drive::DriveKind;
-use crate::error::{Error, Result};
-use crate::units::{Dimension, G};
+use crate::units::G;
 
-pub fn read(reader: Option<Reader>, cam: &CamSpec) -> Result<DriveSpec> {
-    // Only a cam that turns under a sliding follower can carry its own shaft.
-    let usual = if cam.is_oscillating() || cam.is_straight() || cam.follower == FollowerKind::Barrel
-    {
-        DriveKind::FixedAxis
-    } else {
-        DriveKind::MovingAxis
-    };
-    let mut spec = DriveSpec {
-        kind: usual,
-        mass: None,
-        speed: None,
-        gravity: G,
-        pressure_per_volume: 0.0,
-        piston_radius: 0.0,
-        spring_rate: 0.0,
-        preload: 0.0,
-        damping: 0.0,
-    };
-    let Some(mut r) = reader else { return Ok(spec) };
-    let kinds = [
-        DriveKind::MovingAxis,
-        DriveKind::FixedAxis,
-        DriveKind::Hydraulic,
-    ]
-    .map(|k| (k.name(), k));
-    spec.kind = r.choice("kind", &kinds)?.unwrap_or(usual);
-    let arm = cam.is_oscillating();
-    spec.mass = r.positive("mass", Dimension::Mass)?;
-    if arm {
-        if spec.mass.is_some() {
-            return Err(Error::key(
-                "drive.mass",
-                "an arm's lift is an angle, on which no mass acts",
-            )
-            .help("give its moment of inertia about the pivot: inertia = \"0.02 kg m^2\""));
-        }
-        spec.mass = r.positive("inertia", Dimension::Inertia)?;
-    }
-    let per_time = if cam.is_straight() {
-        Dimension::Speed
-    } else {
-        Dimension::AngularSpeed
-    };
-    spec.speed = r.positive("speed", per_time)?;
-    spec.gravity = r.positive("gravity", Dimension::Acceleration)?.unwrap_or(G);
-    match spec.kind {
-        DriveKind::MovingAxis => {}
-        DriveKind::FixedAxis => {
-            spec.spring_rate = r
-                .not_negative(
-                    "spring_rate",
-                    if arm {
-                        Dimension::AngularRate
-                    } else {
-                        Dimension::SpringRate
-                    },
-                )?
-                .unwrap_or(0.0);
-            let preload = if arm {
-                Dimension::Torque
-            } else {
-                Dimension::Force
-            };
-            spec.preload = r.quantity("preload", preload)?.unwrap_or(0.0);
-            if !arm {
-                spec.damping = r
-                    .not_negative("damping", Dimension::Damping)?
-                    .unwrap_or(0.0);
-            }
-        }
-        DriveKind::Hydraulic => {
-            let missing = |key: &str, example: &str| {
-                Error::key(&format!("drive.{key}"), "a hydraulic drive needs it")
-                    .help(format!("write for example {example}"))
-            };
-            spec.pressure_per_volume = r
-                .positive("pressure_per_volume", Dimension::PressurePerVolume)?
-                .ok_or_else(|| missing("pressure_per_volume", "\"30 psi/in^3\""))?;
-            spec.piston_radius = r
-                .positive("piston_radius", Dimension::Length)?
-                .ok_or_else(|| missing("piston_radius", "\"0.75 in\""))?;
+/// How lift becomes force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriveSpec {
+    /// The machine.
+    pub kind: DriveKind,
+    /// Moved mass, kg (an arm's moment of inertia, kg·m²); `None` = mean force / g.
+    pub mass: Option<f64>,
+    /// Cam speed, rad/s; `None` = one turn per cycle.
+    pub speed: Option<f64>,
+    /// Gravity, m/s².
+    pub gravity: f64,
+    /// Hydraulic: pressure per displaced volume, Pa/m³.
+    pub pressure_per_volume: f64,
+    /// Hydraulic: radius of the piston, m.
+    pub piston_radius: f64,
+    /// Fixed axis: N/m (an arm: N·m/rad).
+    pub spring_rate: f64,
+    /// Fixed axis: N on the base circle (an arm: N·m).
+    pub preload: f64,
+    /// Fixed axis: N·s/m.
+    pub damping: f64,
+}
+
+impl Default for DriveSpec {
+    fn default() -> DriveSpec {
+        DriveSpec {
+            kind: DriveKind::MovingAxis,
+            mass: None,
+            speed: None,
+            gravity: G,
+            pressure_per_volume: 0.0,
+            piston_radius: 0.0,
+            spring_rate: 0.0,
+            preload: 0.0,
+            damping: 0.0,
         }
     }
-    r.finish()?;
-    Ok(spec)
+}
+
+impl DriveSpec {
+    /// The kind of drive of a cam whose scene names none: only a disc that turns under a translating
+    /// follower can carry its own shaft.
+    pub fn usual_kind(cam: &CamSpec) -> DriveKind {
+        if cam.follower.is_translating() {
+            DriveKind::MovingAxis
+        } else {
+            DriveKind::FixedAxis
+        }
+    }
 }

@@ -1,169 +1,173 @@
 //! `[law]`: what the law may be.
 
-use super::load::lift_dimension;
-use super::table::Reader;
-use super::{CamSpec, Dwell, Family, Gait, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
-use crate::error::{Error, Place, Result};
+use super::Gait;
 use crate::law::Rise;
-use crate::units::Dimension;
 
-/// Most spans of a spline: beyond this the law is a table, not a law.
-const MOST_SPANS: usize = 10_000;
-pub fn read(reader: Option<Reader>, cam: &CamSpec, gait: Option<&Gait>) -> Result<LawSpec> {
-    let mut spec = LawSpec {
-        family: Family::Spline,
-        degree: None,
-        spans: None,
-        harmonics: None,
-        minimise: None,
-        monotone: false,
-        polydyne: false,
-        points: Vec::new(),
-        dwells: Vec::new(),
-        segments: Vec::new(),
-    };
-    let Some(mut r) = reader else {
-        spec.family = unnamed(&spec, gait);
-        return Ok(spec);
-    };
-    let family = r.choice("family", &Family::NAMES)?;
-    let degrees = if family == Some(Family::Polynomial) {
-        (1, 30)
-    } else {
-        (3, 9)
-    };
-    spec.degree = r.count("degree", degrees.0, degrees.1)?;
-    spec.spans = r.count("spans", 1, MOST_SPANS)?;
-    spec.harmonics = r.count("harmonics", 1, 400)?;
-    spec.minimise = r.choice("minimise", &Minimise::NAMES)?;
-    if let Some(weigh) = weigh(&mut r, gait.is_some(), cam)? {
-        if spec.minimise.is_some() {
-            return Err(
-                Error::key("law.minimise", "law.weigh already says what is minimised")
-                    .help("leave out one of the two"),
-            );
+/// Family of laws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Family {
+    /// The simplest of the others that meets accuracy and limits.
+    Auto,
+    /// Harmonics in closed form where accuracy and limits hold with them, a spline otherwise: what a scene
+    /// gets that names no family and asks for nothing that only one family has.
+    Ladder,
+    /// Splines.
+    #[default]
+    Spline,
+    /// One polynomial through given points, dwell elsewhere.
+    Polynomial,
+    /// A sum of harmonics.
+    Harmonic,
+    /// Rise–fall–dwell of double harmonics with searched angles and lifts.
+    DoubleHarmonic,
+    /// Segments of catalogue laws.
+    Program,
+}
+
+impl Family {
+    /// Every family with the name users write.
+    pub const NAMES: [(&'static str, Family); 7] = [
+        ("auto", Family::Auto),
+        ("ladder", Family::Ladder),
+        ("spline", Family::Spline),
+        ("polynomial", Family::Polynomial),
+        ("harmonic", Family::Harmonic),
+        ("double-harmonic", Family::DoubleHarmonic),
+        ("program", Family::Program),
+    ];
+
+    /// The name users write.
+    pub fn name(self) -> &'static str {
+        Family::NAMES
+            .iter()
+            .find(|n| n.1 == self)
+            .map_or("", |n| n.0)
+    }
+}
+
+/// What the law is chosen for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Minimise {
+    /// Mean square distance of the force to the target.
+    ForceError,
+    /// Mean square of the derivative of this order (2 acceleration, 3 jerk, 4 snap).
+    Energy(usize),
+    /// Largest absolute value of the derivative of this order.
+    Peak(usize),
+    /// Largest absolute distance of the force to the target.
+    PeakForceError,
+    /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
+    Size,
+    /// Force error, size and jerk against each other (`law.weigh`).
+    Weighed(Weigh),
+}
+
+/// What counts as one in a weighed objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
+/// radius; what is left out does not count.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Weigh {
+    /// e₁, part of the mean force.
+    pub force_error: Option<f64>,
+    /// R₁, m.
+    pub prime_radius: Option<f64>,
+    /// j₁, m/s³.
+    pub jerk: Option<f64>,
+}
+
+impl Minimise {
+    /// Every objective with the name users write.
+    pub const NAMES: [(&'static str, Minimise); 9] = [
+        ("force-error", Minimise::ForceError),
+        ("peak-force-error", Minimise::PeakForceError),
+        ("acceleration", Minimise::Energy(2)),
+        ("jerk", Minimise::Energy(3)),
+        ("snap", Minimise::Energy(4)),
+        ("peak-acceleration", Minimise::Peak(2)),
+        ("peak-jerk", Minimise::Peak(3)),
+        ("peak-snap", Minimise::Peak(4)),
+        ("size", Minimise::Size),
+    ];
+}
+
+/// An exact demand on the law at one cam angle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LawPoint {
+    /// Cam angle, rad.
+    pub angle: f64,
+    /// Lift, m (or rad).
+    pub lift: Option<f64>,
+    /// Force, N, in place of a lift, where the drive turns one into the other.
+    pub force: Option<f64>,
+    /// Velocity, m/rad.
+    pub velocity: Option<f64>,
+    /// Acceleration, m/rad².
+    pub acceleration: Option<f64>,
+    /// Jerk, m/rad³.
+    pub jerk: Option<f64>,
+}
+
+/// A range of cam angles at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Dwell {
+    /// First angle, rad.
+    pub from: f64,
+    /// Last angle, rad.
+    pub to: f64,
+    /// Lift, m; `None` = whatever suits.
+    pub lift: Option<f64>,
+}
+
+/// One segment of a programme.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SegmentSpec {
+    /// The motion; [`Rise::Dwell`] for rest.
+    pub motion: Rise,
+    /// Change of lift, m (or rad), negative for a fall.
+    pub lift: f64,
+    /// Angle, rad.
+    pub angle: f64,
+}
+
+/// What the law may be.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LawSpec {
+    /// Family.
+    pub family: Family,
+    /// Degree of spline pieces (`None` = 5) or of the polynomial (`None` = as many as the points fix).
+    pub degree: Option<usize>,
+    /// Number of spline spans; `None` = the fewest that reach the accuracy.
+    pub spans: Option<usize>,
+    /// Number of harmonics; `None` = the fewest that reach the accuracy.
+    pub harmonics: Option<usize>,
+    /// What the law is chosen for; `None` = the force where one is wanted, jerk otherwise.
+    pub minimise: Option<Minimise>,
+    /// Rise or fall steadily between neighbouring points.
+    pub monotone: bool,
+    /// The law is that of a flexible follower's end; the cam is cut so that the end follows it.
+    pub polydyne: bool,
+    /// Exact demands.
+    pub points: Vec<LawPoint>,
+    /// Rests.
+    pub dwells: Vec<Dwell>,
+    /// Programme.
+    pub segments: Vec<SegmentSpec>,
+}
+
+impl LawSpec {
+    /// The family of a scene that names none: the ladder, unless something is asked that only splines have.
+    pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
+        let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
+        let of_splines = self.degree.is_some()
+            || self.spans.is_some()
+            || self.monotone
+            || self.polydyne
+            || matches!(self.minimise, Some(m) if m != Minimise::ForceError)
+            || !(self.points.is_empty() && self.dwells.is_empty() && self.segments.is_empty());
+        match (follows_a_plain_force && !of_splines, self.harmonics) {
+            (true, None) => Family::Ladder,
+            (true, Some(_)) => Family::Harmonic,
+            (false, _) => Family::Spline,
         }
-        spec.minimise = Some(Minimise::Weighed(weigh));
-    }
-    let of_force = [Minimise::ForceError, Minimise::PeakForceError];
-    if gait.is_none() && spec.minimise.is_some_and(|m| of_force.contains(&m)) {
-        return Err(
-            Error::key("law.minimise", "there is no force to come near to")
-                .help("add [gait], or minimise \"jerk\", \"peak-acceleration\" …"),
-        );
-    }
-    spec.monotone = r.flag("monotone")?.unwrap_or(false);
-    spec.polydyne = r.flag("polydyne")?.unwrap_or(false);
-    let length = |order| lift_dimension(cam.is_oscillating(), order);
-    for mut p in r.tables("point")? {
-        let key = p.name("angle");
-        let angle = p.quantity("angle", Dimension::Angle)?;
-        spec.points.push(LawPoint {
-            angle: angle.ok_or_else(|| {
-                Error::key(&key, "a point needs its angle").help("write angle = \"56.88 deg\"")
-            })?,
-            lift: p.quantity("lift", length(0))?,
-            force: p.quantity("force", Dimension::Force)?,
-            velocity: p.quantity("velocity", length(1))?,
-            acceleration: p.quantity("acceleration", length(2))?,
-            jerk: p.quantity("jerk", length(3))?,
-        });
-        p.finish()?;
-    }
-    for mut d in r.tables("dwell")? {
-        let missing = |key: String| {
-            Error::key(&key, "a dwell needs it")
-                .help("write from = \"256.32 deg\", to = \"360 deg\"")
-        };
-        let (from_key, to_key) = (d.name("from"), d.name("to"));
-        spec.dwells.push(Dwell {
-            from: d
-                .quantity("from", Dimension::Angle)?
-                .ok_or_else(|| missing(from_key))?,
-            to: d
-                .quantity("to", Dimension::Angle)?
-                .ok_or_else(|| missing(to_key))?,
-            lift: d.quantity("lift", length(0))?,
-        });
-        d.finish()?;
-    }
-    for mut s in r.tables("segment")? {
-        let (key, named) = (s.name("angle"), s.name("motion"));
-        let motion = Rise::from_name(s.text("motion")?.unwrap_or(Rise::Dwell.name()))
-            .map_err(|e| e.at(Place::Key(named)))?;
-        spec.segments.push(SegmentSpec {
-            motion,
-            lift: s.quantity("lift", length(0))?.unwrap_or(0.0),
-            angle: if cam.is_straight() {
-                let length = s.name("length");
-                s.positive("length", Dimension::Length)?.ok_or_else(|| {
-                    Error::key(&length, "a segment of a translating cam needs its length")
-                        .help("write length = \"40 mm\"")
-                })?
-            } else {
-                s.positive("angle", Dimension::Angle)?.ok_or_else(|| {
-                    Error::key(&key, "a segment needs its angle").help("write angle = \"90 deg\"")
-                })?
-            },
-        });
-        s.finish()?;
-    }
-    r.finish()?;
-    spec.family = family.unwrap_or_else(|| unnamed(&spec, gait));
-    Ok(spec)
-}
-
-/// `[law.weigh]`: force error, size and jerk against each other.
-fn weigh(r: &mut Reader, has_force: bool, cam: &CamSpec) -> Result<Option<Weigh>> {
-    let Some(mut r) = r.table("weigh")? else {
-        return Ok(None);
-    };
-    let jerk = if cam.is_oscillating() {
-        Dimension::AngularJerk
-    } else {
-        Dimension::Jerk
-    };
-    let weigh = Weigh {
-        force_error: r.positive("force_error", Dimension::Percent)?,
-        prime_radius: r.positive("prime_radius", Dimension::Length)?,
-        jerk: r.positive("jerk", jerk)?,
-    };
-    r.finish()?;
-    if weigh == Weigh::default() {
-        return Err(Error::key("law.weigh", "it says nothing").help(
-            "say how much counts as one: force_error = \"1 %\", prime_radius = \"20 mm\", jerk = \"100 m/s^3\"",
-        ));
-    }
-    if weigh.force_error.is_some() && !has_force {
-        return Err(
-            Error::key("law.weigh.force_error", "there is no force to come near to")
-                .help("add [gait], or leave it out"),
-        );
-    }
-    let sized = cam.follower.is_translating() && !cam.follower.is_mushroom();
-    let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
-    if weigh.prime_radius.is_some() && !(sized && free) {
-        return Err(
-            Error::key("law.weigh.prime_radius", "the size of this cam is not free").help(
-                "it is for translating flat faces, rollers and knife edges without a given radius",
-            ),
-        );
-    }
-    Ok(Some(weigh))
-}
-
-/// The family of a scene that names none: the ladder, unless something is asked that only splines have.
-fn unnamed(law: &LawSpec, gait: Option<&Gait>) -> Family {
-    let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
-    let of_splines = law.degree.is_some()
-        || law.spans.is_some()
-        || law.monotone
-        || law.polydyne
-        || matches!(law.minimise, Some(m) if m != Minimise::ForceError)
-        || !(law.points.is_empty() && law.dwells.is_empty() && law.segments.is_empty());
-    match (follows_a_plain_force && !of_splines, law.harmonics) {
-        (true, None) => Family::Ladder,
-        (true, Some(_)) => Family::Harmonic,
-        (false, _) => Family::Spline,
     }
 }

@@ -131,8 +131,8 @@ impl<'a> Kernel<'a> {
         let source: Arc<str> = match scene.as_ref().and_then(|s| s.gait.as_ref()) {
             None => Arc::from(""),
             Some(gait) => match &gait.source {
-                Source::Model { name, .. } => Arc::from(format!("{name} {}", gait.feet.name())),
-                Source::File { .. } => Arc::from(format!("{} {gait:?}", batch.scene[row])),
+                Source::Model(name) => Arc::from(format!("{name} {}", gait.feet.name())),
+                Source::File(_) => Arc::from(format!("{} {gait:?}", batch.scene[row])),
             },
         };
         Base {
@@ -175,7 +175,7 @@ impl<'a> Kernel<'a> {
         let index = batch.scene[row] as usize;
         if let Some(scene) = &mut base.scene
             && self.set_numbers(batch, row, scene)
-            && consistent(scene)
+            && scene::check(scene).is_ok()
         {
             let answer = if base.closed {
                 closed_row(self, index, base)
@@ -199,10 +199,9 @@ impl<'a> Kernel<'a> {
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
             if let Column::Numbers(x) = column {
-                if !key.takes(x[row]) {
+                if !key.set(scene, x[row]) {
                     return false;
                 }
-                key.set(scene, x[row]);
             }
         }
         true
@@ -239,14 +238,12 @@ impl<'a> Kernel<'a> {
             return Ok(None);
         };
         match &gait.source {
-            Source::File { .. } => (self.targets)(index, scene).map(Some),
-            Source::Model {
-                name,
-                step_frequency_hz,
-                body_weight_n,
-            } => force::model(name, *step_frequency_hz, *body_weight_n, gait.feet)
-                .map(Some)
-                .map_err(|e| e.at(Place::Key("gait.model".to_string()))),
+            Source::File(_) => (self.targets)(index, scene).map(Some),
+            Source::Model(name) => {
+                force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
+                    .map(Some)
+                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))
+            }
         }
     }
 
@@ -280,23 +277,18 @@ impl<'a> Kernel<'a> {
     /// A target, and whether it costs less than keeping it.
     fn take_apart(&self, index: usize, scene: &Scene) -> Option<(HarmonicTarget, bool)> {
         let gait = scene.gait.as_ref()?;
-        let Source::Model {
-            name,
-            step_frequency_hz,
-            ..
-        } = &gait.source
-        else {
+        let Source::Model(name) = &gait.source else {
             let curve = (self.targets)(index, scene).ok()?;
             return Some((HarmonicTarget::of_curve(curve)?, false));
         };
-        let fourier = force::fourier(name, *step_frequency_hz, gait.feet).ok()?;
+        let fourier = force::fourier(name, gait.step_frequency, gait.feet).ok()?;
         let harmonics = fourier.and_then(|(period_s, terms)| {
             HarmonicTarget::of_harmonics(period_s, terms, force::SAMPLES)
         });
         if let Some(target) = harmonics {
             return Some((target, true));
         }
-        let curve = force::model(name, *step_frequency_hz, 1.0, gait.feet).ok()?;
+        let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
         Some((HarmonicTarget::of_curve(curve)?, false))
     }
 }
@@ -314,13 +306,13 @@ fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
 /// The closed form of a row whose numbers are set.
 fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
     let scene = base.scene.as_ref()?;
-    let (frequency, scale) = match &scene.gait.as_ref()?.source {
-        Source::File { .. } => (0, 1.0),
-        Source::Model {
-            step_frequency_hz,
-            body_weight_n,
-            ..
-        } => (step_frequency_hz.unwrap_or(0.0).to_bits(), *body_weight_n),
+    let gait = scene.gait.as_ref()?;
+    let (frequency, scale) = match &gait.source {
+        Source::File(_) => (0, 1.0),
+        Source::Model(_) => (
+            gait.step_frequency.unwrap_or(0.0).to_bits(),
+            gait.model_weight(),
+        ),
     };
     if base.last.as_ref().is_none_or(|l| l.0 != frequency) {
         let target = kernel.harmonic_target(index, scene, &base.source, frequency);
@@ -328,16 +320,6 @@ fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
     }
     let target = base.last.as_ref()?.1.as_ref()?;
     spectral::figures(scene, target, scale).map(|f| Row::spectral(&f))
-}
-
-/// Demands that several numbers can contradict together; the scene's reader has the words for them.
-fn consistent(scene: &Scene) -> bool {
-    let cam = &scene.cam;
-    let limits = &scene.limits;
-    let bore = matches!((cam.bore, cam.base_radius), (Some(d), Some(r)) if r <= 0.5 * d);
-    let offset = matches!((cam.prime_radius, cam.offset), (Some(r), Some(e)) if e.abs() >= r);
-    let force = matches!((limits.force_min, limits.force_max), (Some(a), Some(b)) if a >= b);
-    !(bore || offset || force)
 }
 
 #[cfg(test)]

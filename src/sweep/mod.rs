@@ -13,7 +13,6 @@ mod key;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod plan;
-mod quantities;
 mod results;
 mod sample;
 pub mod table;

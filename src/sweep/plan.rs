@@ -233,6 +233,10 @@ impl Plan {
             }
             write(&axis.key, &mut table, value)?;
             match scene::read(&table) {
+                Ok(read) => match read.no_effect_of(axis.key.name()) {
+                    None => return Ok(()),
+                    Some(note) => fault = Some(note.into()),
+                },
                 // Keys that do not go together are a fault of the row: other values may go.
                 Err(_) if scene::read_keys(&table).is_ok() => return Ok(()),
                 Err(e)
@@ -241,7 +245,7 @@ impl Plan {
                 {
                     fault = Some(e);
                 }
-                _ => return Ok(()),
+                Err(_) => return Ok(()),
             }
         }
         match fault {

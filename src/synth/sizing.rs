@@ -49,13 +49,13 @@ pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
     problem
         .cam
         .conjugate
-        .map(|pair| {
+        .and_then(|pair| {
             let conjugate = if problem.cam.pivot_beside {
                 Conjugate::beside
             } else {
                 Conjugate::new
             };
-            conjugate(cam, pair.closure, pair.roller_radius)
+            Some(conjugate(cam, pair.closure()?, pair.roller_radius))
         })
         .transpose()
         .map_err(|e| e.at(Place::Key("cam.conjugate".to_string())))

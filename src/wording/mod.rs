@@ -79,7 +79,12 @@ const ENGLISH: &[&str] = &[
     include_str!("en/synth.ftl"),
     include_str!("en/infeasible.ftl"),
     include_str!("en/solver.ftl"),
+    include_str!("en/keys.ftl"),
+    include_str!("en/scene.ftl"),
 ];
+
+/// What the keys of a scene mean, in Spanish.
+const SPANISH_KEYS: &[&str] = &[include_str!("es/keys.ftl")];
 
 /// The library's messages in a language.
 pub fn catalogue(language: Language) -> &'static Catalogue {
@@ -87,6 +92,25 @@ pub fn catalogue(language: Language) -> &'static Catalogue {
     match language {
         // Spanish follows English until its files are there.
         Language::En | Language::Es => EN.get_or_init(|| Catalogue::new(Language::En, ENGLISH)),
+    }
+}
+
+/// What a key of the scene file means; `path` as the key table has it.
+pub fn key_doc(language: Language, path: &str) -> String {
+    keys(language).text(&format!("key-{}", path.replace('.', "-")))
+}
+
+/// What a built-in scene is.
+pub fn scene_doc(language: Language, name: &str) -> String {
+    keys(language).text(&format!("built-in-{name}"))
+}
+
+/// The texts about keys and built-in scenes.
+fn keys(language: Language) -> &'static Catalogue {
+    static ES: OnceLock<Catalogue> = OnceLock::new();
+    match language {
+        Language::En => catalogue(language),
+        Language::Es => ES.get_or_init(|| Catalogue::new(Language::Es, SPANISH_KEYS)),
     }
 }
 

@@ -6,6 +6,7 @@ mod examples;
 mod force;
 mod law;
 mod layering;
+mod scene;
 mod support;
 mod synth;
 mod wording;

@@ -2,8 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::error::{CamError, DynamicsError, ForceError, ReadError, UnitsError};
+use gaitcam::error::{CamError, DynamicsError, ForceError, ReadError, SceneError, UnitsError};
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
+use gaitcam::scene::SCENES;
+use gaitcam::scene::keys::KEYS;
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
 
@@ -22,6 +24,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("contact", RejectReason::VARIANTS),
         ("format", Format::VARIANTS),
         ("gait", LABELS),
+        ("scene", SceneError::VARIANTS),
     ]
 }
 
@@ -31,6 +34,13 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
     for (area, variants) in areas() {
         codes.extend(variants.iter().map(|v| format!("{area}-{v}")));
     }
+    // What each key of a scene means.
+    codes.extend(
+        KEYS.iter()
+            .map(|k| format!("key-{}", k.path.replace('.', "-"))),
+    );
+    codes.extend(SCENES.iter().map(|s| format!("built-in-{}", s.name)));
+    codes.insert("scene-no-effect".to_string());
     let words = catalogue(Language::En);
     let own = words.keys().iter().filter(|k| !k.starts_with("name-"));
     let keys: BTreeSet<String> = own.cloned().collect();

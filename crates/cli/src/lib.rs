@@ -11,6 +11,7 @@ pub mod exit_code;
 mod front;
 mod gait;
 mod input;
+mod keys;
 mod language;
 mod laws;
 mod reproduce;
@@ -58,6 +59,10 @@ enum Command {
     Compare(compare::CompareArgs),
     /// Measure speed against accuracy on this machine and draw the charts
     Chart(chart::ChartArgs),
+    /// List the keys of a scene file: what each takes, its default and its meaning
+    Keys(keys::KeysArgs),
+    /// List the scenes that come with the program, or print one
+    Scenes(keys::ScenesArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws(laws::LawsArgs),
     /// Print the completion script of a shell
@@ -103,6 +108,8 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Reproduce(args) => reproduce::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Keys(args) => keys::keys(&args),
+        Command::Scenes(args) => keys::scenes(&args),
         Command::Laws(args) => laws::run(&args),
         Command::Completions(args) => completions::run(&args),
     }
@@ -131,6 +138,8 @@ impl Command {
             Command::Front(args) => args.json,
             Command::Compare(args) => args.json,
             Command::Laws(args) => args.json,
+            Command::Keys(args) => args.json || args.schema,
+            Command::Scenes(args) => args.json,
             Command::Reproduce(_) | Command::Chart(_) | Command::Completions(_) => false,
         }
     }

@@ -17,7 +17,7 @@ use gaitcam::units::{Dimension, parse};
 /// A scene with changes.
 #[derive(Args, Debug, Default, Clone)]
 pub struct SceneArgs {
-    /// Scene file, or - for standard input; without one, the built-in footbridge
+    /// Scene file, name of a built-in scene (gaitcam scenes), or - for standard input; default footbridge
     pub scene: Option<PathBuf>,
     /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
     #[arg(long = "set", value_name = "KEY=VALUE")]
@@ -42,6 +42,9 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
     let (text, folder) = match (&args.scene, file) {
         (None, _) => (scene::DEFAULT.to_string(), Path::new(".")),
         (Some(_), None) => (files::read_standard_input()?, Path::new(".")),
+        (_, Some(path)) if !path.exists() && built_in(path).is_some() => {
+            (built_in(path).unwrap_or("").to_string(), Path::new("."))
+        }
         (_, Some(path)) => (
             files::read_text(path)?,
             path.parent().unwrap_or(Path::new(".")),
@@ -55,7 +58,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
             .map_err(|e: toml::de::Error| not_toml(file, &text, &e))?,
     };
     for change in &args.set {
-        scene::set(&mut table, change)?;
+        scene::set(&mut table, change).map_err(|e| e.at(Place::Argument("--set".to_string())))?;
     }
     let scene = scene::read(&table).map_err(|e| name_file(file, e))?;
     Ok(Input {
@@ -64,6 +67,12 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
         folder: folder.to_path_buf(),
         file: file.map(Path::to_path_buf),
     })
+}
+
+/// The built-in scene that a path names.
+fn built_in(path: &Path) -> Option<&'static str> {
+    let found = scene::built_in(path.to_str()?).ok()?;
+    Some(found.toml)
 }
 
 /// The value of a flag with a unit, where the flag is given.
@@ -91,8 +100,8 @@ impl Input {
     /// The recording that the scene names, if it names one.
     pub fn recording(&self) -> Option<PathBuf> {
         match &self.scene.gait.as_ref()?.source {
-            Source::File { path, .. } => Some(target::find(&self.folder, path)),
-            Source::Model { .. } => None,
+            Source::File(path) => Some(target::find(&self.folder, path)),
+            Source::Model(_) => None,
         }
     }
 

@@ -14,39 +14,27 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
         return Ok(None);
     };
     match &gait.source {
-        Source::Model {
-            name,
-            step_frequency_hz,
-            body_weight_n,
-        } => {
-            let curve = force::model(name, *step_frequency_hz, *body_weight_n, gait.feet);
-            curve
+        Source::Model(name) => {
+            let weight = gait.model_weight();
+            force::model(name, gait.step_frequency, weight, gait.feet)
                 .map(Some)
                 .map_err(|e| e.at(Place::Key("gait.model".to_string())))
         }
-        Source::File {
-            path,
-            time,
-            force,
-            unit,
-            rate_hz,
-            mass_kg,
-        } => {
+        Source::File(path) => {
             let path = find(folder, path);
             let bytes = read_bytes(&path)?;
-            let unit = unit
-                .as_deref()
+            let unit = (gait.unit.as_deref())
                 .map(|u| {
                     u.parse()
                         .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
                 })
                 .transpose()?;
             let options = force::ReadOptions {
-                time: time.clone(),
-                force: force.clone(),
+                time: gait.time.clone(),
+                force: gait.force.clone(),
                 unit,
-                rate_hz: *rate_hz,
-                mass_kg: *mass_kg,
+                rate_hz: gait.rate,
+                mass_kg: gait.mass,
                 metadata: metadata(&path),
             };
             force::force_curve(&path, &bytes, &options, gait.feet).map(Some)

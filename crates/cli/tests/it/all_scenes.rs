@@ -29,12 +29,10 @@ fn designed(path: &Path) -> (Scene, Synthesis) {
     name_recording(&mut table);
     let scene = scene::read(&table).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
     let target = scene.gait.as_ref().map(|g| match &g.source {
-        Source::Model {
-            name,
-            step_frequency_hz,
-            body_weight_n,
-        } => force::model(name, *step_frequency_hz, *body_weight_n, g.feet).unwrap(),
-        Source::File { path: file, .. } => {
+        Source::Model(name) => {
+            force::model(name, g.step_frequency, g.model_weight(), g.feet).unwrap()
+        }
+        Source::File(file) => {
             let file = path.parent().unwrap().join(file);
             let bytes = fs::read(&file).unwrap();
             force::force_curve(&file, &bytes, &force::ReadOptions::default(), g.feet).unwrap()

@@ -187,10 +187,7 @@ fn design(changes: &[&str]) -> Result<Synthesis, String> {
         scene::set(&mut table, change).map_err(|e| e.to_string())?;
     }
     let scene = scene::read(&table).map_err(|e| e.to_string())?;
-    let weight = match &scene.gait.as_ref().unwrap().source {
-        scene::Source::Model { body_weight_n, .. } => *body_weight_n,
-        scene::Source::File { .. } => 700.0,
-    };
+    let weight = scene.gait.as_ref().unwrap().model_weight();
     let target = model("young", Some(1.85), weight, Feet::Both).unwrap();
     synthesise(&scene, Some(&target)).map_err(|e| e.to_string())
 }

@@ -1,0 +1,67 @@
+//! Scenes that come with the program.
+
+use crate::error::{Error, Result, SceneError, nearest};
+
+/// A scene that comes with the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BuiltIn {
+    /// Its name.
+    pub name: &'static str,
+    /// Its scene file.
+    pub toml: &'static str,
+}
+
+macro_rules! scenes {
+    ($($name:literal),+ $(,)?) => {
+        [$(BuiltIn {
+            name: $name,
+            toml: include_str!(concat!("../../scenes/", $name, ".toml")),
+        }),+]
+    };
+}
+
+/// Every built-in scene.
+pub const SCENES: [BuiltIn; 24] = scenes![
+    "footbridge",
+    "footbridge_thesis_scale",
+    "heel_tester",
+    "heel_tester_fitted",
+    "measured_walk",
+    "mushroom",
+    "translating_cam",
+    "thesis_barrel",
+    "thesis_iteration_1",
+    "thesis_iteration_2",
+    "thesis_iteration_3",
+    "thesis_iteration_4",
+    "camdas_01_roller",
+    "camdas_02_oscillating_roller",
+    "camdas_03_flat",
+    "camdas_04_oscillating_flat",
+    "camdas_05_constant_diameter",
+    "camdas_06_constant_breadth",
+    "camdas_07_conjugate_roller",
+    "camdas_08_conjugate_flat",
+    "camdas_09_eight_motions",
+    "camdas_10_eccentric",
+    "camdas_11_oscillating_roller",
+    "camdas_12_oscillating_flat",
+];
+
+/// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.
+pub const DEFAULT: &str = SCENES[0].toml;
+
+/// The built-in scene of a name.
+///
+/// # Errors
+/// Names that are not built in, with the nearest one.
+pub fn built_in(name: &str) -> Result<&'static BuiltIn> {
+    let found = SCENES.iter().find(|s| s.name == name);
+    found.ok_or_else(|| {
+        Error::from(SceneError::NoSuchScene {
+            typed: name.to_string(),
+            nearest: nearest(name, SCENES.iter().map(|s| s.name)).map(str::to_string),
+            known: SCENES.map(|s| s.name).join(", "),
+        })
+    })
+}

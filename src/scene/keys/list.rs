@@ -1,0 +1,113 @@
+//! The key table for programs and for people.
+
+use serde_json::{Value, json};
+
+use super::{KEYS, Key, Kind, Range};
+use crate::wording::{Language, key_doc};
+
+/// Every key as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
+pub fn json() -> Value {
+    KEYS.iter().map(row).collect()
+}
+
+fn row(key: &Key) -> Value {
+    let (kind, count) = match key.kind {
+        Kind::Number(_) => ("number", None),
+        Kind::NumberOr(..) => ("number-or-word", None),
+        Kind::Count(low, high) => ("count", Some((low, high))),
+        Kind::Choice(_) => ("choice", None),
+        Kind::Flag => ("flag", None),
+        Kind::Text => ("text", None),
+        Kind::Texts => ("texts", None),
+    };
+    let range = match (count, key.range) {
+        (Some((low, high)), _) => json!({"from": low, "to": high}),
+        (None, Range::Any) => Value::Null,
+        (None, Range::Positive) => json!({"above": 0.0}),
+        (None, Range::NotNegative) => json!({"from": 0.0}),
+        (None, Range::Between(low, high)) => json!({"from": low, "to": high}),
+        (None, Range::Acute) => json!({"above": 0.0, "below": std::f64::consts::FRAC_PI_2}),
+    };
+    let measure = key.measure();
+    json!({
+        "key": key.path,
+        "section": key.section(),
+        "kind": kind,
+        "unit": measure.map(|m| m.translating.si()),
+        "units": measure.map(|m| json!({
+            "translating": m.translating.si(),
+            "oscillating": m.oscillating.si(),
+            "straight": m.straight.si(),
+        })),
+        "default": (!key.default.is_empty()).then_some(key.default),
+        "range": range,
+        "choices": key.choices(),
+        "limit": key.limit,
+        "relax": key.relax,
+        "doc": {"en": key_doc(Language::En, key.path), "es": key_doc(Language::Es, key.path)},
+    })
+}
+
+/// What a key takes, in short: `length > 0`, `3 … 9`, `true | false`.
+pub fn takes(key: &Key) -> String {
+    let number = |word: Option<&str>| {
+        let units: Vec<&str> = key
+            .measure()
+            .map(|m| m.each().iter().map(|d| d.si()).collect())
+            .unwrap_or_default();
+        let unit = match units.join(" or ") {
+            unit if unit.is_empty() => "number".to_string(),
+            unit => unit.replace("ratio", "%"),
+        };
+        let range = match key.range {
+            Range::Any => String::new(),
+            Range::Positive => " > 0".to_string(),
+            Range::NotNegative => " ≥ 0".to_string(),
+            Range::Between(low, high) => format!(" {low} … {high}"),
+            Range::Acute => " < 90 deg".to_string(),
+        };
+        let word = word.map_or(String::new(), |w| format!(" or {w}"));
+        format!("{unit}{range}{word}")
+    };
+    match key.kind {
+        Kind::Number(_) => number(None),
+        Kind::NumberOr(_, word) => number(Some(word)),
+        Kind::Count(low, high) => format!("{low} … {high}"),
+        Kind::Choice(words) => words().join(" | "),
+        Kind::Flag => "true | false".to_string(),
+        Kind::Text => "text".to_string(),
+        Kind::Texts => "text or list of texts".to_string(),
+    }
+}
+
+/// The reference page of all keys.
+pub fn markdown() -> String {
+    let mut out = String::from(
+        "# Keys of a scene file\n\n\
+         Every key with what it takes, its value where none is given, and its meaning. Numbers stand with their unit in\n\
+         quotes (`\"40 mm\"`, `\"111 rpm\"`, `\"0.5 %\"`); any unit of the same kind will do. `N` is the number of an entry of a\n\
+         list, which a file writes as `[[law.segment]]`. This page is printed by `gaitcam keys --markdown`.\n",
+    );
+    let mut section = None;
+    for key in KEYS.iter() {
+        if section != Some(key.section()) {
+            section = Some(key.section());
+            match key.section() {
+                "" => out.push('\n'),
+                name => out.push_str(&format!("\n## [{name}]\n\n")),
+            }
+            out.push_str("| key | takes | default | meaning |\n|---|---|---|---|\n");
+        }
+        let default = match key.default {
+            "" => String::new(),
+            text => format!("`{text}`"),
+        };
+        out.push_str(&format!(
+            "| `{}` | {} | {default} | {} |\n",
+            key.path,
+            takes(key).replace('|', "\\|"),
+            key_doc(Language::En, key.path),
+        ));
+    }
+    out
+}

@@ -1,0 +1,465 @@
+//! One row of the key table.
+
+use serde::Serialize;
+
+use super::value::Value;
+use crate::cam::Measures;
+use crate::error::Result;
+use crate::scene::{LimitKind, Scene};
+use crate::units::Dimension;
+
+/// What a number measures, by what the follower's lift is measured in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Measure {
+    /// Followers that translate.
+    pub translating: Dimension,
+    /// Followers that oscillate.
+    pub oscillating: Dimension,
+    /// Cams that translate themselves.
+    pub straight: Dimension,
+}
+
+impl Measure {
+    /// The same for every follower.
+    pub const fn same(dimension: Dimension) -> Measure {
+        Measure::by_arm(dimension, dimension)
+    }
+
+    /// One for followers on an arm, another for all others.
+    pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
+        Measure {
+            translating: other,
+            oscillating: arm,
+            straight: other,
+        }
+    }
+
+    /// The dimension for a follower.
+    pub fn of(self, measures: Measures) -> Dimension {
+        match measures {
+            Measures::Translating => self.translating,
+            Measures::Oscillating => self.oscillating,
+            Measures::Straight => self.straight,
+        }
+    }
+
+    /// Every dimension that occurs, each once.
+    pub fn each(self) -> Vec<Dimension> {
+        let mut all = vec![self.translating];
+        for next in [self.oscillating, self.straight] {
+            if !all.contains(&next) {
+                all.push(next);
+            }
+        }
+        all
+    }
+}
+
+/// What kind of value a key takes.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A number with its unit.
+    Number(Measure),
+    /// A number with its unit, or this word.
+    NumberOr(Measure, &'static str),
+    /// A whole number from the first to the last.
+    Count(usize, usize),
+    /// One of several words.
+    Choice(fn() -> Vec<&'static str>),
+    /// `true` or `false`.
+    Flag,
+    /// A text.
+    Text,
+    /// A text or a list of texts.
+    Texts,
+}
+
+/// Which numbers a key takes, in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Range {
+    /// Any.
+    Any,
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NotNegative,
+    /// From the first to the last.
+    Between(f64, f64),
+    /// An angle above 0 and below 90°.
+    Acute,
+}
+
+impl Range {
+    /// Whether a number lies in it.
+    pub fn contains(self, x: f64) -> bool {
+        x.is_finite()
+            && match self {
+                Range::Any => true,
+                Range::Positive => x > 0.0,
+                Range::NotNegative => x >= 0.0,
+                Range::Between(low, high) => (low..=high).contains(&x),
+                Range::Acute => x > 0.0 && x < std::f64::consts::FRAC_PI_2,
+            }
+    }
+}
+
+/// Which way a number has to go to ask for less.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Relax {
+    /// A larger value is the weaker demand.
+    Up,
+    /// A smaller value is the weaker demand.
+    Down,
+}
+
+/// Why a key that is given changes nothing in a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// The law's family does not use it.
+    Family,
+    /// The kind of follower does not use it.
+    Follower,
+    /// The drive does not use it.
+    Drive,
+    /// No force is wanted.
+    NoForce,
+    /// The force is a recording.
+    Recording,
+    /// The force is a load model.
+    Model,
+    /// Nothing is known of the follower's stiffness.
+    RigidFollower,
+}
+
+impl Idle {
+    /// Its name in data.
+    pub fn name(self) -> &'static str {
+        match self {
+            Idle::Family => "family",
+            Idle::Follower => "follower",
+            Idle::Drive => "drive",
+            Idle::NoForce => "no-force",
+            Idle::Recording => "recording",
+            Idle::Model => "model",
+            Idle::RigidFollower => "rigid-follower",
+        }
+    }
+}
+
+type Get = fn(&Scene, usize) -> Option<Value>;
+type Set = fn(&mut Scene, usize, Value) -> Result<()>;
+
+/// How a row reaches its field; the number counts entries of a list from 0.
+#[derive(Clone, Copy)]
+pub(super) struct Access {
+    pub get: Get,
+    pub set: Set,
+}
+
+/// A key of the scene file.
+#[derive(Clone, Copy)]
+pub struct Key {
+    /// Dotted path, `N` for the number of an entry of a list: `law.segment.N.lift`.
+    pub path: &'static str,
+    /// What it takes.
+    pub kind: Kind,
+    /// Which numbers it takes.
+    pub range: Range,
+    /// The value where none is given, as a scene file has it; empty where the scene has none then.
+    pub default: &'static str,
+    /// The limit that it sets.
+    pub limit: Option<LimitKind>,
+    /// Whether it may be relaxed, and which way.
+    pub relax: Option<Relax>,
+    exists: fn(&Scene) -> bool,
+    required: fn(&Scene) -> bool,
+    idle: fn(&Scene) -> Option<Idle>,
+    direct: bool,
+    access: Access,
+}
+
+impl std::fmt::Debug for Key {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.path)
+    }
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Key) -> bool {
+        self.path == other.path
+    }
+}
+
+impl Key {
+    /// The table that the key stands in: `limits`.
+    pub fn section(&self) -> &'static str {
+        self.path.split_once('.').map_or("", |p| p.0)
+    }
+
+    /// The path without its last word: `law.segment.N`.
+    pub fn parent(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or("", |p| p.0)
+    }
+
+    /// The last word of the path.
+    pub fn name(&self) -> &'static str {
+        self.path.rsplit_once('.').map_or(self.path, |p| p.1)
+    }
+
+    /// The list whose entries have this key: `law.segment`.
+    pub fn list(&self) -> Option<&'static str> {
+        self.path.split_once(".N.").map(|p| p.0)
+    }
+
+    /// The path with the number of an entry, counted from 0, as users write it.
+    pub fn path_at(&self, index: usize) -> String {
+        self.path.replacen(".N.", &format!(".{}.", index + 1), 1)
+    }
+
+    /// The number of the entry (0 outside lists) if `path` names this key.
+    pub fn index_in(&self, path: &str) -> Option<usize> {
+        let Some((list, last)) = self.path.split_once(".N.") else {
+            return (path == self.path).then_some(0);
+        };
+        let inside = path.strip_prefix(list)?.strip_prefix('.')?;
+        let (number, name) = inside.split_once('.')?;
+        match number {
+            _ if name != last => None,
+            "N" => Some(0),
+            number => number.parse::<usize>().ok()?.checked_sub(1),
+        }
+    }
+
+    /// Whether a scene may have the key: an arm has no offset.
+    pub fn exists(&self, scene: &Scene) -> bool {
+        (self.exists)(scene)
+    }
+
+    /// Whether a scene must have it.
+    pub fn is_required(&self, scene: &Scene) -> bool {
+        self.exists(scene) && (self.required)(scene)
+    }
+
+    /// Why it changes nothing in this scene, if so.
+    pub fn idle(&self, scene: &Scene) -> Option<Idle> {
+        (self.idle)(scene)
+    }
+
+    /// Its value; `None` where it is left out or `"auto"`.
+    pub fn get(&self, scene: &Scene, index: usize) -> Option<Value> {
+        (self.access.get)(scene, index)
+    }
+
+    /// Sets it. Whether it suits the rest of the scene is for [`check`](crate::scene::check) to say.
+    ///
+    /// # Errors
+    /// A text that names nothing.
+    pub fn set(&self, scene: &mut Scene, index: usize, value: Value) -> Result<()> {
+        (self.access.set)(scene, index, value)
+    }
+
+    /// The number that it has in a scene.
+    pub fn number(&self, scene: &Scene) -> Option<f64> {
+        self.get(scene, 0).and_then(Value::number)
+    }
+
+    /// Sets a number straight in a scene that is read already: what a sweep does a hundred thousand times a second.
+    /// Returns whether the scene took it; otherwise its table has to be written and read again.
+    pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
+        let there = self.list().is_none() || self.get(scene, index).is_some();
+        self.direct
+            && there
+            && self.range.contains(value)
+            && self.exists(scene)
+            && self.set(scene, index, Value::Number(value)).is_ok()
+    }
+
+    /// What its number measures; `None` for words and counts.
+    pub fn measure(&self) -> Option<Measure> {
+        match self.kind {
+            Kind::Number(measure) | Kind::NumberOr(measure, _) => Some(measure),
+            _ => None,
+        }
+    }
+
+    /// What its number measures in a scene.
+    pub fn dimension(&self, scene: &Scene) -> Option<Dimension> {
+        self.measure().map(|m| m.of(scene.cam.measures()))
+    }
+
+    /// The words that it takes, if it takes only those.
+    pub fn choices(&self) -> Vec<&'static str> {
+        match self.kind {
+            Kind::Choice(words) => words(),
+            Kind::NumberOr(_, word) => vec![word],
+            _ => Vec::new(),
+        }
+    }
+
+    /// A right value, for messages.
+    pub fn example(&self, scene: &Scene) -> String {
+        match (self.dimension(scene), self.name()) {
+            (_, "roller_radius") => "\"10 mm\"".to_string(),
+            (_, "arc_radius") => "\"60 mm\"".to_string(),
+            (_, "pivot_distance") => "\"80 mm\"".to_string(),
+            (_, "arm") => "\"70 mm\"".to_string(),
+            (_, "piston_radius") => "\"0.75 in\"".to_string(),
+            (Some(dimension), _) => dimension.example().to_string(),
+            (None, _) => format!("\"{}\"", self.default),
+        }
+    }
+
+    pub(super) const fn default(mut self, text: &'static str) -> Key {
+        self.default = text;
+        self
+    }
+
+    pub(super) const fn limit(mut self, kind: LimitKind, relax: Relax) -> Key {
+        self.limit = Some(kind);
+        self.relax = Some(relax);
+        self.default = "";
+        self
+    }
+
+    pub(super) const fn relax(mut self, relax: Relax) -> Key {
+        self.relax = Some(relax);
+        self
+    }
+
+    /// Only scenes of which this holds have the key; in others it is refused.
+    pub(super) const fn only(mut self, exists: fn(&Scene) -> bool) -> Key {
+        self.exists = exists;
+        self
+    }
+
+    /// Scenes that have the key must give it.
+    pub(super) const fn required(mut self) -> Key {
+        self.required = |_| true;
+        self
+    }
+
+    /// Why it changes nothing, where it does not.
+    pub(super) const fn idle_when(mut self, idle: fn(&Scene) -> Option<Idle>) -> Key {
+        self.idle = idle;
+        self
+    }
+
+    /// What it means depends on other keys being given: its number is set by reading the scene again.
+    pub(super) const fn read_again(mut self) -> Key {
+        self.direct = false;
+        self
+    }
+}
+
+pub(super) const fn key(path: &'static str, kind: Kind, range: Range, access: Access) -> Key {
+    Key {
+        path,
+        kind,
+        range,
+        default: "",
+        limit: None,
+        relax: None,
+        exists: |_| true,
+        required: |_| false,
+        idle: |_| None,
+        direct: true,
+        access,
+    }
+}
+
+/// A number with a unit.
+pub(super) const fn number(
+    path: &'static str,
+    measure: Measure,
+    range: Range,
+    access: Access,
+) -> Key {
+    key(path, Kind::Number(measure), range, access).default("auto")
+}
+
+/// A number of the same unit for every follower.
+pub(super) const fn plain(
+    path: &'static str,
+    dimension: Dimension,
+    range: Range,
+    access: Access,
+) -> Key {
+    number(path, Measure::same(dimension), range, access)
+}
+
+/// A key of another kind than number.
+pub(super) const fn other(path: &'static str, kind: Kind, access: Access) -> Key {
+    key(path, kind, Range::Any, access)
+}
+
+/// Access to a field that is an `Option<f64>`.
+macro_rules! optional {
+    ($($field:ident).+) => {
+        $crate::scene::keys::row::Access {
+            get: |s, _| s.$($field).+.map($crate::scene::keys::Value::Number),
+            set: |s, _, v| { s.$($field).+ = v.number(); Ok(()) },
+        }
+    };
+}
+
+/// Access to a field that is an `f64` with a default.
+macro_rules! given {
+    ($($field:ident).+) => {
+        $crate::scene::keys::row::Access {
+            get: |s, _| Some($crate::scene::keys::Value::Number(s.$($field).+)),
+            set: |s, _, v| { if let Some(x) = v.number() { s.$($field).+ = x } Ok(()) },
+        }
+    };
+}
+
+/// Access to an `Option<f64>` of an entry of a list.
+macro_rules! optional_entry {
+    ($list:ident . $inner:ident, $field:ident) => {
+        $crate::scene::keys::row::Access {
+            get: |s, i| {
+                s.$list
+                    .$inner
+                    .get(i)?
+                    .$field
+                    .map($crate::scene::keys::Value::Number)
+            },
+            set: |s, i, v| {
+                $crate::scene::keys::row::entry(&mut s.$list.$inner, i).$field = v.number();
+                Ok(())
+            },
+        }
+    };
+}
+
+/// Access to an `f64` of an entry of a list.
+macro_rules! given_entry {
+    ($list:ident . $inner:ident, $field:ident) => {
+        $crate::scene::keys::row::Access {
+            get: |s, i| {
+                Some($crate::scene::keys::Value::Number(
+                    s.$list.$inner.get(i)?.$field,
+                ))
+            },
+            set: |s, i, v| {
+                $crate::scene::keys::row::entry(&mut s.$list.$inner, i).$field =
+                    v.number().unwrap_or(0.0);
+                Ok(())
+            },
+        }
+    };
+}
+
+pub(super) use {given, given_entry, optional, optional_entry};
+
+/// Entry number `index` of a list, made where it is missing.
+pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
+    if list.len() <= index {
+        list.resize(index + 1, T::default());
+    }
+    &mut list[index]
+}

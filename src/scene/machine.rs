@@ -1,0 +1,53 @@
+//! `[machine]`: what is known of the machine beyond its drive.
+
+use crate::drive::Drive;
+use crate::dynamics::Train;
+use crate::error::{Place, Result};
+
+/// Damping ratio of a follower train of which nothing is said: steel parts with oiled joints.
+const DAMPING_RATIO: f64 = 0.05;
+
+/// What is known of the machine beyond its drive: `gaitcam simulate` runs with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineSpec {
+    /// First natural frequency of the follower train, Hz.
+    pub natural_frequency: Option<f64>,
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad), in place of the frequency.
+    pub stiffness: Option<f64>,
+    /// Its damping ratio.
+    pub damping_ratio: f64,
+    /// Coefficient of friction where cam and follower rub.
+    pub friction: f64,
+    /// Coefficient of restitution of a landing, 0 … 1.
+    pub restitution: f64,
+    /// Angle by which a second, equal cam follows on the same shaft, rad.
+    pub second_cam: Option<f64>,
+}
+
+impl MachineSpec {
+    /// What gives between cam and mass, where it is known. Fails on a natural frequency without a mass.
+    pub fn train(&self, drive: &Drive) -> Result<Option<Train>> {
+        if let Some(hz) = self.natural_frequency {
+            return Train::from_frequency(drive, hz, self.damping_ratio)
+                .map(Some)
+                .map_err(|e| e.at(Place::Key("machine.natural_frequency".to_string())));
+        }
+        Ok(self.stiffness.map(|stiffness| Train {
+            stiffness,
+            damping: 2.0 * self.damping_ratio * (stiffness * drive.mass).sqrt(),
+        }))
+    }
+}
+
+impl Default for MachineSpec {
+    fn default() -> MachineSpec {
+        MachineSpec {
+            natural_frequency: None,
+            stiffness: None,
+            damping_ratio: DAMPING_RATIO,
+            friction: 0.0,
+            restitution: 0.0,
+            second_cam: None,
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Keys that are given but have no effect in this scene. They are reported, not refused, so that a sweep over
+//! families or followers can leave them in place.
+
+use serde::Serialize;
+
+use super::Scene;
+use super::keys::{Idle, KEYS, Key, find};
+use crate::error::{Error, SceneError};
+use crate::wording::{self, Language};
+
+/// Something worth knowing about a scene that is no error.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum SceneNote {
+    /// A key changes nothing here.
+    NoEffect {
+        /// The key; a list without the number of an entry.
+        key: String,
+        /// Why.
+        why: Idle,
+        /// The law's family.
+        family: &'static str,
+        /// The kind of follower.
+        follower: &'static str,
+        /// The kind of drive.
+        drive: &'static str,
+    },
+}
+
+impl SceneNote {
+    /// The note as a sentence.
+    pub fn sentence(&self, language: Language) -> String {
+        wording::sentence(language, "scene", self)
+    }
+}
+
+/// A key without effect is an error where nothing but that key was to change.
+impl From<SceneNote> for Error {
+    fn from(note: SceneNote) -> Error {
+        let SceneNote::NoEffect {
+            key,
+            why,
+            family,
+            follower,
+            drive,
+        } = note;
+        SceneError::NoEffect {
+            key: key.clone(),
+            why: why.name(),
+            family,
+            follower,
+            drive,
+        }
+        .at_key(&key)
+    }
+}
+
+impl Scene {
+    /// One note for each key that is given and changes nothing.
+    pub fn notes(&self) -> Vec<SceneNote> {
+        let without_effect = KEYS
+            .iter()
+            .filter_map(|key| Some((key, key.idle(self).filter(|_| self.gives(key))?)));
+        without_effect
+            .map(|(key, why)| SceneNote::NoEffect {
+                key: key.list().unwrap_or(key.path).to_string(),
+                why,
+                family: self.law.family.name(),
+                follower: self.cam.follower.name(),
+                drive: self.drive.kind.name(),
+            })
+            .collect()
+    }
+
+    /// The note about one key, if it changes nothing.
+    pub fn no_effect_of(&self, path: &str) -> Option<SceneNote> {
+        let key = find(path)?;
+        let name = key.list().unwrap_or(key.path);
+        let of = |note: &SceneNote| matches!(note, SceneNote::NoEffect { key, .. } if key == name);
+        self.notes().into_iter().find(of)
+    }
+
+    /// Whether a key has a value of its own, which an offset of zero is not.
+    fn gives(&self, key: &Key) -> bool {
+        let nothing = key.path == "cam.offset" && key.number(self) == Some(0.0);
+        let value = key.get(self, 0);
+        key.exists(self) && !nothing && value.is_some_and(|v| !self.is_default(key, &v))
+    }
+}

@@ -1,0 +1,223 @@
+//! From TOML to a [`Scene`], by the key table.
+
+use toml::{Table, Value as Toml};
+
+use super::keys::{KEYS, Key, read_value};
+use super::{DriveSpec, Gait, Scene, rules};
+use crate::error::{Place, Result, SceneError, nearest};
+
+/// Reads a scene from its table.
+///
+/// # Errors
+/// Keys and values that are wrong, each with the dotted key and what would be right, and keys that do not go
+/// together.
+pub fn read(table: &Table) -> Result<Scene> {
+    let scene = read_keys(table)?;
+    rules::check_typed(&scene, rules::Typed::of(table))?;
+    Ok(scene)
+}
+
+/// The same, each key by itself: whether the keys go together is not asked.
+///
+/// # Errors
+/// Keys and values that are wrong.
+pub fn read_keys(table: &Table) -> Result<Scene> {
+    let leaves = leaves(table)?;
+    let mut scene = Scene {
+        gait: table.contains_key("gait").then(Gait::default),
+        ..Scene::default()
+    };
+    for key in KEYS.iter() {
+        let mine = leaves.iter().filter(|l| l.pattern == key.path);
+        for leaf in mine.filter(|_| key.exists(&scene)).collect::<Vec<_>>() {
+            if let Some(value) = read_value(key, leaf.value, &scene, &leaf.path)? {
+                let place = || Place::Key(leaf.path.clone());
+                key.set(&mut scene, leaf.index, value)
+                    .map_err(|e| e.at(place()))?;
+            }
+        }
+        if key.path == "cam.follower" {
+            scene.drive.kind = DriveSpec::usual_kind(&scene.cam);
+        }
+    }
+    if !leaves.iter().any(|l| l.pattern == "law.family") {
+        scene.law.family = scene.law.usual_family(scene.gait.as_ref());
+    }
+    unknown(&leaves, &scene)?;
+    missing(&leaves, table, &scene)?;
+    Ok(scene)
+}
+
+/// A value of a scene file with its key.
+struct Leaf<'a> {
+    /// Path with `N` in place of an entry's number.
+    pattern: String,
+    /// Path as users write it.
+    path: String,
+    /// Number of the entry, from 0.
+    index: usize,
+    value: &'a Toml,
+}
+
+fn leaves(table: &Table) -> Result<Vec<Leaf<'_>>> {
+    let mut out = Vec::new();
+    collect(table, "", "", 0, &mut out)?;
+    Ok(out)
+}
+
+fn collect<'a>(
+    table: &'a Table,
+    pattern: &str,
+    path: &str,
+    index: usize,
+    out: &mut Vec<Leaf<'a>>,
+) -> Result<()> {
+    for (name, value) in table {
+        let join = |prefix: &str| match prefix {
+            "" => name.clone(),
+            prefix => format!("{prefix}.{name}"),
+        };
+        let (pattern, path) = (join(pattern), join(path));
+        let typed = || super::keys::shown(value);
+        match (node(&pattern), value) {
+            (Node::Section, Toml::Table(inner)) => collect(inner, &pattern, &path, index, out)?,
+            (Node::Section, _) => {
+                return Err(SceneError::NotTable {
+                    typed: typed(),
+                    section: path.clone(),
+                }
+                .at_key(&path));
+            }
+            (Node::List, Toml::Array(entries)) if entries.iter().all(Toml::is_table) => {
+                for (i, entry) in entries.iter().filter_map(Toml::as_table).enumerate() {
+                    let (inner, numbered) = (format!("{pattern}.N"), format!("{path}.{}", i + 1));
+                    collect(entry, &inner, &numbered, i, out)?;
+                }
+            }
+            (Node::List, _) => {
+                return Err(SceneError::NotList {
+                    typed: typed(),
+                    list: path.clone(),
+                }
+                .at_key(&path));
+            }
+            (Node::Leaf, value) => out.push(Leaf {
+                pattern,
+                path,
+                index,
+                value,
+            }),
+        }
+    }
+    Ok(())
+}
+
+/// What stands at a path of the key table.
+enum Node {
+    Section,
+    List,
+    Leaf,
+}
+
+fn node(pattern: &str) -> Node {
+    let below = |k: &Key| k.path.strip_prefix(pattern)?.strip_prefix('.');
+    match KEYS.iter().find_map(below) {
+        Some(rest) if rest.starts_with("N.") => Node::List,
+        Some(_) => Node::Section,
+        None => Node::Leaf,
+    }
+}
+
+/// Refuses keys that the table does not have, or not for this follower or drive.
+fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
+    let row = |leaf: &&Leaf| KEYS.iter().find(|k| k.path == leaf.pattern);
+    if let Some(leaf) = leaves.iter().find(|l| row(l).is_none()) {
+        return Err(no_such_key(leaf, scene).at_key(&leaf.path));
+    }
+    let strange = leaves
+        .iter()
+        .find(|l| row(l).is_some_and(|k| !k.exists(scene)));
+    match strange {
+        None => Ok(()),
+        Some(leaf) => Err(not_here(&leaf.pattern, scene).at_key(&leaf.path)),
+    }
+}
+
+fn no_such_key(leaf: &Leaf, scene: &Scene) -> SceneError {
+    let (parent, name) = leaf
+        .pattern
+        .rsplit_once('.')
+        .unwrap_or(("", leaf.pattern.as_str()));
+    let mut known: Vec<&str> = Vec::new();
+    for key in KEYS.iter().filter(|k| k.exists(scene)) {
+        let rest = match parent {
+            "" => Some(key.path),
+            parent => key
+                .path
+                .strip_prefix(parent)
+                .and_then(|r| r.strip_prefix('.')),
+        };
+        let child = rest.and_then(|r| r.split('.').next());
+        known.extend(child.filter(|c| !known.contains(c)));
+    }
+    let elsewhere = || KEYS.iter().find(|k| k.name() == name && k.exists(scene));
+    let nearest = nearest(name, known.iter().copied()).or_else(|| elsewhere().map(|k| k.path));
+    SceneError::NoSuchKey {
+        nearest: nearest.map(str::to_string),
+        known: known.join(", "),
+    }
+}
+
+fn not_here(path: &str, scene: &Scene) -> SceneError {
+    match path {
+        "drive.mass" => SceneError::MassOfArm,
+        _ if path.starts_with("drive.") => SceneError::NotOfDrive {
+            drive: scene.drive.kind.name(),
+        },
+        _ => SceneError::NotOfFollower {
+            follower: scene.cam.follower.name(),
+        },
+    }
+}
+
+/// Refuses scenes that leave out what they need.
+fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
+    for key in KEYS.iter().filter(|k| k.is_required(scene)) {
+        let given = |i: usize| {
+            let mut mine = leaves.iter().filter(|l| l.pattern == key.path);
+            mine.any(|l| l.index == i && l.value.as_str() != Some("auto"))
+        };
+        let example = key.example(scene);
+        let entries = key.list().map(|list| entries(table, list));
+        if let Some(i) = (0..entries.unwrap_or(1)).find(|&i| !given(i)) {
+            let fault = match (entries, key.section()) {
+                (Some(_), _) => SceneError::NeededInEntry { example },
+                (None, "drive") => SceneError::NeededByDrive {
+                    drive: scene.drive.kind.name(),
+                    example,
+                },
+                (None, _) => SceneError::NeededByFollower {
+                    follower: scene.cam.follower.name(),
+                    example,
+                },
+            };
+            return Err(fault.at_key(&key.path_at(i)));
+        }
+    }
+    Ok(())
+}
+
+/// How many entries a list has.
+fn entries(table: &Table, list: &str) -> usize {
+    let mut at = None;
+    for part in list.split('.') {
+        at = match at {
+            None => table.get(part),
+            Some(value) => Toml::as_table(value).and_then(|t| t.get(part)),
+        };
+        if at.is_none() {
+            return 0;
+        }
+    }
+    at.and_then(Toml::as_array).map_or(0, Vec::len)
+}

@@ -1,0 +1,357 @@
+//! Demands that keys can only break together.
+
+use std::f64::consts::TAU;
+
+use toml::{Table, Value as Toml};
+
+use super::{Family, Minimise, Scene, Source, Weigh};
+use crate::drive::DriveKind;
+use crate::error::{Result, SceneError};
+use crate::units::{Dimension, Quantity};
+use crate::wording::{self, Language};
+
+/// Least degree of a spline whose polydyne cam has a continuous acceleration.
+const POLYDYNE_DEGREE: usize = 5;
+/// Degrees of a spline.
+const SPLINE_DEGREES: std::ops::RangeInclusive<usize> = 3..=9;
+/// Angles may miss the ends of the cycle by this, rad.
+const ANGLE: f64 = 1e-9;
+
+/// Whether the keys of a scene go together.
+///
+/// # Errors
+/// Names the key to change.
+pub fn check(scene: &Scene) -> Result<()> {
+    check_typed(scene, Typed(None))
+}
+
+/// The texts that a user typed, for messages.
+#[derive(Clone, Copy)]
+pub(super) struct Typed<'a>(Option<&'a Table>);
+
+impl<'a> Typed<'a> {
+    /// Of a scene's table.
+    pub fn of(table: &'a Table) -> Typed<'a> {
+        Typed(Some(table))
+    }
+
+    fn value(self, path: &str) -> Option<&'a Toml> {
+        let mut parts = path.split('.');
+        let first = self.0?.get(parts.next()?)?;
+        parts.try_fold(first, |at, part| at.as_table()?.get(part))
+    }
+
+    fn gives(self, path: &str) -> bool {
+        self.value(path).is_some()
+    }
+
+    /// What was typed for a key, or the number in a common unit.
+    fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
+        match self.value(path) {
+            Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
+            _ => wording::quantity(Language::En, value, dimension.si()),
+        }
+    }
+}
+
+type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
+
+/// In the order in which they are reported.
+const RULES: [Rule; 12] = [
+    name,
+    force,
+    objective,
+    limits,
+    machine,
+    size,
+    circles,
+    motion,
+    pair,
+    splines,
+    polydyne,
+    completeness,
+];
+
+/// The same with the texts that a user typed.
+pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
+    for rule in RULES {
+        rule(scene, typed).map_err(|(key, fault)| fault.at_key(key))?;
+    }
+    Ok(())
+}
+
+type Verdict = std::result::Result<(), (&'static str, SceneError)>;
+
+fn name(scene: &Scene, _: Typed) -> Verdict {
+    let name = &scene.name;
+    if name.is_empty() || name.contains(['/', '\\', '\0']) || name.starts_with('.') {
+        let typed = name.clone();
+        return Err(("name", SceneError::OutputName { typed }));
+    }
+    Ok(())
+}
+
+fn force(scene: &Scene, typed: Typed) -> Verdict {
+    let Some(gait) = &scene.gait else {
+        return Ok(());
+    };
+    if typed.gives("gait.file") && typed.gives("gait.model") {
+        return Err(("gait", SceneError::FileAndModel));
+    }
+    if matches!(&gait.source, Source::File(path) if path.as_os_str().is_empty()) {
+        return Err(("gait.file", SceneError::NoForceNamed));
+    }
+    let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
+    for weight in &gait.weights {
+        if !inside(weight.from) || !inside(weight.to) || weight.from == weight.to {
+            let (from, to) = (Quantity::angle(weight.from), Quantity::angle(weight.to));
+            return Err(("gait.weight", SceneError::NoPhases { from, to }));
+        }
+    }
+    let covered: f64 = (gait.weights.iter())
+        .map(|w| (w.to - w.from).rem_euclid(TAU))
+        .map(|length| if length < ANGLE { TAU } else { length })
+        .sum();
+    if covered >= TAU - ANGLE && gait.weights.iter().all(|w| w.weight == 0.0) {
+        return Err(("gait.weight", SceneError::NothingWeighed));
+    }
+    Ok(())
+}
+
+fn objective(scene: &Scene, typed: Typed) -> Verdict {
+    let (law, cam) = (&scene.law, &scene.cam);
+    let empty = law.minimise == Some(Minimise::Weighed(Weigh::default()));
+    let says_nothing = matches!(typed.value("law.weigh"), Some(Toml::Table(t)) if t.is_empty());
+    if empty || says_nothing {
+        return Err(("law.weigh", SceneError::EmptyWeigh));
+    }
+    if typed.gives("law.weigh") && typed.gives("law.minimise") {
+        return Err(("law.minimise", SceneError::MinimiseAndWeigh));
+    }
+    let no_force = scene.gait.is_none();
+    match law.minimise {
+        Some(Minimise::ForceError | Minimise::PeakForceError) if no_force => {
+            return Err(("law.minimise", SceneError::NoForceToFollow));
+        }
+        Some(Minimise::Weighed(weigh)) => {
+            if weigh.force_error.is_some() && no_force {
+                return Err(("law.weigh.force_error", SceneError::NoForceToFollow));
+            }
+            let sized = cam.follower.is_translating() && !cam.follower.is_mushroom();
+            let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
+            if weigh.prime_radius.is_some() && !(sized && free) {
+                return Err(("law.weigh.prime_radius", SceneError::SizeNotFree));
+            }
+        }
+        _ => {}
+    }
+    if let Some(degree) = law.degree
+        && law.family != Family::Polynomial
+        && !SPLINE_DEGREES.contains(&degree)
+    {
+        let typed = degree.to_string();
+        return Err(("law.degree", SceneError::SplineDegree { typed }));
+    }
+    Ok(())
+}
+
+fn limits(scene: &Scene, typed: Typed) -> Verdict {
+    let limits = &scene.limits;
+    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max)
+        && low >= high
+    {
+        let pressing = if scene.cam.is_oscillating() {
+            Dimension::Torque
+        } else {
+            Dimension::Force
+        };
+        let low = typed.text("limits.force_min", low, pressing);
+        let high = typed.text("limits.force_max", high, pressing);
+        return Err(("limits.force_min", SceneError::ForceRange { low, high }));
+    }
+    Ok(())
+}
+
+fn machine(scene: &Scene, _: Typed) -> Verdict {
+    let machine = &scene.machine;
+    if machine.stiffness.is_some() && machine.natural_frequency.is_some() {
+        return Err(("machine.stiffness", SceneError::FrequencyAndStiffness));
+    }
+    if scene.limits.residual.is_some() && machine.natural_frequency.is_none() {
+        return Err((
+            "machine.natural_frequency",
+            SceneError::ResidualWithoutFrequency,
+        ));
+    }
+    Ok(())
+}
+
+/// What gives the size of the cam, once.
+fn size(scene: &Scene, _: Typed) -> Verdict {
+    let cam = &scene.cam;
+    if cam.base_radius.is_some() && cam.prime_radius.is_some() {
+        return Err(("cam.prime_radius", SceneError::BaseAndPrime));
+    }
+    if cam.breadth.is_none() {
+        return Ok(());
+    }
+    if cam.base_radius.is_some() || cam.prime_radius.is_some() {
+        return Err(("cam.breadth", SceneError::RadiusAndBreadth));
+    }
+    if scene.law.family != Family::Program {
+        return Err(("cam.breadth", SceneError::BreadthWithoutProgram));
+    }
+    Ok(())
+}
+
+/// Base circle, prime circle, bore and offset.
+fn circles(scene: &Scene, typed: Typed) -> Verdict {
+    let cam = &scene.cam;
+    let length = |path: &str, value: f64| typed.text(path, value, Dimension::Length);
+    let base = match (cam.base_radius, cam.prime_radius) {
+        (Some(base), _) => base,
+        (None, Some(prime)) => prime - cam.roller_radius,
+        _ => return Ok(()),
+    };
+    if base <= 0.0 {
+        let key = if cam.follower.is_mushroom() {
+            "cam.arc_radius"
+        } else {
+            "cam.roller_radius"
+        };
+        let roller = length(key, cam.roller_radius);
+        let base = Quantity::new(base, Dimension::Length);
+        return Err((
+            "cam.prime_radius",
+            SceneError::RollerFillsPrime { roller, base },
+        ));
+    }
+    if let Some(bore) = cam.bore.filter(|bore| base <= 0.5 * bore) {
+        let fault = SceneError::BaseInBore {
+            base: length("cam.base_radius", base),
+            bore: length("cam.bore", bore),
+            least: Quantity::new(0.5 * bore, Dimension::Length),
+        };
+        return Err(("cam.base_radius", fault));
+    }
+    let prime = base + cam.roller_radius;
+    if let Some(offset) = cam.offset.filter(|e| e.abs() >= prime) {
+        let offset = length("cam.offset", offset);
+        let prime = length("cam.prime_radius", prime);
+        return Err((
+            "cam.offset",
+            SceneError::OffsetReachesPrime { offset, prime },
+        ));
+    }
+    Ok(())
+}
+
+/// Forces act on a lift in metres over one turn; other motions take programmes only.
+fn motion(scene: &Scene, _: Typed) -> Verdict {
+    let cam = &scene.cam;
+    if !(cam.is_oscillating() || cam.is_straight() || cam.turns > 1) {
+        return Ok(());
+    }
+    if scene.gait.is_some() {
+        let follower = cam.follower.name();
+        return Err(("gait", SceneError::ForceNeedsTranslation { follower }));
+    }
+    let program = scene.law.family == Family::Program;
+    if cam.turns > 1 && !program {
+        return Err(("law.family", SceneError::TurnsNeedProgram));
+    }
+    if cam.is_straight() && !program {
+        return Err(("law.family", SceneError::LengthNeedsProgram));
+    }
+    if cam.is_oscillating() && scene.drive.kind != DriveKind::FixedAxis {
+        return Err(("drive.kind", SceneError::ArmNeedsFixedAxis));
+    }
+    Ok(())
+}
+
+fn pair(scene: &Scene, _: Typed) -> Verdict {
+    let key = if scene.cam.is_oscillating() {
+        "cam.conjugate.angle"
+    } else {
+        "cam.conjugate.distance"
+    };
+    match &scene.cam.conjugate {
+        Some(pair) if pair.closure().is_none() => Err((key, SceneError::PairNotClosed)),
+        _ => Ok(()),
+    }
+}
+
+/// What only splines take.
+fn splines(scene: &Scene, _: Typed) -> Verdict {
+    let law = &scene.law;
+    let Some(gait) = &scene.gait else {
+        return Ok(());
+    };
+    if matches!(law.family, Family::Spline | Family::Ladder) {
+        return Ok(());
+    }
+    let key = if gait.band.is_some() {
+        "gait.band"
+    } else if !gait.weights.is_empty() {
+        "gait.weight"
+    } else {
+        match law.minimise {
+            Some(Minimise::PeakForceError) => "law.minimise",
+            Some(Minimise::Weighed(_)) => "law.weigh",
+            _ => return Ok(()),
+        }
+    };
+    let family = law.family.name();
+    Err((key, SceneError::OnlySplines { family }))
+}
+
+/// What a polydyne cam needs.
+fn polydyne(scene: &Scene, _: Typed) -> Verdict {
+    let (law, machine) = (&scene.law, &scene.machine);
+    if !law.polydyne {
+        return Ok(());
+    }
+    if machine.natural_frequency.is_none() && machine.stiffness.is_none() {
+        return Err(("machine.stiffness", SceneError::PolydyneWithoutStiffness));
+    }
+    if matches!(law.family, Family::Auto | Family::DoubleHarmonic) {
+        let family = law.family.name();
+        return Err(("law.family", SceneError::PolydyneFamily { family }));
+    }
+    if law.family == Family::Spline && law.degree.is_some_and(|d| d < POLYDYNE_DEGREE) {
+        return Err(("law.degree", SceneError::PolydyneDegree));
+    }
+    if scene.cam.is_straight() {
+        return Err(("cam.follower", SceneError::PolydyneOnSlide));
+    }
+    if scene.cam.breadth.is_some() {
+        return Err(("cam.breadth", SceneError::PolydyneBreadth));
+    }
+    Ok(())
+}
+
+/// Whether enough is given to design anything.
+fn completeness(scene: &Scene, _: Typed) -> Verdict {
+    let law = &scene.law;
+    let no_force = scene.gait.is_none();
+    match law.family {
+        Family::Program if law.segments.is_empty() => {
+            return Err(("law.segment", SceneError::ProgramWithoutSegments));
+        }
+        Family::Polynomial if law.points.len() < 2 => {
+            return Err(("law.point", SceneError::PolynomialWithoutPoints));
+        }
+        Family::Polynomial | Family::Program => {}
+        _ if no_force && law.points.is_empty() && law.dwells.is_empty() => {
+            return Err(("gait", SceneError::NothingAsked));
+        }
+        _ => {}
+    }
+    if no_force && scene.drive.speed.is_none() {
+        return Err(("drive.speed", SceneError::NoSpeed));
+    }
+    if no_force && scene.drive.kind == DriveKind::MovingAxis && scene.drive.mass.is_none() {
+        return Err(("drive.mass", SceneError::NoMass));
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! A JSON Schema of the scene file, by which editors complete and check it.
+
+use serde_json::{Map, Value, json};
+
+use super::keys::{KEYS, Key, Kind, Range};
+use crate::units::Dimension;
+use crate::wording::{Language, key_doc};
+
+/// The JSON Schema (draft 2020-12) of a scene file, described in a language.
+pub fn schema(language: Language) -> Value {
+    let mut root = object();
+    for key in KEYS.iter() {
+        let mut value = of_key(key);
+        value["description"] = json!(key_doc(language, key.path));
+        if !key.default.is_empty() {
+            value["default"] = json!(key.default);
+        }
+        place(&mut root, key.path, value);
+    }
+    root["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    root["title"] = json!("gaitcam scene");
+    root
+}
+
+fn object() -> Value {
+    json!({"type": "object", "additionalProperties": false, "properties": {}})
+}
+
+/// Puts the schema of a key where its path leads.
+fn place(at: &mut Value, path: &str, value: Value) {
+    let Some((part, rest)) = path.split_once('.') else {
+        at["properties"][path] = value;
+        return;
+    };
+    let list = rest.strip_prefix("N.");
+    let properties = at["properties"].as_object_mut();
+    let inner = properties.map(|p: &mut Map<String, Value>| {
+        p.entry(part.to_string()).or_insert_with(|| match list {
+            Some(_) => json!({"type": "array", "items": object()}),
+            None => object(),
+        })
+    });
+    match (inner, list) {
+        (Some(inner), Some(rest)) => place(&mut inner["items"], rest, value),
+        (Some(inner), None) => place(inner, rest, value),
+        (None, _) => {}
+    }
+}
+
+fn of_key(key: &Key) -> Value {
+    match key.kind {
+        Kind::Number(measure) => number(key, &measure.each(), None),
+        Kind::NumberOr(measure, word) => number(key, &measure.each(), Some(word)),
+        Kind::Count(low, high) => json!({"anyOf": [
+            {"type": "integer", "minimum": low, "maximum": high},
+            {"type": "string", "pattern": "^(auto|\\s*[0-9]+\\s*)$"},
+        ]}),
+        Kind::Choice(words) => json!({"enum": words()}),
+        Kind::Flag => json!({"type": "boolean"}),
+        Kind::Text => json!({"type": "string"}),
+        Kind::Texts => json!({"anyOf": [
+            {"type": "string"},
+            {"type": "array", "items": {"type": "string"}},
+        ]}),
+    }
+}
+
+fn number(key: &Key, dimensions: &[Dimension], word: Option<&str>) -> Value {
+    let sign = match key.range {
+        Range::Positive | Range::NotNegative | Range::Acute => "\\+?",
+        _ => "[+-]?",
+    };
+    let digits = "(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?";
+    // A number and a unit; zero and plain ratios need none.
+    let unit = if dimensions.contains(&Dimension::Ratio) {
+        "(\\s*\\S.*)?"
+    } else {
+        "\\s*[^\\s\\d.].*"
+    };
+    let words = word.map_or(String::new(), |w| format!("|{w}"));
+    let text = json!({
+        "type": "string",
+        "pattern": format!("^(auto{words}|[+-]?0+(\\.0*)?|\\s*{sign}{digits}{unit})$"),
+    });
+    let bare = match dimensions.first() {
+        Some(Dimension::Ratio) => json!({"type": "number"}),
+        _ => json!({"const": 0}),
+    };
+    let examples: Vec<&str> = dimensions
+        .iter()
+        .map(|d| d.example().split('"').nth(1).unwrap_or(""))
+        .collect();
+    json!({"anyOf": [text, bare], "examples": examples})
+}

@@ -1,0 +1,85 @@
+//! One value of a scene's table changed by its dotted key.
+
+use toml::{Table, Value};
+
+use crate::error::{Result, SceneError};
+
+/// Changes one value: `set(table, "limits.stroke=40 mm")`; entries of a list go by their number from 1 on:
+/// `law.segment.2.lift`. The value is taken as TOML where it is a number, truth value, array or quoted text, and as
+/// plain text otherwise. A recording takes the place of a model and the other way round.
+///
+/// # Errors
+/// A text without `=`, and a path that leads through a value or to an entry that is not there. Whether the key is
+/// known is for [`read`](super::read()) to say.
+pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
+    let (key, value) = assignment
+        .split_once('=')
+        .filter(|(key, _)| !key.trim().is_empty())
+        .ok_or_else(|| SceneError::NoAssignment {
+            typed: assignment.to_string(),
+        })?;
+    let (key, value) = (key.trim(), value.trim());
+    let parsed = format!("x = {value}")
+        .parse::<Table>()
+        .ok()
+        .and_then(|mut t| t.remove("x"));
+    let value = parsed.unwrap_or_else(|| Value::String(value.to_string()));
+    let parts: Vec<&str> = key.split('.').collect();
+    let Some((last, path)) = parts.split_last() else {
+        return Ok(());
+    };
+    let at = inside(table, path).map_err(|e| e.at_key(key))?;
+    let replaced: &[&str] = match key {
+        "gait.file" => &["model", "step_frequency", "body_weight"],
+        "gait.model" => &["file", "time", "force", "unit", "rate", "mass"],
+        _ => &[],
+    };
+    for other in replaced {
+        at.remove(*other);
+    }
+    at.insert((*last).to_string(), value);
+    Ok(())
+}
+
+/// The table at a path, made where it is missing.
+fn inside<'t>(
+    table: &'t mut Table,
+    path: &[&str],
+) -> std::result::Result<&'t mut Table, SceneError> {
+    let [part, rest @ ..] = path else {
+        return Ok(table);
+    };
+    let no_entry = |number: &str, given: usize| SceneError::NoEntry {
+        list: (*part).to_string(),
+        number: number.to_string(),
+        given,
+    };
+    if let Some(number) = rest.first().filter(|n| n.parse::<usize>().is_ok())
+        && !table.contains_key(*part)
+    {
+        return Err(no_entry(number, 0));
+    }
+    let entry = table
+        .entry((*part).to_string())
+        .or_insert_with(|| Value::Table(Table::new()));
+    match entry {
+        Value::Table(inner) => inside(inner, rest),
+        Value::Array(list) => {
+            let given = list.len();
+            let [number, rest @ ..] = rest else {
+                return Err(SceneError::ListWithoutNumber {
+                    list: (*part).to_string(),
+                    given,
+                });
+            };
+            let index = number.parse::<usize>().ok().and_then(|k| k.checked_sub(1));
+            match index.and_then(|i| list.get_mut(i)) {
+                Some(Value::Table(inner)) => inside(inner, rest),
+                _ => Err(no_entry(number, given)),
+            }
+        }
+        _ => Err(SceneError::ValueNotTable {
+            part: (*part).to_string(),
+        }),
+    }
+}

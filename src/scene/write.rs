@@ -1,0 +1,117 @@
+//! From a [`Scene`] to TOML and to any format of serde: exactly what [`read`](super::read()) reads back.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use toml::{Table, Value as Toml};
+
+use super::keys::{KEYS, Key, Value, read_value};
+use super::{Scene, read, set};
+use crate::error::Result;
+
+impl Scene {
+    /// The scene as a table for a scene file: every key that differs from its default.
+    pub fn to_table(&self) -> Table {
+        let mut table = Table::new();
+        if self.gait.is_some() {
+            table.insert("gait".to_string(), Toml::Table(Table::new()));
+        }
+        for key in KEYS.iter().filter(|k| k.exists(self)) {
+            if key.list().is_some() {
+                for index in 0.. {
+                    let Some(value) = key.get(self, index) else {
+                        if index >= entries(self, key) {
+                            break;
+                        }
+                        continue;
+                    };
+                    put(&mut table, key, index, self.written(key, &value));
+                }
+            } else if let Some(value) = key.get(self, 0).filter(|v| !self.is_default(key, v)) {
+                put(&mut table, key, 0, self.written(key, &value));
+            }
+        }
+        table
+    }
+
+    /// The scene with one key changed, the value as a scene file has it: `scene.with("limits.stroke", "40 mm")`.
+    ///
+    /// # Errors
+    /// As [`read`](super::read()).
+    pub fn with(&self, key: &str, value: &str) -> Result<Scene> {
+        let mut table = self.to_table();
+        set(&mut table, &format!("{key}={value}"))?;
+        read(&table)
+    }
+
+    fn written(&self, key: &Key, value: &Value) -> Toml {
+        value.to_toml(key.dimension(self))
+    }
+
+    /// Whether a value is the one that the key has when it is left out.
+    pub(super) fn is_default(&self, key: &Key, value: &Value) -> bool {
+        if key.default.is_empty() || key.default == "auto" {
+            return false;
+        }
+        let text = Toml::String(key.default.to_string());
+        let plain = match value {
+            Value::Flag(_) => Toml::Boolean(key.default == "true"),
+            Value::Number(_) if key.default.parse::<f64>().is_ok() => {
+                Toml::Float(key.default.parse().unwrap_or(0.0))
+            }
+            _ => text,
+        };
+        let default = read_value(key, &plain, self, key.path);
+        default.is_ok_and(|d| d.as_ref() == Some(value))
+    }
+}
+
+/// How many entries the list of a key has: those of which a required key gives a value.
+fn entries(scene: &Scene, key: &Key) -> usize {
+    let list = key.list();
+    let sibling = |k: &&Key| k.list() == list && k.is_required(scene);
+    KEYS.iter().find(sibling).map_or(0, |k| {
+        (0..).take_while(|&i| k.get(scene, i).is_some()).count()
+    })
+}
+
+fn put(table: &mut Table, key: &Key, index: usize, value: Toml) {
+    let mut at = table;
+    let mut parts: Vec<&str> = key.path.split('.').collect();
+    let Some(last) = parts.pop() else { return };
+    let mut parts = parts.into_iter().peekable();
+    while let Some(part) = parts.next() {
+        let list = parts.next_if_eq(&"N").is_some();
+        let empty = if list {
+            Toml::Array(Vec::new())
+        } else {
+            Toml::Table(Table::new())
+        };
+        let inner = at.entry(part.to_string()).or_insert(empty);
+        if let Toml::Array(entries) = inner {
+            while entries.len() <= index {
+                entries.push(Toml::Table(Table::new()));
+            }
+        }
+        at = match inner {
+            Toml::Table(inner) => inner,
+            Toml::Array(entries) => match &mut entries[index] {
+                Toml::Table(inner) => inner,
+                _ => return,
+            },
+            _ => return,
+        };
+    }
+    at.insert(last.to_string(), value);
+}
+
+impl Serialize for Scene {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        self.to_table().serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Scene {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Scene, D::Error> {
+        let table = Table::deserialize(deserializer)?;
+        read(&table).map_err(serde::de::Error::custom)
+    }
+}

@@ -1,0 +1,4 @@
+//! Scenes: the key table against the reader, the writer, changes, sweeps and the editors' schema.
+
+mod random;
+mod table;

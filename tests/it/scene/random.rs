@@ -1,0 +1,119 @@
+//! Random admissible scenes, made from the key table alone.
+
+use gaitcam::scene::keys::{KEYS, Key, Kind, Range};
+use gaitcam::scene::{self, Scene};
+use toml::Table;
+
+/// Numbers by a fixed rule, so that a failure can be repeated.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut x = self.0;
+        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+
+    /// In [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        (self.next() % n as u64) as usize
+    }
+}
+
+/// A value of a key as a user might type it; `None` where no random text means anything.
+pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> {
+    let number = |numbers: &mut Numbers| {
+        let (low, high) = match key.range {
+            Range::Any => (-2.0, 2.0),
+            Range::Between(low, high) => (low, high),
+            Range::Acute => (0.01, 1.5),
+            _ => (1e-3, 2.0),
+        };
+        let x = low + numbers.unit() * (high - low);
+        Some(format!("{x} {}", key.dimension(scene)?.si()))
+    };
+    match key.kind {
+        Kind::Number(_) => number(numbers),
+        Kind::NumberOr(_, word) if numbers.below(3) == 0 => Some(word.to_string()),
+        Kind::NumberOr(..) => number(numbers),
+        Kind::Count(low, high) => Some((low + numbers.below(high - low + 1)).to_string()),
+        Kind::Choice(words) => {
+            let words = words();
+            Some(words[numbers.below(words.len())].to_string())
+        }
+        Kind::Flag => Some((numbers.below(2) == 0).to_string()),
+        Kind::Text if key.name() == "motion" => Some("cycloidal".to_string()),
+        Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
+        _ => None,
+    }
+}
+
+/// A table of random values, entries of lists included.
+pub fn table(numbers: &mut Numbers) -> Table {
+    let mut table = Table::new();
+    let mut scene = Scene::default();
+    let with_force = numbers.below(2) == 0;
+    let chance = [0.05, 0.2, 0.6][numbers.below(3)];
+    let lists: Vec<(&str, usize)> = ["gait.weight", "law.point", "law.dwell", "law.segment"]
+        .map(|l| (l, numbers.below(6).saturating_sub(2)))
+        .to_vec();
+    for key in KEYS.iter() {
+        if key.section() == "gait" && !with_force {
+            continue;
+        }
+        let deciding = ["cam.follower", "drive.kind", "law.family", "gait.model"];
+        let count = match key.list() {
+            Some(list) => lists.iter().find(|l| l.0 == list).map_or(0, |l| l.1),
+            None => 1,
+        };
+        for index in 0..count {
+            let wanted =
+                deciding.contains(&key.path) || key.is_required(&scene) || numbers.unit() < chance;
+            if !wanted || !key.exists(&scene) {
+                continue;
+            }
+            let Some(text) = typed(key, &scene, numbers) else {
+                continue;
+            };
+            if let Some(list) = key.list() {
+                grow(&mut table, list, index);
+            }
+            let change = format!("{}={text}", key.path_at(index));
+            scene::set(&mut table, &change).unwrap_or_else(|e| panic!("{change}: {e}"));
+        }
+        // Later keys depend on follower and drive.
+        if deciding.contains(&key.path)
+            && let Some(value) = lookup(&table, key.path)
+        {
+            let text = gaitcam::scene::keys::Value::Text(value);
+            key.set(&mut scene, 0, text).unwrap();
+        }
+    }
+    table
+}
+
+fn lookup(table: &Table, path: &str) -> Option<String> {
+    let (section, name) = path.split_once('.')?;
+    Some(table.get(section)?.get(name)?.as_str()?.to_string())
+}
+
+fn grow(table: &mut Table, list: &str, index: usize) {
+    let (section, name) = list.split_once('.').unwrap();
+    let empty = || toml::Value::Table(Table::new());
+    let section = table.entry(section.to_string()).or_insert_with(empty);
+    let entries = section
+        .as_table_mut()
+        .unwrap()
+        .entry(name.to_string())
+        .or_insert_with(|| toml::Value::Array(Vec::new()));
+    let entries = entries.as_array_mut().unwrap();
+    while entries.len() <= index {
+        entries.push(empty());
+    }
+}
