@@ -31,8 +31,6 @@ pub struct Limits {
     pub torque: Option<f64>,
     /// Largest rate of that torque by the cam angle, N·m/rad.
     pub torque_rate: Option<f64>,
-    /// Largest shaft power |T ω| without friction, W.
-    pub power: Option<f64>,
     /// Largest line pressure between cam and follower, steel on steel over the plate's thickness, Pa.
     pub hertz_pressure: Option<f64>,
     /// Largest amplitude with which the follower may ring on in a dwell, m.
@@ -72,8 +70,6 @@ pub enum LimitKind {
     Torque,
     /// Largest rate of the shaft torque.
     TorqueRate,
-    /// Largest shaft power.
-    Power,
     /// Largest contact pressure.
     HertzPressure,
     /// Largest amplitude in a dwell.
@@ -98,7 +94,6 @@ impl LimitKind {
             LimitKind::FaceWidth => "face_width",
             LimitKind::Torque => "torque",
             LimitKind::TorqueRate => "torque_rate",
-            LimitKind::Power => "power",
             LimitKind::HertzPressure => "hertz_pressure",
             LimitKind::Residual => "residual",
         }

@@ -113,7 +113,6 @@ pub static ROWS: &[Key] = &[
         Range::Positive,
         gait_number!(body_weight),
     )
-    .default("700 N")
     .idle_when(of_models),
     other("gait.time", Kind::Text, gait_text!(time)).idle_when(of_recordings),
     other(
