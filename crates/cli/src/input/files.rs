@@ -40,7 +40,7 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     if about.is_dir() {
         return Err(Error::file(path, "is a folder").help("give a file"));
     }
-    if !about.is_file() && !is_standard_input(path) {
+    if !about.is_file() && !is_open_already(path) {
         return Err(Error::file(path, "is a pipe or a device, not a file")
             .help("give a file, or - for standard input"));
     }
@@ -62,11 +62,11 @@ fn limited(reader: impl Read, path: &Path, most: u64) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Standard input under its name in the file system.
-fn is_standard_input(path: &Path) -> bool {
-    ["/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"]
-        .iter()
-        .any(|name| path == Path::new(name))
+/// Standard input, or a file that the shell opened, under its name in the file system.
+fn is_open_already(path: &Path) -> bool {
+    path == Path::new("/dev/stdin")
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc/self/fd")
 }
 
 fn too_large(path: &Path, most: u64) -> Error {
