@@ -17,19 +17,19 @@ fn all_default_files(bencher: Bencher) {
     bencher.bench(|| {
         let s = black_box(&s);
         let pictures = [
-            gaitcam_output::plots::svaj(s),
-            gaitcam_output::plots::force(s),
-            gaitcam_output::plots::cam(s),
+            gaitcam_output::plots::svaj(s, gaitcam_output::Language::En),
+            gaitcam_output::plots::force(s, gaitcam_output::Language::En),
+            gaitcam_output::plots::cam(s, gaitcam_output::Language::En),
         ];
         (
             gaitcam_output::csv::law(s, 1440),
             gaitcam_output::csv::profile(s, 1440),
             gaitcam_output::json::summary(s, Timing::default()).to_string(),
-            gaitcam_output::dxf::profile(s, 1440),
+            gaitcam_output::dxf::profile(s, 1440, gaitcam_output::dxf::Content::All),
             gaitcam_output::svg::profile(s, 1440),
             pictures.each_ref().map(gaitcam_output::plots::Picture::svg),
             pictures.each_ref().map(gaitcam_output::plots::Picture::png),
-            gaitcam_output::report::html(s, Timing::default()),
+            gaitcam_output::report::html(s, Timing::default(), gaitcam_output::Language::En),
         )
     });
 }
@@ -37,13 +37,13 @@ fn all_default_files(bencher: Bencher) {
 #[divan::bench]
 fn report(bencher: Bencher) {
     let s = designs::heel_tester();
-    bencher.bench(|| gaitcam_output::report::html(black_box(&s), Timing::default()));
+    bencher.bench(|| gaitcam_output::report::html(black_box(&s), Timing::default(), gaitcam_output::Language::En));
 }
 
 #[divan::bench]
 fn one_png(bencher: Bencher) {
     let s = designs::footbridge();
-    bencher.bench(|| gaitcam_output::plots::force(black_box(&s)).png());
+    bencher.bench(|| gaitcam_output::plots::force(black_box(&s), gaitcam_output::Language::En).png());
 }
 
 #[divan::bench(args = [1e-4, 1e-5, 1e-6])]

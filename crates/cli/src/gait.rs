@@ -181,7 +181,7 @@ fn write_cycle(
     let name = path
         .file_name()
         .map_or_else(String::new, |n| n.to_string_lossy().into());
-    let picture = output::recording::stances(&name, &overlay, cycle);
+    let picture = output::recording::stances(&name, &overlay, cycle, language::current());
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())
 }

@@ -96,7 +96,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     folder.write("dynamics.csv", outcome.csv().as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
-    let page = html_of_run(&design, time, &running);
+    let page = html_of_run(&design, time, &running, crate::language::current());
     folder.write("report.html", page.as_bytes())?;
     let place = folder.path().to_path_buf();
     folder.commit(&[])?;

@@ -16,10 +16,12 @@ mod number;
 mod plot;
 mod pose;
 pub mod report;
+mod words;
 
-pub use cad::{biarc, cutter, dxf, groove, mesh as solid, svg};
+pub use cad::{biarc, cutter, dxf, groove, mesh as solid, step, svg};
 pub use data::{csv, json, xlsx};
 pub use figures::{overlay, recording, sweep as sweep_plots};
+pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};
 pub use report::sweep as sweep_report;

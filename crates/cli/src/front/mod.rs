@@ -362,7 +362,10 @@ fn pictures(
             ),
         ],
     };
-    folder.write("report.html", sweep_report::html(&page).as_bytes())
+    folder.write(
+        "report.html",
+        sweep_report::html(&page, crate::language::current()).as_bytes(),
+    )
 }
 
 /// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.

@@ -166,6 +166,7 @@ fn report(
         &format!("{name}: force error of manufactured samples"),
         &quantity,
         &levels,
+        crate::language::current(),
     );
     let percent = |x: f64| format!("{x:.3} %");
     let mut cards = vec![
@@ -193,7 +194,7 @@ fn report(
             format!("within {:.3} %", 100.0 * band),
         ));
     }
-    html(&Page {
+    let page = Page {
         title: format!("{name}: manufacturing scatter"),
         words: "Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.".to_string(),
         cards,
@@ -205,5 +206,6 @@ fn report(
                 rows: args.tolerance.iter().map(|t| vec![t.clone()]).collect(),
             },
         )],
-    })
+    };
+    html(&page, crate::language::current())
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::input::Input;
+use crate::language;
 use crate::result_folder::ResultFolder;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Synthesis;
@@ -23,12 +24,15 @@ pub fn write(
 ) -> Result<()> {
     if design.infeasible.is_none() {
         tables(folder, design, points)?;
-        folder.write("profile.dxf", &output::dxf::profile(design, points))?;
+        folder.write(
+            "profile.dxf",
+            &output::dxf::profile(design, points, output::dxf::Content::All),
+        )?;
         let outline = output::svg::profile(design, points);
         folder.write("profile.svg", outline.as_bytes())?;
         pictures(folder, design, png)?;
     }
-    let report = output::report::html(design, time);
+    let report = output::report::html(design, time, language::current());
     folder.write("report.html", report.as_bytes())
 }
 
@@ -44,10 +48,11 @@ fn tables(folder: &ResultFolder, design: &Synthesis, points: usize) -> Result<()
 }
 
 fn pictures(folder: &ResultFolder, design: &Synthesis, png: bool) -> Result<()> {
+    let language = language::current();
     for (name, picture) in [
-        ("svaj", output::plots::svaj(design)),
-        ("force", output::plots::force(design)),
-        ("cam", output::plots::cam(design)),
+        ("svaj", output::plots::svaj(design, language)),
+        ("force", output::plots::force(design, language)),
+        ("cam", output::plots::cam(design, language)),
     ] {
         folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
         if png {

@@ -14,7 +14,7 @@ const ARCS: f64 = 1e-6;
 const ALONG: usize = 720;
 const THROUGH: usize = 8;
 
-/// Writes profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
+/// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
 /// Returns what could not be written, and why.
 pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<Vec<String>> {
     let mut remarks = Vec::new();
@@ -39,10 +39,15 @@ pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<
         }
         Err(fault) => remarks.push(format!("no solid: {fault}")),
     }
+    match output::step::plate(design, design.thickness) {
+        Ok(bytes) => folder.write("cam.step", &bytes)?,
+        Err(fault) => remarks.push(format!("no STEP file: {fault}")),
+    }
     let options = output::dxf::Options {
         points: VERTICES,
         version: output::dxf::Version::R2000,
         bore: design.bore,
+        content: output::dxf::Content::All,
     };
     match output::dxf::arcs(design, ARCS, options) {
         Some(drawing) => {

@@ -6,5 +6,6 @@ pub mod dxf;
 pub mod groove;
 pub mod mesh;
 pub mod outline;
+pub mod step;
 pub mod svg;
 mod threemf;

@@ -44,7 +44,7 @@ impl<'a> Edge<'a> {
     /// The profile of a cam alone.
     pub fn of(cam: &'a Cam) -> Self {
         Edge {
-            layer: "PROFILE",
+            layer: "CUT_PROFILE",
             cam,
             place: Place::Raised(0.0),
         }
@@ -58,7 +58,7 @@ impl<'a> Edge<'a> {
             edges[0].place = Place::Raised(groove.axis_offset(Wall::Lower));
             let bulge = groove.smallest_bulge(cam.follower.base_radius(), Wall::Upper);
             edges.push(Edge {
-                layer: "UPPER_WALL",
+                layer: "CUT_UPPER_WALL",
                 cam,
                 place: Place::Opposite {
                     raised: groove.axis_offset(Wall::Upper),
@@ -68,7 +68,7 @@ impl<'a> Edge<'a> {
         }
         if let Some(pair) = &synthesis.conjugate {
             edges.push(Edge {
-                layer: "SECOND_PROFILE",
+                layer: "CUT_SECOND_PROFILE",
                 cam: &pair.second,
                 place: Place::HalfTurned,
             });
@@ -82,11 +82,11 @@ impl<'a> Edge<'a> {
             return Vec::new();
         }
         let first = Edge {
-            layer: "PITCH_CURVE",
+            layer: "REF_PITCH_CURVE",
             ..Edge::of(&synthesis.cam)
         };
         let second = synthesis.conjugate.as_ref().map(|pair| Edge {
-            layer: "SECOND_PITCH_CURVE",
+            layer: "REF_SECOND_PITCH_CURVE",
             cam: &pair.second,
             place: Place::HalfTurned,
         });
@@ -95,7 +95,7 @@ impl<'a> Edge<'a> {
 
     /// Its name in an SVG.
     pub fn id(&self) -> String {
-        self.layer.to_lowercase().replace('_', "-")
+        id(self.layer)
     }
 
     /// Whether it leads back to its first point.
@@ -152,6 +152,12 @@ impl<'a> Edge<'a> {
 /// Half the length of the centre mark's strokes, m.
 const MARK: f64 = 0.003;
 
+/// What is on a layer, named as in an SVG.
+pub fn id(layer: &str) -> String {
+    let name = layer.split_once('_').map_or(layer, |(_, name)| name);
+    name.to_lowercase().replace('_', "-")
+}
+
 /// Straight lines that say where the drawing lies, with their layers, m: the centre of a disc, the foot of
 /// a sliding cam, the seams at which an unrolled barrel begins each turn.
 pub fn marks(synthesis: &Synthesis) -> Vec<(&'static str, [[f64; 2]; 2])> {
@@ -159,12 +165,12 @@ pub fn marks(synthesis: &Synthesis) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let (start, length) = synthesis.cam.law.extent();
     if !follower.is_unrolled() {
         return vec![
-            ("CENTRE", [[-MARK, 0.0], [MARK, 0.0]]),
-            ("CENTRE", [[0.0, -MARK], [0.0, MARK]]),
+            ("REF_CENTRE", [[-MARK, 0.0], [MARK, 0.0]]),
+            ("REF_CENTRE", [[0.0, -MARK], [0.0, MARK]]),
         ];
     }
     if synthesis.groove.is_none() {
-        return vec![("FOOT", [[start, 0.0], [start + length, 0.0]])];
+        return vec![("REF_FOOT", [[start, 0.0], [start + length, 0.0]])];
     }
     let radius = follower.base_radius();
     let (low, high) = synthesis.cam.law.extremes(0);
@@ -173,7 +179,47 @@ pub fn marks(synthesis: &Synthesis) -> Vec<(&'static str, [[f64; 2]; 2])> {
     (0..=turns)
         .map(|k| {
             let x = radius * (start + length * k as f64 / turns.max(1) as f64);
-            ("SEAM", [[x, low.value - room], [x, high.value + room]])
+            ("REF_SEAM", [[x, low.value - room], [x, high.value + room]])
         })
         .collect()
+}
+
+/// The mark of θ = 0, along the follower's motion (+y) from halfway between bore and base circle up to the
+/// base circle; radii and result in one unit.
+pub fn zero_mark(base: f64, bore: f64) -> [[f64; 2]; 2] {
+    [[0.0, 0.5 * (base + bore)], [0.0, base]]
+}
+
+/// The arrow that tells how the cam turns: an arc about the centre, on the side away from the mark of θ = 0.
+pub struct Arrow {
+    /// Whether θ falls: the profile's angle grows counter-clockwise.
+    pub clockwise: bool,
+    /// Its radius.
+    pub radius: f64,
+    /// Where it begins, and its tip.
+    pub ends: [[f64; 2]; 2],
+    /// The other ends of the two strokes of its head.
+    pub head: [[f64; 2]; 2],
+}
+
+impl Arrow {
+    /// Angle of the arc, rad.
+    pub const ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+
+    /// Halfway between bore and base circle.
+    pub fn new(base: f64, bore: f64, clockwise: bool) -> Self {
+        let radius = 0.5 * (base + bore);
+        let sense = if clockwise { -1.0 } else { 1.0 };
+        let middle = -std::f64::consts::FRAC_PI_2;
+        let at = |r: f64, part: f64| {
+            let angle = middle + sense * part * Self::ANGLE;
+            [r * angle.cos(), r * angle.sin()]
+        };
+        Arrow {
+            clockwise,
+            radius,
+            ends: [at(radius, -0.5), at(radius, 0.5)],
+            head: [at(0.94 * radius, 0.38), at(1.06 * radius, 0.38)],
+        }
+    }
 }

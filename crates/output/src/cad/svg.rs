@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::cad::outline::{Edge, EdgePoint, marks};
+use crate::cad::outline::{Arrow, Edge, EdgePoint, id, marks, zero_mark};
 use crate::escape::escaped;
+use crate::number::append;
 use gaitcam::synth::Synthesis;
 
 const MM: f64 = 1000.0;
@@ -73,7 +74,7 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> String {
     for (_, ends) in &marks {
         d += &path(ends.iter().copied(), false);
     }
-    let id = marks.first().map_or("", |m| m.0).to_lowercase();
+    let id = marks.first().map_or(String::new(), |m| id(m.0));
     let _ = writeln!(
         out,
         "<path id=\"{id}\" d=\"{d}\" stroke=\"#000000\"/>\n</svg>"
@@ -81,7 +82,7 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> String {
     out
 }
 
-/// Base and prime circle and bore of a cam that turns; radii in mm.
+/// Base and prime circle and bore of a cam that turns, the mark of θ = 0 and the arrow; radii in mm.
 fn circles(out: &mut String, synthesis: &Synthesis, base: f64, prime: f64) {
     let _ = writeln!(
         out,
@@ -100,14 +101,45 @@ fn circles(out: &mut String, synthesis: &Synthesis, base: f64, prime: f64) {
             0.5 * MM * bore
         );
     }
+    let bore = synthesis.bore.map_or(0.0, |b| 0.5 * MM * b);
+    let [from, to] = zero_mark(base, bore);
+    let _ = writeln!(
+        out,
+        "<path id=\"theta-zero\" d=\"M{:.3} {:.3}V{:.3}\" stroke=\"#000000\"/>",
+        from[0], -from[1], -to[1]
+    );
+    rotation(out, &Arrow::new(base, bore, synthesis.drive.speed < 0.0));
+}
+
+fn rotation(out: &mut String, arrow: &Arrow) {
+    let ([from, tip], [a, b]) = (arrow.ends, arrow.head);
+    let _ = writeln!(
+        out,
+        "<path id=\"rotation\" d=\"M{:.3} {:.3}A{r:.3} {r:.3} 0 0 {} {:.3} {:.3}M{:.3} {:.3}L{:.3} {:.3} {:.3} {:.3}\" \
+         stroke=\"#000000\"/>",
+        from[0],
+        -from[1],
+        u8::from(arrow.clockwise),
+        tip[0],
+        -tip[1],
+        a[0],
+        -a[1],
+        tip[0],
+        -tip[1],
+        b[0],
+        -b[1],
+        r = arrow.radius,
+    );
 }
 
 /// Path data in mm with y down, to a nanometre.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {
-        let letter = if i == 0 { 'M' } else { 'L' };
-        let _ = write!(d, "{letter}{:.6} {:.6}", MM * x, -MM * y);
+        d.push(if i == 0 { 'M' } else { 'L' });
+        append(&mut d, MM * x, 6);
+        d.push(' ');
+        append(&mut d, -MM * y, 6);
     }
     if closed {
         d.push('Z');

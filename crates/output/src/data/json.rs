@@ -1,6 +1,6 @@
 //! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Timing;
@@ -26,6 +26,20 @@ fn coded(reason: &Reason) -> Value {
     };
     out.insert("code".to_string(), reason.code().into());
     Value::Object(out)
+}
+
+/// A number that may be infinite: JSON has no such number, so it is the string `inf` or `-inf`. What does not
+/// exist is null.
+struct Real(f64);
+
+impl Serialize for Real {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            f64::INFINITY => serializer.serialize_str("inf"),
+            f64::NEG_INFINITY => serializer.serialize_str("-inf"),
+            x => serializer.serialize_f64(x),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -80,12 +94,12 @@ struct LawSummary<'a> {
     /// Phase of the force cycle at cam angle 0.
     phase_rad: f64,
     stroke_m: f64,
-    v_max_m_per_rad: f64,
-    v_min_m_per_rad: f64,
-    a_max_m_per_rad2: f64,
-    a_min_m_per_rad2: f64,
-    j_max_m_per_rad3: f64,
-    j_min_m_per_rad3: f64,
+    v_max_m_per_rad: Real,
+    v_min_m_per_rad: Real,
+    a_max_m_per_rad2: Real,
+    a_min_m_per_rad2: Real,
+    j_max_m_per_rad3: Real,
+    j_min_m_per_rad3: Real,
     #[serde(skip_serializing_if = "Option::is_none")]
     polydyne: Option<PolydyneSummary>,
 }
@@ -124,7 +138,7 @@ struct CamSummary {
     base_radius_m: f64,
     prime_radius_m: f64,
     offset_m: f64,
-    rho_min_m: f64,
+    rho_min_m: Real,
     rho_min_at_rad: f64,
     pressure_angle_max_rad: f64,
     pressure_angle_min_rad: f64,
@@ -134,8 +148,8 @@ struct CamSummary {
 #[derive(Serialize)]
 struct CheckSummary<'a> {
     name: &'a str,
-    worst: f64,
-    limit: f64,
+    worst: Real,
+    limit: Real,
     at_rad: f64,
     pass: bool,
 }
@@ -221,8 +235,8 @@ impl<'a> Summary<'a> {
                 .iter()
                 .map(|c| CheckSummary {
                     name: &c.name,
-                    worst: c.worst,
-                    limit: c.limit,
+                    worst: Real(c.worst),
+                    limit: Real(c.limit),
                     at_rad: c.at,
                     pass: c.pass,
                 })
@@ -305,12 +319,12 @@ impl<'a> LawSummary<'a> {
             coefficients: &synthesis.coefficients,
             phase_rad: synthesis.phase,
             stroke_m: law.stroke(),
-            v_max_m_per_rad: v_max.value,
-            v_min_m_per_rad: v_min.value,
-            a_max_m_per_rad2: a_max.value,
-            a_min_m_per_rad2: a_min.value,
-            j_max_m_per_rad3: j_max.value,
-            j_min_m_per_rad3: j_min.value,
+            v_max_m_per_rad: Real(v_max.value),
+            v_min_m_per_rad: Real(v_min.value),
+            a_max_m_per_rad2: Real(a_max.value),
+            a_min_m_per_rad2: Real(a_min.value),
+            j_max_m_per_rad3: Real(j_max.value),
+            j_min_m_per_rad3: Real(j_min.value),
             polydyne: synthesis.end.as_ref().map(PolydyneSummary::new),
         }
     }
@@ -326,7 +340,7 @@ impl CamSummary {
             base_radius_m: cam.follower.base_radius(),
             prime_radius_m: cam.follower.prime_radius(),
             offset_m: cam.follower.offset(),
-            rho_min_m: curvature.convex.value,
+            rho_min_m: Real(curvature.convex.value),
             rho_min_at_rad: curvature.convex.at,
             pressure_angle_max_rad: phi_max.value,
             pressure_angle_min_rad: phi_min.value,

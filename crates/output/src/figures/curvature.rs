@@ -2,19 +2,20 @@
 
 use plotters_backend::text_anchor::VPos;
 
-use crate::number::number;
+use crate::number::{millimetres, number};
 use crate::plot::axes::padded;
 use crate::plot::layout::{Layout, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
+use crate::words::Words;
 use gaitcam::synth::Synthesis;
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
 const CAP: f64 = 2.2;
 
 /// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
-pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let cam = &synthesis.cam;
         let e = layout.letters;
@@ -24,7 +25,12 @@ pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             .iter()
             .map(|(t, _)| cam.point(*t))
             .collect();
-        title(canvas, layout, &synthesis.name, "curvature and contact")?;
+        title(
+            canvas,
+            layout,
+            &synthesis.name,
+            &words.text("figure-curvature"),
+        )?;
         let frames = strips(layout.frame(), &[1.0, 1.0], 1.2 * e);
 
         let rho: Vec<(f64, f64)> = points
@@ -40,15 +46,18 @@ pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         for part in rho.chunk_by(|a, b| a.1.signum() == b.1.signum() || a.1.abs() < cap) {
             panel.curve(part, BLUE, 2.2)?;
         }
-        for check in synthesis.checks.iter().filter(|c| c.name == "curvature") {
-            let name = format!("limit {} mm", number(1000.0 * check.limit, 3));
+        // A limit of 0 is the undercut's own bound: the axis.
+        let limits = synthesis.checks.iter();
+        for check in limits.filter(|c| c.name == "curvature" && c.limit > 0.0) {
+            let value = millimetres(check.limit, 3);
+            let name = words.fill("figure-limit", &[("value", &value)]);
             panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
         }
         if sharpest.value.is_finite() {
             let at = across(sharpest.at);
             panel.mark_on_ground(at, 1000.0 * sharpest.value, true, BLUE)?;
         }
-        panel.quantity("radius ρ, mm", 5.7 * e)?;
+        panel.quantity(&words.text("figure-rho"), 5.7 * e)?;
 
         if let Some((low, high)) = cam.contact_travel() {
             let y = padded(
@@ -63,8 +72,8 @@ pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             panel.curve(&contact, GREEN, 2.2)?;
             panel.mark_on_ground(across(high.at), 1000.0 * high.value, true, GREEN)?;
             panel.mark_on_ground(across(low.at), 1000.0 * low.value, false, GREEN)?;
-            panel.quantity("contact, mm", 5.7 * e)?;
-            return panel.across(measures.angle_words());
+            panel.quantity(&words.text("figure-contact-travel"), 5.7 * e)?;
+            return panel.across(&words.across(measures));
         }
         let (low, high) = synthesis.pressure_angle_extremes();
         let limits = synthesis.checks.iter().filter_map(pressure_limit);
@@ -84,13 +93,14 @@ pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         panel.curve(&phi, GREEN, 2.2)?;
         for limit in limits {
             let side = if limit < 0.0 { VPos::Top } else { VPos::Bottom };
-            let name = format!("limit {}°", number(limit, 3));
+            let value = format!("{}°", number(limit, 3));
+            let name = words.fill("figure-limit", &[("value", &value)]);
             panel.level(limit, Some((&name, side)), RED)?;
         }
         panel.mark_on_ground(across(high.at), ends[1], true, GREEN)?;
         panel.mark_on_ground(across(low.at), ends[0], false, GREEN)?;
-        panel.quantity("pressure angle, °", 5.7 * e)?;
-        panel.across(measures.angle_words())
+        panel.quantity(&words.text("figure-pressure-angle"), 5.7 * e)?;
+        panel.across(&words.across(measures))
     })
 }
 

@@ -1,4 +1,4 @@
-//! The force picture: what the cam gives on what was wanted, with the difference below.
+//! The force diagram: achieved on target, with the error below.
 
 use plotters::prelude::*;
 
@@ -7,166 +7,218 @@ use crate::plot::axes::{Frame, Panel, padded};
 use crate::plot::layout::{Layout, ends_of, key, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
 use crate::plot::picture::Picture;
+use crate::plot::sheet::{Canvas, Drawn};
 use crate::pose::motion;
 use crate::pose::{angles, target_at};
+use crate::words::Words;
 use gaitcam::cam::Measures;
-use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::Synthesis;
+use gaitcam::wording::Language;
 
 /// Points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
-/// The cam's force on the wanted one with the difference below; the step-to-step spread as a band.
-pub fn force(synthesis: &Synthesis) -> Picture {
-    force_in(synthesis, Layout::ALONE)
+/// Achieved force on the target with the error below; the step-to-step spread as a band.
+pub fn force(synthesis: &Synthesis, language: Language) -> Picture {
+    force_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn force_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn force_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        let law = synthesis.pressing();
         let e = layout.letters;
-        let measures = synthesis.cam.follower.measures();
-        let across = |t: f64| measures.angle().factor * t;
-        let (drive, words) = pressed(synthesis);
-        let achieved: Vec<(f64, f64)> = motion(law)
-            .iter()
-            .map(|(t, m)| (across(*t), drive.force(*m)))
-            .collect();
-        title(canvas, layout, &synthesis.name, words.head)?;
+        let names = Names::new(synthesis, words);
+        title(canvas, layout, &synthesis.name, &names.head)?;
         let frame = force_frame(layout);
         let legend = [frame.left, frame.top - 1.1 * e];
-        let (low, high) = drive.force_curve(law).extremes();
-        let ends = [low, high].map(|x| (across(x.at), x.value));
-        // A force that never pulls is drawn from zero.
-        let pushes = low.value >= -1e-9 * high.value.abs();
-        let marks = |panel: &Panel| {
-            panel.mark(ends[1].0, ends[1].1, true, BLUE)?;
-            if high.value - low.value > 1e-9 * high.value.abs() {
-                panel.mark(ends[0].0, ends[0].1, false, BLUE)?;
-            }
-            Ok(())
-        };
+        let achieved = Achieved::new(synthesis);
         let Some(target) = &synthesis.target else {
-            let y = padded(achieved.iter().map(|p| p.1).chain([0.0]), 0.12);
-            let y = if pushes { [0.0, y[1]] } else { y };
-            let panel = over_the_law(canvas, synthesis, frame, y, e)?;
-            panel.curve(&achieved, BLUE, 2.6)?;
-            marks(&panel)?;
-            panel.quantity(words.axis, 5.7 * e)?;
-            panel.across(measures.angle_words())?;
-            return key(canvas, legend, e, &[(BLUE, 2.6, words.curve)]);
+            let panel = achieved.panel(canvas, synthesis, frame, std::iter::empty(), e)?;
+            panel.curve(&achieved.curve, BLUE, 2.6)?;
+            achieved.marks(&panel)?;
+            panel.quantity(&names.axis, 5.7 * e)?;
+            let measures = synthesis.cam.follower.measures();
+            panel.across(&words.across(measures))?;
+            return key(canvas, legend, e, &[(BLUE, 2.6, &names.curve)]);
         };
-        let thetas: Vec<f64> = ends_of(synthesis)
-            .into_iter()
-            .chain(angles(law, TARGET_POINTS))
-            .collect();
-        let mut wanted: Vec<(f64, f64)> = thetas
-            .iter()
-            .map(|&t| (across(t), target_at(target, law, t)))
-            .collect();
-        wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let wanted = wanted(synthesis, target);
         let asked = asked_band(synthesis, &wanted);
         let band = asked.clone().or_else(|| spread(synthesis, &wanted));
         let frames = strips(frame, &[2.6, 1.0], 1.0 * e);
-
-        let values = achieved.iter().chain(&wanted).map(|p| p.1);
-        let edges = band
-            .iter()
-            .flat_map(|(u, l)| u.iter().chain(l))
-            .map(|p| p.1);
-        let y = padded(values.chain(edges).chain([0.0]), 0.1);
-        let y = if pushes { [0.0, y[1]] } else { y };
-        let panel = over_the_law(canvas, synthesis, frames[0], y, e)?;
+        let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
+        let others = wanted.iter().chain(edges).map(|p| p.1);
+        let panel = achieved.panel(canvas, synthesis, frames[0], others, e)?;
         if let Some((upper, lower)) = &band {
             panel.band(upper, lower, ORANGE.mix(0.22))?;
         }
         panel.curve(&wanted, ORANGE.mix(0.55), 8.0)?;
-        panel.curve(&achieved, BLUE, 2.4)?;
-        marks(&panel)?;
-        panel.quantity("force, N", 5.7 * e)?;
+        panel.curve(&achieved.curve, BLUE, 2.4)?;
+        achieved.marks(&panel)?;
+        panel.quantity(&names.axis, 5.7 * e)?;
+        let held = asked.as_ref().map(|band| (band, wanted.as_slice()));
+        difference(canvas, synthesis, target, (frames[1], e), held, words)?;
 
-        let error: Vec<(f64, f64)> = motion(law)
-            .iter()
-            .map(|(t, m)| {
-                let wanted = target_at(target, law, *t);
-                (across(*t), synthesis.drive.force(*m) - wanted)
-            })
-            .collect();
-        let rms = synthesis.force.rms_error_n;
-        // What the difference is held against: the band that was asked for, the mean otherwise.
-        let bounds: Vec<Vec<(f64, f64)>> = match &asked {
-            Some((upper, lower)) => [upper, lower].map(|e| apart(e, &wanted)).to_vec(),
-            None => [rms, -rms]
-                .map(|level| ends_of(synthesis).map(|t| (across(t), level)).to_vec())
-                .to_vec(),
-        };
-        let around = bounds.iter().flatten().map(|p| p.1);
-        let y = padded(error.iter().map(|p| p.1).chain(around), 0.3);
-        let panel = over_the_law(canvas, synthesis, frames[1], y, e)?;
-        let zero: Vec<(f64, f64)> = error.iter().map(|p| (p.0, 0.0)).collect();
-        panel.band(&error, &zero, RED.mix(0.14))?;
-        panel.curve(&error, RED, 1.8)?;
-        for bound in &bounds {
-            panel.curve(bound, QUIET, 1.2)?;
-        }
-        panel.quantity("error, N", 5.7 * e)?;
-        panel.across(measures.angle_words())?;
-
-        let difference = if layout.title {
+        let text = |key: &str| words.text(key);
+        let error = if layout.title {
             let percent = number(synthesis.force.rms_error_percent_of_mean, 2);
-            format!("difference, RMS {} N ({percent} % of mean)", number(rms, 3))
+            let unit = synthesis.cam.follower.measures().force().name;
+            let rms = format!("{} {unit}", number(synthesis.force.rms_error_n, 3));
+            let arguments = [("rms", rms.as_str()), ("percent", &percent)];
+            words.fill("figure-difference-rms", &arguments)
         } else {
-            "difference".to_string()
+            text("figure-difference")
         };
+        let (target, given) = (text("figure-target"), text("figure-achieved"));
+        let around = text(match asked {
+            Some(_) => "figure-tolerance-band",
+            None => "figure-step-band",
+        });
         let mut entries = vec![
-            (ORANGE.mix(0.55), 8.0, "wanted"),
-            (BLUE, 2.4, "given by the cam"),
-            (RED, 1.8, difference.as_str()),
+            (ORANGE.mix(0.55), 8.0, target.as_str()),
+            (BLUE, 2.4, &given),
+            (RED, 1.8, &error),
         ];
         if band.is_some() {
-            let what = if asked.is_some() {
-                "band asked for"
-            } else {
-                "± SD, step to step"
-            };
-            entries.insert(1, (ORANGE.mix(0.22), 14.0, what));
+            entries.insert(1, (ORANGE.mix(0.22), 14.0, &around));
         }
         key(canvas, legend, e, &entries)
     })
 }
 
-/// What the diagram of forces is about.
-struct Pressed {
-    head: &'static str,
-    axis: &'static str,
-    curve: &'static str,
+/// The force of the cam over its angle, with its extremes.
+struct Achieved {
+    curve: Vec<(f64, f64)>,
+    low: (f64, f64),
+    high: (f64, f64),
 }
 
-/// The drive whose force is drawn: where nothing presses, one unit of moved mass.
-fn pressed(synthesis: &Synthesis) -> (Drive, Pressed) {
-    let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
-    let words = |head, axis, curve| Pressed { head, axis, curve };
-    let mut drive = synthesis.drive;
-    if synthesis.is_idle() {
-        drive.mass = 1.0;
-        let words = if swings {
-            words(
-                "inertia, no load given",
-                "moment, N·m",
-                "moment of 1 kg·m² about the pivot",
-            )
-        } else {
-            words("inertia, no load given", "force, N", "force of 1 kg moved")
-        };
-        return (drive, words);
+impl Achieved {
+    fn new(synthesis: &Synthesis) -> Self {
+        let law = synthesis.pressing();
+        let factor = synthesis.cam.follower.measures().angle().factor;
+        let mut drive = synthesis.drive;
+        if synthesis.is_idle() {
+            // Where nothing presses, the force of one unit of moved mass is drawn.
+            drive.mass = 1.0;
+        }
+        let (low, high) = drive.force_curve(law).extremes();
+        Achieved {
+            curve: motion(law)
+                .iter()
+                .map(|(t, m)| (factor * t, drive.force(*m)))
+                .collect(),
+            low: (factor * low.at, low.value),
+            high: (factor * high.at, high.value),
+        }
     }
-    let words = if swings {
-        words("moment on the arm", "moment, N·m", "moment of the cam")
-    } else {
-        words("vertical force", "force, N", "force of the cam")
+
+    /// Axes that hold the force and `others`; a force that never pulls is drawn from zero.
+    fn panel<'a, 'c>(
+        &self,
+        canvas: &'c Canvas<'a>,
+        synthesis: &Synthesis,
+        frame: Frame,
+        others: impl Iterator<Item = f64>,
+        e: f64,
+    ) -> Result<Panel<'a, 'c>, DrawingAreaErrorKind<std::convert::Infallible>> {
+        let values = self.curve.iter().map(|p| p.1).chain(others);
+        let y = padded(values.chain([0.0]), 0.12);
+        let pushes = self.low.1 >= -1e-9 * self.high.1.abs();
+        let y = if pushes { [0.0, y[1]] } else { y };
+        over_the_law(canvas, synthesis, frame, y, e)
+    }
+
+    fn marks(&self, panel: &Panel) -> Drawn {
+        panel.mark(self.high.0, self.high.1, true, BLUE)?;
+        if self.high.1 - self.low.1 > 1e-9 * self.high.1.abs() {
+            panel.mark(self.low.0, self.low.1, false, BLUE)?;
+        }
+        Ok(())
+    }
+}
+
+/// The target over the angle.
+fn wanted(synthesis: &Synthesis, target: &ForceCurve) -> Vec<(f64, f64)> {
+    let law = synthesis.pressing();
+    let factor = synthesis.cam.follower.measures().angle().factor;
+    let mut curve: Vec<(f64, f64)> = ends_of(synthesis)
+        .into_iter()
+        .chain(angles(law, TARGET_POINTS))
+        .map(|t| (factor * t, target_at(target, law, t)))
+        .collect();
+    curve.sort_by(|a, b| a.0.total_cmp(&b.0));
+    curve
+}
+
+/// The error below the force, between the edges of the `held` band about the target, or ± its RMS.
+fn difference(
+    canvas: &Canvas,
+    synthesis: &Synthesis,
+    target: &ForceCurve,
+    (frame, e): (Frame, f64),
+    held: Option<(&Band, &[(f64, f64)])>,
+    words: &Words,
+) -> Drawn {
+    let law = synthesis.pressing();
+    let measures = synthesis.cam.follower.measures();
+    let across = |t: f64| measures.angle().factor * t;
+    let error: Vec<(f64, f64)> = motion(law)
+        .iter()
+        .map(|(t, m)| {
+            let wanted = target_at(target, law, *t);
+            (across(*t), synthesis.drive.force(*m) - wanted)
+        })
+        .collect();
+    let rms = synthesis.force.rms_error_n;
+    let bounds: Vec<Vec<(f64, f64)>> = match held {
+        Some(((upper, lower), wanted)) => [upper, lower].map(|e| apart(e, wanted)).to_vec(),
+        None => [rms, -rms]
+            .map(|level| ends_of(synthesis).map(|t| (across(t), level)).to_vec())
+            .to_vec(),
     };
-    (drive, words)
+    let around = bounds.iter().flatten().map(|p| p.1);
+    let y = padded(error.iter().map(|p| p.1).chain(around), 0.3);
+    let panel = over_the_law(canvas, synthesis, frame, y, e)?;
+    let zero: Vec<(f64, f64)> = error.iter().map(|p| (p.0, 0.0)).collect();
+    panel.band(&error, &zero, RED.mix(0.14))?;
+    panel.curve(&error, RED, 1.8)?;
+    for bound in &bounds {
+        panel.curve(bound, QUIET, 1.2)?;
+    }
+    panel.quantity(
+        &words.text(match measures {
+            Measures::Oscillating => "figure-error-moment",
+            _ => "figure-error",
+        }),
+        5.7 * e,
+    )?;
+    panel.across(&words.across(measures))
+}
+
+/// What the diagram of forces is about.
+struct Names {
+    head: String,
+    axis: String,
+    curve: String,
+}
+
+impl Names {
+    fn new(synthesis: &Synthesis, words: &Words) -> Self {
+        let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
+        let (head, curve) = match (synthesis.is_idle(), swings) {
+            (true, true) => ("figure-inertia", "figure-moment-of-unit"),
+            (true, false) => ("figure-inertia", "figure-force-of-unit"),
+            (false, true) => ("figure-arm-moment", "figure-moment-alone"),
+            (false, false) => ("figure-vertical-force", "figure-force-alone"),
+        };
+        let axis = if swings {
+            "figure-moment"
+        } else {
+            "figure-force"
+        };
+        let [head, axis, curve] = [head, axis, curve].map(|key| words.text(key));
+        Names { head, axis, curve }
+    }
 }
 
 /// The diagrams' frame below the line that names the curves.
@@ -178,12 +230,11 @@ pub(crate) fn force_frame(layout: Layout) -> Frame {
     }
 }
 
+/// Upper and lower edge of a band.
+type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
+
 /// Upper and lower edge of the band that was asked for, at the angles of what is wanted.
-#[allow(clippy::type_complexity)] // two curves
-fn asked_band(
-    synthesis: &Synthesis,
-    wanted: &[(f64, f64)],
-) -> Option<(Vec<(f64, f64)>, Vec<(f64, f64)>)> {
+fn asked_band(synthesis: &Synthesis, wanted: &[(f64, f64)]) -> Option<Band> {
     let [low, high] = synthesis.band.as_ref()?;
     let cam = &synthesis.cam;
     let factor = cam.follower.measures().angle().factor;
@@ -201,11 +252,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Upper and lower edge of the step-to-step spread about the wanted force.
-#[allow(clippy::type_complexity)] // two curves
-fn spread(
-    synthesis: &Synthesis,
-    wanted: &[(f64, f64)],
-) -> Option<(Vec<(f64, f64)>, Vec<(f64, f64)>)> {
+fn spread(synthesis: &Synthesis, wanted: &[(f64, f64)]) -> Option<Band> {
     let target = synthesis.target.as_ref()?;
     let sd = target.spread_n.as_ref()?;
     let n = sd.len();

@@ -5,16 +5,18 @@ use crate::plot::layout::{Layout, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, GREEN, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
+use crate::words::Words;
 use gaitcam::cam::Unit;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Synthesis;
+use gaitcam::wording::Language;
 
 /// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
-pub fn svaj(synthesis: &Synthesis) -> Picture {
-    svaj_in(synthesis, Layout::ALONE)
+pub fn svaj(synthesis: &Synthesis, language: Language) -> Picture {
+    svaj_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let law = &synthesis.cam.law;
         let measures = synthesis.cam.follower.measures();
@@ -23,7 +25,7 @@ pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
         let names = ["s", "v", "a", "j"];
         let pick: [fn(&Svaj) -> f64; 4] = [|m| m.s, |m| m.v, |m| m.a, |m| m.j];
         let colours = [BLUE, GREEN, RED, PURPLE];
-        title(canvas, layout, &synthesis.name, "law of motion")?;
+        title(canvas, layout, &synthesis.name, &words.text("figure-law"))?;
         let frames = strips(layout.frame(), &[1.0; 4], 0.9 * layout.letters);
         for k in 0..4 {
             let Unit { factor, name: unit } = measures.lift(k);
@@ -42,7 +44,7 @@ pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout) -> Picture {
             }
             panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
             if k == 3 {
-                panel.across(measures.angle_words())?;
+                panel.across(&words.across(measures))?;
             }
         }
         Ok(())

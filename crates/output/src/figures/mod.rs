@@ -6,4 +6,5 @@ pub mod force;
 pub mod law;
 pub mod overlay;
 pub mod recording;
+pub mod run;
 pub mod sweep;

@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 
 use crate::plot::axes::{Panel, padded, ticks};
-use crate::plot::layout::{Layout, key, strips, title};
+use crate::plot::layout::{Layout, key, scale_bar, strips, title};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{plane, stroke};
@@ -163,6 +163,7 @@ pub fn profiles(head: &str, what: &str, names: &[String], curves: &[Vec<[f64; 2]
         for path in [[(-cross, 0.0), (cross, 0.0)], [(0.0, -cross), (0.0, cross)]] {
             plane.draw(&PathElement::new(path.to_vec(), stroke(INK, 1.4)))?;
         }
-        Ok(())
+        let place = [2.0 * e, f64::from(layout.size.1) - 2.0 * e];
+        scale_bar(canvas, place, scale, 0.18 * f64::from(layout.size.0), e)
     })
 }

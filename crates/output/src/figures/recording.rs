@@ -7,8 +7,10 @@ use crate::plot::layout::{Layout, key, key_and_levels, strips, title};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, QUIET};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn};
+use crate::words::Words;
 use gaitcam::force::{Cycle, Foot, Overlay};
 use gaitcam::units::G;
+use gaitcam::wording::Language;
 
 /// A curve as it is drawn.
 type Curve = Vec<(f64, f64)>;
@@ -22,25 +24,26 @@ const BAND: f64 = 0.16;
 
 /// Stances on their own phase over the mean with its band of one standard deviation; below them the mean
 /// cycle with its band and the body weight.
-pub fn stances(name: &str, overlay: &Overlay, cycle: &Cycle) -> Picture {
+pub fn stances(name: &str, overlay: &Overlay, cycle: &Cycle, language: Language) -> Picture {
+    let words = Words::new(language);
     let layout = Layout {
         size: (1200, 1000),
         ..Layout::ALONE
     };
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let e = layout.letters;
-        title(canvas, layout, name, "vertical force")?;
+        title(canvas, layout, name, &words.text("figure-vertical-force"))?;
         let frame = Frame {
             top: layout.frame().top + 1.9 * e,
             ..layout.frame()
         };
         let frames = strips(frame, &[1.35, 1.0], 7.4 * e);
-        draw_stances(canvas, frames[0], overlay, e)?;
-        draw_cycle(canvas, frames[1], cycle, e)
+        draw_stances(canvas, frames[0], overlay, e, &words)?;
+        draw_cycle(canvas, frames[1], cycle, e, &words)
     })
 }
 
-fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64) -> Drawn {
+fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64, words: &Words) -> Drawn {
     let share = |i: usize, n: usize| 100.0 * i as f64 / (n - 1) as f64;
     let on_phase = |force: &[f64]| thinned(force, share);
     let mean = on_phase(&overlay.mean_n);
@@ -73,24 +76,26 @@ fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64) -> Dra
         panel.curve(lower, INK.mix(0.6), 1.2)?;
     }
     panel.curve(&mean, INK, 3.0)?;
-    panel.quantity("force, N", 5.7 * e)?;
-    let seconds = format!("part of the stance, % (mean {:.3} s)", overlay.duration_s);
-    panel.across(&seconds)?;
+    panel.quantity(&words.text("figure-force"), 5.7 * e)?;
+    let seconds = format!("{:.3}", overlay.duration_s);
+    panel.across(&words.fill("figure-stance-share", &[("seconds", &seconds)]))?;
 
     let mean_of = match overlay.count {
-        1 => "the one stance".to_string(),
-        n => format!("mean of {n} stances"),
+        1 => words.text("figure-one-stance"),
+        n => words.fill("figure-mean-of-stances", &[("count", &n.to_string())]),
     };
+    let sd = words.text("figure-sd");
     let mut entries = vec![(INK, 3.0, mean_of.as_str())];
     if band.is_some() {
-        entries.push((INK.mix(BAND), 14.0, "± 1 SD"));
+        entries.push((INK.mix(BAND), 14.0, &sd));
     }
     let sides = [
-        (Some(Foot::Left), "left"),
-        (Some(Foot::Right), "right"),
-        (None, "foot not known"),
+        (Some(Foot::Left), words.text("figure-left")),
+        (Some(Foot::Right), words.text("figure-right")),
+        (None, words.text("figure-foot-unknown")),
     ];
-    for (foot, word) in sides {
+    for (foot, word) in &sides {
+        let foot = *foot;
         if !single && singles.iter().any(|s| s.0 == foot) {
             entries.push((colour(foot).mix(0.8), 2.0, word));
         }
@@ -98,7 +103,7 @@ fn draw_stances(canvas: &Canvas, frame: Frame, overlay: &Overlay, e: f64) -> Dra
     key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
 }
 
-fn draw_cycle(canvas: &Canvas, frame: Frame, cycle: &Cycle, e: f64) -> Drawn {
+fn draw_cycle(canvas: &Canvas, frame: Frame, cycle: &Cycle, e: f64, words: &Words) -> Drawn {
     let curve = &cycle.curve;
     // The cycle closes: its first sample is drawn again at the end.
     let closed = |v: &[f64]| -> Curve {
@@ -125,13 +130,19 @@ fn draw_cycle(canvas: &Canvas, frame: Frame, cycle: &Cycle, e: f64) -> Drawn {
     }
     panel.level(weight, None, QUIET)?;
     panel.curve(&mean, BLUE, 2.6)?;
-    panel.quantity("force, N", 5.7 * e)?;
-    panel.across("time, s")?;
-    let mut entries = vec![(BLUE, 2.6, "mean cycle")];
+    panel.quantity(&words.text("figure-force"), 5.7 * e)?;
+    panel.across(&words.text("figure-time"))?;
+    let [mean, step, weight] = [
+        "figure-mean-cycle",
+        "figure-step-band",
+        "figure-body-weight",
+    ]
+    .map(|k| words.text(k));
+    let mut entries = vec![(BLUE, 2.6, mean.as_str())];
     if band.is_some() {
-        entries.push((ORANGE.mix(0.22), 14.0, "± 1 SD, step to step"));
+        entries.push((ORANGE.mix(0.22), 14.0, &step));
     }
-    let levels = [(QUIET, "body weight")];
+    let levels = [(QUIET, weight.as_str())];
     let place = [frame.left, frame.top - 1.1 * e];
     key_and_levels(canvas, place, e, &entries, &levels)
 }

@@ -7,8 +7,10 @@ use crate::number::number;
 use crate::plot::axes::{Frame, padded, tick_text, ticks};
 use crate::plot::palette::{AXIS, BLUE, GRID, INK, ORANGE, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::png::text_width;
+use crate::plot::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::words::Words;
+use gaitcam::wording::Language;
 
 /// Size of the pictures, points.
 const SIZE: (u32, u32) = (1100, 720);
@@ -28,6 +30,35 @@ pub struct Quantity {
     pub values: Vec<f64>,
     /// Names of the values 0, 1, 2 … where they are words.
     pub words: Vec<String>,
+}
+
+/// SI units of labels with the ones that people use and the factor between them.
+const SHOWN: [(&str, &str, f64); 6] = [
+    ("m", "mm", 1e3),
+    ("m/rad", "mm/rad", 1e3),
+    ("m/rad²", "mm/rad²", 1e3),
+    ("m/rad³", "mm/rad³", 1e3),
+    ("rad", "°", 180.0 / std::f64::consts::PI),
+    ("Pa", "MPa", 1e-6),
+];
+
+impl Quantity {
+    /// The same in the unit that people use, and the factor to it.
+    fn shown(&self) -> (Quantity, f64) {
+        let found = self.label.rsplit_once(", ").and_then(|(name, unit)| {
+            let row = SHOWN.iter().find(|row| row.0 == unit)?;
+            Some((name, row))
+        });
+        let Some((name, &(_, unit, factor))) = found else {
+            return (self.clone(), 1.0);
+        };
+        let shown = Quantity {
+            label: format!("{name}, {unit}"),
+            values: self.values.iter().map(|v| factor * v).collect(),
+            words: self.words.clone(),
+        };
+        (shown, factor)
+    }
 }
 
 /// Colours from low (dark blue) to high (yellow), in even steps of lightness: five stops of viridis.
@@ -54,13 +85,38 @@ fn frame(right_room: f64) -> Frame {
     }
 }
 
+/// An axis: its name, its ends, and the places that are marked, with their text.
+struct Axis<'a> {
+    label: &'a str,
+    range: [f64; 2],
+    marks: Vec<(f64, String)>,
+}
+
+impl<'a> Axis<'a> {
+    fn new(q: &'a Quantity, range: [f64; 2], count: f64) -> Self {
+        Axis {
+            label: &q.label,
+            range,
+            marks: marks(q, range, count),
+        }
+    }
+
+    fn across(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
+        Axis::new(q, range, (f.right - f.left) / (6.0 * LETTERS))
+    }
+
+    fn up(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
+        Axis::new(q, range, (f.bottom - f.top) / (3.5 * LETTERS))
+    }
+}
+
 /// Title, frame, ticks and names of both axes.
 fn axes<'a>(
     canvas: &Canvas<'a>,
     title: &str,
     f: Frame,
-    x: (&Quantity, [f64; 2]),
-    y: (&Quantity, [f64; 2]),
+    x: Axis,
+    y: Axis,
 ) -> Result<Plane<'a>, DrawingAreaErrorKind<std::convert::Infallible>> {
     let e = LETTERS;
     write(
@@ -69,27 +125,37 @@ fn axes<'a>(
         [f.left, 2.0 * e],
         Lettering::new(1.25 * e, INK).bold(),
     )?;
-    let inner = plane(canvas, x.1, y.1, [f.left, f.right], [f.bottom, f.top]);
+    let inner = plane(
+        canvas,
+        x.range,
+        y.range,
+        [f.left, f.right],
+        [f.bottom, f.top],
+    );
     let grid = stroke(GRID, 1.0);
-    for (value, text) in marks(x.0, x.1, (f.right - f.left) / (6.0 * e)) {
-        inner.draw(&PathElement::new([(value, y.1[0]), (value, y.1[1])], grid))?;
-        let at = f.left + (value - x.1[0]) / (x.1[1] - x.1[0]) * (f.right - f.left);
+    for (value, text) in &x.marks {
+        let ends = y.range.map(|end| (*value, end));
+        inner.draw(&PathElement::new(ends, grid))?;
+        let share = (value - x.range[0]) / (x.range[1] - x.range[0]);
+        let at = [f.left + share * (f.right - f.left), f.bottom + 0.6 * e];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Center, VPos::Top);
-        write(canvas, &text, [at, f.bottom + 0.6 * e], letters)?;
+        write(canvas, text, at, letters)?;
     }
-    for (value, text) in marks(y.0, y.1, (f.bottom - f.top) / (3.5 * e)) {
-        inner.draw(&PathElement::new([(x.1[0], value), (x.1[1], value)], grid))?;
-        let at = f.bottom + (value - y.1[0]) / (y.1[1] - y.1[0]) * (f.top - f.bottom);
+    for (value, text) in &y.marks {
+        let ends = x.range.map(|end| (end, *value));
+        inner.draw(&PathElement::new(ends, grid))?;
+        let share = (value - y.range[0]) / (y.range[1] - y.range[0]);
+        let at = [f.left - 0.5 * e, f.bottom + share * (f.top - f.bottom)];
         let letters = Lettering::new(e, QUIET).anchored(HPos::Right, VPos::Center);
-        write(canvas, &text, [f.left - 0.5 * e, at], letters)?;
+        write(canvas, text, at, letters)?;
     }
     let middle = [0.5 * (f.left + f.right), 0.5 * (f.top + f.bottom)];
     let below = Lettering::new(e, INK).anchored(HPos::Center, VPos::Top);
-    write(canvas, &x.0.label, [middle[0], f.bottom + 2.3 * e], below)?;
+    write(canvas, x.label, [middle[0], f.bottom + 2.3 * e], below)?;
     let beside = Lettering::new(e, INK)
         .anchored(HPos::Center, VPos::Center)
         .upwards();
-    write(canvas, &y.0.label, [1.2 * e, middle[1]], beside)?;
+    write(canvas, y.label, [1.2 * e, middle[1]], beside)?;
     Ok(inner)
 }
 
@@ -144,8 +210,16 @@ fn cell(edges: &[f64], v: f64) -> usize {
     edges[1..edges.len() - 1].partition_point(|e| *e <= v)
 }
 
+/// Several quantities in the units that people use, with the factors to them.
+fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
+    let both = all.map(Quantity::shown);
+    let factors = both.each_ref().map(|b| b.1);
+    (both.map(|b| b.0), factors)
+}
+
 /// The least value of `z` over two parameters, as colour; cells without a design stay blank.
 pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity) -> Picture {
+    let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
     let mut cells = vec![f64::INFINITY; (ex.len() - 1) * (ey.len() - 1)];
     for ((&a, &b), &c) in x.values.iter().zip(&y.values).zip(&z.values) {
@@ -159,7 +233,13 @@ pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity) -> Pictur
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(9.0 * LETTERS);
         let (rx, ry) = ([ex[0], ex[ex.len() - 1]], [ey[0], ey[ey.len() - 1]]);
-        let inner = axes(canvas, title, f, (x, rx), (y, ry))?;
+        let inner = axes(
+            canvas,
+            title,
+            f,
+            Axis::across(&x, rx, f),
+            Axis::up(&y, ry, f),
+        )?;
         for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
             let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
             // A little wider than the cell, so that no ground shines through between two.
@@ -213,22 +293,32 @@ pub fn front(
     on_front: &[(f64, f64)],
     best: Option<(f64, f64)>,
 ) -> Picture {
+    let ([x, y], [fx, fy]) = shown([x, y]);
+    let scaled = |&(a, b): &(f64, f64)| (fx * a, fy * b);
+    let on_front: Vec<(f64, f64)> = on_front.iter().map(scaled).collect();
+    let best = best.as_ref().map(scaled);
     let all = |q: &Quantity, own: &dyn Fn(&(f64, f64)) -> f64| {
         let mut v = q.values.clone();
         v.extend(on_front.iter().map(own));
         padded(v.into_iter(), 0.05)
     };
-    let (rx, ry) = (all(x, &|p| p.0), all(y, &|p| p.1));
+    let (rx, ry) = (all(&x, &|p| p.0), all(&y, &|p| p.1));
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
-        let inner = axes(canvas, title, f, (x, rx), (y, ry))?;
+        let inner = axes(
+            canvas,
+            title,
+            f,
+            Axis::across(&x, rx, f),
+            Axis::up(&y, ry, f),
+        )?;
         for (&a, &b) in x.values.iter().zip(&y.values) {
             if a.is_finite() && b.is_finite() {
                 inner.draw(&Circle::new((a, b), units(2.0), AXIS.filled()))?;
             }
         }
-        inner.draw(&PathElement::new(on_front.to_vec(), stroke(BLUE, 1.6)))?;
-        for &p in on_front {
+        inner.draw(&PathElement::new(on_front.clone(), stroke(BLUE, 1.6)))?;
+        for &p in &on_front {
             inner.draw(&Circle::new(p, units(3.6), BLUE.filled()))?;
         }
         if let Some(p) = best {
@@ -246,6 +336,7 @@ pub fn parallel(
     on_front: &[usize],
     best: Option<usize>,
 ) -> Picture {
+    let quantities: Vec<Quantity> = quantities.iter().map(|q| q.shown().0).collect();
     let ranges: Vec<[f64; 2]> = quantities
         .iter()
         .map(|q| padded(q.values.iter().copied(), 0.0))
@@ -311,20 +402,20 @@ pub fn parallel(
 /// The name of an axis, its unit below; neighbours stand at two heights, so that long names do not meet.
 fn heading(canvas: &Canvas, q: &Quantity, x: f64, k: usize) -> Drawn {
     let e = LETTERS;
-    let (name, unit) = q.label.split_once(", ").unwrap_or((&q.label, ""));
+    let (name, unit) = q.label.rsplit_once(", ").unwrap_or((&q.label, ""));
     let y = if k.is_multiple_of(2) {
         3.6 * e
     } else {
         5.0 * e
     };
-    let half = 0.45 * e * text_width(name);
-    let x = x.clamp(half + 0.5 * e, f64::from(SIZE.0) - half - 0.5 * e);
-    let letters = Lettering::new(0.9 * e, INK).anchored(HPos::Center, VPos::Center);
     let text = if unit.is_empty() {
         name.to_string()
     } else {
         format!("{name} ({unit})")
     };
+    let half = 0.5 * 0.9 * e * text_width(&text);
+    let x = x.clamp(half + 0.5 * e, f64::from(SIZE.0) - half - 0.5 * e);
+    let letters = Lettering::new(0.9 * e, INK).anchored(HPos::Center, VPos::Center);
     write(canvas, &text, [x, y], letters)
 }
 
@@ -343,7 +434,7 @@ fn ends(q: &Quantity, range: [f64; 2]) -> Vec<(f64, String)> {
 const BARS: usize = 40;
 
 /// How often each value occurs, with levels drawn across.
-pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)]) -> Picture {
+pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: Language) -> Picture {
     let wanted = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
     let range = padded(wanted, 0.03);
     let mut counts = vec![0.0_f64; BARS];
@@ -352,14 +443,18 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)]) -> Picture {
         counts[((u * BARS as f64) as usize).min(BARS - 1)] += 1.0;
     }
     let most = counts.iter().fold(1.0_f64, |m, c| m.max(*c));
-    let rows = Quantity {
-        label: "designs".to_string(),
-        values: Vec::new(),
-        words: Vec::new(),
-    };
+    // Designs are counted whole.
+    let whole = ticks(0.0, 1.08 * most, 10.0);
+    let whole = whole.into_iter().filter(|v| v.fract() == 0.0);
+    let label = Words::new(language).text("figure-designs");
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
-        let inner = axes(canvas, title, f, (q, range), (&rows, [0.0, 1.08 * most]))?;
+        let count = Axis {
+            label: &label,
+            range: [0.0, 1.08 * most],
+            marks: whole.map(|v| (v, tick_text(v, 1.0))).collect(),
+        };
+        let inner = axes(canvas, title, f, Axis::across(q, range, f), count)?;
         let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / BARS as f64;
         for (i, &c) in counts.iter().enumerate() {
             let corners = vec![(at(i), 0.0), (at(i + 1), 0.0), (at(i + 1), c), (at(i), c)];

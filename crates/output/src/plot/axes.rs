@@ -6,7 +6,7 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use crate::number::number;
 use crate::plot::palette;
-use crate::plot::png::text_width;
+use crate::plot::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
 
 /// Where a diagram stands on its sheet, points.
@@ -311,7 +311,8 @@ impl<'a, 'c> Panel<'a, 'c> {
             VPos::Top => 0.4,
         };
         let at = [self.frame.right - 0.5 * self.size, y + shift * self.size];
-        let lettering = Lettering::new(0.88 * self.size, colour).anchored(HPos::Right, side);
+        // Text keeps the contrast that thin coloured letters would not have.
+        let lettering = Lettering::new(0.88 * self.size, palette::INK).anchored(HPos::Right, side);
         write(self.canvas, name, at, lettering)
     }
 

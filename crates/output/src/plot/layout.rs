@@ -5,7 +5,7 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::axes::{Frame, Panel, dashes, ticks};
 use super::palette::{INK, QUIET};
-use super::png::text_width;
+use super::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
 use gaitcam::cam::Measures;
 use gaitcam::synth::Synthesis;
@@ -152,4 +152,24 @@ pub fn key_and_levels(
         x += size * text_width(name) + 1.7 * size;
     }
     Ok(())
+}
+
+/// A bar of a round length in mm, at most `room` points long, that tells the scale of a drawing.
+pub fn scale_bar(canvas: &Canvas, [x, y]: [f64; 2], per_mm: f64, room: f64, size: f64) -> Drawn {
+    let most = room / per_mm;
+    let power = 10f64.powf(most.log10().floor());
+    let length = [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|m| m * power)
+        .find(|l| *l <= most)
+        .unwrap_or(power);
+    let end = x + length * per_mm;
+    let tick = 0.35 * size;
+    line(canvas, &[[x, y], [end, y]], stroke(INK, 2.0))?;
+    for at in [x, end] {
+        line(canvas, &[[at, y - tick], [at, y + tick]], stroke(INK, 2.0))?;
+    }
+    let lettering = Lettering::new(size, INK).anchored(HPos::Left, VPos::Center);
+    let text = format!("{length} mm");
+    write(canvas, &text, [end + 0.6 * size, y], lettering)
 }

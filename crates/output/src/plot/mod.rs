@@ -1,8 +1,10 @@
 //! Drawing: shapes on a sheet, axes, how they become SVG and PNG.
 
 pub mod axes;
+mod coverage;
 pub mod layout;
 pub mod palette;
 pub mod picture;
-pub mod png;
+mod png;
+pub mod raster;
 pub mod sheet;

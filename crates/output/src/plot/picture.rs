@@ -6,9 +6,10 @@ use plotters::prelude::*;
 
 use super::palette;
 
+use super::raster;
 use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
 use crate::escape::escaped;
-use crate::plot::png;
+use crate::number::{append, append_decimal};
 
 /// A finished picture on a white ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,7 +69,7 @@ impl Picture {
 
     /// 8-bit RGB, one pixel per point.
     pub fn png(&self) -> Vec<u8> {
-        png::png(self)
+        raster::png(self)
     }
 
     fn write_shapes(&self, out: &mut String, variables: bool) {
@@ -144,9 +145,10 @@ fn path(points: &[[f64; 2]]) -> String {
     let mut last = [0i64; 2];
     for (i, p) in points.iter().enumerate() {
         let now = p.map(|x| (x * 100.0).round() as i64);
-        let letter = if i == 0 { 'M' } else { 'l' };
-        let step = [now[0] - last[0], now[1] - last[1]].map(|k| short(k as f64 / 100.0));
-        let _ = write!(d, "{letter}{} {}", step[0], step[1]);
+        d.push(if i == 0 { 'M' } else { 'l' });
+        append_decimal(&mut d, now[0] - last[0], 2);
+        d.push(' ');
+        append_decimal(&mut d, now[1] - last[1], 2);
         last = now;
     }
     d
@@ -154,9 +156,9 @@ fn path(points: &[[f64; 2]]) -> String {
 
 /// At most two decimals, no trailing zeros.
 fn short(x: f64) -> String {
-    let rounded = (x * 100.0).round() / 100.0;
-    // Adding zero turns −0 into 0.
-    format!("{}", rounded + 0.0)
+    let mut out = String::new();
+    append(&mut out, x, 2);
+    out
 }
 
 fn paint(property: &str, ink: Ink, variables: bool) -> String {

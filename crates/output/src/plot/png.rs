@@ -1,251 +1,154 @@
-//! Shapes to pixels: exact area coverage, then PNG.
+//! Pixels to PNG (ISO/IEC 15948), 8-bit RGB.
+//!
+//! A drawing repeats the pixel to the left or the one above almost everywhere. So the compressor looks at
+//! these two places only and writes DEFLATE (RFC 1951) with the fixed Huffman codes: one pass, no search.
 
-use std::sync::LazyLock;
+/// Longest match of DEFLATE.
+const LONGEST: usize = 258;
+/// Shortest match of DEFLATE.
+const SHORTEST: usize = 3;
+/// Reach of DEFLATE's matches.
+const WINDOW: usize = 32768;
 
-use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
-use ab_glyph_rasterizer::Rasterizer;
-
-use crate::plot::picture::Picture;
-use crate::plot::sheet::{Ink, Shape};
-
-/// Corners of a round dot or line end.
-const CORNERS: usize = 24;
-/// Sine of the turn from which two segments get a round joint between them.
-const SHARP: f64 = 0.1;
-
-struct Fonts {
-    regular: Option<FontRef<'static>>,
-    bold: Option<FontRef<'static>>,
-}
-
-static FONTS: LazyLock<Fonts> = LazyLock::new(|| Fonts {
-    regular: FontRef::try_from_slice(dejavu::sans::regular()).ok(),
-    bold: FontRef::try_from_slice(dejavu::sans::bold()).ok(),
-});
-
-/// The picture as an 8-bit RGB PNG.
-pub fn png(picture: &Picture) -> Vec<u8> {
-    let mut page = Page::new(picture.width as usize, picture.height as usize);
-    for shape in &picture.shapes {
-        page.draw(shape);
-    }
-    let mut out = Vec::new();
-    // Writing to memory cannot fail and the buffer has the size it declares.
-    if page.encode(&mut out).is_err() {
-        out.clear();
-    }
+/// The file; `rgb` has three bytes per pixel, row by row.
+pub fn encode(width: usize, height: usize, rgb: &[u8]) -> Vec<u8> {
+    let mut out = b"\x89PNG\r\n\x1a\n".to_vec();
+    let mut head = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();
+    // Eight bits, RGB, the only compression and filter methods, no interlace.
+    head.extend([8, 2, 0, 0, 0]);
+    chunk(&mut out, b"IHDR", &head);
+    chunk(&mut out, b"IDAT", &zlib(3 * width, rgb));
+    chunk(&mut out, b"IEND", &[]);
     out
 }
 
-/// Width of a text in ems, regular weight.
-pub fn text_width(text: &str) -> f64 {
-    let Some(font) = &FONTS.regular else {
-        return 0.0;
+fn chunk(out: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
+    out.extend((data.len() as u32).to_be_bytes());
+    let start = out.len();
+    out.extend(kind);
+    out.extend(data);
+    let sum = crc32fast::hash(&out[start..]);
+    out.extend(sum.to_be_bytes());
+}
+
+/// The rows, each after the byte 0 for "no filter", as a zlib stream (RFC 1950).
+fn zlib(row: usize, rgb: &[u8]) -> Vec<u8> {
+    let stride = row + 1;
+    let mut data = Vec::with_capacity(rgb.len() / row.max(1) * stride);
+    for line in rgb.chunks_exact(row.max(1)) {
+        data.push(0);
+        data.extend_from_slice(line);
+    }
+    let mut bits = Bits {
+        out: vec![0x78, 0x01],
+        ..Bits::default()
     };
-    let em = f64::from(font.units_per_em().unwrap_or(2048.0));
-    text.chars()
-        .map(|c| f64::from(font.h_advance_unscaled(font.glyph_id(c))) / em)
-        .sum()
-}
-
-struct Page {
-    width: usize,
-    height: usize,
-    rgb: Vec<u8>,
-}
-
-impl Page {
-    fn new(width: usize, height: usize) -> Self {
-        Page {
-            width,
-            height,
-            rgb: vec![255; 3 * width * height],
+    // One block, the last, with fixed codes.
+    bits.put(0b011, 3);
+    let mut i = 0;
+    while i < data.len() {
+        let at = |distance: usize| match i.checked_sub(distance) {
+            Some(j) if distance <= WINDOW => run(&data, i, j),
+            _ => 0,
+        };
+        let (above, left) = (at(stride), at(3));
+        if above.max(left) >= SHORTEST {
+            let distance = if left >= above { 3 } else { stride };
+            bits.matched(above.max(left), distance);
+            i += above.max(left);
+        } else {
+            bits.literal(data[i]);
+            i += 1;
         }
     }
-
-    fn encode(&self, out: &mut Vec<u8>) -> Result<(), png::EncodingError> {
-        let mut encoder = png::Encoder::new(out, self.width as u32, self.height as u32);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::Default);
-        encoder.set_filter(png::FilterType::NoFilter);
-        encoder.write_header()?.write_image_data(&self.rgb)
-    }
-
-    fn draw(&mut self, shape: &Shape) {
-        match shape {
-            Shape::Line { points, ink, width } => self.fill(&outline(points, *width), *ink),
-            Shape::Area { points, ink } => self.fill(std::slice::from_ref(points), *ink),
-            Shape::Circle {
-                centre,
-                radius,
-                ink,
-                width: None,
-            } => self.fill(&[disc(*centre, *radius)], *ink),
-            Shape::Circle {
-                centre,
-                radius,
-                ink,
-                width: Some(w),
-            } => {
-                let mut ring = disc(*centre, *radius);
-                ring.push(ring[0]);
-                self.fill(&outline(&ring, *w), *ink);
-            }
-            Shape::Text {
-                text,
-                at,
-                size,
-                ink,
-                anchor,
-                bold,
-                upwards,
-            } => {
-                let font = if *bold { &FONTS.bold } else { &FONTS.regular };
-                if let Some(font) = font {
-                    self.text(font, text, *at, *size, *ink, *anchor, *upwards);
-                }
-            }
-        }
-    }
-
-    /// Fills the union of polygons of one orientation.
-    fn fill(&mut self, polygons: &[Vec<[f64; 2]>], ink: Ink) {
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        for p in polygons.iter().flatten() {
-            for k in 0..2 {
-                low[k] = low[k].min(p[k]);
-                high[k] = high[k].max(p[k]);
-            }
-        }
-        let origin = low.map(f64::floor);
-        let size = [0, 1].map(|k| (high[k] - origin[k]).ceil() + 1.0);
-        let page = [self.width as f64, self.height as f64];
-        // Nothing of a drawing lies far off its page, and NaN is no place.
-        let sane = (0..2).all(|k| size[k] >= 1.0 && size[k] <= 4.0 * page[k]);
-        if !sane {
-            return;
-        }
-        let mut coverage = Rasterizer::new(size[0] as usize, size[1] as usize);
-        let at = |p: [f64; 2]| point((p[0] - origin[0]) as f32, (p[1] - origin[1]) as f32);
-        for polygon in polygons {
-            let Some(&last) = polygon.last() else {
-                continue;
-            };
-            let mut from = at(last);
-            for &p in polygon {
-                let to = at(p);
-                coverage.draw_line(from, to);
-                from = to;
-            }
-        }
-        let (dx, dy) = (origin[0] as i64, origin[1] as i64);
-        coverage.for_each_pixel_2d(|x, y, c| {
-            if c > 0.0 {
-                self.blend(i64::from(x) + dx, i64::from(y) + dy, ink, c);
-            }
-        });
-    }
-
-    fn blend(&mut self, x: i64, y: i64, ink: Ink, coverage: f32) {
-        if x < 0 || y < 0 || x >= self.width as i64 || y >= self.height as i64 {
-            return;
-        }
-        let i = 3 * (y as usize * self.width + x as usize);
-        let alpha = ink.alpha as f32 * coverage.min(1.0);
-        for (pixel, &colour) in self.rgb[i..i + 3].iter_mut().zip(&ink.rgb) {
-            let under = f32::from(*pixel);
-            *pixel = (under + alpha * (f32::from(colour) - under) + 0.5) as u8;
-        }
-    }
-
-    #[allow(clippy::too_many_arguments)] // the fields of one kind of shape
-    fn text(
-        &mut self,
-        font: &FontRef<'static>,
-        text: &str,
-        at: [f64; 2],
-        size: f64,
-        ink: Ink,
-        anchor: f64,
-        upwards: bool,
-    ) {
-        let em = font.units_per_em().unwrap_or(2048.0);
-        let scale = PxScale::from(size as f32 * font.height_unscaled() / em);
-        let scaled = font.as_scaled(scale);
-        let total: f32 = text
-            .chars()
-            .map(|c| scaled.h_advance(scaled.glyph_id(c)))
-            .sum();
-        let mut pen = -total * anchor as f32;
-        for c in text.chars() {
-            let id = scaled.glyph_id(c);
-            // Upright text is placed to a fraction of a pixel; turned text is turned pixel by pixel.
-            let place = if upwards {
-                point(pen, 0.0)
-            } else {
-                point(at[0] as f32 + pen, at[1] as f32)
-            };
-            if let Some(glyph) = font.outline_glyph(id.with_scale_and_position(scale, place)) {
-                let corner = glyph.px_bounds().min;
-                glyph.draw(|x, y, c| {
-                    let px = corner.x as i64 + i64::from(x);
-                    let py = corner.y as i64 + i64::from(y);
-                    if upwards {
-                        let (ax, ay) = (at[0].round() as i64, at[1].round() as i64);
-                        self.blend(ax + py, ay - px, ink, c);
-                    } else {
-                        self.blend(px, py, ink, c);
-                    }
-                });
-            }
-            pen += scaled.h_advance(id);
-        }
-    }
-}
-
-fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
-    // Corners beyond the radius make up for what the sides cut off.
-    let corners = CORNERS.max((4.0 * radius) as usize);
-    let half = std::f64::consts::PI / corners as f64;
-    let r = radius * (half / half.sin()).sqrt();
-    (0..corners)
-        .map(|i| {
-            let (sin, cos) = (2.0 * half * i as f64).sin_cos();
-            [x + r * cos, y + r * sin]
-        })
-        .collect()
-}
-
-/// A line of given width as polygons of one orientation: a rectangle per segment, a disc per sharp corner.
-fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
-    let half = 0.5 * width;
-    let mut out = Vec::with_capacity(points.len());
-    let mut before: Option<[f64; 2]> = None;
-    for pair in points.windows(2) {
-        let (p, q) = (pair[0], pair[1]);
-        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        let length = dx.hypot(dy);
-        if length <= 0.0 {
-            continue;
-        }
-        let t = [dx / length, dy / length];
-        if let Some(b) = before {
-            let turn = b[0] * t[1] - b[1] * t[0];
-            if turn.abs() > SHARP || b[0] * t[0] + b[1] * t[1] < 0.0 {
-                out.push(disc(p, half));
-            }
-        }
-        before = Some(t);
-        let n = [-t[1] * half, t[0] * half];
-        // Counter-clockwise in the sense of `disc`: both have positive area in these coordinates.
-        out.push(vec![
-            [p[0] - n[0], p[1] - n[1]],
-            [q[0] - n[0], q[1] - n[1]],
-            [q[0] + n[0], q[1] + n[1]],
-            [p[0] + n[0], p[1] + n[1]],
-        ]);
-    }
+    // The end of the block.
+    bits.code(0, 7);
+    let mut out = bits.finish();
+    out.extend(simd_adler32::adler32(&data.as_slice()).to_be_bytes());
     out
+}
+
+/// How many bytes from `i` on equal those from `j` on, up to the longest match.
+fn run(data: &[u8], i: usize, j: usize) -> usize {
+    let most = LONGEST.min(data.len() - i);
+    let (here, there) = (&data[i..i + most], &data[j..j + most]);
+    let mut n = 0;
+    for (a, b) in here.chunks_exact(8).zip(there.chunks_exact(8)) {
+        if a != b {
+            break;
+        }
+        n += 8;
+    }
+    n + here[n..]
+        .iter()
+        .zip(&there[n..])
+        .take_while(|(a, b)| a == b)
+        .count()
+}
+
+/// Bits from the lowest of each byte on.
+#[derive(Default)]
+struct Bits {
+    out: Vec<u8>,
+    held: u64,
+    count: u32,
+}
+
+impl Bits {
+    fn put(&mut self, value: u32, count: u32) {
+        self.held |= u64::from(value) << self.count;
+        self.count += count;
+        while self.count >= 8 {
+            self.out.push(self.held as u8);
+            self.held >>= 8;
+            self.count -= 8;
+        }
+    }
+
+    /// Huffman codes are written from their highest bit on.
+    fn code(&mut self, code: u32, length: u32) {
+        self.put(code.reverse_bits() >> (32 - length), length);
+    }
+
+    fn literal(&mut self, byte: u8) {
+        match u32::from(byte) {
+            b @ 0..144 => self.code(0x30 + b, 8),
+            b => self.code(0x190 + b - 144, 9),
+        }
+    }
+
+    fn matched(&mut self, length: usize, distance: usize) {
+        // Length symbols 257 … 284 in groups of four per extra bit, 285 for the longest.
+        let (symbol, extra, bits) = match length as u32 {
+            258 => (285, 0, 0),
+            l @ 3..11 => (254 + l, 0, 0),
+            l => {
+                let bits = (l - 3).ilog2() - 2;
+                (
+                    257 + 4 * bits + ((l - 3) >> bits),
+                    (l - 3) & ((1 << bits) - 1),
+                    bits,
+                )
+            }
+        };
+        match symbol {
+            257..280 => self.code(symbol - 256, 7),
+            _ => self.code(0xc0 + symbol - 280, 8),
+        }
+        self.put(extra, bits);
+        // Distance symbols in groups of two per extra bit.
+        let d = distance as u32 - 1;
+        if d < 4 {
+            return self.code(d, 5);
+        }
+        let bits = d.ilog2() - 1;
+        self.code(2 * bits + (d >> bits), 5);
+        self.put(d & ((1 << bits) - 1), bits);
+    }
+
+    fn finish(mut self) -> Vec<u8> {
+        // What fills the last byte.
+        self.put(0, 7);
+        self.out
+    }
 }

@@ -4,7 +4,10 @@ use std::fmt::Write;
 
 use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
+use crate::escape::escaped;
+use crate::number::append;
 use crate::pose::{Pose, angles, face_reach, pose};
+use crate::words::Words;
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::synth::Synthesis;
@@ -31,7 +34,7 @@ impl Room {
 }
 
 /// The drawing, its controls and the live values; of a run where there is one.
-pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
+pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
     let slides = slide(cam) > 0.0;
@@ -86,10 +89,11 @@ pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>)
     let _ = write!(
         out,
         "<div class=\"stage\">\n<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
-         aria-label=\"The moving cam lifts its follower\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
+         aria-label=\"{}\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
          <g id=\"cam-turning\">",
         room.left - blank,
-        -room.top - blank
+        -room.top - blank,
+        escaped(&words.text("report-alt-animation"))
     );
     if slides {
         sliding_body(out, cam, &rows, room.bottom - blank);
@@ -115,7 +119,7 @@ pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>)
          <circle id=\"cam-contact\" r=\"{dot:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
         1.2 * stem
     );
-    controls(out, synthesis, running);
+    controls(out, synthesis, running, words);
     out.push_str("</div>\n");
     // Only numbers and units: nothing here can end the script element.
     let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
@@ -343,71 +347,91 @@ fn arm(follower: &Follower) -> f64 {
     }
 }
 
-fn controls(out: &mut String, synthesis: &Synthesis, running: Option<&Running>) {
+fn controls(out: &mut String, synthesis: &Synthesis, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
     let (per, _) = angle_unit(cam);
-    let what = match cam.follower {
-        Follower::TranslatingCam { .. } => "travel of the cam",
-        _ => "cam angle",
-    };
     let turns = running.map_or(1, |r| r.outcome.period_turns.clamp(1, 4));
+    let text = |key: &str| escaped(&words.text(key));
+    let what = match cam.follower {
+        Follower::TranslatingCam { .. } => "report-travel",
+        _ => "report-angle",
+    };
     let _ = write!(
         out,
-        "<div class=\"live\">\n<div><button id=\"play\" type=\"button\">Play</button></div>\n\
-         <label>{what}<input id=\"angle\" type=\"range\" min=\"{:.3}\" max=\"{:.3}\" step=\"any\" value=\"{:.3}\"></label>\n\
-         <label><span>speed: <span id=\"pace\"></span></span>\
+        "<div class=\"live\">\n<div><button id=\"play\" type=\"button\" data-play=\"{play}\" data-pause=\"{}\">{play}</button></div>\n\
+         <label>{}<input id=\"angle\" type=\"range\" min=\"{:.3}\" max=\"{:.3}\" step=\"any\" value=\"{:.3}\"></label>\n\
+         <label><span>{}: <span id=\"pace\" data-full=\"{}\" data-of=\"{}\"></span></span>\
          <input id=\"speed\" type=\"range\" min=\"-2.3\" max=\"0\" step=\"0.05\" value=\"-1\"></label>\n<table>",
+        text("report-pause"),
+        text(what),
         per * start,
         per * (start + turns as f64 * length),
-        per * start
+        per * start,
+        text("report-pace"),
+        text("report-full-speed"),
+        text("report-of-full-speed"),
+        play = text("report-play"),
     );
-    let moment = cam.follower.is_oscillating();
+    for (id, key) in live_values(cam, running, what) {
+        let name = text(key);
+        let _ = write!(
+            out,
+            "<tr><th scope=\"row\">{name}</th><td id=\"{id}\">—</td></tr>"
+        );
+    }
+    out.push_str("</table>\n");
+    if synthesis.drive.kind == gaitcam::drive::DriveKind::MovingAxis {
+        let _ = writeln!(out, "<p class=\"note\">{}</p>", text("report-inverted"));
+    }
+    out.push_str("</div>\n");
+}
+
+/// The values that follow the motion: ids of their cells, keys of their names.
+fn live_values(
+    cam: &Cam,
+    running: Option<&Running>,
+    what: &'static str,
+) -> Vec<(&'static str, &'static str)> {
+    let slides = slide(cam) > 0.0 && !matches!(cam.follower, Follower::Barrel { .. });
     let mut rows = vec![
         ("now-angle", what),
-        ("now-lift", "lift s"),
+        ("now-lift", "report-lift"),
         (
             "now-force",
-            if moment {
-                "moment on the arm"
+            if cam.follower.is_oscillating() {
+                "report-now-moment"
             } else {
-                "force F"
+                "report-now-force"
             },
         ),
         (
             "now-torque",
-            if slide(cam) > 0.0 && !matches!(cam.follower, Follower::Barrel { .. }) {
-                "push on the cam"
+            if slides {
+                "report-push"
             } else {
-                "shaft torque T"
+                "report-torque"
             },
         ),
     ];
     if running.is_some_and(|r| r.outcome.contact_lost) {
-        rows.push(("now-gap", "gap"));
+        rows.push(("now-gap", "report-gap"));
     }
-    rows.push(("now-rho", "radius ρ there"));
+    rows.push(("now-rho", "report-radius-at-contact"));
     if !cam.follower.is_flat() {
-        rows.push(("now-phi", "pressure angle φ"));
+        rows.push(("now-phi", "report-phi"));
     }
-    for (id, name) in rows {
-        let _ = write!(out, "<tr><td>{name}</td><td id=\"{id}\">—</td></tr>");
-    }
-    out.push_str("</table>\n");
-    if synthesis.drive.kind == gaitcam::drive::DriveKind::MovingAxis {
-        out.push_str(
-            "<p class=\"note\">Seen from the shaft: in the machine the plate stands still and the shaft rises.</p>\n",
-        );
-    }
-    out.push_str("</div>\n");
+    rows
 }
 
 /// Path data in mm, y up as in the cam's frame.
 fn path(points: impl Iterator<Item = [f64; 2]>, closed: bool) -> String {
     let mut d = String::new();
     for (i, [x, y]) in points.enumerate() {
-        let letter = if i == 0 { 'M' } else { 'L' };
-        let _ = write!(d, "{letter}{:.4} {:.4}", MM * x, MM * y);
+        d.push(if i == 0 { 'M' } else { 'L' });
+        append(&mut d, MM * x, 4);
+        d.push(' ');
+        append(&mut d, MM * y, 4);
     }
     if closed {
         d.push('Z');

@@ -1,6 +1,7 @@
 //! `report.html`: the design on one page that opens without a network, and prints on A4.
 
 mod animation;
+mod figures;
 mod motion;
 mod run;
 pub mod sweep;
@@ -10,17 +11,12 @@ use std::fmt::Write;
 
 use crate::Timing;
 use crate::escape::escaped;
-use crate::figures::cam::cam_in;
-use crate::figures::curvature::geometry_in;
-use crate::figures::force::{force_frame, force_in};
-use crate::figures::law::svaj_in;
-use crate::number::{number, range};
-use crate::plot::axes::Frame;
-use crate::plot::layout::Layout;
-use crate::plot::picture::Picture;
+use crate::number::{millimetres, number, range};
+use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Synthesis;
+use gaitcam::wording::Language;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -29,8 +25,8 @@ const SCRIPT: &str = include_str!("page.js");
 ///
 /// An infeasible answer gets the conflict and the changes that would resolve it, and no pictures of a cam
 /// that does not do what was asked.
-pub fn html(synthesis: &Synthesis, time: Timing) -> String {
-    page(synthesis, time, None)
+pub fn html(synthesis: &Synthesis, time: Timing, language: Language) -> String {
+    page(synthesis, time, None, language)
 }
 
 /// What is shown of a run.
@@ -43,47 +39,53 @@ pub struct Running<'a> {
 }
 
 /// The report of a design that was run: the cam moves as it did in the run.
-pub fn html_of_run(synthesis: &Synthesis, time: Timing, running: &Running) -> String {
-    page(synthesis, time, Some(running))
+pub fn html_of_run(
+    synthesis: &Synthesis,
+    time: Timing,
+    running: &Running,
+    language: Language,
+) -> String {
+    page(synthesis, time, Some(running), language)
 }
 
-fn page(synthesis: &Synthesis, time: Timing, running: Option<&Running>) -> String {
+fn page(
+    synthesis: &Synthesis,
+    time: Timing,
+    running: Option<&Running>,
+    language: Language,
+) -> String {
+    let words = Words::new(language);
     let mut out = String::with_capacity(1 << 18);
-    let name = escaped(&synthesis.name);
-    // Writing to a String cannot fail, here and below.
-    let _ = write!(
-        out,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{name}: cam report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n"
-    );
-    headline(&mut out, synthesis);
+    let title = words.fill("report-title", &[("name", &synthesis.name)]);
+    head(&mut out, &title, &words);
+    headline(&mut out, synthesis, &words);
     if synthesis.infeasible.is_some() {
-        conflict(&mut out, synthesis);
+        conflict(&mut out, synthesis, &words);
     } else {
-        cards(&mut out, synthesis);
+        cards(&mut out, &cards_of(synthesis, &words));
         match running {
-            Some(running) => run::section(&mut out, synthesis, running),
+            Some(running) => run::section(&mut out, synthesis, running, &words),
             None => {
-                out.push_str("<div class=\"turning\">\n<h2>The cam at work</h2>\n");
-                animation::stage(&mut out, synthesis, None);
+                out.push_str("<div class=\"turning\">\n");
+                heading(&mut out, &words.text("report-animation"));
+                animation::stage(&mut out, synthesis, None, &words);
                 out.push_str("</div>\n");
             }
         }
-        figures(&mut out, synthesis);
+        figures::section(&mut out, synthesis, &words);
     }
-    tables::checks(&mut out, synthesis);
+    tables::checks(&mut out, synthesis, &words);
     if synthesis.infeasible.is_none() {
-        tables::binding(&mut out, synthesis);
-        tables::numbers(&mut out, synthesis);
+        tables::active(&mut out, synthesis, &words);
+        tables::numbers(&mut out, synthesis, &words);
     }
-    tables::solution(&mut out, synthesis, time);
-    out.push_str("<footer>Lengths in millimetres, angles in degrees, ");
-    out.push_str(match synthesis.cam.follower.measures() {
-        Measures::Straight => "the travel counted from the start of the cam's pass.",
-        _ => "θ counted counter-clockwise from the start of the cycle.",
+    tables::solution(&mut out, synthesis, time, &words);
+    let footer = words.text(match synthesis.cam.follower.measures() {
+        Measures::Straight => "report-footer-straight",
+        _ => "report-footer",
     });
-    out.push_str(" Extremes are those of the continuous law, not of samples.</footer>\n");
+    // Writing to a String cannot fail, here and below.
+    let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&footer));
     if synthesis.infeasible.is_none() {
         let _ = write!(out, "<script>\n{SCRIPT}</script>\n");
     }
@@ -91,13 +93,33 @@ fn page(synthesis: &Synthesis, time: Timing, running: Option<&Running>) -> Strin
     out
 }
 
+/// Everything before the page's header.
+fn head(out: &mut String, title: &str, words: &Words) {
+    let _ = write!(
+        out,
+        "<!doctype html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n",
+        words.tag(),
+        escaped(title)
+    );
+}
+
+fn heading(out: &mut String, text: &str) {
+    let _ = writeln!(out, "<h2>{}</h2>", escaped(text));
+}
+
+fn paragraph(out: &mut String, text: &str) {
+    let _ = writeln!(out, "<p>{}</p>", escaped(text));
+}
+
 /// Traffic light, name, verdict and its reason.
-fn headline(out: &mut String, synthesis: &Synthesis) {
+fn headline(out: &mut String, synthesis: &Synthesis, words: &Words) {
     let (light, verdict) = match (&synthesis.infeasible, synthesis.verdict) {
-        (Some(_), _) => ("bad", "No such cam"),
-        (None, Verdict::Acceptable) => ("good", "Acceptable"),
-        (None, Verdict::NotForHighSpeed) => ("fair", "Not for high speed"),
-        (None, Verdict::Unacceptable) => ("bad", "Unacceptable"),
+        (Some(_), _) => ("bad", "report-infeasible"),
+        (None, Verdict::Acceptable) => ("good", "report-acceptable"),
+        (None, Verdict::NotForHighSpeed) => ("fair", "report-not-for-high-speed"),
+        (None, Verdict::Unacceptable) => ("bad", "report-unacceptable"),
     };
     let reason = match &synthesis.infeasible {
         Some(answer) => answer.words(),
@@ -106,102 +128,61 @@ fn headline(out: &mut String, synthesis: &Synthesis) {
     let _ = writeln!(
         out,
         "<header><div class=\"light {light}\"></div><div><h1>{}</h1>\n\
-         <p><span class=\"verdict {light}\">{verdict}.</span> {}</p></div></header>",
+         <p><span class=\"verdict {light}\">{}.</span> {}</p></div></header>\n<main>",
         escaped(&synthesis.name),
+        escaped(&words.text(verdict)),
         escaped(&reason)
     );
 }
 
 /// The limits that cannot hold together and what would resolve it.
-fn conflict(out: &mut String, synthesis: &Synthesis) {
+fn conflict(out: &mut String, synthesis: &Synthesis, words: &Words) {
     let Some(answer) = &synthesis.infeasible else {
         return;
     };
-    out.push_str("<div class=\"alert\">\n<h3>These limits cannot hold together</h3>\n<ul>\n");
+    let _ = write!(
+        out,
+        "<div class=\"alert\">\n<h2>{}</h2>\n<ul>\n",
+        escaped(&words.text("report-conflict"))
+    );
     for limit in &answer.conflict {
-        let _ = writeln!(out, "<li>{}</li>", escaped(&tables::spoken(limit)));
+        let _ = writeln!(out, "<li>{}</li>", escaped(&words.name(limit)));
     }
-    out.push_str("</ul>\n");
     let measures = synthesis.cam.follower.measures();
     let helps = answer.relaxations.iter().any(|r| r.to.is_some());
-    out.push_str(if helps {
-        "<h3>Any one of these changes is enough</h3>\n<ul>\n"
+    let head = words.text(if helps {
+        "report-relaxations"
     } else {
-        "<h3>No change of a single limit is enough</h3>\n<ul>\n"
+        "report-no-relaxation"
     });
+    let _ = write!(out, "</ul>\n<h2>{}</h2>\n<ul>\n", escaped(&head));
     for r in &answer.relaxations {
-        let name = escaped(&tables::spoken(&r.limit));
+        let name = words.name(&r.limit);
         let from = tables::shown(measures, &r.limit, r.from);
         let _ = match r.to {
             Some(to) => {
                 let to = tables::shown(measures, &r.limit, to);
-                writeln!(out, "<li>{name}: from {from} to <strong>{to}</strong></li>")
+                let change = words.fill("report-relaxation", &[("from", &from)]);
+                let (name, change) = (escaped(&name), escaped(&change));
+                writeln!(out, "<li>{name}: {change} <strong>{to}</strong></li>")
             }
-            None => writeln!(
-                out,
-                "<li class=\"note\">{name}, now {from}: no value of it alone helps</li>"
-            ),
+            None => {
+                let arguments = [("limit", name.as_str()), ("from", &from)];
+                let text = words.fill("report-not-alone", &arguments);
+                writeln!(out, "<li class=\"note\">{}</li>", escaped(&text))
+            }
         };
     }
-    out.push_str("</ul>\n");
-    out.push_str("</div>\n");
+    out.push_str("</ul>\n</div>\n");
 }
 
-/// The figures one looks for first.
-fn cards(out: &mut String, synthesis: &Synthesis) {
-    let cam = &synthesis.cam;
-    let force = &synthesis.force;
-    let measures = cam.follower.measures();
-    let pressing = measures.force().name;
-    let mut all = Vec::new();
-    if synthesis.target.is_some() {
-        let percent = number(force.rms_error_percent_of_mean, 3);
-        let rms = format!("{} N", number(force.rms_error_n, 3));
-        all.push(("Force error, RMS", rms, format!("{percent} % of the mean")));
-    }
-    if !synthesis.is_idle() {
-        let name = match measures {
-            Measures::Oscillating => "Moment",
-            _ => "Force",
-        };
-        let range = range(force.min_n, force.max_n, 4);
-        all.push((
-            name,
-            format!("{range}\u{a0}{pressing}"),
-            format!("mean {} {pressing}", number(force.mean_n, 4)),
-        ));
-    }
-    let lift = measures.lift(0);
-    let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
-    all.push(("Stroke", stroke, String::new()));
-    let mm = |x: f64| format!("{} mm", number(1000.0 * x, 4));
-    let roller = cam.follower.roller_radius();
-    let prime = if roller > 0.0 && !cam.follower.is_unrolled() {
-        format!("prime circle R {}", mm(cam.follower.prime_radius()))
-    } else {
-        String::new()
-    };
-    let base = match cam.follower {
-        Follower::TranslatingCam { .. } => ("Base height", ""),
-        Follower::Barrel { .. } => ("Barrel", "R "),
-        _ => ("Base circle", "R "),
-    };
-    let radius = mm(cam.follower.base_radius());
-    all.push((base.0, format!("{}{radius}", base.1), prime));
-    let sharpest = cam.curvature().convex;
-    let at = format!("at {}", measures.place(sharpest.at, 1));
-    all.push(("Smallest radius", mm(sharpest.value), at));
-    let speed = synthesis.drive.speed;
-    let own = measures.speed().after(&number(speed, 4));
-    all.push(match measures {
-        Measures::Straight => ("Speed", own, String::new()),
-        _ => {
-            let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
-            ("Speed", rpm, own)
-        }
-    });
+/// A figure one looks for first: its name, its value, what stands below.
+pub type Card = (String, String, String);
+
+fn cards(out: &mut String, all: &[Card]) {
     out.push_str("<dl class=\"cards\">\n");
     for (name, value, more) in all {
+        let [name, value, more] = [name, value, more].map(|t| escaped(t));
         let _ = writeln!(
             out,
             "<div><dt>{name}</dt><dd>{value}<small>{more}</small></dd></div>"
@@ -210,89 +191,71 @@ fn cards(out: &mut String, synthesis: &Synthesis) {
     out.push_str("</dl>\n");
 }
 
-/// The diagrams.
-fn figures(out: &mut String, synthesis: &Synthesis) {
-    out.push_str(match synthesis.cam.follower.measures() {
-        Measures::Oscillating => "<h2>Moment on the arm</h2>\n",
-        _ => "<h2>Force</h2>\n",
-    });
-    comparison(out, synthesis);
-    if synthesis.is_idle() {
-        out.push_str(
-            "<p>The scene gives the drive no mass, spring or preload, so nothing presses. \
-             Drawn is what one unit of moved mass would press with.</p>\n",
-        );
-    }
-    let tall = Layout::figure(500);
-    figure(
-        out,
-        force_frame(tall),
-        "force",
-        "Wanted and achieved force over the cam angle",
-        &force_in(synthesis, tall),
-    );
-    out.push_str("<h2>Law of motion</h2>\n");
-    let taller = Layout::figure(660);
-    figure(
-        out,
-        taller.frame(),
-        "svaj",
-        "Lift, velocity, acceleration and jerk over the cam angle",
-        &svaj_in(synthesis, taller),
-    );
-    out.push_str("<h2>The cam</h2>\n");
-    let cam = Layout::figure(540);
-    let drawing = cam_in(synthesis, cam).svg_for_page("cam", "The cam with its follower", "");
-    let _ = writeln!(out, "<figure>{drawing}</figure>");
-    out.push_str("<h2>Curvature and contact</h2>\n");
-    let low = Layout::figure(430);
-    figure(
-        out,
-        low.frame(),
-        "geometry",
-        "Radius of curvature and contact over the cam angle",
-        &geometry_in(synthesis, low),
-    );
-}
-
-fn figure(out: &mut String, frame: Frame, id: &str, title: &str, picture: &Picture) {
-    let data = format!(
-        " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\"",
-        frame.left, frame.right, frame.top, frame.bottom
-    );
-    let _ = writeln!(
-        out,
-        "<figure>{}</figure>",
-        picture.svg_for_page(id, title, &data)
-    );
-}
-
-/// The synthesis error in words, beside the walker's own variation where that is known.
-fn comparison(out: &mut String, synthesis: &Synthesis) {
-    let Some(target) = &synthesis.target else {
-        return;
+fn cards_of(synthesis: &Synthesis, words: &Words) -> Vec<Card> {
+    let cam = &synthesis.cam;
+    let measures = cam.follower.measures();
+    let mut all = force_cards(synthesis, words);
+    let lift = measures.lift(0);
+    let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
+    all.push((words.text("report-stroke"), stroke, String::new()));
+    let roller = cam.follower.roller_radius();
+    let prime = if roller > 0.0 && !cam.follower.is_unrolled() {
+        let radius = millimetres(cam.follower.prime_radius(), 4);
+        words.fill("report-prime-circle-of", &[("radius", &radius)])
+    } else {
+        String::new()
     };
-    let force = &synthesis.force;
-    let _ = write!(
-        out,
-        "<p>Wanted: {}. The cam misses it by {} N RMS and {} N at most.",
-        escaped(&target.name),
-        number(force.rms_error_n, 3),
-        number(force.max_error_n, 3)
-    );
-    if let Some(spread) = target.spread_n.as_ref().filter(|s| !s.is_empty()) {
-        let squares: f64 = spread.iter().map(|x| x * x).sum();
-        let spread = (squares / spread.len() as f64).sqrt();
-        let _ = write!(
-            out,
-            " From step to step the walker’s own force varies by {} N (RMS of the standard deviation)",
-            number(spread, 3)
-        );
-        if force.rms_error_n > 0.0 && spread > force.rms_error_n {
-            let ratio = number(spread / force.rms_error_n, 2);
-            let _ = write!(out, ", {ratio} times the error of the cam");
+    let base = match cam.follower {
+        Follower::TranslatingCam { .. } => ("report-base-height", ""),
+        Follower::Barrel { .. } => ("report-barrel", "R "),
+        _ => ("report-base-circle", "R "),
+    };
+    let radius = millimetres(cam.follower.base_radius(), 4);
+    all.push((words.text(base.0), format!("{}{radius}", base.1), prime));
+    let sharpest = cam.curvature().convex;
+    let place = measures.place(sharpest.at, 1);
+    all.push((
+        words.text("report-minimum-radius"),
+        millimetres(sharpest.value, 4),
+        words.fill("report-at", &[("place", &place)]),
+    ));
+    let speed = synthesis.drive.speed;
+    let own = measures.speed().after(&number(speed, 4));
+    let (value, more) = match measures {
+        Measures::Straight => (own, String::new()),
+        _ => {
+            let rpm = format!("{} rpm", number(speed * 30.0 / std::f64::consts::PI, 4));
+            (rpm, own)
         }
-        out.push('.');
+    };
+    all.push((words.text("report-speed"), value, more));
+    all
+}
+
+fn force_cards(synthesis: &Synthesis, words: &Words) -> Vec<Card> {
+    let force = &synthesis.force;
+    let measures = synthesis.cam.follower.measures();
+    let unit = measures.force().name;
+    let mut all = Vec::new();
+    if synthesis.target.is_some() {
+        let percent = number(force.rms_error_percent_of_mean, 3);
+        all.push((
+            words.text("report-force-error-rms"),
+            format!("{}\u{a0}{unit}", number(force.rms_error_n, 3)),
+            words.fill("report-of-mean", &[("percent", &percent)]),
+        ));
     }
-    out.push_str("</p>\n");
+    if !synthesis.is_idle() {
+        let name = match measures {
+            Measures::Oscillating => "report-moment",
+            _ => "report-force",
+        };
+        let mean = format!("{}\u{a0}{unit}", number(force.mean_n, 4));
+        all.push((
+            words.text(name),
+            format!("{}\u{a0}{unit}", range(force.min_n, force.max_n, 4)),
+            words.fill("report-mean", &[("value", &mean)]),
+        ));
+    }
+    all
 }

@@ -85,7 +85,8 @@
   }
   function tell() {
     var p = pace();
-    get("pace").textContent = p > 0.999 ? "true speed" : "1/" + Math.round(1 / p) + " of true speed";
+    var said = get("pace");
+    said.textContent = p > 0.999 ? said.dataset.full : "1/" + Math.round(1 / p) + " " + said.dataset.of;
   }
   function frame(now) {
     if (!running) return;
@@ -97,7 +98,7 @@
   }
   function run(on) {
     running = on;
-    play.textContent = on ? "Pause" : "Play";
+    play.textContent = on ? play.dataset.pause : play.dataset.play;
     if (on) { last = performance.now(); requestAnimationFrame(frame); }
   }
   play.addEventListener("click", function () { run(!running); });

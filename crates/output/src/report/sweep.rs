@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
+use super::{Card, cards, figures, head, heading, paragraph};
 use crate::escape::escaped;
 use crate::plot::picture::Picture;
-
-const STYLE: &str = include_str!("page.css");
+use crate::words::Words;
+use gaitcam::wording::Language;
 
 /// A table of the report: head and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,7 +25,7 @@ pub struct Page<'a> {
     /// What was done, in one or two sentences.
     pub words: String,
     /// Figures one looks for first: name, value, remark.
-    pub cards: Vec<(String, String, String)>,
+    pub cards: Vec<Card>,
     /// Pictures with their headings.
     pub pictures: Vec<(&'a str, &'a Picture)>,
     /// Tables with their headings.
@@ -32,55 +33,45 @@ pub struct Page<'a> {
 }
 
 /// The page.
-pub fn html(page: &Page) -> String {
-    let title = escaped(&page.title);
+pub fn html(page: &Page, language: Language) -> String {
+    let words = Words::new(language);
     let mut out = String::with_capacity(1 << 16);
+    head(&mut out, &page.title, &words);
     // Writing to a String cannot fail, here and below.
-    let _ = write!(
+    let _ = writeln!(
         out,
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <header><div><h1>{title}</h1>\n<p>{}</p></div></header>\n<dl class=\"cards\">\n",
+        "<header><div><h1>{}</h1>\n<p>{}</p></div></header>\n<main>",
+        escaped(&page.title),
         escaped(&page.words)
     );
-    for (name, value, remark) in &page.cards {
-        let _ = writeln!(
-            out,
-            "<div><dt>{}</dt><dd>{}<small>{}</small></dd></div>",
-            escaped(name),
-            escaped(value),
-            escaped(remark)
-        );
+    cards(&mut out, &page.cards);
+    for (i, (name, picture)) in page.pictures.iter().enumerate() {
+        heading(&mut out, name);
+        let id = format!("picture{i}");
+        figures::figure(&mut out, &id, None, name, picture, &words);
     }
-    out.push_str("</dl>\n");
-    for (i, (heading, picture)) in page.pictures.iter().enumerate() {
-        let drawing = picture.svg_for_page(&format!("picture{i}"), heading, "");
-        let _ = writeln!(
-            out,
-            "<h2>{}</h2>\n<figure>{drawing}</figure>",
-            escaped(heading)
-        );
+    for (name, rows) in &page.tables {
+        heading(&mut out, name);
+        table(&mut out, rows);
     }
-    for (heading, table) in &page.tables {
-        let _ = writeln!(
-            out,
-            "<h2>{}</h2>\n<div class=\"scroll\"><table>\n<tr>",
-            escaped(heading)
-        );
-        for cell in &table.head {
-            let _ = write!(out, "<th class=\"n\">{}</th>", escaped(cell));
+    out.push_str("</main>\n<footer>\n");
+    paragraph(&mut out, &words.text("report-footer-sweep"));
+    out.push_str("</footer>\n</body>\n</html>\n");
+    out
+}
+
+fn table(out: &mut String, table: &Table) {
+    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
+    for cell in &table.head {
+        let _ = write!(out, "<th scope=\"col\" class=\"n\">{}</th>", escaped(cell));
+    }
+    out.push_str("</tr></thead>\n<tbody>\n");
+    for row in &table.rows {
+        out.push_str("<tr>");
+        for cell in row {
+            let _ = write!(out, "<td class=\"n\">{}</td>", escaped(cell));
         }
         out.push_str("</tr>\n");
-        for row in &table.rows {
-            out.push_str("<tr>");
-            for cell in row {
-                let _ = write!(out, "<td class=\"n\">{}</td>", escaped(cell));
-            }
-            out.push_str("</tr>\n");
-        }
-        out.push_str("</table></div>\n");
     }
-    out.push_str("<footer>SI units. Every number belongs to the continuous law, not to samples.</footer>\n</body>\n</html>\n");
-    out
+    out.push_str("</tbody></table></div>\n");
 }

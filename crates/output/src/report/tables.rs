@@ -1,20 +1,17 @@
-//! The report's tables: checks, binding limits, the design in numbers, how it was found.
+//! The report's tables: checks, active limits, the design's data, how it was solved.
 
 use std::fmt::Write;
 
+use super::heading;
 use crate::Timing;
 use crate::escape::escaped;
-use crate::number::{degrees, number, range};
+use crate::number::{degrees, millimetres, number, range};
+use crate::words::Words;
 use gaitcam::cam::{Check, Follower, Measures, Unit};
 use gaitcam::synth::{Synthesis, Tier};
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;
-
-/// A limit's name as one says it.
-pub fn spoken(name: &str) -> String {
-    name.replace(['_', '-'], " ")
-}
 
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
 pub fn shown(measures: Measures, limit: &str, value: f64) -> String {
@@ -22,7 +19,7 @@ pub fn shown(measures: Measures, limit: &str, value: f64) -> String {
     unit.after(&number(unit.factor * value, 4))
 }
 
-/// How far the worst value stays from its limit, as a share of the limit; negative when broken.
+/// How far the worst value stays from its limit, as a share of the limit; negative when violated.
 fn margin(check: &Check) -> f64 {
     let gap = (check.worst - check.limit).abs();
     let share = if check.limit == 0.0 {
@@ -33,171 +30,245 @@ fn margin(check: &Check) -> f64 {
     if check.pass { share } else { -share }
 }
 
+/// Opens a table; the columns of `numbers` are set flush right.
+fn open(out: &mut String, words: &Words, columns: &[&str], numbers: std::ops::Range<usize>) {
+    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
+    for (i, key) in columns.iter().enumerate() {
+        let class = if numbers.contains(&i) {
+            " class=\"n\""
+        } else {
+            ""
+        };
+        let name = escaped(&words.text(key));
+        let _ = write!(out, "<th scope=\"col\"{class}>{name}</th>");
+    }
+    out.push_str("</tr></thead>\n<tbody>\n");
+}
+
+fn close(out: &mut String) {
+    out.push_str("</tbody></table></div>\n");
+}
+
+/// Opens a row with its name.
+fn row(out: &mut String, name: &str) {
+    let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
+}
+
+fn cells(out: &mut String, values: &[&str]) {
+    for value in values {
+        let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value));
+    }
+    out.push_str("</tr>\n");
+}
+
 /// Every check with its light.
-pub fn checks(out: &mut String, synthesis: &Synthesis) {
+pub fn checks(out: &mut String, synthesis: &Synthesis, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
     }
     let measures = synthesis.cam.follower.measures();
-    out.push_str(
-        "<h2>Checks</h2>\n<div class=\"scroll\"><table><tr><th>Check</th><th>State</th><th class=\"n\">Worst</th>\
-         <th class=\"n\">Limit</th><th class=\"n\">Margin</th><th class=\"n\">At</th></tr>\n",
-    );
+    heading(out, &words.text("report-checks"));
+    let columns = [
+        "report-check",
+        "report-state",
+        "report-worst",
+        "report-limit",
+        "report-margin",
+        "report-place",
+    ];
+    open(out, words, &columns, 2..6);
     for check in &synthesis.checks {
         let margin = margin(check);
         let (light, state) = if !check.pass {
-            ("bad", "broken")
+            ("bad", "report-violated")
         } else if margin <= ON_THE_LIMIT {
-            ("fair", "on the limit")
+            ("fair", "report-at-limit")
         } else {
-            ("good", "holds")
+            ("good", "report-satisfied")
         };
         let margin = if margin.is_finite() {
             format!("{:+.1} %", 100.0 * margin).replace('-', "−")
         } else {
             "—".into()
         };
-        let _ = writeln!(
+        row(out, &words.name(&check.name));
+        let _ = write!(
             out,
-            "<tr><td>{}</td><td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{state}</span></td>\
-             <td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{margin}</td><td class=\"n\">{}</td></tr>",
-            escaped(&spoken(&check.name)),
-            shown(measures, &check.name, check.worst),
-            shown(measures, &check.name, check.limit),
-            measures.place(check.at, 1)
+            "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
+            escaped(&words.text(state))
         );
+        let worst = shown(measures, &check.name, check.worst);
+        let limit = shown(measures, &check.name, check.limit);
+        let place = measures.place(check.at, 1);
+        cells(out, &[&worst, &limit, &margin, &place]);
     }
-    out.push_str("</table></div>\n");
+    close(out);
+}
+
+/// An active limit: its name, its largest multiplier and where that is, how many points it holds at.
+struct Active<'a> {
+    limit: &'a str,
+    multiplier: f64,
+    at: f64,
+    points: usize,
+}
+
+/// The limits that shape the law, each once.
+fn gathered(synthesis: &Synthesis) -> Vec<Active<'_>> {
+    let mut all: Vec<Active> = Vec::new();
+    for b in &synthesis.binding {
+        let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
+            all.push(Active {
+                limit: &b.limit,
+                multiplier: b.multiplier,
+                at: b.at,
+                points: 1,
+            });
+            continue;
+        };
+        known.points += 1;
+        if b.multiplier.abs() > known.multiplier.abs() {
+            (known.multiplier, known.at) = (b.multiplier, b.at);
+        }
+    }
+    all
 }
 
 /// The limits that shape the law.
-pub fn binding(out: &mut String, synthesis: &Synthesis) {
-    out.push_str("<h2>Limits that bind</h2>\n");
+pub fn active(out: &mut String, synthesis: &Synthesis, words: &Words) {
+    heading(out, &words.text("report-active-limits"));
     if synthesis.binding.is_empty() {
-        out.push_str(if synthesis.checks.iter().all(|c| c.pass) {
-            "<p>None: the law is what the force asks for, and every limit has room.</p>\n"
-        } else {
-            "<p>None: no limit took part in shaping the law.</p>\n"
-        });
+        super::paragraph(out, &words.text("report-no-active-limits"));
         return;
     }
-    out.push_str(
-        "<div class=\"scroll\"><table><tr><th>Limit</th><th class=\"n\">At</th>\
-         <th class=\"n\">Multiplier (SI)</th></tr>\n",
-    );
+    let columns = [
+        "report-limit",
+        "report-times",
+        "report-multiplier",
+        "report-place",
+    ];
+    open(out, words, &columns, 1..4);
     let measures = synthesis.cam.follower.measures();
-    for b in &synthesis.binding {
-        let _ = writeln!(
-            out,
-            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>",
-            escaped(&spoken(&b.limit)),
-            measures.place(b.at, 1),
-            number(b.multiplier, 4)
-        );
+    for a in gathered(synthesis) {
+        row(out, &words.name(a.limit));
+        let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
+        cells(out, &[&points, &number(a.multiplier, 4), &place]);
     }
-    out.push_str(
-        "</table></div>\n<p class=\"note\">The multiplier is what the objective gains per unit by which the \
-         limit is eased: the limit with the largest one is the first to talk about.</p>\n",
-    );
-    easing(out, synthesis);
+    close(out);
+    note(out, &words.text("report-multiplier-note"));
+    easing(out, synthesis, words);
 }
 
-/// What one per cent more of each binding limit would buy.
-fn easing(out: &mut String, synthesis: &Synthesis) {
+fn note(out: &mut String, text: &str) {
+    let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
+}
+
+/// What one per cent more of each active limit would buy.
+fn easing(out: &mut String, synthesis: &Synthesis, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
     }
-    out.push_str(
-        "<div class=\"scroll\"><table><tr><th>Ease this by 1 %</th><th class=\"n\">From</th><th class=\"n\">To</th>\
-         <th>and this</th><th class=\"n\">falls from</th><th class=\"n\">to about</th></tr>\n",
+    let _ = writeln!(
+        out,
+        "<h3>{}</h3>",
+        escaped(&words.text("report-sensitivity"))
     );
+    let columns = [
+        "report-limit",
+        "report-from",
+        "report-to",
+        "report-objective",
+        "report-now",
+        "report-predicted",
+    ];
+    open(out, words, &columns, 1..6);
     let measures = synthesis.cam.follower.measures();
     for e in &synthesis.easing {
         let (name, unit, factor) = e.in_words(measures);
-        let _ = writeln!(
-            out,
-            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{name}</td>\
-             <td class=\"n\">{} {unit}</td><td class=\"n\">{} {unit}</td></tr>",
-            escaped(&spoken(&e.limit)),
-            shown(measures, &e.limit, e.from),
-            shown(measures, &e.limit, e.to),
-            number(factor * e.before, 5),
-            number(factor * e.after, 5)
-        );
+        row(out, &words.name(&e.limit));
+        let from = shown(measures, &e.limit, e.from);
+        let to = shown(measures, &e.limit, e.to);
+        let [before, after] =
+            [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
+        cells(out, &[&from, &to, name, &before, &after]);
     }
-    out.push_str("</table></div>\n");
+    close(out);
 }
 
 /// Drive, law and cam in numbers.
-pub fn numbers(out: &mut String, synthesis: &Synthesis) {
-    out.push_str("<h2>The design in numbers</h2>\n<div class=\"columns\">\n");
-    table(out, "Drive", &drive(synthesis));
-    table(out, "Law", &law(synthesis));
-    table(out, "Cam", &cam(synthesis));
+pub fn numbers(out: &mut String, synthesis: &Synthesis, words: &Words) {
+    heading(out, &words.text("report-data"));
+    out.push_str("<div class=\"columns\">\n");
+    table(out, words, "report-drive", &drive(synthesis, words));
+    table(out, words, "report-law", &law(synthesis, words));
+    table(out, words, "report-cam", &cam(synthesis, words));
     out.push_str("</div>\n");
 }
 
+/// Keys of the names, and values.
 type Rows = Vec<(&'static str, String)>;
 
-fn table(out: &mut String, name: &str, rows: &Rows) {
+fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
+    let name = escaped(&words.text(name));
     let _ = write!(out, "<div><h3>{name}</h3><table>");
-    for (what, value) in rows {
-        let _ = write!(out, "<tr><td>{what}</td><td>{}</td></tr>", escaped(value));
+    for (key, value) in rows {
+        row(out, &words.text(key));
+        let _ = write!(out, "<td>{}</td></tr>", escaped(value));
     }
     out.push_str("</table></div>\n");
 }
 
-fn drive(synthesis: &Synthesis) -> Rows {
+fn drive(synthesis: &Synthesis, words: &Words) -> Rows {
     let d = &synthesis.drive;
     let measures = synthesis.cam.follower.measures();
     let shown = |unit: Unit, x: f64| unit.after(&number(unit.factor * x, 5));
     let round = match measures {
-        Measures::Straight => ("one pass", synthesis.cam.law.extent().1),
-        _ => ("one turn", std::f64::consts::TAU),
+        Measures::Straight => ("report-one-pass", synthesis.cam.law.extent().1),
+        _ => ("report-one-turn", std::f64::consts::TAU),
     };
-    let at_rest = match measures {
-        Measures::Oscillating => "moment at rest",
-        _ => "force at rest",
-    };
+    let swings = measures == Measures::Oscillating;
+    let either = |moment, force| if swings { moment } else { force };
     let mut rows = vec![
-        ("machine", spoken(d.kind.name())),
-        ("speed", shown(measures.speed(), d.speed)),
+        ("report-machine", words.name(d.kind.name())),
+        ("report-row-speed", shown(measures.speed(), d.speed)),
         (round.0, format!("{} s", number(round.1 / d.speed.abs(), 5))),
-        (at_rest, shown(measures.force(), d.rest_force)),
+        (
+            either("report-moment-at-rest", "report-force-at-rest"),
+            shown(measures.force(), d.rest_force),
+        ),
     ];
     if d.mass != 0.0 {
-        rows.push((measures.mass_words(), shown(measures.mass(), d.mass)));
+        let name = either("report-inertia", "report-mass");
+        rows.push((name, shown(measures.mass(), d.mass)));
     }
     if d.spring_rate != 0.0 {
-        let name = match measures {
-            Measures::Oscillating => "moment per angle",
-            _ => "force per lift",
-        };
-        rows.push((name, shown(measures.spring_rate(), d.spring_rate)));
+        rows.push((
+            "report-spring",
+            shown(measures.spring_rate(), d.spring_rate),
+        ));
     }
     if d.damping != 0.0 {
-        rows.push(("damping", shown(measures.damping(), d.damping)));
+        rows.push(("report-damping", shown(measures.damping(), d.damping)));
     }
     rows
 }
 
-fn law(synthesis: &Synthesis) -> Rows {
+fn law(synthesis: &Synthesis, words: &Words) -> Rows {
     let law = &synthesis.cam.law;
-    let mut rows = vec![
-        ("family", spoken(&synthesis.family)),
-        ("pieces", law.poly().pieces().to_string()),
-    ];
+    let mut rows = vec![("report-family", words.name(&synthesis.family))];
+    // A harmonic law is one piece of no degree.
     if synthesis.degree > 0 {
-        rows.push(("degree", synthesis.degree.to_string()));
+        rows.push(("report-pieces", law.poly().pieces().to_string()));
+        rows.push(("report-degree", synthesis.degree.to_string()));
     }
     let measures = synthesis.cam.follower.measures();
     let lift = measures.lift(0);
     let stroke = number(lift.factor * law.stroke(), 5);
-    rows.push(("stroke", lift.after(&stroke)));
+    rows.push(("report-row-stroke", lift.after(&stroke)));
     let names = [
-        ["velocity", "velocity by time"],
-        ["acceleration", "acceleration by time"],
-        ["jerk", "jerk by time"],
+        ["report-velocity", "report-velocity-time"],
+        ["report-acceleration", "report-acceleration-time"],
+        ["report-jerk", "report-jerk-time"],
     ];
     for (name, order) in names.into_iter().zip(1..) {
         let (low, high) = law.extremes(order);
@@ -212,91 +283,105 @@ fn law(synthesis: &Synthesis) -> Rows {
     rows
 }
 
-fn cam(synthesis: &Synthesis) -> Rows {
+fn cam(synthesis: &Synthesis, words: &Words) -> Rows {
     let cam = &synthesis.cam;
-    let mm = |x: f64| format!("{} mm", number(1000.0 * x, 5));
+    let mm = |x: f64| millimetres(x, 5);
     let follower = &cam.follower;
     let mut rows = vec![
-        ("follower", spoken(follower.name())),
-        (base_name(follower), mm(follower.base_radius())),
+        ("report-follower", words.name(follower.name())),
+        (base_key(follower), mm(follower.base_radius())),
     ];
     let curvature = cam.curvature();
     if follower.roller_radius() > 0.0 {
         if !follower.is_unrolled() {
-            rows.push(("prime circle", mm(follower.prime_radius())));
+            rows.push(("report-prime-circle", mm(follower.prime_radius())));
         }
-        rows.push(("roller radius", mm(follower.roller_radius())));
+        rows.push(("report-roller-radius", mm(follower.roller_radius())));
         if follower.measures() == Measures::Translating && !follower.is_unrolled() {
-            rows.push(("offset", mm(follower.offset())));
+            rows.push(("report-offset", mm(follower.offset())));
         }
     }
-    rows.push(("smallest convex radius", mm(curvature.convex.value)));
+    rows.push(("report-convex-radius", mm(curvature.convex.value)));
     let at = follower.measures().place(curvature.convex.at, 1);
-    rows.push(("found at", at));
+    rows.push(("report-found-at", at));
     if let Some(concave) = curvature.concave {
-        rows.push(("tightest concave radius", mm(-concave.value)));
+        rows.push(("report-concave-radius", mm(-concave.value)));
     }
     if let Some(width) = cam.face_width() {
-        rows.push(("face width", mm(width)));
+        rows.push(("report-face-width", mm(width)));
     } else {
         let (low, high) = synthesis.pressure_angle_extremes();
         let range = format!("{} … {}", degrees(low.value), degrees(high.value));
-        rows.push(("pressure angle", range));
+        rows.push(("report-pressure-angle", range));
     }
     rows
 }
 
 /// What a follower's base radius is called.
-pub fn base_name(follower: &Follower) -> &'static str {
+pub fn base_key(follower: &Follower) -> &'static str {
     match follower {
-        Follower::TranslatingCam { .. } => "base height",
-        Follower::Barrel { .. } => "barrel's radius",
-        _ => "base circle",
+        Follower::TranslatingCam { .. } => "report-row-base-height",
+        Follower::Barrel { .. } => "report-row-barrel",
+        _ => "report-row-base-circle",
     }
 }
 
 /// How the answer was found, and what was remarked on the way.
-pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
+pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing, words: &Words) {
     let solver = &synthesis.solver;
     let how = match solver.tier {
-        Tier::Spectral => "in closed form, harmonic by harmonic",
-        Tier::Equality => "by least squares with equalities, in one factorisation",
-        Tier::Qp => "as a convex quadratic program",
-        Tier::Socp => "as a second-order cone program",
-        Tier::Scp => "as a sequence of convex programs",
+        Tier::Spectral => "report-spectral",
+        Tier::Equality => "report-equality",
+        Tier::Qp => "report-qp",
+        Tier::Socp => "report-socp",
+        Tier::Scp => "report-scp",
     };
-    let status = sentence(&solver.status());
-    let spent = format!(
-        "in {} ms ({} iterations)",
-        number(1000.0 * time.solve_s, 3),
-        solver.iterations
-    );
-    let _ = if synthesis.infeasible.is_some() {
-        writeln!(
-            out,
-            "<h2>What was tried</h2>\n<p>The search ran {how}, {spent}. {status}</p>"
-        )
-    } else {
-        let certified = if solver.certified {
-            "Every limit was confirmed on the continuous law, between the samples too."
+    let built = synthesis.infeasible.is_none();
+    heading(
+        out,
+        &words.text(if built {
+            "report-solution"
         } else {
-            "The limits were not confirmed between the samples."
-        };
-        writeln!(
-            out,
-            "<h2>How it was solved</h2>\n<p>Solved {how}, {spent}. {status}{certified}</p>"
-        )
-    };
+            "report-attempt"
+        }),
+    );
+    let spent = format!("{} ms", number(1000.0 * time.solve_s, 3));
+    let iterations = solver.iterations.to_string();
+    let arguments = [
+        ("how", words.text(how)),
+        ("time", spent),
+        ("iterations", iterations),
+    ];
+    let arguments = arguments
+        .each_ref()
+        .map(|(name, text)| (*name, text.as_str()));
+    let mut text = words.fill("report-solved", &arguments);
+    text += &sentence(&solver.status());
+    if built {
+        text.push(' ');
+        text += &words.text(if solver.certified {
+            "report-certified"
+        } else {
+            "report-uncertified"
+        });
+    }
+    super::paragraph(out, &text);
     if let Some(c) = &solver.certificate {
-        let _ = writeln!(
-            out,
-            "<p class=\"note\">Proof: no law of this family that keeps these limits has an objective lower by more than {:.1e} of it; \
-             the optimality conditions hold to {:.1e}, the limits to {:.1e}.</p>",
-            c.relative_gap, c.stationarity, c.violation
-        );
+        let [gap, stationarity, violation] =
+            [c.relative_gap, c.stationarity, c.violation].map(|x| match x {
+                0.0 => "0".to_string(),
+                x => format!("{x:.1e}"),
+            });
+        let arguments = [
+            ("gap", gap.as_str()),
+            ("stationarity", &stationarity),
+            ("violation", &violation),
+        ];
+        note(out, &words.fill("report-certificate", &arguments));
     }
     if !synthesis.notes.is_empty() {
-        out.push_str("<h3>Remarks</h3>\n<ul>\n");
+        let head = escaped(&words.text("report-remarks"));
+        let _ = write!(out, "<h3>{head}</h3>\n<ul>\n");
         for remark in synthesis.remarks() {
             let _ = writeln!(out, "<li>{}</li>", escaped(&remark));
         }
@@ -304,14 +389,11 @@ pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing) {
     }
 }
 
-/// A status as a sentence of its own, escaped; nothing for an empty one.
+/// A status as a sentence of its own after another; nothing for an empty one.
 fn sentence(status: &str) -> String {
     let mut letters = status.trim().trim_end_matches('.').chars();
-    match letters.next() {
-        None => String::new(),
-        Some(first) => {
-            let text: String = first.to_uppercase().chain(letters).collect();
-            format!("{}. ", escaped(&text))
-        }
-    }
+    letters.next().map_or(String::new(), |first| {
+        let text: String = first.to_uppercase().chain(letters).collect();
+        format!(" {text}.")
+    })
 }

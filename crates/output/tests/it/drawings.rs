@@ -3,9 +3,12 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use dxf::entities::EntityType;
 use gaitcam::cam::Wall;
 use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam_output::dxf::Content;
+
+use crate::designs::{footbridge, heel_tester};
+use crate::drawing::{Drawing, read};
 
 fn designed(scene: &str) -> Synthesis {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
@@ -16,46 +19,8 @@ fn designed(scene: &str) -> Synthesis {
     synthesise(&scene, None).unwrap()
 }
 
-struct Drawn {
-    /// Layer, vertices (x, y, bulge), whether closed.
-    curves: Vec<(String, Vec<[f64; 3]>, bool)>,
-    circles: Vec<(String, f64)>,
-    header: dxf::Header,
-    text: String,
-}
-
-fn drawn(s: &Synthesis) -> Drawn {
-    let bytes = gaitcam_output::dxf::profile(s, 720);
-    let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
-    let mut out = Drawn {
-        curves: Vec::new(),
-        circles: Vec::new(),
-        header: drawing.header.clone(),
-        text: String::from_utf8(bytes).unwrap(),
-    };
-    for e in drawing.entities() {
-        let layer = e.common.layer.clone();
-        match &e.specific {
-            EntityType::Polyline(p) => out.curves.push((
-                layer,
-                p.vertices()
-                    .map(|v| [v.location.x, v.location.y, v.bulge])
-                    .collect(),
-                p.is_closed(),
-            )),
-            EntityType::Circle(c) => out.circles.push((layer, c.radius)),
-            _ => {}
-        }
-    }
-    out
-}
-
-impl Drawn {
-    fn curve(&self, layer: &str) -> (&[[f64; 3]], bool) {
-        let all: Vec<_> = self.curves.iter().filter(|c| c.0 == layer).collect();
-        assert_eq!(all.len(), 1, "{layer} is drawn {} times", all.len());
-        (&all[0].1, all[0].2)
-    }
+fn drawn(s: &Synthesis) -> Drawing {
+    read(&gaitcam_output::dxf::profile(s, 720, Content::All))
 }
 
 /// The data of an SVG's path.
@@ -74,8 +39,8 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
     let d = drawn(&s);
     // Two turns on R 30 mm.
     let length = 4.0 * PI * 30.0;
-    for layer in ["PROFILE", "UPPER_WALL", "PITCH_CURVE"] {
-        let (v, closed) = d.curve(layer);
+    for layer in ["CUT_PROFILE", "CUT_UPPER_WALL", "REF_PITCH_CURVE"] {
+        let (v, closed) = d.outline(layer);
         let (first, last) = (v[0], v[v.len() - 1]);
         assert!(!closed, "{layer} closes");
         assert!(
@@ -85,10 +50,16 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
         // The law closes: both ends are at one height.
         assert!((first[1] - last[1]).abs() < 1e-9);
     }
-    assert_eq!(d.circles, [], "nothing is round in an unrolled drawing");
+    assert!(
+        d.circles.is_empty(),
+        "nothing is round in an unrolled drawing"
+    );
     // Vertices of the arcs lie on the walls as the groove itself has them.
     let groove = s.groove.as_ref().unwrap();
-    for (layer, wall) in [("PROFILE", Wall::Lower), ("UPPER_WALL", Wall::Upper)] {
+    for (layer, wall) in [
+        ("CUT_PROFILE", Wall::Lower),
+        ("CUT_UPPER_WALL", Wall::Upper),
+    ] {
         let exact: Vec<[f64; 2]> = (0..=40_000)
             .map(|i| {
                 let [delta, z] =
@@ -96,7 +67,7 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
                 [30.0 * delta, 1e3 * z]
             })
             .collect();
-        for v in d.curve(layer).0 {
+        for v in d.outline(layer).0 {
             let near = exact
                 .iter()
                 .map(|q| (q[0] - v[0]).hypot(q[1] - v[1]))
@@ -106,8 +77,8 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
         }
     }
     // At rest in height the rollers of 5.25 mm stand 0.25 mm off their stud to either side.
-    assert!((d.curve("PROFILE").0[0][1] + 5.5).abs() < 1e-9);
-    assert!((d.curve("UPPER_WALL").0[0][1] - 5.5).abs() < 1e-9);
+    assert!((d.outline("CUT_PROFILE").0[0][1] + 5.5).abs() < 1e-9);
+    assert!((d.outline("CUT_UPPER_WALL").0[0][1] - 5.5).abs() < 1e-9);
 
     let svg = gaitcam_output::svg::profile(&s, 720);
     for id in ["profile", "upper-wall", "pitch-curve"] {
@@ -134,15 +105,12 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
 fn a_sliding_cam_has_a_foot_and_no_circles() {
     let s = designed("translating_cam.toml");
     let d = drawn(&s);
-    assert_eq!(d.circles, []);
-    let (v, closed) = d.curve("PROFILE");
+    assert!(d.circles.is_empty());
+    let (v, closed) = d.outline("CUT_PROFILE");
     assert!(!closed && (v[v.len() - 1][0] - 160.0).abs() < 1e-9);
     let svg = gaitcam_output::svg::profile(&s, 720);
     assert!(!svg.contains("<circle") && !path(&svg, "profile").ends_with('Z'));
-    assert_eq!(
-        path(&svg, "foot"),
-        "M0.000000 -0.000000L160.000000 -0.000000"
-    );
+    assert_eq!(path(&svg, "foot"), "M0 0L160 0");
 }
 
 #[test]
@@ -154,11 +122,7 @@ fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
         let s = designed(scene);
         let pair = s.conjugate.as_ref().unwrap();
         let fine = pair.second_profile(60_000);
-        let (v, closed) = {
-            let d = drawn(&s);
-            let (v, closed) = d.curve("SECOND_PROFILE");
-            (v.to_vec(), closed)
-        };
+        let (v, closed) = drawn(&s).outline("CUT_SECOND_PROFILE");
         assert!(closed && v.len() > 16);
         for v in v {
             let near = fine
@@ -175,10 +139,8 @@ fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
 fn r12_declares_millimetres_and_the_extents_of_the_drawing() {
     let s = designed("camdas_01_roller.toml");
     let d = drawn(&s);
-    let lines: Vec<&str> = d.text.lines().map(str::trim).collect();
-    let at = lines.iter().position(|l| *l == "$INSUNITS").unwrap();
     // 4 is millimetres in that variable.
-    assert_eq!(&lines[at + 1..at + 3], ["70", "4"]);
+    assert_eq!(d.header["$INSUNITS"][1], (70, "4".to_string()));
     let prime = 1e3 * s.cam.follower.prime_radius();
     let mut extent = [[-prime; 2], [prime; 2]];
     for p in s.cam.profile(20_000) {
@@ -187,17 +149,106 @@ fn r12_declares_millimetres_and_the_extents_of_the_drawing() {
             extent[1][k] = extent[1][k].max(1e3 * x);
         }
     }
-    let (low, high) = (
-        &d.header.minimum_drawing_extents,
-        &d.header.maximum_drawing_extents,
-    );
+    let (low, high) = (d.corner("$EXTMIN"), d.corner("$EXTMAX"));
     for (read, known) in [
-        (low.x, extent[0][0]),
-        (low.y, extent[0][1]),
-        (high.x, extent[1][0]),
-        (high.y, extent[1][1]),
+        (low[0], extent[0][0]),
+        (low[1], extent[0][1]),
+        (high[0], extent[1][0]),
+        (high[1], extent[1][1]),
     ] {
         // The pitch curve is drawn in chords of half a degree.
         assert!((read - known).abs() < 2e-3, "{read} for {known}");
+    }
+}
+
+#[test]
+fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
+    for mut s in [
+        footbridge(),
+        heel_tester(),
+        designed("camdas_07_conjugate_roller.toml"),
+        designed("thesis_barrel.toml"),
+    ] {
+        let scene = s.name.clone();
+        s.bore = Some(0.01);
+        let all = drawn(&s);
+        let cut = read(&gaitcam_output::dxf::profile(&s, 720, Content::CutOnly));
+        assert!(cut.layers.iter().all(|l| l.starts_with("CUT_")), "{scene}");
+        assert!(
+            all.layers
+                .iter()
+                .all(|l| l.starts_with("CUT_") || l.starts_with("REF_"))
+        );
+        let of = |d: &Drawing| d.layers.iter().filter(|l| l.starts_with("CUT_")).count();
+        assert!(of(&cut) > 0 && of(&cut) == of(&all), "{scene}");
+        let round = !s.cam.follower.is_unrolled();
+        for mark in ["REF_THETA_ZERO", "REF_ROTATION"] {
+            assert_eq!(
+                all.layers.iter().any(|l| l == mark),
+                round,
+                "{scene}: {mark}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_arrow_turns_as_the_machine_does() {
+    let mut s = footbridge();
+    for speed in [4.0, -4.0] {
+        s.drive.speed = speed;
+        let (arc, _) = drawn(&s).outline("REF_ROTATION");
+        let (a, b) = (arc[0], arc[1]);
+        // Counter-clockwise as θ grows: the cross product of start and end has the sign of the speed.
+        assert!((a[0] * b[1] - a[1] * b[0]) * speed > 0.0 && a[2] * speed > 0.0);
+    }
+}
+
+/// Every instance of a STEP file by its number.
+fn instances(text: &str) -> std::collections::HashMap<usize, String> {
+    let lines = text.lines().filter_map(|line| line.strip_prefix('#'));
+    lines
+        .filter_map(|line| {
+            let (number, rest) = line.split_once('=')?;
+            Some((number.parse().unwrap(), rest.to_string()))
+        })
+        .collect()
+}
+
+#[test]
+fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
+    for mut s in [footbridge(), heel_tester()] {
+        s.bore = Some(0.01);
+        let bytes = gaitcam_output::step::plate(&s, 0.01).unwrap();
+        assert_eq!(bytes, gaitcam_output::step::plate(&s, 0.01).unwrap());
+        let text = String::from_utf8(bytes).unwrap();
+        let all = instances(&text);
+        for entity in all.values() {
+            for reference in entity.split('#').skip(1) {
+                let digits: String = reference.chars().take_while(char::is_ascii_digit).collect();
+                assert!(all.contains_key(&digits.parse().unwrap()), "{entity}");
+            }
+        }
+        // Every edge of a closed shell is used twice, once along and once against its sense.
+        let uses = |sense: &str| -> Vec<String> {
+            let mut edges: Vec<String> = (all.values())
+                .filter(|e| e.starts_with("ORIENTED_EDGE") && e.contains(sense))
+                .map(|e| {
+                    e.split('#')
+                        .nth(1)
+                        .unwrap()
+                        .split(',')
+                        .next()
+                        .unwrap()
+                        .to_string()
+                })
+                .collect();
+            edges.sort();
+            edges
+        };
+        assert_eq!(uses(".T."), uses(".F."));
+        let faces = all.values().filter(|e| e.starts_with("ADVANCED_FACE"));
+        // Four walls, two half bores, below and above.
+        assert_eq!(faces.count(), 8);
     }
 }

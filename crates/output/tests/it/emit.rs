@@ -5,14 +5,15 @@ use std::f64::consts::{PI, TAU};
 use std::io::{Cursor, Read};
 
 use crate::designs::{footbridge, heel_tester, impossible};
+use crate::drawing::{groups, read};
 use calamine::{Data, Reader, Xlsx};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
 use gaitcam::synth::Synthesis;
-use gaitcam_output::dxf::{Options, Version};
+use gaitcam_output::dxf::{Content, Options, Version};
 use gaitcam_output::solid::{Mesh, Plate};
-use gaitcam_output::{self, Timing, biarc, cutter, solid};
+use gaitcam_output::{self, Language, Timing, biarc, cutter, solid};
 use serde_json::Value;
 
 const TIME: Timing = Timing {
@@ -170,30 +171,6 @@ fn an_infeasible_summary_names_the_conflict_and_writes_no_nan() {
     assert!(!read.to_string().contains("NaN"));
 }
 
-/// The profile polyline of a drawing: x, y, bulge in mm, and whether it is closed.
-fn outline(drawing: &dxf::Drawing, layer: &str) -> (Vec<[f64; 3]>, bool) {
-    let entity = drawing.entities().find(|e| {
-        let polyline = matches!(
-            e.specific,
-            dxf::entities::EntityType::Polyline(_) | dxf::entities::EntityType::LwPolyline(_)
-        );
-        polyline && e.common.layer == layer
-    });
-    match &entity.unwrap().specific {
-        dxf::entities::EntityType::Polyline(p) => (
-            p.vertices()
-                .map(|v| [v.location.x, v.location.y, v.bulge])
-                .collect(),
-            p.is_closed(),
-        ),
-        dxf::entities::EntityType::LwPolyline(p) => (
-            p.vertices.iter().map(|v| [v.x, v.y, v.bulge]).collect(),
-            p.is_closed(),
-        ),
-        _ => unreachable!(),
-    }
-}
-
 #[test]
 fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
     let s = heel_tester();
@@ -202,51 +179,40 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
             points: 1440,
             version,
             bore: Some(0.02),
+            content: Content::All,
         };
         let bytes = gaitcam_output::dxf::drawing(&s, options);
-        let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
-        let (vertices, closed) = outline(&drawing, "PROFILE");
+        let drawing = read(&bytes);
+        let (vertices, closed) = drawing.outline("CUT_PROFILE");
         assert!(closed && vertices.len() == 1440);
         for (v, p) in vertices.iter().zip(s.cam.profile(1440)) {
             assert!((v[0] - 1000.0 * p.x).abs() < 1e-9 && (v[1] - 1000.0 * p.y).abs() < 1e-9);
         }
-        assert_eq!(outline(&drawing, "PITCH_CURVE").0.len(), 1440);
-        let mut radii = HashMap::new();
-        for e in drawing.entities() {
-            if let dxf::entities::EntityType::Circle(c) = &e.specific {
-                radii.insert(e.common.layer.clone(), c.radius);
-            }
-        }
+        assert_eq!(drawing.outline("REF_PITCH_CURVE").0.len(), 1440);
+        let radii: HashMap<String, f64> = drawing.circles.iter().cloned().collect();
         // Rp 3 in, roller 1 in, bore 20 mm.
-        assert!((radii["PRIME_CIRCLE"] - 76.2).abs() < 1e-9);
-        assert!((radii["BASE_CIRCLE"] - 50.8).abs() < 1e-9);
-        assert!((radii["BORE"] - 10.0).abs() < 1e-9);
-        if version != Version::R12 {
-            let units = drawing.header.default_drawing_units;
-            assert_eq!(units, dxf::enums::Units::Millimeters);
-        }
+        assert!((radii["REF_PRIME_CIRCLE"] - 76.2).abs() < 1e-9);
+        assert!((radii["REF_BASE_CIRCLE"] - 50.8).abs() < 1e-9);
+        assert!((radii["CUT_BORE"] - 10.0).abs() < 1e-9);
+        assert_eq!(drawing.header["$INSUNITS"][1], (70, "4".to_string()));
     }
 }
 
 #[test]
 fn r12_drawings_hold_nothing_that_r12_does_not_know() {
-    let bytes = gaitcam_output::dxf::profile(&heel_tester(), 360);
-    let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
-    let arcs = outline(&drawing, "PROFILE").0.len();
-    let text = String::from_utf8(bytes).unwrap();
-    let lines: Vec<&str> = text.lines().map(str::trim).collect();
-    let pairs: Vec<(i32, &str)> = lines
-        .chunks_exact(2)
-        .map(|p| (p[0].parse().unwrap(), p[1]))
-        .collect();
+    let bytes = gaitcam_output::dxf::profile(&heel_tester(), 360, Content::All);
+    let drawing = read(&bytes);
+    let arcs = drawing.outline("CUT_PROFILE").0.len();
+    let all = groups(&bytes);
+    let pairs: Vec<(i32, &str)> = all.iter().map(|(c, v)| (*c, v.as_str())).collect();
     assert_eq!(pairs.last(), Some(&(0, "EOF")));
     assert!(pairs.contains(&(1, "AC1009")));
     // No subclass markers and no lightweight polylines before R13.
     assert!(pairs.iter().all(|p| p.0 != 100 && p.1 != "LWPOLYLINE"));
     let count = |name: &str| pairs.iter().filter(|p| **p == (0, name)).count();
-    // The profile in arcs, the pitch curve of 360 vertices.
-    assert_eq!((count("POLYLINE"), count("SEQEND")), (2, 2));
-    assert_eq!(count("VERTEX"), 360 + arcs);
+    // The profile in arcs, the pitch curve of 360 vertices, the arrow of the rotation.
+    assert_eq!((count("POLYLINE"), count("SEQEND")), (3, 3));
+    assert_eq!(count("VERTEX"), 360 + arcs + 2);
 }
 
 /// Points along the arcs of a polyline, mm.
@@ -278,9 +244,9 @@ fn walk(vertices: &[[f64; 3]], per_arc: usize) -> Vec<[f64; 2]> {
 #[test]
 fn the_plain_drawing_is_within_a_tenth_of_a_micrometre_with_fewer_vertices_than_chords_need() {
     for s in [footbridge(), heel_tester()] {
-        let bytes = gaitcam_output::dxf::profile(&s, 1440);
-        let drawing = dxf::Drawing::load(&mut bytes.as_slice()).unwrap();
-        let (vertices, closed) = outline(&drawing, "PROFILE");
+        let bytes = gaitcam_output::dxf::profile(&s, 1440, Content::All);
+        let drawing = read(&bytes);
+        let (vertices, closed) = drawing.outline("CUT_PROFILE");
         assert!(closed && vertices.len() < 720, "{}", vertices.len());
         // Points of the true profile against the drawing, walked so finely that its chords are within 5 nm.
         let drawn = walk(&vertices, 400);
@@ -310,13 +276,14 @@ fn arcs_stay_within_the_tolerance_asked_and_join_smoothly() {
                 points: 360,
                 version: Version::R2000,
                 bore: None,
+                content: Content::All,
             };
             let arcs = gaitcam_output::dxf::arcs(&s, tolerance, options).unwrap();
             assert!(arcs.deviation <= tolerance);
             assert!(arcs.arcs <= before, "looser tolerance, fewer arcs");
             before = arcs.arcs;
-            let drawing = dxf::Drawing::load(&mut arcs.bytes.as_slice()).unwrap();
-            let (vertices, closed) = outline(&drawing, "PROFILE");
+            let drawing = read(&arcs.bytes);
+            let (vertices, closed) = drawing.outline("CUT_PROFILE");
             assert!(closed && vertices.len() == arcs.arcs);
             let worst = walk(&vertices, 8)
                 .iter()
@@ -441,9 +408,9 @@ fn profile_svg_is_as_large_as_the_cam() {
 fn pictures_are_whole_and_nothing_is_cut_off() {
     for s in [footbridge(), heel_tester()] {
         for picture in [
-            gaitcam_output::plots::svaj(&s),
-            gaitcam_output::plots::force(&s),
-            gaitcam_output::plots::cam(&s),
+            gaitcam_output::plots::svaj(&s, Language::En),
+            gaitcam_output::plots::force(&s, Language::En),
+            gaitcam_output::plots::cam(&s, Language::En),
         ] {
             assert_eq!(elements(&picture.svg())[0], "svg");
             let bytes = picture.png();
@@ -474,21 +441,21 @@ fn pictures_are_whole_and_nothing_is_cut_off() {
 #[test]
 fn report_is_one_file_that_asks_nothing_of_the_network() {
     for s in [footbridge(), heel_tester()] {
-        let html = gaitcam_output::report::html(&s, TIME);
+        let html = gaitcam_output::report::html(&s, TIME, Language::En);
         let stroke_mm = 1000.0 * s.cam.law.stroke();
         let all = elements(&html);
-        // The cam at work, force, law, cam, curvature.
+        // Animation, force, law, cam, curvature.
         assert_eq!(all.iter().filter(|e| *e == "svg").count(), 5);
         let asks = html.replace("http://www.w3.org/2000/svg", "");
         for word in ["http:", "https:", "src=", "href=", "@import", "url("] {
             assert!(!asks.contains(word), "{word}");
         }
-        for word in ["Checks", "Limits that bind", "How it was solved"] {
+        for word in ["Checks", "Active limits", "Solution", "<main>"] {
             assert!(html.contains(word), "{word}");
         }
         // The walker's own variation stands beside the error where it is known.
         assert_eq!(
-            html.contains("From step to step"),
+            html.contains("Step-to-step"),
             s.target.unwrap().spread_n.is_some()
         );
         let data = html.split("id=\"motion\">").nth(1).unwrap();
@@ -501,11 +468,11 @@ fn report_is_one_file_that_asks_nothing_of_the_network() {
 
 #[test]
 fn the_report_of_an_impossible_cam_says_why_and_shows_none() {
-    let html = gaitcam_output::report::html(&impossible(), TIME);
+    let html = gaitcam_output::report::html(&impossible(), TIME, Language::En);
     let all = elements(&html);
     assert!(!all.contains(&"svg".to_string()) && !all.contains(&"script".to_string()));
     assert!(html.contains("footbridge &lt;stroke &amp; limit&gt;"));
-    assert!(html.contains("These limits cannot hold together"));
+    assert!(html.contains("Conflicting limits"));
     assert!(html.contains("from 30.00 mm to <strong>48.30 mm</strong>"));
 }
 
@@ -777,9 +744,9 @@ fn the_same_design_gives_the_same_bytes() {
     };
     let files = || {
         [
-            gaitcam_output::dxf::profile(&s, 360),
-            gaitcam_output::plots::cam(&s).png(),
-            gaitcam_output::report::html(&s, TIME).into_bytes(),
+            gaitcam_output::dxf::profile(&s, 360, Content::All),
+            gaitcam_output::plots::cam(&s, Language::En).png(),
+            gaitcam_output::report::html(&s, TIME, Language::En).into_bytes(),
             gaitcam_output::xlsx::workbook(&s, TIME).unwrap(),
             solid::threemf(&s, form).unwrap(),
         ]
@@ -810,21 +777,21 @@ fn odd_designs_are_handed_over_without_fault() {
     for s in odd_ones() {
         assert_eq!(table(&gaitcam_output::csv::law(&s, 100)).1.len(), 100);
         assert_eq!(table(&gaitcam_output::csv::profile(&s, 100)).1.len(), 100);
-        let drawing = gaitcam_output::dxf::profile(&s, 100);
-        let drawing = dxf::Drawing::load(&mut drawing.as_slice()).unwrap();
-        assert_eq!(outline(&drawing, "PROFILE").1, s.cam.law.is_closed());
+        let drawing = gaitcam_output::dxf::profile(&s, 100, Content::All);
+        let drawing = read(&drawing);
+        assert_eq!(drawing.outline("CUT_PROFILE").1, s.cam.law.is_closed());
         elements(&gaitcam_output::svg::profile(&s, 100));
         for picture in [
-            gaitcam_output::plots::svaj(&s),
-            gaitcam_output::plots::force(&s),
-            gaitcam_output::plots::cam(&s),
+            gaitcam_output::plots::svaj(&s, Language::En),
+            gaitcam_output::plots::force(&s, Language::En),
+            gaitcam_output::plots::cam(&s, Language::En),
         ] {
             let svg = picture.svg();
             elements(&svg);
             assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
             assert!(picture.png().len() > 1000);
         }
-        let html = gaitcam_output::report::html(&s, TIME);
+        let html = gaitcam_output::report::html(&s, TIME, Language::En);
         elements(&html);
         assert!(!html.contains("NaN"));
         assert!(gaitcam_output::xlsx::workbook(&s, TIME).is_ok());
@@ -863,11 +830,11 @@ fn the_report_of_a_run_moves_the_follower_as_it_ran() {
         outcome: &outcome,
         second_cam: None,
     };
-    let html = html_of_run(&s, TIME, &running);
+    let html = html_of_run(&s, TIME, &running, Language::En);
     let all = elements(&html);
     // The run in motion and its diagrams beside force, law, cam, curvature.
     assert_eq!(all.iter().filter(|e| *e == "svg").count(), 6);
-    assert!(html.contains("The run") && html.contains("Landings"));
+    assert!(html.contains("Simulation") && html.contains("Impacts"));
     assert!(!html.contains("NaN"));
     let data = html.split("id=\"motion\">").nth(1).unwrap();
     let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();

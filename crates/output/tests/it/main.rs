@@ -1,5 +1,7 @@
 //! What is written, read back by other readers.
 
 mod designs;
+mod drawing;
 mod drawings;
 mod emit;
+mod words;

@@ -7,13 +7,15 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use crate::cad::outline::Edge;
-use crate::plot::layout::{Layout, title};
+use crate::plot::layout::{Layout, scale_bar, title};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
 use crate::pose::{Pose, face_reach, pose, turned};
+use crate::words::Words;
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Synthesis;
+use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
 /// Vertices of the drawn curves.
@@ -26,21 +28,23 @@ const PITCH: [f64; 2] = [4.0, 4.0];
 const MARGIN: f64 = 0.04;
 
 /// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
-pub fn cam(synthesis: &Synthesis) -> Picture {
-    cam_in(synthesis, Layout::ALONE)
+pub fn cam(synthesis: &Synthesis, language: Language) -> Picture {
+    cam_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn cam_in(synthesis: &Synthesis, layout: Layout) -> Picture {
+pub(crate) fn cam_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
-        title(canvas, layout, &synthesis.name, "the cam at θ = 0")?;
+        title(canvas, layout, &synthesis.name, &words.text("figure-cam"))?;
         let e = layout.letters;
         let (width, height) = (f64::from(layout.size.0), f64::from(layout.size.1));
         let top = if layout.title { 4.2 * e } else { e };
         let table = width - 21.0 * e;
         let scene = Scene::new(synthesis);
-        let plane = scene.plane(canvas, [2.0 * e, table - e], [height - 1.5 * e, top]);
+        let (across, up) = ([2.0 * e, table - e], [height - 1.5 * e, top]);
+        let (plane, scale) = scene.plane(canvas, across, up);
         scene.draw(&plane)?;
-        scene.table(canvas, [table, top + 2.0 * e], e)
+        scene.table(canvas, [table, top + 2.0 * e], e, words)?;
+        scale_bar(canvas, [table, height - 2.5 * e], scale, 0.2 * width, e)
     })
 }
 
@@ -195,8 +199,8 @@ impl<'a> Scene<'a> {
         (MM * low - more, MM * high + more)
     }
 
-    /// Axes of one scale in both directions, centred in the space given.
-    fn plane<'c>(&self, canvas: &Canvas<'c>, across: [f64; 2], up: [f64; 2]) -> Plane<'c> {
+    /// Axes of one scale in both directions, centred in the space given, and the points per mm.
+    fn plane<'c>(&self, canvas: &Canvas<'c>, across: [f64; 2], up: [f64; 2]) -> (Plane<'c>, f64) {
         let [left, right, bottom, top] = self.bounds();
         let (w, h) = (right - left, top - bottom);
         let blank = MARGIN * w.max(h);
@@ -204,13 +208,14 @@ impl<'a> Scene<'a> {
         let scale = (room[0] / (w + 2.0 * blank)).min(room[1] / (h + 2.0 * blank));
         let middle = [0.5 * (left + right), 0.5 * (bottom + top)];
         let half = [0.5 * room[0] / scale, 0.5 * room[1] / scale];
-        plane(
+        let plane = plane(
             canvas,
             [middle[0] - half[0], middle[0] + half[0]],
             [middle[1] - half[1], middle[1] + half[1]],
             across,
             up,
-        )
+        );
+        (plane, scale)
     }
 
     fn draw(&self, plane: &Plane) -> Drawn {
@@ -314,10 +319,15 @@ impl<'a> Scene<'a> {
             plane.draw(&PathElement::new(path, stroke(INK, 1.4)))?;
         }
         dot(plane, (0.0, 0.0), INK)?;
-        // Counter-clockwise, as the cam turns, on the side where the cam has most room for it.
+        // Counter-clockwise as θ grows, on the side where the cam has most room for it.
         let r = (0.45 * self.base.min(self.reach)).max(0.22 * self.reach);
         let middle = self.bulk().unwrap_or(0.7);
-        let (from, to) = (middle - 1.05, middle + 1.05);
+        let sense = if self.synthesis.drive.speed < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        let (from, to) = (middle - 1.05 * sense, middle + 1.05 * sense);
         let arc: Vec<(f64, f64)> = (0..=60)
             .map(|i| {
                 let a = from + (to - from) * f64::from(i) / 60.0;
@@ -326,12 +336,12 @@ impl<'a> Scene<'a> {
             .collect();
         plane.draw(&PathElement::new(arc, stroke(INK, 2.0)))?;
         let head = 0.16 * r;
-        let tip = to + head / r;
+        let tip = to + sense * head / r;
         let corner = |rho: f64, a: f64| (rho * a.cos(), rho * a.sin());
         let arrow = vec![
             corner(r, tip),
-            corner(r + 0.5 * head, to - 0.3 * head / r),
-            corner(r - 0.5 * head, to - 0.3 * head / r),
+            corner(r + 0.5 * head, to - 0.3 * sense * head / r),
+            corner(r - 0.5 * head, to - 0.3 * sense * head / r),
         ];
         plane.draw(&Polygon::new(arrow, INK.filled()))
     }

@@ -3,15 +3,27 @@
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use super::{BASE, MM, PITCH, PRIME, Scene};
-use crate::number::{degrees, number};
+use super::{BASE, PITCH, PRIME, Scene};
+use crate::number::{degrees, millimetres, number};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::words::Words;
 
 impl Scene<'_> {
     /// Names the lines and gives the main dimensions, in a column.
-    pub(super) fn table(&self, canvas: &Canvas, [x, mut y]: [f64; 2], e: f64) -> Drawn {
-        let cam = &self.synthesis.cam;
+    pub(super) fn table(&self, canvas: &Canvas, [x, y]: [f64; 2], e: f64, words: &Words) -> Drawn {
+        let y = self.lines(canvas, [x, y], e, words)?;
+        self.facts(canvas, [x, y + 0.8 * e], e, words)
+    }
+
+    /// The lines' names; returns where the column goes on.
+    fn lines(
+        &self,
+        canvas: &Canvas,
+        [x, mut y]: [f64; 2],
+        e: f64,
+        words: &Words,
+    ) -> Result<f64, DrawingAreaErrorKind<std::convert::Infallible>> {
         let step = 1.75 * e;
         let swatch = |colour: RGBAColor, width: f64, dash: Option<[f64; 2]>, y: f64| {
             let ends = [[x, y], [x + 1.8 * e, y]];
@@ -26,29 +38,31 @@ impl Scene<'_> {
                 stroke(colour, width),
             ))
         };
-        let mut lines = vec![(BLUE, 2.6, None, "cam profile".to_string())];
+        let mut lines = vec![(BLUE, 2.6, None, words.text("figure-profile"))];
         if self.synthesis.conjugate.is_some() {
-            lines.push((PURPLE, 2.2, None, "second cam of the pair".into()));
+            lines.push((PURPLE, 2.2, None, words.text("figure-second-profile")));
         } else if !self.others.is_empty() {
-            lines[0].3 = "walls of the groove, unrolled".into();
+            lines[0].3 = words.text("figure-walls");
         }
         if !self.is_straight() {
-            let base = format!("base circle R {} mm", number(self.base, 4));
+            let radius = format!("{} mm", number(self.base, 4));
+            let base = words.fill("figure-base-circle", &[("radius", &radius)]);
             lines.push((GREEN, 1.6, Some(BASE), base));
         }
         if self.has_roller() || self.is_straight() {
             if !self.is_straight() {
-                let prime = format!("prime circle R {} mm", number(self.prime, 4));
+                let radius = format!("{} mm", number(self.prime, 4));
+                let prime = words.fill("figure-prime-circle", &[("radius", &radius)]);
                 lines.push((PURPLE, 1.6, Some(PRIME), prime));
             }
-            lines.push((ORANGE, 1.6, Some(PITCH), "pitch curve".into()));
+            lines.push((ORANGE, 1.6, Some(PITCH), words.text("figure-pitch-curve")));
         }
         for (colour, width, dash, name) in lines {
             swatch(colour, width, dash, y)?;
             write(canvas, &name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
             y += step;
         }
-        for (filled, name) in [(true, "contact at θ = 0"), (false, "sharpest point")] {
+        for (filled, name) in [(true, "figure-contact"), (false, "figure-sharpest")] {
             let style = if filled {
                 RED.filled()
             } else {
@@ -59,49 +73,46 @@ impl Scene<'_> {
                 units(if filled { 4.0 } else { 5.5 }),
                 style,
             ))?;
-            write(canvas, name, [x + 2.3 * e, y], Lettering::new(e, INK))?;
+            write(
+                canvas,
+                &words.text(name),
+                [x + 2.3 * e, y],
+                Lettering::new(e, INK),
+            )?;
             y += step;
         }
-        y += 0.8 * e;
+        Ok(y)
+    }
+
+    /// The main dimensions.
+    fn facts(&self, canvas: &Canvas, [x, mut y]: [f64; 2], e: f64, words: &Words) -> Drawn {
+        let cam = &self.synthesis.cam;
+        let measures = cam.follower.measures();
         let sharpest = cam.curvature().convex;
         let (low, high) = self.synthesis.pressure_angle_extremes();
+        let lift = measures.lift(0);
+        let stroke = lift.after(&number(lift.factor * cam.law.stroke(), 4));
         let mut facts = vec![
-            ("follower", cam.follower.name().to_string()),
-            ("stroke", {
-                let lift = cam.follower.measures().lift(0);
-                lift.after(&number(lift.factor * cam.law.stroke(), 4))
-            }),
-            (
-                "smallest radius",
-                format!("{} mm", number(MM * sharpest.value, 4)),
-            ),
-            ("  at", cam.follower.measures().place(sharpest.at, 1)),
+            ("figure-follower", words.name(cam.follower.name())),
+            ("figure-stroke", stroke),
+            ("figure-smallest-radius", millimetres(sharpest.value, 4)),
+            ("figure-smallest-at", measures.place(sharpest.at, 1)),
         ];
         if let Some(width) = cam.face_width() {
-            facts.push(("face width", format!("{} mm", number(MM * width, 4))));
+            facts.push(("figure-face-width", millimetres(width, 4)));
         } else {
-            facts.push((
-                "roller radius",
-                format!("{} mm", number(MM * cam.follower.roller_radius(), 4)),
-            ));
-            facts.push((
-                "offset",
-                format!("{} mm", number(MM * cam.follower.offset(), 4)),
-            ));
+            let roller = millimetres(cam.follower.roller_radius(), 4);
+            facts.push(("figure-roller-radius", roller));
+            facts.push(("figure-offset", millimetres(cam.follower.offset(), 4)));
             let phi = format!("{} … {}", degrees(low.value), degrees(high.value));
-            facts.push(("pressure angle", phi));
+            facts.push(("figure-phi", phi));
         }
-        facts.push((
-            "speed",
-            cam.follower
-                .measures()
-                .speed()
-                .after(&number(self.synthesis.drive.speed, 4)),
-        ));
-        for (name, value) in facts {
-            write(canvas, name, [x, y], Lettering::new(e, QUIET))?;
+        let speed = number(self.synthesis.drive.speed, 4);
+        facts.push(("figure-speed", measures.speed().after(&speed)));
+        for (key, value) in facts {
+            write(canvas, &words.text(key), [x, y], Lettering::new(e, QUIET))?;
             write(canvas, &value, [x + 8.8 * e, y], Lettering::new(e, INK))?;
-            y += step;
+            y += 1.75 * e;
         }
         Ok(())
     }

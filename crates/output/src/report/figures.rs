@@ -1,0 +1,168 @@
+//! The diagrams on the page, with what they show in words for those who do not see them.
+
+use std::fmt::Write;
+
+use super::{heading, paragraph};
+use crate::escape::escaped;
+use crate::figures::cam::cam_in;
+use crate::figures::curvature::geometry_in;
+use crate::figures::force::{force_frame, force_in};
+use crate::figures::law::svaj_in;
+use crate::number::{millimetres, number, range};
+use crate::plot::axes::Frame;
+use crate::plot::layout::Layout;
+use crate::plot::picture::Picture;
+use crate::words::Words;
+use gaitcam::cam::Measures;
+use gaitcam::synth::Synthesis;
+
+/// The diagrams.
+pub fn section(out: &mut String, synthesis: &Synthesis, words: &Words) {
+    force(out, synthesis, words);
+    let taller = Layout::figure(660);
+    heading(out, &words.text("report-law-section"));
+    let alt = law_words(synthesis, words);
+    let picture = svaj_in(synthesis, taller, words);
+    figure(out, "svaj", Some(taller.frame()), &alt, &picture, words);
+    heading(out, &words.text("report-cam-section"));
+    let picture = cam_in(synthesis, Layout::figure(540), words);
+    figure(
+        out,
+        "cam",
+        None,
+        &cam_words(synthesis, words),
+        &picture,
+        words,
+    );
+    heading(out, &words.text("report-curvature-section"));
+    let low = Layout::figure(430);
+    let sharpest = synthesis.cam.curvature().convex;
+    let place = synthesis.cam.follower.measures().place(sharpest.at, 1);
+    let radius = millimetres(sharpest.value, 4);
+    let alt = words.fill(
+        "report-alt-curvature",
+        &[("radius", &radius), ("place", &place)],
+    );
+    let picture = geometry_in(synthesis, low, words);
+    figure(out, "geometry", Some(low.frame()), &alt, &picture, words);
+}
+
+/// A picture that scrolls sideways where the page is narrow; `frame` lets the script draw the present angle.
+pub fn figure(
+    out: &mut String,
+    id: &str,
+    frame: Option<Frame>,
+    alt: &str,
+    picture: &Picture,
+    words: &Words,
+) {
+    let data = frame.map_or(String::new(), |f| {
+        format!(
+            " data-left=\"{}\" data-right=\"{}\" data-top=\"{}\" data-bottom=\"{}\"",
+            f.left, f.right, f.top, f.bottom
+        )
+    });
+    framed(out, &picture.svg_for_page(id, alt, &data), words);
+}
+
+/// The same for a drawing that is already part of a page.
+pub fn framed(out: &mut String, drawing: &str, words: &Words) {
+    let _ = writeln!(
+        out,
+        "<figure><figcaption class=\"cue\">{}</figcaption><div class=\"wide\" tabindex=\"0\">{drawing}</div></figure>",
+        escaped(&words.text("report-scroll"))
+    );
+}
+
+fn force(out: &mut String, synthesis: &Synthesis, words: &Words) {
+    let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
+    heading(
+        out,
+        &words.text(if swings {
+            "report-moment-section"
+        } else {
+            "report-force-section"
+        }),
+    );
+    comparison(out, synthesis, words);
+    if synthesis.is_idle() {
+        paragraph(
+            out,
+            &words.text(if swings {
+                "report-idle-moment"
+            } else {
+                "report-idle-force"
+            }),
+        );
+    }
+    let tall = Layout::figure(500);
+    let picture = force_in(synthesis, tall, words);
+    let alt = force_words(synthesis, words);
+    figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
+}
+
+fn force_words(synthesis: &Synthesis, words: &Words) -> String {
+    let force = &synthesis.force;
+    let unit = synthesis.cam.follower.measures().force().name;
+    let shown = |x: f64, digits| format!("{} {unit}", number(x, digits));
+    let (low, high) = (shown(force.min_n, 4), shown(force.max_n, 4));
+    let ends = [("low", low.as_str()), ("high", &high)];
+    if synthesis.target.is_none() {
+        return words.fill("report-alt-force-alone", &ends);
+    }
+    let rms = shown(force.rms_error_n, 3);
+    words.fill("report-alt-force", &[ends[0], ends[1], ("rms", &rms)])
+}
+
+fn law_words(synthesis: &Synthesis, words: &Words) -> String {
+    let law = &synthesis.cam.law;
+    let measures = synthesis.cam.follower.measures();
+    let lift = measures.lift(0);
+    let stroke = lift.after(&number(lift.factor * law.stroke(), 4));
+    let unit = measures.lift(2);
+    let (low, high) = law.extremes(2);
+    let ends = range(unit.factor * low.value, unit.factor * high.value, 4);
+    let acceleration = unit.after(&ends);
+    words.fill(
+        "report-alt-law",
+        &[("stroke", &stroke), ("acceleration", &acceleration)],
+    )
+}
+
+fn cam_words(synthesis: &Synthesis, words: &Words) -> String {
+    let cam = &synthesis.cam;
+    let name = words.text(super::tables::base_key(&cam.follower));
+    let base = format!("{name} {}", millimetres(cam.follower.base_radius(), 4));
+    let radius = millimetres(cam.curvature().convex.value, 4);
+    words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
+}
+
+/// The force error, beside the walker's own variation where that is known.
+fn comparison(out: &mut String, synthesis: &Synthesis, words: &Words) {
+    let Some(target) = &synthesis.target else {
+        return;
+    };
+    let unit = synthesis.cam.follower.measures().force().name;
+    let shown = |x: f64| format!("{} {unit}", number(x, 3));
+    let force = &synthesis.force;
+    let (rms, most) = (shown(force.rms_error_n), shown(force.max_error_n));
+    let arguments = [
+        ("name", target.name.as_str()),
+        ("rms", &rms),
+        ("most", &most),
+    ];
+    let mut text = words.fill("report-target", &arguments);
+    if let Some(spread) = target.spread_n.as_ref().filter(|s| !s.is_empty()) {
+        let squares: f64 = spread.iter().map(|x| x * x).sum();
+        let spread = (squares / spread.len() as f64).sqrt();
+        let (amount, ratio) = (shown(spread), number(spread / force.rms_error_n, 2));
+        let arguments = [("spread", amount.as_str()), ("ratio", &ratio)];
+        text.push(' ');
+        text += &if force.rms_error_n > 0.0 && spread > force.rms_error_n {
+            words.fill("report-variability-ratio", &arguments)
+        } else {
+            words.fill("report-variability", &arguments[..1])
+        };
+    }
+    paragraph(out, &text);
+}

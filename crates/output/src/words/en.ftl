@@ -1,0 +1,244 @@
+# Report and pictures of a design: headings, labels, captions. Arguments arrive as text with their units.
+
+# Verdict and outcome.
+report-title = { $name }: cam report
+report-acceptable = Acceptable
+report-not-for-high-speed = Not for high speed
+report-unacceptable = Unacceptable
+report-infeasible = Infeasible
+report-conflict = Conflicting limits
+report-relaxations = Any one of these changes makes the design feasible
+report-no-relaxation = No change of a single limit makes the design feasible
+report-relaxation = from { $from } to
+report-not-alone = { $limit }, { $from }: not sufficient alone
+
+# Figures at the top.
+report-force-error-rms = Force error, RMS
+report-of-mean = { $percent } % of mean
+report-force = Force
+report-moment = Moment
+report-mean = mean { $value }
+report-stroke = Stroke
+report-prime-circle-of = prime circle R { $radius }
+report-base-height = Base height
+report-barrel = Barrel
+report-base-circle = Base circle
+report-minimum-radius = Minimum radius
+report-at = at { $place }
+report-speed = Speed
+
+# Diagrams.
+report-animation = Animation
+report-force-section = Force
+report-moment-section = Moment on the arm
+report-law-section = Law of motion
+report-cam-section = Cam and follower
+report-curvature-section = Curvature and contact
+report-target = Target: { $name }. Force error { $rms } RMS, { $most } maximum.
+report-variability = Step-to-step variability of the recording: { $spread } (RMS of the standard deviation).
+report-variability-ratio = Step-to-step variability of the recording: { $spread } (RMS of the standard deviation), { $ratio } times the force error.
+report-idle-force = The scene gives no mass, spring or preload: force shown for a 1 kg follower.
+report-idle-moment = The scene gives no inertia, spring or preload: moment shown for a follower of 1 kg·m².
+report-scroll = Scroll sideways for the whole diagram →
+report-alt-animation = The cam turning under its follower
+report-alt-force = Target and achieved force over the cam angle: { $low } to { $high }, force error { $rms } RMS
+report-alt-force-alone = Force over the cam angle: { $low } to { $high }
+report-alt-law = Lift, velocity, acceleration and jerk over the cam angle: stroke { $stroke }, acceleration { $acceleration }
+report-alt-cam = The cam at θ = 0 with its follower: { $base }, minimum radius of curvature { $radius }
+report-alt-curvature = Radius of curvature and contact over the cam angle: minimum radius { $radius } at { $place }
+
+# Checks and active limits.
+report-checks = Checks
+report-check = Check
+report-state = State
+report-worst = Worst value
+report-limit = Limit
+report-margin = Margin
+report-place = At
+report-satisfied = satisfied
+report-at-limit = at the limit
+report-violated = violated
+report-active-limits = Active limits
+report-no-active-limits = No active limits.
+report-times = Points
+report-multiplier = Largest multiplier (SI)
+report-multiplier-note = Lagrange multiplier of the objective; the largest indicates the most restrictive limit.
+report-sensitivity = Sensitivity: each limit relaxed by 1 %
+report-from = From
+report-to = To
+report-objective = Objective
+report-now = Now
+report-predicted = Predicted
+
+# Tables of the design.
+report-data = Design data
+report-drive = Drive
+report-law = Law
+report-cam = Cam
+report-machine = machine
+report-row-speed = speed
+report-one-turn = one turn
+report-one-pass = one pass
+report-force-at-rest = static force
+report-moment-at-rest = static moment
+report-mass = moving mass
+report-inertia = moment of inertia
+report-spring = spring rate
+report-damping = damping
+report-family = family
+report-pieces = polynomial pieces
+report-degree = degree
+report-row-stroke = stroke
+report-velocity = velocity
+report-velocity-time = velocity (per second)
+report-acceleration = acceleration
+report-acceleration-time = acceleration (per second)
+report-jerk = jerk
+report-jerk-time = jerk (per second)
+report-follower = follower
+report-row-base-height = base height
+report-row-barrel = barrel radius
+report-row-base-circle = base circle radius
+report-prime-circle = prime circle radius
+report-roller-radius = roller radius
+report-offset = offset
+report-convex-radius = minimum convex radius
+report-found-at = at
+report-concave-radius = minimum concave radius
+report-face-width = face width
+report-pressure-angle = pressure angle
+
+# Solution.
+report-solution = Solution
+report-attempt = Attempted solution
+report-spectral = Closed-form spectral solution
+report-equality = Equality-constrained least squares
+report-qp = Convex quadratic program
+report-socp = Second-order cone program
+report-scp = Sequence of convex programs
+report-solved = { $how }: { $time }, { $iterations ->
+        [one] { $iterations } iteration
+       *[other] { $iterations } iterations
+    }.
+report-certified = All limits are verified on the continuous law.
+report-uncertified = The limits are verified at the samples only.
+report-certificate = Relative duality gap { $gap }; KKT residual { $stationarity }; constraint violation { $violation }.
+report-remarks = Remarks
+report-footer = Lengths in millimetres, angles in degrees, θ counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.
+report-footer-straight = Lengths in millimetres, angles in degrees, travel from the start of the pass. Extrema are computed on the continuous law.
+report-footer-sweep = SI units unless stated. Extrema are computed on the continuous law.
+
+# Animation.
+report-play = Play
+report-pause = Pause
+report-pace = speed
+report-full-speed = true speed
+report-of-full-speed = of true speed
+report-angle = cam angle
+report-travel = travel of the cam
+report-lift = lift s
+report-now-force = force F
+report-now-moment = moment on the arm
+report-torque = shaft torque T
+report-push = force along the travel
+report-gap = gap
+report-radius-at-contact = radius at contact
+report-phi = pressure angle φ
+report-inverted = Shown with the shaft fixed; in the machine the plate is fixed and the shaft rises.
+
+# Simulation.
+report-simulation = Simulation
+report-simulated = Simulated with the { $model } model: { $why }.
+report-contact = Contact
+report-contact-lost = lost
+report-contact-kept = kept
+report-lost-share = { $percent } % of the motion
+report-kept-share = throughout the cycle
+report-contact-force = Contact force
+report-error-of-target = force error { $rms } RMS
+report-shaft-torque = Shaft torque
+report-cam-push = Force along the travel
+report-rms = RMS { $value }
+report-liftoff = Lift-off speed
+report-liftoff-none = none
+report-runs-at = operating speed { $speed }
+report-steady = Steady state
+report-steady-first = in the first turn
+report-steady-after = after { $turns ->
+        [one] { $turns } turn
+       *[other] { $turns } turns
+    }
+report-steady-not = not reached
+report-steady-within = within the turns simulated
+report-period-one = period: 1 turn
+report-period = period: { $turns } turns
+report-alt-simulation = Force, torque and gap of the simulation over the cam angle: force { $low } to { $high }
+report-impacts = Impacts
+report-leaves = Lift-off at
+report-lands = Contact at
+report-impact-speed = Speed
+report-impact-gap = Gap
+report-impulse = Impulse
+report-more-impacts = { $count } more in simulation.json; angles continue over successive turns.
+report-next-model = Next richer model: { $difference }.
+
+# Axes and keys of the pictures.
+figure-angle = cam angle θ, °
+figure-travel = travel, mm
+figure-law = law of motion
+figure-force = force, N
+figure-moment = moment, N·m
+figure-error = error, N
+figure-error-moment = error, N·m
+figure-vertical-force = vertical force
+figure-arm-moment = moment on the arm
+figure-inertia = inertia, no load given
+figure-target = target
+figure-achieved = achieved
+figure-force-alone = force
+figure-moment-alone = moment
+figure-force-of-unit = force of a 1 kg follower
+figure-moment-of-unit = moment of a follower of 1 kg·m²
+figure-difference = error
+figure-difference-rms = error, RMS { $rms } ({ $percent } % of mean)
+figure-tolerance-band = tolerance band
+figure-step-band = ± SD, step to step
+figure-rigid = rigid
+figure-simulated = simulated
+figure-torque = torque, N·m
+figure-push = force, N
+figure-gap = gap, { $unit }
+figure-curvature = curvature and contact
+figure-rho = radius ρ, mm
+figure-contact-travel = contact, mm
+figure-pressure-angle = pressure angle, °
+figure-limit = limit { $value }
+figure-cam = the cam at θ = 0
+figure-profile = cam profile
+figure-second-profile = second cam of the pair
+figure-walls = walls of the groove, unrolled
+figure-base-circle = base circle R { $radius }
+figure-prime-circle = prime circle R { $radius }
+figure-pitch-curve = pitch curve
+figure-contact = contact at θ = 0
+figure-sharpest = minimum radius
+figure-follower = follower
+figure-stroke = stroke
+figure-smallest-radius = minimum radius
+figure-smallest-at = at
+figure-face-width = face width
+figure-roller-radius = roller radius
+figure-offset = offset
+figure-phi = pressure angle
+figure-speed = speed
+figure-stance-share = share of stance, % (mean { $seconds } s)
+figure-one-stance = one stance
+figure-mean-of-stances = mean of { $count } stances
+figure-sd = ± 1 SD
+figure-left = left
+figure-right = right
+figure-foot-unknown = foot not known
+figure-time = time, s
+figure-mean-cycle = mean cycle
+figure-body-weight = body weight
+figure-designs = designs

@@ -1,0 +1,70 @@
+//! Headings, labels and captions of reports and pictures, by language: one Fluent file each.
+
+use std::sync::OnceLock;
+
+use gaitcam::cam::Measures;
+use gaitcam::wording::{self, Catalogue, Language};
+use serde_json::{Map, Value};
+
+/// The words of one language.
+#[derive(Clone, Copy)]
+pub struct Words {
+    language: Language,
+    own: &'static Catalogue,
+}
+
+impl Words {
+    /// The words of `language`.
+    pub fn new(language: Language) -> Self {
+        static EN: OnceLock<Catalogue> = OnceLock::new();
+        let own = match language {
+            // Spanish follows English until its file is there.
+            Language::En | Language::Es => {
+                EN.get_or_init(|| Catalogue::new(Language::En, &[include_str!("en.ftl")]))
+            }
+        };
+        Words { language, own }
+    }
+
+    /// The tag of the language, for `html lang`.
+    pub fn tag(&self) -> &'static str {
+        self.language.tag()
+    }
+
+    /// A heading or label.
+    pub fn text(&self, key: &str) -> String {
+        self.own.text(key)
+    }
+
+    /// A sentence with its arguments, which stand in it as they are.
+    pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
+        let values = arguments.iter().map(|&(name, text)| {
+            // Whole numbers choose plural forms.
+            let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
+            (name.to_string(), value)
+        });
+        let fields: Map<String, Value> = values.collect();
+        let (area, variant) = key.split_once('-').unwrap_or(("", key));
+        let message = Map::from_iter([(variant.to_string(), Value::from(fields))]);
+        self.own.sentence(area, &Value::from(message))
+    }
+
+    /// The name of a follower, law, limit or machine where the language has one, otherwise as it is typed but
+    /// with spaces.
+    pub fn name(&self, typed: &str) -> String {
+        let name = wording::catalogue(self.language).name(typed);
+        if name == typed {
+            typed.replace(['_', '-'], " ")
+        } else {
+            name
+        }
+    }
+
+    /// What diagrams of a design lie over.
+    pub fn across(&self, measures: Measures) -> String {
+        self.text(match measures {
+            Measures::Straight => "figure-travel",
+            _ => "figure-angle",
+        })
+    }
+}
