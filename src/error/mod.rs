@@ -7,6 +7,7 @@
 mod cam;
 mod dynamics;
 mod force;
+mod law;
 mod read;
 mod scene;
 mod units;
@@ -21,6 +22,7 @@ use crate::wording::{self, Language};
 pub use cam::{ArmFault, CamError, CamLength};
 pub use dynamics::DynamicsError;
 pub use force::ForceError;
+pub use law::{JoinCure, LawError, SegmentName};
 pub use read::{CycleColumn, FileKind, ReadError};
 pub use scene::SceneError;
 pub use units::UnitsError;
@@ -78,6 +80,8 @@ pub enum ErrorKind {
     Dynamics(DynamicsError),
     /// In a force curve, a load model or a mean cycle.
     Force(ForceError),
+    /// In a motion, a programme or a polynomial of conditions.
+    Law(LawError),
     /// In a file of force.
     Read(ReadError),
     /// In a scene file.
@@ -108,6 +112,12 @@ impl From<ForceError> for Error {
     }
 }
 
+impl From<LawError> for Error {
+    fn from(kind: LawError) -> Error {
+        Error::from(ErrorKind::Law(kind))
+    }
+}
+
 impl From<ReadError> for Error {
     fn from(kind: ReadError) -> Error {
         Error::from(ErrorKind::Read(kind))
@@ -123,6 +133,7 @@ impl ErrorKind {
             ErrorKind::Cam(e) => wording::sentence(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::sentence(language, "dynamics", e),
             ErrorKind::Force(e) => wording::sentence(language, "force", e),
+            ErrorKind::Law(e) => wording::sentence(language, "law", e),
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
             ErrorKind::Scene(e) => wording::sentence(language, "scene", e),
         }
@@ -136,6 +147,7 @@ impl ErrorKind {
             ErrorKind::Cam(e) => wording::help(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::help(language, "dynamics", e),
             ErrorKind::Force(e) => wording::help(language, "force", e),
+            ErrorKind::Law(e) => wording::help(language, "law", e),
             ErrorKind::Read(e) => wording::help(language, "read", e),
             ErrorKind::Scene(e) => wording::help(language, "scene", e),
         }
@@ -149,6 +161,7 @@ impl ErrorKind {
             ErrorKind::Cam(e) => wording::code("cam", e),
             ErrorKind::Dynamics(e) => wording::code("dynamics", e),
             ErrorKind::Force(e) => wording::code("force", e),
+            ErrorKind::Law(e) => wording::code("law", e),
             ErrorKind::Read(e) => wording::code("read", e),
             ErrorKind::Scene(e) => wording::code("scene", e),
         }

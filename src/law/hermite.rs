@@ -4,8 +4,9 @@
 //! number of 1.7e6 (theory §2). Monomial coefficients are for output only,
 //! [`bernstein::to_power`](crate::poly::bernstein::to_power).
 
-use crate::error::{Error, Result};
+use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
+use crate::quantity::Quantity;
 use nalgebra::{DMatrix, DVector};
 
 /// What a law must do at one angle: its derivative of the given order has the given value there.
@@ -47,7 +48,7 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
     let wanted = DVector::from_fn(n, |i, _| conditions[i].value * scales[i]);
     let svd = matrix.clone().svd(false, false);
     if svd.singular_values.min() <= RANK * svd.singular_values.max() {
-        return Err(not_fixed(n));
+        return Err(not_fixed(n).into());
     }
     let lu = matrix.clone().full_piv_lu();
     let mut b = lu.solve(&wanted).ok_or_else(|| not_fixed(n))?;
@@ -79,73 +80,64 @@ fn basis_derivatives(n: usize, highest: usize) -> Vec<Vec<Vec<f64>>> {
 fn check(conditions: &[Condition], start: f64, end: f64) -> Result<()> {
     let n = conditions.len();
     if n == 0 {
-        return Err(Error::new("a polynomial needs at least one condition"));
+        return Err(LawError::NoCondition.into());
     }
     if !(start.is_finite() && end.is_finite() && start < end) {
-        return Err(Error::new(format!(
-            "a polynomial needs an interval, but it runs from {start} to {end} rad"
-        )));
+        return Err(LawError::Interval { start, end }.into());
     }
     if n > MAX_DEGREE + 1 {
-        return Err(Error::new(format!(
-            "{n} conditions ask for a polynomial of degree {}",
-            n - 1
-        ))
-        .help(format!(
-            "at most {} keep their digits; a spline takes any number of points",
-            MAX_DEGREE + 1
-        )));
+        return Err(LawError::ManyConditions {
+            conditions: n,
+            degree: n - 1,
+            most: MAX_DEGREE + 1,
+        }
+        .into());
     }
     // Angles that were turned from degrees may miss the ends by rounding.
     let slack = 1e-9 * (end - start);
     for (i, c) in conditions.iter().enumerate() {
+        let condition = i + 1;
         if !c.theta.is_finite() || !c.value.is_finite() {
-            return Err(Error::new(format!(
-                "condition {} is not a finite number",
-                i + 1
-            )));
+            return Err(LawError::ConditionNotFinite { condition }.into());
         }
         if c.theta < start - slack || c.theta > end + slack {
-            return Err(Error::new(format!(
-                "condition {} stands at {:.6}°, outside {:.6}° … {:.6}°",
-                i + 1,
-                c.theta.to_degrees(),
-                start.to_degrees(),
-                end.to_degrees()
-            )));
+            return Err(LawError::ConditionOutside {
+                condition,
+                at: Quantity::angle(c.theta),
+                start: Quantity::angle(start),
+                end: Quantity::angle(end),
+            }
+            .into());
         }
         if c.order >= n {
-            return Err(Error::new(format!(
-                "condition {} fixes derivative {} of a polynomial of degree {}",
-                i + 1,
-                c.order,
-                n - 1
-            ))
-            .help("give more conditions of lower order"));
+            return Err(LawError::ConditionOrder {
+                condition,
+                order: c.order,
+                degree: n - 1,
+            }
+            .into());
         }
         let twin = conditions[..i]
             .iter()
             .position(|d| d.order == c.order && (d.theta - c.theta).abs() <= slack);
         if let Some(j) = twin {
-            return Err(Error::new(format!(
-                "conditions {} and {} both fix derivative {} at {:.6}°",
-                j + 1,
-                i + 1,
-                c.order,
-                c.theta.to_degrees()
-            ))
-            .help("keep one of them"));
+            return Err(LawError::ConditionTwice {
+                first: j + 1,
+                second: condition,
+                order: c.order,
+                at: Quantity::angle(c.theta),
+            }
+            .into());
         }
     }
     Ok(())
 }
 
-fn not_fixed(n: usize) -> Error {
-    Error::new(format!(
-        "these {n} conditions do not fix a polynomial of degree {}",
-        n - 1
-    ))
-    .help("a lift is needed somewhere, and each point should give its lower derivatives before its higher ones")
+fn not_fixed(n: usize) -> LawError {
+    LawError::NotFixed {
+        conditions: n,
+        degree: n - 1,
+    }
 }
 
 #[cfg(test)]
@@ -191,15 +183,17 @@ mod tests {
 
     #[test]
     fn sets_that_fix_no_polynomial_are_refused() {
-        let say = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().to_string();
-        assert!(say(&[]).contains("at least one"));
-        assert!(say(&[on(0.0, 1, 1.0), on(1.0, 1, 0.0)]).contains("do not fix"));
+        let code = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().kind.code();
+        assert_eq!(code(&[]), "law-no-condition");
+        assert_eq!(code(&[on(0.0, 1, 1.0), on(1.0, 1, 0.0)]), "law-not-fixed");
         // Birkhoff's own: s at both ends and v at the middle leave a parabola free.
         let middle = [on(0.0, 0, 0.0), on(0.5, 1, 1.0), on(1.0, 0, 0.0)];
-        assert!(say(&middle).contains("do not fix"));
-        assert!(say(&[on(0.0, 0, 0.0), on(0.0, 0, 1.0)]).contains("1 and 2 both fix"));
-        assert!(say(&[on(2.0, 0, 0.0)]).contains("outside"));
-        assert!(say(&[on(0.0, 2, 0.0), on(0.5, 0, 0.0)]).contains("derivative 2"));
-        assert!(say(&[on(0.0, 0, f64::NAN)]).contains("finite"));
+        assert_eq!(code(&middle), "law-not-fixed");
+        let twice = [on(0.0, 0, 0.0), on(0.0, 0, 1.0)];
+        assert_eq!(code(&twice), "law-condition-twice");
+        assert_eq!(code(&[on(2.0, 0, 0.0)]), "law-condition-outside");
+        let high = [on(0.0, 2, 0.0), on(0.5, 0, 0.0)];
+        assert_eq!(code(&high), "law-condition-order");
+        assert_eq!(code(&[on(0.0, 0, f64::NAN)]), "law-condition-not-finite");
     }
 }

@@ -1,7 +1,8 @@
 //! Programmes: a law put together from motions, segment after segment.
 
 use super::{Joint, Law, Rise, Svaj, pieces::Pieces, rise::joining};
-use crate::error::{Error, Result};
+use crate::error::{JoinCure, LawError, Result, SegmentName};
+use crate::quantity::{Dimension, Quantity};
 use std::f64::consts::{PI, TAU};
 
 /// One motion of a programme.
@@ -39,12 +40,21 @@ impl Extent {
         !matches!(self, Extent::Length(_))
     }
 
-    /// A length of the programme in the user's words.
-    fn words(self, x: f64) -> String {
+    /// A length of the programme: an angle, or travel of a translating cam.
+    fn quantity(self, x: f64) -> Quantity {
         match self {
-            Extent::Length(_) => format!("{:.6} mm", 1e3 * x),
-            _ => format!("{:.6}°", x.to_degrees()),
+            Extent::Length(_) => Quantity::length(x),
+            Extent::Turns(_) => Quantity::angle(x),
         }
+    }
+
+    /// A velocity: by angle, or by travel.
+    fn velocity(self, v: f64) -> Quantity {
+        let dimension = match self {
+            Extent::Length(_) => Dimension::Ratio,
+            Extent::Turns(_) => Dimension::LengthPerAngle(1),
+        };
+        Quantity::new(v, dimension)
     }
 }
 
@@ -77,32 +87,26 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {
-        return Err(Error::new(format!(
-            "the half turn of a constant-breadth cam covers {:.6}°",
-            total.to_degrees()
-        ))
-        .help("its segments must add to 180°; the other half follows from the breadth"));
+        let covered = Quantity::angle(total);
+        return Err(LawError::BreadthAngle { covered }.into());
     }
     if let Some(i) = half
         .iter()
         .position(|s| s.motion.general_degree().is_some())
     {
-        return Err(Error::new(format!(
-            "segment {} of the half turn is a general polynomial, whose neighbour is not yet known",
-            i + 1
-        ))
-        .help("use 3-4-5 or 4-5-6-7"));
+        return Err(LawError::BreadthPolynomial { segment: i + 1 }.into());
     }
     let first = assemble(half, Extent::Length(total))?;
     let lift: f64 = half.iter().map(|s| s.lift).sum();
     let (low, high) = first.extremes(0);
     let slack = JUMP * lift.abs();
     if lift <= 0.0 || low.value < -slack || high.value > lift + slack {
-        return Err(Error::new(format!(
-            "the half turn of a constant-breadth cam must lead from 0 to its largest lift, but it leads to {lift:.6} between {:.6} and {:.6} m",
-            low.value, high.value
-        ))
-        .help("let the lift stay between 0 and the lift at 180°"));
+        return Err(LawError::BreadthLift {
+            lift: Quantity::length(lift),
+            low: Quantity::length(low.value),
+            high: Quantity::length(high.value),
+        }
+        .into());
     }
     let mut pieces = Pieces::starting_at(0.0);
     pieces.push_shape(&first, PI, 0.0, 1.0, false);
@@ -158,7 +162,7 @@ fn ends_of(segments: &[Segment], stretch: f64) -> Vec<f64> {
 fn finished(pieces: Pieces, closed: bool) -> Result<Law> {
     pieces
         .finish(closed)
-        .ok_or_else(|| Error::new("a programme needs at least one segment"))
+        .ok_or_else(|| LawError::NoSegment.into())
 }
 
 fn draft(segments: &[Segment], extent: Extent) -> Result<Draft> {
@@ -238,44 +242,44 @@ fn end_of(segment: &Segment, shape: Option<&Law>, width: f64, at_end: bool) -> S
 
 fn check_lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     if segments.is_empty() {
-        return Err(Error::new("a programme needs at least one segment"));
+        return Err(LawError::NoSegment.into());
     }
     let length = extent.length();
     if !(length.is_finite() && length > 0.0) {
-        return Err(Error::new(format!(
-            "a programme cannot fill an extent of {length}"
-        )));
+        return Err(LawError::Extent { length }.into());
     }
     for (i, s) in segments.iter().enumerate() {
-        let name = name(segments, i);
+        let segment = name(segments, i);
         if !s.lift.is_finite() || !s.angle.is_finite() {
-            return Err(Error::new(format!("{name} is not given in finite numbers")));
+            return Err(LawError::SegmentNotFinite { segment }.into());
         }
         if s.angle <= 0.0 {
-            return Err(
-                Error::new(format!("{name} covers {}", extent.words(s.angle)))
-                    .help("every segment covers more than nothing; leave it out instead"),
-            );
+            let length = extent.quantity(s.angle);
+            return Err(LawError::SegmentLength { segment, length }.into());
         }
         if s.motion == Rise::Dwell && s.lift != 0.0 {
-            return Err(Error::new(format!("{name} has a lift of {} m", s.lift))
-                .help("a dwell does not move: choose a motion or set the lift to 0"));
+            let lift = Quantity::length(s.lift);
+            return Err(LawError::DwellLift { segment, lift }.into());
         }
     }
     let total: f64 = segments.iter().map(|s| s.angle).sum();
     let missing = length - total;
     if missing.abs() > ROUNDING * length {
-        let (words, way) = if missing > 0.0 {
-            (extent.words(missing), "are missing")
+        let (covered, wanted) = (extent.quantity(total), extent.quantity(length));
+        let fault = if missing > 0.0 {
+            LawError::Uncovered {
+                covered,
+                wanted,
+                missing: extent.quantity(missing),
+            }
         } else {
-            (extent.words(-missing), "are too many")
+            LawError::Overfull {
+                covered,
+                wanted,
+                excess: extent.quantity(-missing),
+            }
         };
-        return Err(Error::new(format!(
-            "the segments cover {} in place of {}: {words} {way}",
-            extent.words(total),
-            extent.words(length)
-        ))
-        .help("add a dwell or change the length of a segment"));
+        return Err(fault.into());
     }
     Ok(total)
 }
@@ -290,10 +294,7 @@ fn check_general(segments: &[Segment], extent: Extent) -> Result<()> {
         let general = |k: usize| segments[k].motion.general_degree().is_some();
         if general(i) && general(next) {
             let (first, second) = (name(segments, i), name(segments, next));
-            return Err(Error::new(format!(
-                "{first} is a general polynomial beside another, {second}: neither knows what to join"
-            ))
-            .help("give one of them a motion of its own, or join the two into one"));
+            return Err(LawError::GeneralNeighbours { first, second }.into());
         }
     }
     Ok(())
@@ -306,34 +307,29 @@ fn check_joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<(
             continue;
         };
         let n = segments.len();
-        let (before, after) = ((second + n - 2) % n, second - 1);
-        let pair = || {
-            format!(
-                "{} cannot join {}",
-                name(segments, before),
-                name(segments, after)
-            )
-        };
-        let at = || extent.words(joint.at);
+        let (first, second) = ((second + n - 2) % n, second - 1);
+        let (before, after) = (name(segments, first), name(segments, second));
+        let at = extent.quantity(joint.at);
         if joint.jump.s.abs() > JUMP * lift {
-            return Err(Error::new(format!(
-                "{} at {}: the lift jumps by {:.6e} m",
-                pair(),
-                at(),
-                joint.jump.s
-            ))
-            .help("the lifts of all segments must add to 0"));
+            return Err(LawError::LiftJump {
+                before,
+                after,
+                at,
+                jump: Quantity::length(joint.jump.s),
+            }
+            .into());
         }
         if joint.jump.v.abs() > JUMP * velocity {
-            return Err(Error::new(format!(
-                "{} at {}: the velocity jumps by {:.6e} m per unit of cam travel (from {:.6e} to {:.6e})",
-                pair(),
-                at(),
-                joint.jump.v,
-                draft.before(&joint).v,
-                draft.after(&joint).v
-            ))
-            .help(mend(draft, segments, &joint, before, after, extent)));
+            return Err(LawError::VelocityJump {
+                before,
+                after,
+                at,
+                jump: extent.velocity(joint.jump.v),
+                from: extent.velocity(draft.before(&joint).v),
+                to: extent.velocity(draft.after(&joint).v),
+                cure: cure(draft, segments, &joint, first, second, extent),
+            }
+            .into());
         }
     }
     Ok(())
@@ -356,29 +352,27 @@ impl Draft {
 }
 
 /// What would make two segments meet in velocity.
-fn mend(
+fn cure(
     draft: &Draft,
     segments: &[Segment],
     joint: &Joint,
     before: usize,
     after: usize,
     extent: Extent,
-) -> String {
+) -> JoinCure {
     let (vb, va) = (draft.before(joint).v, draft.after(joint).v);
     if vb * va > 0.0 {
         // A motion's end velocity is inverse to its length.
         let other = segments[after].angle * va / vb;
-        return format!(
-            "let {} cover {}, or put a polynomial-5 between them",
-            name(segments, after),
-            extent.words(other)
-        );
+        return JoinCure::LetCover {
+            segment: name(segments, after),
+            length: extent.quantity(other),
+        };
     }
     let moving = if va == 0.0 { before } else { after };
-    format!(
-        "{} does not rest there: put a half motion (semicycloidal) or a polynomial-5 between them",
-        name(segments, moving)
-    )
+    JoinCure::PutBetween {
+        segment: name(segments, moving),
+    }
 }
 
 fn check_base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
@@ -398,15 +392,17 @@ fn check_base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Res
         .copied();
     let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
     let i = draft.holding(at) - 1;
-    Err(Error::new(format!(
-        "{} leads {:.6} mm below the base circle, at {}",
-        name(segments, i),
-        1e3 * by,
-        extent.words(at)
-    ))
-    .help("begin the programme where the follower stands lowest, or raise the segments before it"))
+    Err(LawError::BelowBaseCircle {
+        segment: name(segments, i),
+        depth: Quantity::length(by),
+        at: extent.quantity(at),
+    }
+    .into())
 }
 
-fn name(segments: &[Segment], i: usize) -> String {
-    format!("segment {} ({})", i + 1, segments[i].motion.name())
+fn name(segments: &[Segment], i: usize) -> SegmentName {
+    SegmentName::Segment {
+        number: i + 1,
+        motion: segments[i].motion.name().to_string(),
+    }
 }

@@ -7,7 +7,7 @@ mod shapes;
 mod user;
 
 use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
-use crate::error::{Error, Result, nearest};
+use crate::error::{Error, LawError, Result, nearest};
 use std::f64::consts::PI;
 
 /// A motion from one lift to another.
@@ -233,8 +233,10 @@ impl Rise {
         let numbers: Vec<f64> = words
             .map(|w| {
                 w.parse().map_err(|_| {
-                    Error::new(format!("`{w}` after `{word}` is not a number"))
-                        .help("write parameters as in `scca 0.25 0.25 0.5`")
+                    Error::from(LawError::Parameter {
+                        word: w.to_string(),
+                        motion: word.clone(),
+                    })
                 })
             })
             .collect::<Result<_>>()?;
@@ -242,18 +244,17 @@ impl Rise {
             .into_iter()
             .chain([Rise::Dwell])
             .find(|r| r.name() == word)
-            .ok_or_else(|| unknown(&word))?;
+            .ok_or_else(|| Error::from(unknown(&word)))?;
         let rise = match (found, numbers.as_slice()) {
             (found, []) => found,
             (Rise::Scca { .. }, &[b, c, d]) => Rise::Scca { b, c, d },
             (Rise::Eccentric { .. }, &[ratio]) => Rise::Eccentric { ratio },
             (found, given) => {
-                return Err(Error::new(format!(
-                    "`{}` does not take {} parameters",
-                    found.name(),
-                    given.len()
-                ))
-                .help("scca takes b, c, d; eccentric takes its ratio; other motions take none"));
+                return Err(LawError::Parameters {
+                    motion: found.name().to_string(),
+                    given: given.len(),
+                }
+                .into());
             }
         };
         rise.law()?;
@@ -319,7 +320,7 @@ impl Rise {
         pieces.push_shape(&self.law()?, 1.0, base, -1.0, self.mirrors());
         pieces
             .finish(false)
-            .ok_or_else(|| Error::new(format!("`{}` has no length", self.name())))
+            .ok_or_else(|| LawError::NoSegment.into())
     }
 
     /// Whether a fall is the rise seen backwards in x.
@@ -385,10 +386,7 @@ pub(super) fn joining(
         5 => 3,
         7 => 4,
         _ => {
-            return Err(Error::new(format!(
-                "a general polynomial of degree {degree} cannot share its conditions between two ends"
-            ))
-            .help("use degree 5 (joins s, v, a) or 7 (also j)"));
+            return Err(LawError::GeneralDegree { degree }.into());
         }
     };
     let mut conditions = Vec::with_capacity(2 * orders);
@@ -403,19 +401,20 @@ pub(super) fn joining(
     hermite_birkhoff(&conditions, 0.0, width)
 }
 
-fn unknown(word: &str) -> Error {
+fn unknown(word: &str) -> LawError {
+    let motion = word.to_string();
+    if matches!(word, "table" | "spline") {
+        return LawError::MotionNeedsPoints { motion };
+    }
     let catalogue = Rise::catalogue();
     let names: Vec<&str> = catalogue
         .iter()
         .map(Rise::name)
         .chain(["dwell", "table", "spline"])
         .collect();
-    let error = Error::new(format!("there is no motion called `{word}`"));
-    match word {
-        "table" | "spline" => Error::new(format!("the motion `{word}` needs its points")),
-        _ => match nearest(word, names.iter().copied()) {
-            Some(name) => error.help(format!("did you mean `{name}`?")),
-            None => error.help(format!("the catalogue holds {}", names.join(", "))),
-        },
+    LawError::UnknownMotion {
+        motion,
+        nearest: nearest(word, names.iter().copied()).map(str::to_string),
+        catalogue: names.iter().map(|n| (*n).to_string()).collect(),
     }
 }

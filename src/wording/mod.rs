@@ -75,6 +75,7 @@ const ENGLISH: &[&str] = &[
     include_str!("en/cam.ftl"),
     include_str!("en/dynamics.ftl"),
     include_str!("en/force.ftl"),
+    include_str!("en/law.ftl"),
     include_str!("en/read.ftl"),
     include_str!("en/synth.ftl"),
     include_str!("en/infeasible.ftl"),

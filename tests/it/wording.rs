@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use gaitcam::error::{CamError, DynamicsError, ForceError, ReadError, SceneError, UnitsError};
+use gaitcam::error::{
+    CamError, DynamicsError, ForceError, JoinCure, LawError, ReadError, SceneError, SegmentName,
+    UnitsError,
+};
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
@@ -16,6 +19,9 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("cam", CamError::VARIANTS),
         ("dynamics", DynamicsError::VARIANTS),
         ("force", ForceError::VARIANTS),
+        ("law", LawError::VARIANTS),
+        ("law", SegmentName::VARIANTS),
+        ("law", JoinCure::VARIANTS),
         ("read", ReadError::VARIANTS),
         ("note", Note::VARIANTS),
         ("cycle", CycleSource::VARIANTS),

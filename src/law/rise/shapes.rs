@@ -2,7 +2,7 @@
 
 use super::super::pieces::Pieces;
 use super::super::{Law, Wave};
-use crate::error::{Error, Result};
+use crate::error::{LawError, Result};
 use crate::poly::{bernstein, stand_in};
 use std::f64::consts::{PI, TAU};
 
@@ -65,10 +65,7 @@ enum Zone {
 pub(super) fn scca(b: f64, c: f64, d: f64) -> Result<Law> {
     let shares = [b, c, d];
     if shares.iter().any(|x| !x.is_finite() || *x < 0.0) || (b + c + d - 1.0).abs() > 1e-9 {
-        return Err(Error::new(format!(
-            "the shares b = {b}, c = {c}, d = {d} of an SCCA law do not divide a whole"
-        ))
-        .help("b, c and d are at least 0 and add to 1, for example 0.25, 0.25, 0.5"));
+        return Err(LawError::SccaShares { b, c, d }.into());
     }
     let quarter = |rate: f64, cos: f64, sin: f64| Zone::Wave { rate, cos, sin };
     let zones = [
@@ -123,12 +120,7 @@ pub(super) fn eccentric(ratio: f64) -> Result<Law> {
         return Ok(simple_harmonic());
     }
     if ratio.is_nan() || ratio <= 1.0 {
-        return Err(Error::new(format!(
-            "an eccentric of ratio {ratio} does not hold its own shaft"
-        ))
-        .help(
-            "the ratio is (disc radius + roller radius)/eccentricity and is more than 1; 3, for example",
-        ));
+        return Err(LawError::EccentricRatio { ratio }.into());
     }
     let quarter: Vec<f64> = (0..=8).map(|i| f64::from(i) / 8.0).collect();
     let poly = stand_in(&quarter, 1e-15, |_, x| {

@@ -2,7 +2,7 @@
 
 use super::super::{Condition, Law, hermite_birkhoff};
 use super::Rise;
-use crate::error::{Error, Result};
+use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, SplineSpace};
 use nalgebra::{DMatrix, DVector};
 
@@ -15,41 +15,37 @@ impl Rise {
     ///
     /// The table is normalised: its first row becomes (0, 0), its last (1, 1).
     pub fn table(name: &str, rows: &[(f64, f64)], rest: bool) -> Result<Rise> {
-        let fault = |what: String| Error::new(format!("table {name}: {what}"));
+        let table = name.to_string();
         if rows.len() < 2 {
-            return Err(fault(format!("{} rows are too few", rows.len()))
-                .help("give at least two rows of x and s"));
+            let rows = rows.len();
+            return Err(LawError::TableRows { table, rows }.into());
         }
         if let Some(i) = rows
             .iter()
             .position(|r| !r.0.is_finite() || !r.1.is_finite())
         {
-            return Err(fault(format!("row {} is not a finite number", i + 1)));
+            return Err(LawError::TableNotFinite { table, row: i + 1 }.into());
         }
         if let Some(i) = rows.windows(2).position(|w| w[1].0 <= w[0].0) {
-            return Err(fault(format!(
-                "row {} has x = {} after {}",
-                i + 2,
-                rows[i + 1].0,
-                rows[i].0
-            ))
-            .help("x must increase from row to row"));
+            let (x, before) = (rows[i + 1].0, rows[i].0);
+            return Err(LawError::TableOrder {
+                table,
+                row: i + 2,
+                x,
+                before,
+            }
+            .into());
         }
         let (first, last) = (rows[0], rows[rows.len() - 1]);
         let lift = last.1 - first.1;
         if lift == 0.0 {
-            return Err(
-                fault("it ends at the lift it starts from".to_string()).help(
-                    "a motion leads from one lift to another: split the table at its highest point",
-                ),
-            );
+            return Err(LawError::TableLevel { table }.into());
         }
         let points: Vec<(f64, f64)> = rows
             .iter()
             .map(|r| ((r.0 - first.0) / (last.0 - first.0), (r.1 - first.1) / lift))
             .collect();
-        let poly = through(&points, rest)
-            .map_err(|e| fault(e.what()).help(e.cure().unwrap_or_default()))?;
+        let poly = through(&points, rest).ok_or(LawError::TableSpacing { table })?;
         Ok(Rise::User {
             name: name.to_string(),
             law: Law::from_poly(poly, false),
@@ -60,23 +56,23 @@ impl Rise {
     /// Normalised so that it leads from 0 (first point) to 1 (last point). Three equal points at an end
     /// put it at rest there (v = a = 0).
     pub fn spline(name: &str, degree: usize, control: &[f64]) -> Result<Rise> {
-        let fault = |what: String| Error::new(format!("spline {name}: {what}"));
+        let spline = name.to_string();
         let n = control.len();
         if degree == 0 || degree > 15 {
-            return Err(fault(format!("degree {degree} is out of range")).help("use 3 to 7"));
+            return Err(LawError::SplineDegree { spline, degree }.into());
         }
         if n <= degree {
-            return Err(fault(format!(
-                "{n} control points are too few for degree {degree}"
-            ))
-            .help(format!("give at least {}", degree + 1)));
+            return Err(LawError::SplinePoints {
+                spline,
+                points: n,
+                degree,
+                least: degree + 1,
+            }
+            .into());
         }
         let lift = control[n - 1] - control[0];
         if control.iter().any(|c| !c.is_finite()) || lift == 0.0 {
-            return Err(
-                fault("it does not lead from one lift to another".to_string())
-                    .help("first and last control point must be finite and differ"),
-            );
+            return Err(LawError::SplineLevel { spline }.into());
         }
         let spans = n - degree;
         let breaks: Vec<f64> = (0..=spans).map(|i| i as f64 / spans as f64).collect();
@@ -89,8 +85,8 @@ impl Rise {
     }
 }
 
-/// Spline of degree 5 through points with x from 0 to 1.
-fn through(points: &[(f64, f64)], rest: bool) -> Result<PiecewisePoly> {
+/// Spline of degree 5 through points with x from 0 to 1; `None` where their spacing admits none.
+fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     let n = points.len();
     let end_conditions: Vec<(f64, usize)> = if rest {
         vec![(0.0, 1), (0.0, 2), (1.0, 1), (1.0, 2)]
@@ -112,7 +108,7 @@ fn through(points: &[(f64, f64)], rest: bool) -> Result<PiecewisePoly> {
             order,
             value: 0.0,
         }));
-        return hermite_birkhoff(&conditions, 0.0, 1.0);
+        return hermite_birkhoff(&conditions, 0.0, 1.0).ok();
     }
     // Not-a-knot: two inner points next to each end carry no knot, which saves the four conditions.
     let inner = if rest {
@@ -139,9 +135,6 @@ fn through(points: &[(f64, f64)], rest: bool) -> Result<PiecewisePoly> {
         }
         wanted[row] = value;
     }
-    let c = matrix.lu().solve(&wanted).ok_or_else(|| {
-        Error::new("its rows lie so that no spline passes through them")
-            .help("space them more evenly")
-    })?;
-    Ok(space.spline(c.as_slice()))
+    let c = matrix.lu().solve(&wanted)?;
+    Some(space.spline(c.as_slice()))
 }

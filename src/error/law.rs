@@ -1,0 +1,210 @@
+//! Faults in motions, programmes and polynomials of boundary conditions: they give no law.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::quantity::Quantity;
+
+/// What is wrong with a motion, a programme of segments or a set of conditions.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the messages of wording/en/law.ftl say what each field is
+pub enum LawError {
+    NoSegment,
+    Extent {
+        length: f64,
+    },
+    SegmentNotFinite {
+        segment: SegmentName,
+    },
+    SegmentLength {
+        segment: SegmentName,
+        length: Quantity,
+    },
+    DwellLift {
+        segment: SegmentName,
+        lift: Quantity,
+    },
+    Uncovered {
+        covered: Quantity,
+        wanted: Quantity,
+        missing: Quantity,
+    },
+    Overfull {
+        covered: Quantity,
+        wanted: Quantity,
+        excess: Quantity,
+    },
+    GeneralNeighbours {
+        first: SegmentName,
+        second: SegmentName,
+    },
+    LiftJump {
+        before: SegmentName,
+        after: SegmentName,
+        at: Quantity,
+        jump: Quantity,
+    },
+    VelocityJump {
+        before: SegmentName,
+        after: SegmentName,
+        at: Quantity,
+        jump: Quantity,
+        from: Quantity,
+        to: Quantity,
+        cure: JoinCure,
+    },
+    BelowBaseCircle {
+        segment: SegmentName,
+        depth: Quantity,
+        at: Quantity,
+    },
+    BreadthAngle {
+        covered: Quantity,
+    },
+    BreadthPolynomial {
+        segment: usize,
+    },
+    BreadthLift {
+        lift: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    NoCondition,
+    Interval {
+        start: f64,
+        end: f64,
+    },
+    ManyConditions {
+        conditions: usize,
+        degree: usize,
+        most: usize,
+    },
+    ConditionNotFinite {
+        condition: usize,
+    },
+    ConditionOutside {
+        condition: usize,
+        at: Quantity,
+        start: Quantity,
+        end: Quantity,
+    },
+    ConditionOrder {
+        condition: usize,
+        order: usize,
+        degree: usize,
+    },
+    ConditionTwice {
+        first: usize,
+        second: usize,
+        order: usize,
+        at: Quantity,
+    },
+    NotFixed {
+        conditions: usize,
+        degree: usize,
+    },
+    Parameter {
+        word: String,
+        motion: String,
+    },
+    Parameters {
+        motion: String,
+        given: usize,
+    },
+    UnknownMotion {
+        motion: String,
+        nearest: Option<String>,
+        catalogue: Vec<String>,
+    },
+    MotionNeedsPoints {
+        motion: String,
+    },
+    GeneralDegree {
+        degree: usize,
+    },
+    SccaShares {
+        b: f64,
+        c: f64,
+        d: f64,
+    },
+    EccentricRatio {
+        ratio: f64,
+    },
+    TableRows {
+        table: String,
+        rows: usize,
+    },
+    TableNotFinite {
+        table: String,
+        row: usize,
+    },
+    TableOrder {
+        table: String,
+        row: usize,
+        x: f64,
+        before: f64,
+    },
+    TableLevel {
+        table: String,
+    },
+    TableSpacing {
+        table: String,
+    },
+    SplineDegree {
+        spline: String,
+        degree: usize,
+    },
+    SplinePoints {
+        spline: String,
+        points: usize,
+        degree: usize,
+        least: usize,
+    },
+    SplineLevel {
+        spline: String,
+    },
+}
+
+/// A segment of a programme, as messages name it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum SegmentName {
+    /// Its number, counted from 1, and its motion.
+    Segment {
+        /// Counted from 1.
+        number: usize,
+        /// Name of its motion.
+        motion: String,
+    },
+}
+
+impl SegmentName {
+    /// Number of the segment, counted from 1.
+    pub fn number(&self) -> usize {
+        let SegmentName::Segment { number, .. } = self;
+        *number
+    }
+}
+
+/// What makes two segments meet in velocity.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum JoinCure {
+    /// Both move the same way: another length of one makes the velocities equal.
+    LetCover {
+        /// The segment to change.
+        segment: SegmentName,
+        /// Its new length.
+        length: Quantity,
+    },
+    /// One of the two does not rest at the joint.
+    PutBetween {
+        /// The segment that moves there.
+        segment: SegmentName,
+    },
+}
