@@ -139,14 +139,14 @@ fn a_pair_never_lifts_off_and_says_which_cam_bears() {
         }
     }
     let refused = simulate(&input, Model::Contact).unwrap_err().to_string();
-    assert!(refused.contains("from both sides"), "{refused}");
+    assert!(refused.contains("on both sides"), "{refused}");
 }
 
 #[test]
 fn slides_and_grooves_run_rigid_and_say_why_not_in_contact() {
     for (cam, word) in crate::dynamics::rigid::touch::tests::slides()
         .into_iter()
-        .zip(["turns once per cycle", "from both sides"])
+        .zip(["turns once per cycle", "on both sides"])
     {
         let input = run(cam, 3.0);
         let out = simulate(&input, Model::Auto).unwrap();

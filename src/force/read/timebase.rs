@@ -205,6 +205,6 @@ mod tests {
         assert!(TimeBase::from_times(&[1.0]).is_err());
         assert!(TimeBase::from_times(&[1.0, 1.0]).is_err());
         let e = TimeBase::from_times(&[0.0, 1e-6, 2e-6, 1e6]).unwrap_err();
-        assert!(e.to_string().contains("without samples"), "{e}");
+        assert!(e.to_string().contains("samples are missing"), "{e}");
     }
 }

@@ -6,8 +6,8 @@ force-sample-not-finite = force sample { $sample } is not a finite number
     .help = every sample must be a finite number of newtons
 force-period-not-positive = invalid period { $period }
     .help = the period must be positive
-force-unknown-feet = "{ $word }" does not name feet
-    .help = write both, one, left or right
+force-unknown-feet = invalid value "{ $word }" for feet
+    .help = use both, one, left or right
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
@@ -22,59 +22,59 @@ force-frequency-missing = { $model } needs a step frequency
     .help = give for example step_frequency = "1.85 Hz"
 force-both-feet-only = { $model } gives the force of both feet together, not of one
     .help = use feet = "both", or a single-foot model: li-2010, iso-22675
-force-clock-implausible = the time column, taken as milliseconds, makes strides of { $period }, which is no walking
+force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is not walking
     .help = give the sampling rate (option rate): the column may count samples
-force-running = no whole walking stance in { $duration } of recording: every contact is one short single-peak stance, as in running
+force-running = no complete walking stance in { $duration } of recording: all contacts are short and have a single peak, as in running
     .help = give a recording of walking
-force-total-of-both-feet = no whole stance of one foot in { $duration } of recording: the column is the total of both feet, loaded throughout
-    .help = ask for feet = "both"
-force-no-stance = no whole walking stance in { $duration } of recording
+force-total-of-both-feet = no complete stance of one foot in { $duration } of recording: the column is the total force of both feet, which does not return to zero
+    .help = use feet = "both"
+force-no-stance = no complete walking stance in { $duration } of recording
     .help = { $contacts ->
         [one] one contact was found, from { $from } to { $to }
        *[other] { $contacts } contacts were found, the first from { $from } to { $to }
     }; most frequent reason for rejection: { $reason }
-force-no-stance-file-cut = no whole walking stance in { $duration } of recording: the header announces { $announced } rows, the file has { $found }
-    .help = export the whole trial; most frequent reason for rejection: { $reason }
-force-no-live-channel = no whole walking stance in { $duration } of recording: no channel is loaded
+force-no-stance-file-cut = no complete walking stance in { $duration } of recording: the header states { $announced } rows, the file has { $found }
+    .help = export the complete trial; most frequent reason for rejection: { $reason }
+force-no-live-channel = no complete walking stance in { $duration } of recording: no channel carries a load
     .help = name the force column (option force)
-force-no-contact = no whole walking stance in { $duration } of recording
-    .help = no channel rises above 20 N
-force-no-stance-of-foot = no whole stance of the { $foot } foot
-    .help = the stances are of the other foot
-force-feet-not-named = no whole stance of the { $foot } foot
+force-no-contact = no complete walking stance in { $duration } of recording: no channel exceeds 20 N
+    .help = check the unit of force and the force column (options unit and force)
+force-no-stance-of-foot = no complete stance of the { $foot } foot
+    .help = all stances are of the other foot; use feet = "one" or "both"
+force-feet-not-named = no complete stance of the { $foot } foot
     .help = the file does not say which foot is which; use feet = "one" or "both"
 
-note-rows-differ = the header announces { $announced } rows, the file has { $found }
-note-frames-missing = the header announces { $announced } frames, the file holds { $found }
-note-lines-skipped = lines that are not rows of numbers were skipped, the first is line { $first-line }
-note-insole-columns = columns { $left } and { $right } are the sums of two like sets of sensors: taken as left and right insole
+note-rows-differ = the header states { $announced } rows, the file has { $found }
+note-frames-missing = the header states { $announced } frames, the file has { $found }
+note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
+note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are taken as left and right insole
 note-stance-per-row = one stance per row, { $rows } rows
-note-masses-missing = the mass is known for { $known } of { $rows } stances; it belongs in the table of subjects (metadata)
-note-durations-lost = every stance has { $samples } samples, so their durations are lost; { $assumed } is assumed
-note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, for stances of { $stance }; give the rate if that is wrong
+note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
+note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed
+note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; give the rate if this is wrong
 note-rate-overrides-times = the given rate of { $rate } replaces the time column, which gives { $column }
-note-milliseconds-guessed = steps of { $step } in the time column are taken as milliseconds
+note-milliseconds-guessed = the time column has steps of { $step }; it is taken as milliseconds
 note-samples-missing = { $count ->
         [one] one sample is missing
        *[other] { $count } samples are missing
-    }, the first near { $first }; the rate counts the samples present
-note-rates-differ = the header says { $header }, the time column { $column }; the time column is used
-note-uneven-samples = samples are uneven in time and were resampled at even steps
-note-unit-guessed = a peak of { $peak } is taken as { $unit }
-note-unit-label-rejected = the unit { $label } cannot be right for a peak of { $peak }; taken as { $unit }
-note-low-force = no force above { $peak }; if the forces are in body weights, give unit BW and the mass
-note-vertical-guessed = components { $vertical } and { $other } are of like size; { $vertical } is taken as vertical
+    }, the first near { $first }; the sampling rate is computed from the samples present
+note-rates-differ = the header gives a rate of { $header }, the time column { $column }; the time column is used
+note-uneven-samples = the samples are unevenly spaced in time and were resampled at constant intervals
+note-unit-guessed = the unit of force is not given; from the peak of { $peak } it is taken as { $unit }
+note-unit-label-rejected = a peak of { $peak } is implausible in { $label }; the unit is taken as { $unit }
+note-low-force = no force exceeds { $peak }; if the forces are in body weights, give unit BW and the mass
+note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is taken as vertical
 note-feet-guessed = ground_force is taken as the right foot, 1_ground_force as the left (convention of OpenSim's examples)
 note-no-plates = the file describes no force plate; analog channels are chosen by their labels
-note-plate-type-unknown = plate { $plate } is left out: TYPE { $kind } is not supported, only 1 to 7; name its force channel to use it
-note-plate-channel-missing = plate { $plate } is left out: its channel { $channel } is not in the file
-note-plate-matrix-missing = plate { $plate } is left out: its calibration matrix is missing
-note-plate-tilted = plate { $plate } is not parallel to plate 1; its normal force is not vertical if that of plate 1 is
-note-insole-mass = the mass of { $mass } is the mean of the insoles' totals, which are seldom calibrated: give the walker's mass
-note-stride-assumed = the recording does not give the duration of a stride; { $period } is assumed, with a stance of 62 % of it
-note-stride-implausible = a stride of { $period } is outside the range of walking (0.7 s to 2.2 s; children from 0.5 s): check the sampling rate
-note-duty-implausible = a foot stands { $duty } of the stride, outside the range of walking (52 % to 75 %): running, or a wrong sampling rate
-note-peak-implausible = the highest force of a stance is { $ratio } body weights, outside the range of walking (0.85 to 1.7; children to 2): the mass or the unit of force is wrong, or this is not walking
+note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (types 1 to 7 are); name its force channel to use it
+note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel } is not in the file
+note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
+note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
+note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
+note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of 62 % of the stride
+note-stride-implausible = the stride time of { $period } is outside the range of walking (0.7 s to 2.2 s; children from 0.5 s): check the sampling rate
+note-duty-implausible = the stance takes { $duty } of the stride, outside the range of walking (52 % to 75 %): the recording is of running, or the sampling rate is wrong
+note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of walking (0.85 to 1.7; children to 2): the mass or the unit of force is wrong, or the recording is not of walking
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
@@ -102,14 +102,14 @@ cycle-one-foot = { $stances ->
 cycle-total-force = { $strides ->
         [one] one stride
        *[other] { $strides } strides
-    } of the total force of both feet, from a rise through the mean force
+    } of the total force of both feet, between upward crossings of the mean force
 
 name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
-name-doubled-steps = twice the mean step
-name-impulse = the impulse that carries the mass
-name-usual-duty = a usual stance of 62 % of the stride (the recording does not give it)
-name-total-force = rises of the total force through its mean
+name-doubled-steps = twice the mean step time
+name-impulse = the impulse balance with the body mass
+name-usual-duty = an assumed stance of 62 % of the stride (not in the recording)
+name-total-force = upward crossings of the mean total force
 
 mass-from-user = given
 mass-from-file = from the file
@@ -121,17 +121,17 @@ channel-constant = constant at { $level }
 channel-mostly-empty = mostly empty: { $missing } of { $samples } samples are missing
 channel-empty = empty
 
-contact-cut-at-start = cut: the recording starts inside the stance
-contact-cut-at-end = cut: the recording ends inside the stance
+contact-cut-at-start = truncated: the recording starts during the stance
+contact-cut-at-end = truncated: the recording ends during the stance
 contact-edge-fragment = partial contact at the edge of the recording, ignored
 contact-never-unloaded = never unloaded: standing, or both feet on one plate
-contact-missing-samples = samples are missing inside the stance
+contact-missing-samples = samples are missing during the stance
 contact-too-short = too short for a step
 contact-running = single-peak stance of short duration, as in running
 contact-standing = too long for a step: standing
 contact-cross-over = too long for one foot: both feet on one plate
 contact-two-plates = the foot lies across two plates
-contact-partial-contact = partial contact: too little force for a whole foot
+contact-partial-contact = partial contact: the force is too low for a full step
 
 name-cut-at-start = { contact-cut-at-start }
 name-cut-at-end = { contact-cut-at-end }
@@ -182,4 +182,4 @@ gait-warning = warning
 gait-spread = spread
 gait-repeatability = repeats
 gait-samples = samples
-gait-one-cycle = one cycle of force, used as given (no stances are detected)
+gait-one-cycle = one force cycle, used as given (no stance detection)

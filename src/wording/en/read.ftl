@@ -22,37 +22,37 @@ read-mass-not-positive = invalid mass { $mass }
 
 read-no-table = no table of numbers found
     .help = the file starts with "{ $start }"
-read-header-without-rows = the header names a column of force ("{ $column }"), but no row of numbers follows
+read-header-without-rows = the header has a force column ("{ $column }"), but no rows of numbers follow
     .help = export the samples as well; each row should start with a time or a number
 read-no-force-column = no column of vertical force found
     .help = the columns are { $columns }; name the force column (option force)
-read-nameless-columns = the columns have no names and none looks like a vertical force
+read-nameless-columns = the columns have no names, and none resembles a vertical force
     .help = give the number of the force column (option force)
 read-no-column = no column "{ $column }"
     .help = the columns are { $columns }
 read-misspelt-column = no column "{ $column }"
     .help = did you mean "{ $near }"? The columns are { $columns }
 read-no-column-number = no column "{ $column }"
-    .help = the file names no columns; give a number from 1 to { $count }
+    .help = the columns have no names; give a number from 1 to { $count }
 read-force-is-time = the column named as force is the time column
     .help = name another force column, or the time column (option time)
-read-time-backwards = time goes backwards ({ $time } after { $after })
-    .help = give one recording per file, in order of time
-read-time-missing = a time is missing after { $after }
+read-time-backwards = time decreases ({ $time } after { $after })
+    .help = give one recording per file, in ascending time
+read-time-missing = a time value is missing after { $after }
     .help = every row needs a time
-read-short-rows = rows are much shorter than the header
+read-short-rows = the rows have far fewer fields than the header
     .help = each row should have { $fields } fields
 read-few-samples = { $samples ->
         [0] the recording has no samples
         [one] the recording has one sample
        *[other] the recording has { $samples } samples
     }
-    .help = give at least one whole stance
-read-time-stands-still = time does not advance from { $at }
+    .help = give at least one complete stance
+read-time-stands-still = time does not increase from { $at } on
     .help = name the time column (option time) or give the sampling rate (option rate)
-read-mostly-gaps = { $lost } of { $whole } are without samples
-    .help = cut the recording at its gaps
-read-no-rate = the file gives neither time nor sampling rate
+read-mostly-gaps = samples are missing for { $lost } of { $whole }
+    .help = split the recording at its gaps
+read-no-rate = the file contains neither time nor sampling rate
     .help = give the rate (option rate), for example "1000 Hz"
 read-mass-missing = the force is in { $unit } and the body mass is not known
     .help = give the mass (option mass), for example "70 kg"
@@ -69,34 +69,34 @@ read-cycle-column-missing = no { $column ->
        *[force] force
     } column
     .help = the columns are { $columns }
-read-cycle-without-table = the file is marked as a cycle but holds no table of numbers
+read-cycle-without-table = the file is marked as a cycle but contains no table of numbers
     .help = give columns time_s and force_n
-read-cycle-row = this is not a row of a time and a force
-    .help = a cycle must be complete
+read-cycle-row = this row does not hold a time and a force
+    .help = every row of a cycle needs both
 read-cycle-value = a value is missing or not a number
-    .help = a cycle must be complete
-read-cycle-too-long = the samples last { $span }, longer than the period of { $period }
+    .help = every row of a cycle needs a time and a force
+read-cycle-too-long = the samples span { $span }, longer than the period of { $period }
     .help = correct period_s, or give one cycle only
 read-cycle-period-missing = the period of the critical points is not given
     .help = write "# period_s = 0.5" above the table
-read-points-not-rising = critical points must be at least two, in order of time
+read-points-not-rising = at least two critical points in ascending time are needed
     .help = sort the rows by time
 read-point-beyond-period = a point at { $at } lies beyond the period of { $period }
     .help = correct period_s or the point
 
 read-processor = unknown C3D processor type { $code }
     .help = it must be 84 (Intel), 85 (DEC) or 86 (SGI)
-read-no-analog = the file holds no analog samples
+read-no-analog = the file contains no analog samples
     .help = force plates are recorded as analog channels; export them with the trial
 read-odd-analog = { $values } analog values per frame cannot be divided into { $samples } samples per channel
     .help = the header is damaged
-read-no-frame = the file holds no whole frame of data
-    .help = a frame has { $bytes } bytes; the file is cut short
+read-no-frame = the file contains no complete frame of data
+    .help = a frame has { $bytes } bytes; the file is truncated
 read-no-frame-rate = the file gives no frame rate
     .help = POINT:RATE must be positive
 read-no-channel = no analog channel "{ $channel }"
     .help = the channels are { $channels }
-read-no-plate = no force plate and no analog channel of force
+read-no-plate = neither a force plate nor an analog force channel found
     .help = the analog channels are { $channels }
 read-plate-type-unknown = force plate { $plate } has the unsupported TYPE { $kind }
     .help = types 1 to 7 are supported; name its vertical force channel (option force). The channels are { $channels }

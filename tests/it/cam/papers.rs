@@ -161,7 +161,7 @@ fn conjugate_of_ejemplo8_has_a_base_of_80() {
     assert!(
         none.contains("140 mm")
             && none.contains("145 mm")
-            && none.contains("exists without undercut"),
+            && none.contains("without undercut exists"),
         "{none}"
     );
     assert!(Conjugate::new(&first, Closure::Angle(1.0), None).is_err());

@@ -237,11 +237,11 @@ fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
         .unwrap_err()
         .to_string();
     assert!(
-        rough.contains("law.polydyne") && rough.contains("jerk of the wanted law jumps at 60°"),
+        rough.contains("law.polydyne") && rough.contains("jerk of the law is discontinuous at 60°"),
         "{rough}"
     );
     for (change, words) in [
-        ("machine.natural_frequency=60 Hz", "keep one of the two"),
+        ("machine.natural_frequency=60 Hz", "remove one of the two"),
         ("machine.stiffness=0 N/m", "not positive"),
         ("law.family=auto", "four continuous derivatives"),
         ("law.polydyne=yes", "true or false"),

@@ -455,7 +455,7 @@ fn weighings_that_say_nothing_or_too_much_are_refused() {
         assert!(error.contains(word), "{error}");
     };
     refused(&["law.weigh.jerk=0 m/s^3"], "not positive");
-    refused(&["law.weigh.radius=10 mm"], "there is no such key");
+    refused(&["law.weigh.radius=10 mm"], "unknown key");
     refused(
         &["law.weigh.jerk=10 m/s^3", "law.minimise=jerk"],
         "law.minimise",

@@ -24,7 +24,7 @@ pub fn text(design: &Synthesis) -> String {
         ));
     }
     if let Some(ended) = solver.ended() {
-        out.push(format!("  ended because {}", ended.sentence(Language::En)));
+        out.push(format!("  stopped: {}", ended.sentence(Language::En)));
     }
     out.join("\n")
 }

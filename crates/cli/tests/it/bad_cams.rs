@@ -61,7 +61,7 @@ fn a_pivot_inside_the_cam_is_told_how_far_out_it_belongs() {
     says(
         synth(&text, &["cam.pivot_beside=false"]),
         2,
-        &["pivot", "inside the cam", "farther out"],
+        &["pivot", "inside the cam", "pivot distance"],
     );
 }
 
@@ -151,7 +151,7 @@ fn keys_that_a_follower_does_not_have_are_refused() {
     says(
         synth(&text, &["cam.arm=50 mm"]),
         2,
-        &["cam.arm", "no such key"],
+        &["cam.arm", "does not apply"],
     );
     let text = scene("camdas_04_oscillating_flat");
     says(

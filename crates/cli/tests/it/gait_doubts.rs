@@ -158,7 +158,7 @@ fn a_header_without_rows_is_called_so() {
     let words = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        words.contains("no row of numbers") && words.contains("Left Fz (N)"),
+        words.contains("no rows of numbers") && words.contains("Left Fz (N)"),
         "{words}"
     );
 }
@@ -178,7 +178,7 @@ fn the_total_of_both_feet_is_walked_through_once_it_is_stepped_on() {
     assert_eq!(cycle["mass_fits"], true, "{cycle}");
     let one = gait(&[&total, "--feet", "one"]);
     let words = String::from_utf8_lossy(&one.stderr).into_owned();
-    assert!(words.contains("total of both feet"), "{words}");
+    assert!(words.contains("total force of both feet"), "{words}");
 }
 
 #[test]

@@ -113,10 +113,10 @@ fn laws_and_trains_that_cannot_be_followed_are_refused_in_words() {
     };
     let drive = machine();
     for (motion, words) in [
-        ("3-4-5", "jerk jumps"),
-        ("cycloidal", "jerk jumps"),
-        ("4-5-6-7", "fourth derivative jumps"),
-        ("parabolic", "acceleration jumps"),
+        ("3-4-5", "the jerk of the law"),
+        ("cycloidal", "the jerk of the law"),
+        ("4-5-6-7", "the fourth derivative of the law"),
+        ("parabolic", "the acceleration of the law"),
     ] {
         let got = polydyne(&rise(motion), &drive, &train(0.0));
         let got = got.unwrap_err().to_string();
