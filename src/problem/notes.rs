@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 
 use serde::Serialize;
+use strum::VariantNames;
 
 use super::Problem;
 use crate::drive::DriveKind;
@@ -18,8 +19,9 @@ const FREE_FALL: f64 = 0.02;
 const SAME_PERIOD: f64 = 1e-3;
 
 /// A note on a problem or its design.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Note {

@@ -2,13 +2,15 @@
 //! `wording/en/solver.ftl`.
 
 use serde::Serialize;
+use strum::VariantNames;
 
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
 /// How a tier came to its law.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Method {
@@ -45,8 +47,9 @@ pub enum Method {
 }
 
 /// Why a sequence of convex programs ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Ended {
     /// As many steps as are allowed were taken.
@@ -60,8 +63,9 @@ pub enum Ended {
 }
 
 /// What a simpler family missed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)]
 pub enum PassedOver {

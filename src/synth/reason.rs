@@ -1,6 +1,7 @@
 //! Why a design has its verdict, and what would help: data, whose sentences stand in `wording/en/synth.ftl`.
 
 use serde::Serialize;
+use strum::VariantNames;
 
 use super::qp::Stop;
 use crate::cam::Measures;
@@ -8,8 +9,9 @@ use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
 /// One reason for a verdict.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Reason {
@@ -105,8 +107,9 @@ pub enum Reason {
 }
 
 /// The change of one limit that is enough.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
 pub enum Change {
     /// Its value and the one that works.
@@ -133,11 +136,6 @@ impl Reason {
 pub fn sentences<'a>(reasons: impl IntoIterator<Item = &'a Reason>, language: Language) -> String {
     let all: Vec<String> = reasons.into_iter().map(|r| r.sentence(language)).collect();
     all.join(" ")
-}
-
-/// A limit's name as people say it.
-pub fn spoken(limit: &str) -> String {
-    limit.replace('_', " ")
 }
 
 /// A place of the law: an angle, or a length of travel.

@@ -10,6 +10,29 @@ use unic_langid::LanguageIdentifier;
 use super::Language;
 use super::number::{number, quantity};
 
+/// Arguments that repeat what users type, or choose a variant of a sentence: they are never translated.
+const AS_TYPED: &[&str] = &[
+    "catalogue",
+    "channel",
+    "channels",
+    "column",
+    "columns",
+    "derivative",
+    "example",
+    "from",
+    "key",
+    "known",
+    "list",
+    "model",
+    "motion",
+    "name",
+    "near",
+    "nearest",
+    "text",
+    "typed",
+    "word",
+];
+
 /// Messages of one language.
 ///
 /// ```
@@ -98,7 +121,7 @@ impl Catalogue {
 
     /// The name of a unit variant (`flat-translating`, `force_min`) in this language, or as it is typed.
     pub fn name(&self, typed: &str) -> String {
-        let key = format!("name-{}", typed.replace(['_', '.'], "-"));
+        let key = format!("name-{}", typed.replace(['_', '.', ' '], "-"));
         match self.bundle.get_message(&key).and_then(|m| m.value()) {
             Some(pattern) => self.format(pattern, "", &Value::Null),
             None => typed.to_string(),
@@ -121,7 +144,11 @@ impl Catalogue {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
             for (name, value) in fields {
-                arguments.set(name.replace('_', "-"), self.argument(area, value));
+                let argument = match value {
+                    Value::String(text) if AS_TYPED.contains(&name.as_str()) => text.clone().into(),
+                    _ => self.argument(area, value),
+                };
+                arguments.set(name.replace('_', "-"), argument);
             }
         }
         let mut faults = Vec::new();

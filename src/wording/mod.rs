@@ -84,35 +84,40 @@ const ENGLISH: &[&str] = &[
     include_str!("en/scene.ftl"),
 ];
 
-/// What the keys of a scene mean, in Spanish.
-const SPANISH_KEYS: &[&str] = &[include_str!("es/keys.ftl")];
+/// The same in Spanish.
+const SPANISH: &[&str] = &[
+    include_str!("es/names.ftl"),
+    include_str!("es/units.ftl"),
+    include_str!("es/cam.ftl"),
+    include_str!("es/dynamics.ftl"),
+    include_str!("es/force.ftl"),
+    include_str!("es/law.ftl"),
+    include_str!("es/read.ftl"),
+    include_str!("es/synth.ftl"),
+    include_str!("es/infeasible.ftl"),
+    include_str!("es/solver.ftl"),
+    include_str!("es/keys.ftl"),
+    include_str!("es/scene.ftl"),
+];
 
 /// The library's messages in a language.
 pub fn catalogue(language: Language) -> &'static Catalogue {
     static EN: OnceLock<Catalogue> = OnceLock::new();
+    static ES: OnceLock<Catalogue> = OnceLock::new();
     match language {
-        // Spanish follows English until its files are there.
-        Language::En | Language::Es => EN.get_or_init(|| Catalogue::new(Language::En, ENGLISH)),
+        Language::En => EN.get_or_init(|| Catalogue::new(Language::En, ENGLISH)),
+        Language::Es => ES.get_or_init(|| Catalogue::new(Language::Es, SPANISH)),
     }
 }
 
 /// What a key of the scene file means; `path` as the key table has it.
 pub fn key_doc(language: Language, path: &str) -> String {
-    keys(language).text(&format!("key-{}", path.replace('.', "-")))
+    catalogue(language).text(&format!("key-{}", path.replace('.', "-")))
 }
 
 /// What a built-in scene is.
 pub fn scene_doc(language: Language, name: &str) -> String {
-    keys(language).text(&format!("built-in-{name}"))
-}
-
-/// The texts about keys and built-in scenes.
-fn keys(language: Language) -> &'static Catalogue {
-    static ES: OnceLock<Catalogue> = OnceLock::new();
-    match language {
-        Language::En => catalogue(language),
-        Language::Es => ES.get_or_init(|| Catalogue::new(Language::Es, SPANISH_KEYS)),
-    }
+    catalogue(language).text(&format!("built-in-{name}"))
 }
 
 /// The sentence of a message of the library.

@@ -1,14 +1,19 @@
 //! Every code has its sentence, and every sentence its code.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
 
 use gaitcam::error::{
-    CamError, DynamicsError, ForceError, JoinCure, LawError, ReadError, SceneError, SegmentName,
-    UnitsError,
+    CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
+    SegmentName, UnitsError,
 };
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
+use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
+use gaitcam::synth::{Change, Ended, Method, PassedOver, Reason};
+use gaitcam::units::Quantity;
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
 
@@ -31,6 +36,12 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("format", Format::VARIANTS),
         ("gait", LABELS),
         ("scene", SceneError::VARIANTS),
+        ("reason", Reason::VARIANTS),
+        ("reason", Change::VARIANTS),
+        ("design", problem::Note::VARIANTS),
+        ("method", Method::VARIANTS),
+        ("ended", Ended::VARIANTS),
+        ("passed-over", PassedOver::VARIANTS),
     ]
 }
 
@@ -55,5 +66,82 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
     assert!(
         unsaid.is_empty() && unused.is_empty(),
         "without a sentence: {unsaid:?}; without a code: {unused:?}"
+    );
+}
+
+/// Arguments of every message and of every attribute (`key.attribute`) of a Fluent file.
+fn arguments(text: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let (mut key, mut part) = (String::new(), String::new());
+    for line in text.lines().filter(|l| !l.starts_with('#')) {
+        let start = line.trim_start();
+        let is_message = line.starts_with(|c: char| c.is_ascii_lowercase());
+        if is_message || start.starts_with('.') {
+            let (name, _) = start.split_once(" =").unwrap();
+            if is_message {
+                key = name.to_string();
+                part = key.clone();
+            } else {
+                part = format!("{key}{name}");
+            }
+            found.insert(part.clone(), BTreeSet::new());
+        }
+        for after in line.split('$').skip(1) {
+            let ends = |c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == '_');
+            let name = after.split(ends).next().unwrap_or_default();
+            found.get_mut(&part).unwrap().insert(name.to_string());
+        }
+    }
+    found
+}
+
+#[test]
+fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/wording");
+    let names = |language: &str| -> BTreeSet<_> {
+        let files = fs::read_dir(folder.join(language)).unwrap();
+        files.map(|f| f.unwrap().file_name()).collect()
+    };
+    assert_eq!(names("en"), names("es"));
+    for name in names("en") {
+        let read = |language: &str| {
+            arguments(&fs::read_to_string(folder.join(language).join(&name)).unwrap())
+        };
+        let (english, spanish) = (read("en"), read("es"));
+        for (key, wanted) in &english {
+            assert_eq!(Some(wanted), spanish.get(key), "{name:?}: {key} in Spanish");
+        }
+        assert_eq!(english.len(), spanish.len(), "{name:?}: more in Spanish");
+    }
+    assert_eq!(
+        catalogue(Language::En).keys(),
+        catalogue(Language::Es).keys(),
+        "a file is not loaded, or its messages stand in another order"
+    );
+}
+
+#[test]
+fn spanish_sentences_have_spanish_names_and_a_decimal_comma() {
+    let reason = Reason::LimitBroken {
+        limit: "stroke".to_string(),
+        at: Quantity::angle(0.0),
+        value: Quantity::length(0.0305),
+        allowed: Quantity::length(0.03),
+    };
+    let said = reason.sentence(Language::Es);
+    assert!(
+        said.contains("carrera") && said.contains("30,5 mm"),
+        "{said}"
+    );
+    // What is typed into a scene stays as it is.
+    let error = SceneError::UnknownWord {
+        word: "splin".to_string(),
+        nearest: Some("spline".to_string()),
+        known: "auto, harmonic".to_string(),
+    };
+    let help = Error::from(error).kind.help(Language::Es).unwrap();
+    assert!(
+        help.contains("spline") && help.contains("auto, harmonic"),
+        "{help}"
     );
 }

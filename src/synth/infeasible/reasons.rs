@@ -2,11 +2,11 @@
 
 use crate::cam::Measures;
 use crate::synth::design::Relaxation;
-use crate::synth::reason::{Change, Reason, quantity, spoken};
+use crate::synth::reason::{Change, Reason, quantity};
 
 /// Which limits cannot hold together.
 pub fn conflicting(conflict: &[String]) -> Reason {
-    let mut limits: Vec<String> = conflict.iter().map(|n| spoken(n)).collect();
+    let mut limits: Vec<String> = conflict.to_vec();
     match limits.pop() {
         Some(limit) if limits.is_empty() => Reason::LimitInfeasible { limit },
         Some(last) => {
@@ -23,7 +23,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
         .iter()
         .filter_map(|r| {
             Some(Change::Change {
-                limit: spoken(&r.limit),
+                limit: r.limit.clone(),
                 from: quantity(measures, &r.limit, r.from),
                 to: quantity(measures, &r.limit, r.to?),
             })

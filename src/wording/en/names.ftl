@@ -1,2 +1,101 @@
 # Names of followers, limits, families and laws where people read them; without a row they show as typed.
 name-none = none
+
+# Followers.
+name-flat-translating = flat-translating
+name-roller-translating = roller-translating
+name-knife-translating = knife-translating
+name-mushroom-translating = mushroom-translating
+name-roller-oscillating = roller-oscillating
+name-knife-oscillating = knife-oscillating
+name-mushroom-oscillating = mushroom-oscillating
+name-flat-oscillating = flat-oscillating
+name-translating-cam = translating-cam
+name-barrel = barrel
+
+# Drives.
+name-moving-axis = moving-axis
+name-fixed-axis = fixed-axis
+name-hydraulic = hydraulic
+
+# Limits and checks.
+name-stroke = stroke
+name-velocity = velocity
+name-acceleration = acceleration
+name-jerk = jerk
+name-force-min = force_min
+name-force-max = force_max
+name-curvature = curvature
+name-second-curvature = second_curvature
+name-concave = concave
+name-interference = interference
+name-second-interference = second_interference
+name-pressure-angle = pressure_angle
+name-pressure-angle-rise = pressure_angle_rise
+name-pressure-angle-fall = pressure_angle_fall
+name-prime-radius = prime_radius
+name-cam-prime-radius = cam.prime_radius
+name-cam-base-radius = cam.base_radius
+name-base-circle = base_circle
+name-bore = bore
+name-face-width = face_width
+name-torque = torque
+name-torque-rate = torque_rate
+name-hertz-pressure = hertz_pressure
+name-residual = residual
+name-accuracy-rms = accuracy.rms
+name-rms-error = rms_error
+name-band = band
+
+# Families of laws.
+name-spline = spline
+name-polynomial = polynomial
+name-harmonic = harmonic
+name-double-harmonic = double-harmonic
+name-program = program
+
+# Rise laws.
+name-dwell = dwell
+name-constant-velocity = constant-velocity
+name-parabolic = parabolic
+name-cubic = cubic
+name-simple-harmonic = simple-harmonic
+name-cycloidal = cycloidal
+name-semiharmonic-start = semiharmonic-start
+name-semiharmonic-end = semiharmonic-end
+name-semicycloidal-start = semicycloidal-start
+name-semicycloidal-end = semicycloidal-end
+name-modified-trapezoid = modified-trapezoid
+name-modified-sine = modified-sine
+name-scca = scca
+name-eccentric = eccentric
+
+# Size of a law.
+name-spans = spans
+name-harmonics = harmonics
+
+# Feet, storage and quantities.
+name-left = left
+name-right = right
+name-vertical = vertical
+name-integers = integers
+name-floats = floats
+name-ratio = ratio
+name-percent = percent
+name-length = length
+name-angle = angle
+name-time = time
+name-mass = mass
+name-force = force
+name-frequency = frequency
+name-angular-speed = angular speed
+name-speed = speed
+name-angular-acceleration = angular acceleration
+name-angular-jerk = angular jerk
+name-pressure = pressure
+name-pressure-per-volume = pressure per volume
+name-spring-rate = spring rate
+name-damping = damping
+name-power = power
+name-angular-rate = angular rate
+name-inertia = inertia

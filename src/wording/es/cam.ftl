@@ -1,0 +1,60 @@
+# Errores en las dimensiones de una leva y su seguidor.
+cam-not-positive = valor no válido de { $length ->
+        [roller-radius] radio del rodillo
+        [arc-radius] radio del arco
+        [pivot-distance] distancia al pivote
+        [arm] longitud del brazo
+        [base-height] altura base
+        [barrel-radius] radio del tambor
+       *[prime-radius] radio primario
+    }: { $value }
+    .help = { $length ->
+        [roller-radius] debe ser mayor que 0 (0: seguidor de cuña)
+       *[other] debe ser mayor que 0
+    }
+cam-not-finite = { $length ->
+        [face-offset] la distancia de la cara al pivote
+       *[offset] la excentricidad
+    } no es un número finito
+cam-roller-fills-cam = el radio del rodillo o del arco, { $radius }, no es menor que el radio primario, { $prime }
+    .help = el radio primario es la suma del radio base y el del rodillo; debe superar el radio del rodillo
+cam-offset = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
+    .help = el seguidor no alcanzaría el círculo primario: use una excentricidad menor que { $prime } o aumente el radio primario
+cam-below-centre = la ley baja a { $lift }, por debajo del centro de la leva, que está { $height } por debajo de la posición inicial del seguidor
+    .help = el radio primario debe superar { $least }
+cam-face-reach = una cara plana a distancia { $offset } no puede tocar un círculo base de radio { $base } con su pivote a { $pivot }
+    .help = la distancia al pivote debe superar { $least }
+cam-arm-reach = el brazo de { $arm } { $fault ->
+        [too-short] es demasiado corto para alcanzar
+        [too-long] es demasiado largo para tocar
+       *[apart] no puede tocar
+    } el círculo primario de radio { $prime } desde un pivote a { $pivot }
+    .help = su longitud debe estar entre { $least } y { $most }
+cam-swing = el brazo oscila de { $from } a { $to }, más allá de sus puntos muertos en { $dead }
+    .help = desde su posición inicial de { $start } puede subir menos de { $rise } y bajar menos de { $fall }
+cam-face-speed = en { $at } la velocidad angular del brazo es { $speed } rad/rad, no menor que la de la leva
+    .help = una cara plana no tiene entonces punto de contacto: reparta este movimiento en un ángulo de leva mayor
+cam-pivot-inside = el pivote a { $pivot } queda dentro de la leva, cuyo radio de perfil es { $reach } en { $at }
+    .help = use una distancia al pivote mayor que { $reach }
+cam-arms-by-distance = los seguidores oscilantes conjugados no se definen por una distancia
+    .help = indique el ángulo entre los brazos o el segundo radio base
+cam-slides-by-angle = los seguidores de traslación conjugados no se definen por un ángulo
+    .help = indique la distancia entre caras o centros de rodillo, o el segundo radio base
+cam-no-conjugate-of = { $follower }: no existe leva conjugada
+    .help = la ranura ya guía este seguidor por ambos lados
+cam-second-cam = la leva conjugada no existe: { $because }
+cam-no-conjugate = no existe leva conjugada para un total de { $total }: el primer seguidor por sí solo alcanza { $reach }
+    .help = { $least ->
+        [none] el total debe ser mucho mayor que { $reach }
+       *[other] a partir de { $least } (segundo radio base { $base }) existe una leva conjugada sin rebaje
+    }
+cam-translating-height = la altura base de una leva de traslación no influye en la curvatura ni en el ángulo de presión
+    .help = aumente su recorrido o use un rodillo más pequeño
+cam-no-size = { $follower }: ningún radio base cumple los límites
+    .help = admita un ángulo de presión mayor o un radio de curvatura menor, reparta el movimiento en un ángulo mayor o aumente la distancia al pivote
+cam-groove-depth = una ranura con radio de fondo { $floor } y radio de superficie { $surface } no tiene profundidad
+    .help = el radio de fondo debe ser mayor que 0 y menor que el de la superficie
+cam-groove-rollers = unos rodillos de radio { $radius } con excentricidad { $eccentricity } no caben en una ranura
+    .help = el radio debe ser mayor que 0 y la excentricidad no negativa
+cam-groove-floor = el radio del rodillo, { $radius }, no es menor que el radio de fondo de la ranura, { $floor }
+    .help = use un rodillo más pequeño o un radio de fondo mayor

@@ -1,0 +1,46 @@
+# Errores en los datos de una simulación y preguntas que sus modelos no pueden responder.
+dynamics-machine = masa, rigidez del muelle, amortiguamiento, rozamiento y velocidad deben ser finitos, y los tres primeros no negativos
+dynamics-friction = coeficiente de rozamiento no válido { $friction }
+    .help = debe ser 0 o mayor
+dynamics-contact-line = un contacto lineal necesita una longitud positiva y materiales con módulo de Young positivo y coeficiente de Poisson en [0; 0,5]
+dynamics-target = la fuerza objetivo debe ser finita en todos los ángulos
+dynamics-slide-backwards = una leva de traslación cuya ley no se repite solo avanza hacia delante
+    .help = dé al accionamiento una velocidad positiva
+dynamics-second-cam = una segunda leva en el eje requiere un seguidor apoyado en la primera y una ley de una vuelta
+    .help = omita la segunda leva
+dynamics-restitution = coeficiente de restitución no válido { $restitution }
+    .help = debe estar en [0, 1]: 0 para un choque plástico, 1 para uno elástico
+dynamics-few-rows = { $rows } puntos son muy pocos para un perfil
+    .help = dé al menos 8 puntos, mejor 360 o más
+dynamics-row-angle = la fila { $row } del perfil está en { $at } en lugar de { $expected }
+    .help = una simulación necesita filas a intervalos iguales del ciclo de la leva
+dynamics-row-reach = este seguidor no puede tocar la fila { $row } del perfil: { $follower }
+    .help = sus coordenadas deben ser finitas y estar al alcance del seguidor
+dynamics-concave = el perfil es cóncavo o presenta rebaje en { $at }: radio de curvatura { $radius }
+    .help = una cara plana no puede tocarlo; aumente el radio base
+dynamics-frequency = frecuencia natural no válida de { $frequency } Hz con razón de amortiguamiento { $ratio }
+    .help = la frecuencia debe ser positiva y la razón de amortiguamiento no negativa
+dynamics-frequency-without-mass = una frecuencia natural requiere una masa móvil
+    .help = indique la masa o la rigidez de la columna de fluido
+dynamics-train = la rigidez del seguidor debe ser positiva y su amortiguamiento no negativo
+dynamics-resonance = resonancia: el seguidor no amortiguado vibra { $cycles } veces por vuelta, en un armónico de la leva; no hay régimen permanente
+    .help = indique una razón de amortiguamiento mayor que 0 u otra velocidad
+dynamics-no-train = el modelo flexible necesita la rigidez del seguidor
+    .help = indique su frecuencia natural o su rigidez: --natural-frequency, o [machine] en la escena
+dynamics-open-vibration = una leva de traslación cuya ley no se repite no tiene vibración en régimen permanente
+    .help = use el modelo rígido
+dynamics-held-by-groove = la ranura guía el rodillo por ambos lados: no puede haber pérdida de contacto
+    .help = use el modelo rígido o el flexible, que indican el lado en contacto
+dynamics-held-by-pair = un par conjugado guía el seguidor por ambos lados: no puede haber pérdida de contacto
+    .help = use el modelo rígido o el flexible, que indican el lado en contacto
+dynamics-not-one-turn = el modelo de contacto necesita una leva que gire una vuelta por ciclo
+    .help = use el modelo rígido: su fuerza de contacto mínima indica si una leva de traslación mantiene el contacto
+dynamics-open-polydyne = una leva polidina necesita una ley que se repita: si no, no hay régimen permanente
+dynamics-polydyne-jump = la { $derivative ->
+        [lift] elevación
+        [velocity] velocidad
+        [acceleration] aceleración
+        [jerk] sobreaceleración
+       *[other] cuarta derivada
+    } de la ley es discontinua en { $at }; la elevación de una leva polidina contiene la fuerza, de modo que la aceleración de la propia leva sería discontinua ahí
+    .help = use una ley con cuatro derivadas continuas: un spline de grado 5 o mayor, armónicos o segmentos 5-6-7-8-9

@@ -1,0 +1,197 @@
+# Curvas de fuerza, modelos de carga, registros y su ciclo medio.
+
+force-few-samples = un ciclo de fuerza de { $samples } muestras es demasiado corto
+    .help = dé al menos 4 muestras por ciclo
+force-sample-not-finite = la muestra de fuerza { $sample } no es un número finito
+    .help = cada muestra debe ser un número finito de newtons
+force-period-not-positive = período no válido { $period }
+    .help = el período debe ser positivo
+force-unknown-feet = valor no válido «{ $word }» para feet
+    .help = use both, one, left o right
+force-unknown-unit = «{ $word }» no es una unidad de fuerza
+    .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
+force-unknown-model = «{ $name }» no es un modelo de carga
+    .help = los modelos de carga son { $known }
+force-misspelt-model = «{ $name }» no es un modelo de carga
+    .help = ¿quiso decir «{ $near }»?
+force-weight-not-positive = peso corporal no válido { $weight }
+    .help = debe ser positivo, por ejemplo "700 N"
+force-frequency-out-of-range = { $model } no está definido para una frecuencia de paso de { $frequency }
+    .help = dé un valor de { $low } a { $high }
+force-frequency-missing = { $model } necesita una frecuencia de paso
+    .help = indique por ejemplo step_frequency = "1.85 Hz"
+force-both-feet-only = { $model } da la fuerza conjunta de ambos pies, no la de uno
+    .help = use feet = "both" o un modelo de un solo pie: li-2010, iso-22675
+force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es caminar
+    .help = indique la frecuencia de muestreo (opción rate): la columna puede contar muestras
+force-running = ningún apoyo completo de marcha en { $duration } de registro: todos los contactos son cortos y de un solo pico, como al correr
+    .help = use un registro de marcha
+force-total-of-both-feet = ningún apoyo completo de un pie en { $duration } de registro: la columna es la fuerza total de ambos pies, que no vuelve a cero
+    .help = use feet = "both"
+force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
+    .help = { $contacts ->
+        [one] se encontró un contacto, de { $from } a { $to }
+       *[other] se encontraron { $contacts } contactos, el primero de { $from } a { $to }
+    }; motivo de rechazo más frecuente: { $reason }
+force-no-stance-file-cut = ningún apoyo completo de marcha en { $duration } de registro: la cabecera indica { $announced } filas y el archivo tiene { $found }
+    .help = exporte el ensayo completo; motivo de rechazo más frecuente: { $reason }
+force-no-live-channel = ningún apoyo completo de marcha en { $duration } de registro: ningún canal lleva carga
+    .help = indique la columna de fuerza (opción force)
+force-no-contact = ningún apoyo completo de marcha en { $duration } de registro: ningún canal supera 20 N
+    .help = compruebe la unidad de fuerza y la columna de fuerza (opciones unit y force)
+force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
+    .help = todos los apoyos son del otro pie; use feet = "one" o "both"
+force-feet-not-named = ningún apoyo completo del pie { $foot }
+    .help = el archivo no indica qué pie es cada uno; use feet = "one" o "both"
+
+note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { $found }
+note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
+note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
+note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se toman como plantilla izquierda y derecha
+note-stance-per-row = un apoyo por fila, { $rows } filas
+note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añada las demás a la tabla de sujetos (metadata)
+note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone { $assumed }
+note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; indíquela si no es correcta
+note-rate-overrides-times = la frecuencia de { $rate } indicada sustituye a la columna de tiempo, que da { $column }
+note-milliseconds-guessed = la columna de tiempo tiene incrementos de { $step }; se toma como milisegundos
+note-samples-missing = { $count ->
+        [one] falta una muestra
+       *[other] faltan { $count } muestras
+    }, la primera cerca de { $first }; la frecuencia de muestreo se calcula con las muestras presentes
+note-rates-differ = la cabecera da una frecuencia de { $header } y la columna de tiempo { $column }; se usa la columna de tiempo
+note-uneven-samples = las muestras no son equidistantes en el tiempo y se remuestrearon a intervalos constantes
+note-unit-guessed = no se da la unidad de fuerza; por el pico de { $peak } se toma como { $unit }
+note-unit-label-rejected = un pico de { $peak } no es verosímil en { $label }; la unidad se toma como { $unit }
+note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos corporales, indique la unidad BW y la masa
+note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se toma como vertical
+note-feet-guessed = ground_force se toma como pie derecho y 1_ground_force como izquierdo (convenio de los ejemplos de OpenSim)
+note-no-plates = el archivo no describe ninguna plataforma de fuerza; los canales analógicos se eligen por sus etiquetas
+note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (sí los tipos 1 a 7); para usarla, indique su canal de fuerza
+note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $channel } no está en el archivo
+note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
+note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
+note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
+note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del 62 % de la zancada
+note-stride-implausible = la zancada de { $period } está fuera del intervalo de la marcha (0,7 s a 2,2 s; niños desde 0,5 s): compruebe la frecuencia de muestreo
+note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de la marcha (52 % a 75 %): el registro es de carrera o la frecuencia de muestreo es incorrecta
+note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de la marcha (0,85 a 1,7; niños hasta 2): la masa o la unidad de fuerza es incorrecta, o el registro no es de marcha
+note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
+        [half] la mitad del
+       *[whole] el
+    } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
+note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
+
+cycle-whole-strides = { $strides ->
+        [one] una zancada completa
+       *[other] { $strides } zancadas completas
+    } de ambos pies{ $from ->
+        [left] , desde el contacto del talón izquierdo
+        [right] , desde el contacto del talón derecho
+       *[none] {""}
+    }
+cycle-right-and-left = { $right } apoyos derechos y { $left } izquierdos, separados media zancada; duración de la zancada: { $period }
+cycle-two-feet = { $one } apoyos de un pie y { $other } del otro, separados media zancada; duración de la zancada: { $period }
+cycle-any-foot = { $stances ->
+        [one] un apoyo
+       *[other] { $stances } apoyos
+    }, repetidos a media zancada; duración de la zancada: { $period }
+cycle-one-foot = { $stances ->
+        [one] un apoyo
+       *[other] { $stances } apoyos
+    } de un pie; duración de la zancada: { $period }
+cycle-total-force = { $strides ->
+        [one] una zancada
+       *[other] { $strides } zancadas
+    } de la fuerza total de ambos pies, entre cruces ascendentes de la fuerza media
+
+name-heel-strikes = contactos de talón consecutivos de un pie
+name-marked-strikes = contactos marcados consecutivos de un pie
+name-doubled-steps = el doble de la duración media del paso
+name-impulse = balance de impulso con la masa corporal
+name-usual-duty = apoyo supuesto del 62 % de la zancada (no consta en el registro)
+name-total-force = cruces ascendentes de la fuerza total media
+
+mass-from-user = indicada
+mass-from-file = del archivo
+mass-from-subjects = media de la tabla de sujetos
+mass-from-mean-force = fuerza media de la zancada
+
+channel-never-loaded = nunca con carga
+channel-constant = constante en { $level }
+channel-mostly-empty = casi vacío: faltan { $missing } de { $samples } muestras
+channel-empty = vacío
+
+contact-cut-at-start = truncado: el registro empieza durante el apoyo
+contact-cut-at-end = truncado: el registro termina durante el apoyo
+contact-edge-fragment = contacto parcial en el borde del registro, no se usa
+contact-never-unloaded = nunca sin carga: de pie, o ambos pies en una plataforma
+contact-missing-samples = faltan muestras durante el apoyo
+contact-too-short = demasiado corto para un paso
+contact-running = apoyo corto de un solo pico, como al correr
+contact-standing = demasiado largo para un paso: de pie
+contact-cross-over = demasiado largo para un pie: ambos pies en una plataforma
+contact-two-plates = el pie pisa dos plataformas
+contact-partial-contact = contacto parcial: fuerza demasiado baja para un paso completo
+
+name-cut-at-start = { contact-cut-at-start }
+name-cut-at-end = { contact-cut-at-end }
+name-edge-fragment = { contact-edge-fragment }
+name-never-unloaded = { contact-never-unloaded }
+name-missing-samples = { contact-missing-samples }
+name-too-short = { contact-too-short }
+name-running = { contact-running }
+name-standing = { contact-standing }
+name-cross-over = { contact-cross-over }
+name-two-plates = { contact-two-plates }
+name-partial-contact = { contact-partial-contact }
+
+format-c3d = C3D, { $processor } { $storage }
+format-open-sim-old = almacenamiento de OpenSim, cabecera antigua
+format-open-sim-new = almacenamiento de OpenSim, cabecera nueva
+format-force-data = datos de fuerza con líneas de claves (.forces)
+format-nexus = exportación de dispositivos de Nexus
+format-insole = exportación de texto de plantillas
+format-bio-ware = exportación de texto de BioWare
+format-qualisys = exportación de texto de Qualisys
+format-amti = texto de AMTI sin cabecera
+format-stance-table = tabla de apoyos, uno por fila
+format-text = texto separado por { $separator ->
+        [tab] tabuladores
+        [semicolon] punto y coma
+        [bar] barras
+        [comma] comas
+       *[blank] espacios
+    }{ $decimal ->
+        [comma] , coma decimal
+       *[point] {""}
+    }
+format-headerless-text = texto separado por { $separator ->
+        [tab] tabuladores
+        [semicolon] punto y coma
+        [bar] barras
+        [comma] comas
+       *[blank] espacios
+    }{ $decimal ->
+        [comma] , coma decimal
+       *[point] {""}
+    }, sin cabecera
+
+gait-format = formato
+gait-rate = muestreo
+gait-mass = masa
+gait-mass-unknown = no conocida
+gait-note = nota
+gait-channel = canal
+gait-channel-columns = pie    lín. base N  apoyos   rechazos
+gait-stance-columns = pie    inicio s   fin s     P1 N     @ %   V N     @ %   P2 N     @ %
+gait-rejected = rechazado
+gait-more = … y { $count } más
+gait-no-cycle = sin ciclo medio
+gait-cycle = ciclo
+gait-period = período
+gait-mean = media
+gait-warning = aviso
+gait-spread = dispersión
+gait-repeatability = repetib.
+gait-samples = muestras
+gait-one-cycle = un ciclo de fuerza, usado tal cual (sin detección de apoyos)

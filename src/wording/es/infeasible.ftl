@@ -1,0 +1,11 @@
+# Por qué ninguna leva cumple todos los límites y cuáles son los menores cambios suficientes.
+reason-demands-contradict = Condiciones contradictorias: { $demands }.
+reason-demands-infeasible = Ninguna ley situada en el círculo base o por encima cumple a la vez estas condiciones: { $demands }.
+reason-limit-infeasible = Ninguna ley que cumpla las condiciones cumple el límite «{ $limit }».
+reason-limits-infeasible = Límites incompatibles: { $limits }. Ninguna ley los cumple a la vez.
+reason-solver-stopped = El algoritmo se detuvo sin resultado ({ $stop }); esto no demuestra que no exista una ley.
+reason-relaxation = Menor cambio suficiente: { $changes }.
+reason-relaxations = Menores cambios suficientes, basta uno de ellos: { $changes }.
+reason-no-relaxation = No basta con ampliar uno solo de estos límites.
+reason-all-together = No basta con ampliar uno solo de estos límites; basta con ampliarlos todos un { $share }.
+reason-change = { $limit } { $to } en lugar de { $from }

@@ -1,0 +1,101 @@
+# Nombres de seguidores, límites, familias y leyes tal como se leen; sin entrada aparecen como se escriben.
+name-none = ninguno
+
+# Seguidores.
+name-flat-translating = seguidor de traslación de cara plana
+name-roller-translating = seguidor de traslación de rodillo
+name-knife-translating = seguidor de traslación de cuña
+name-mushroom-translating = seguidor de traslación de hongo
+name-roller-oscillating = seguidor oscilante de rodillo
+name-knife-oscillating = seguidor oscilante de cuña
+name-mushroom-oscillating = seguidor oscilante de hongo
+name-flat-oscillating = seguidor oscilante de cara plana
+name-translating-cam = rodillo sobre leva de traslación
+name-barrel = rodillo en leva de tambor
+
+# Accionamientos.
+name-moving-axis = eje móvil
+name-fixed-axis = eje fijo
+name-hydraulic = hidráulico
+
+# Límites y comprobaciones.
+name-stroke = carrera
+name-velocity = velocidad
+name-acceleration = aceleración
+name-jerk = sobreaceleración
+name-force-min = fuerza mínima
+name-force-max = fuerza máxima
+name-curvature = radio de curvatura
+name-second-curvature = radio de curvatura de la segunda leva
+name-concave = radio de curvatura cóncavo
+name-interference = interferencia
+name-second-interference = interferencia de la segunda leva
+name-pressure-angle = ángulo de presión
+name-pressure-angle-rise = ángulo de presión en la subida
+name-pressure-angle-fall = ángulo de presión en la bajada
+name-prime-radius = radio primario
+name-cam-prime-radius = radio primario
+name-cam-base-radius = radio base
+name-base-circle = círculo base
+name-bore = agujero
+name-face-width = longitud de la cara
+name-torque = par
+name-torque-rate = variación del par
+name-hertz-pressure = presión de Hertz
+name-residual = vibración residual
+name-accuracy-rms = error de fuerza admitido
+name-rms-error = error de fuerza
+name-band = banda de fuerza
+
+# Familias de leyes.
+name-spline = spline
+name-polynomial = polinomio
+name-harmonic = armónica
+name-double-harmonic = doble armónica
+name-program = programa
+
+# Leyes de subida.
+name-dwell = detenimiento
+name-constant-velocity = velocidad constante
+name-parabolic = parabólica
+name-cubic = cúbica
+name-simple-harmonic = armónica simple
+name-cycloidal = cicloidal
+name-semiharmonic-start = semiarmónica inicial
+name-semiharmonic-end = semiarmónica final
+name-semicycloidal-start = semicicloidal inicial
+name-semicycloidal-end = semicicloidal final
+name-modified-trapezoid = trapezoidal modificada
+name-modified-sine = sinusoidal modificada
+name-scca = SCCA
+name-eccentric = excéntrica
+
+# Tamaño de la ley.
+name-spans = tramos
+name-harmonics = armónicos
+
+# Pies, separadores y magnitudes.
+name-left = izquierdo
+name-right = derecho
+name-vertical = vertical
+name-integers = con enteros
+name-floats = con coma flotante
+name-ratio = razón
+name-percent = porcentaje
+name-length = longitud
+name-angle = ángulo
+name-time = tiempo
+name-mass = masa
+name-force = fuerza
+name-frequency = frecuencia
+name-angular-speed = velocidad angular
+name-speed = velocidad lineal
+name-angular-acceleration = aceleración angular
+name-angular-jerk = sobreaceleración angular
+name-pressure = presión
+name-pressure-per-volume = presión por volumen
+name-spring-rate = rigidez del muelle
+name-damping = amortiguamiento
+name-power = potencia
+name-angular-rate = rigidez a torsión
+name-inertia = momento de inercia

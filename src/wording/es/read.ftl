@@ -1,0 +1,102 @@
+# Archivos de fuerza: qué hay de incorrecto en ellos.
+
+read-empty = el archivo está vacío
+    .help = use un registro de fuerza vertical
+read-foreign = { $kind ->
+        [zip] es un libro de Excel u otro archivo comprimido zip
+        [old-office] es un archivo antiguo de Excel o Word
+        [matlab] es un archivo de MATLAB
+        [hdf5] es un archivo HDF5 o de MATLAB nuevo
+        [parquet] es un archivo Parquet
+        [gzip] es un archivo gzip
+        [pdf] es un PDF
+        [xml] es un archivo XML
+        [numpy] es un archivo de NumPy
+       *[binary] es un archivo binario de tipo desconocido
+    }, que no se admite
+    .help = exporte el ensayo como C3D o como texto (csv, txt, mot)
+read-rate-not-positive = frecuencia de muestreo no válida { $rate }
+    .help = debe ser positiva, por ejemplo "1000 Hz"
+read-mass-not-positive = masa no válida { $mass }
+    .help = debe ser positiva, por ejemplo "70 kg"
+
+read-no-table = no se encontró ninguna tabla de números
+    .help = el archivo empieza con «{ $start }»
+read-header-without-rows = la cabecera tiene una columna de fuerza («{ $column }»), pero no siguen filas de números
+    .help = exporte también las muestras; cada fila debe empezar por un tiempo o un número
+read-no-force-column = no se encontró ninguna columna de fuerza vertical
+    .help = las columnas son { $columns }; indique la columna de fuerza (opción force)
+read-nameless-columns = las columnas no tienen nombre y ninguna se parece a una fuerza vertical
+    .help = indique el número de la columna de fuerza (opción force)
+read-no-column = no hay ninguna columna «{ $column }»
+    .help = las columnas son { $columns }
+read-misspelt-column = no hay ninguna columna «{ $column }»
+    .help = ¿quiso decir «{ $near }»? Las columnas son { $columns }
+read-no-column-number = no hay ninguna columna «{ $column }»
+    .help = las columnas no tienen nombre; indique un número de 1 a { $count }
+read-force-is-time = la columna indicada como fuerza es la de tiempo
+    .help = indique otra columna de fuerza, o la columna de tiempo (opción time)
+read-time-backwards = el tiempo disminuye ({ $time } después de { $after })
+    .help = dé un registro por archivo, con tiempos crecientes
+read-time-missing = falta un tiempo después de { $after }
+    .help = cada fila necesita un tiempo
+read-short-rows = las filas tienen muchos menos campos que la cabecera
+    .help = cada fila debe tener { $fields } campos
+read-few-samples = { $samples ->
+        [0] el registro no tiene muestras
+        [one] el registro tiene una muestra
+       *[other] el registro tiene { $samples } muestras
+    }
+    .help = dé al menos un apoyo completo
+read-time-stands-still = el tiempo no aumenta a partir de { $at }
+    .help = indique la columna de tiempo (opción time) o la frecuencia de muestreo (opción rate)
+read-mostly-gaps = faltan muestras en { $lost } de { $whole }
+    .help = divida el registro por sus huecos
+read-no-rate = el archivo no contiene tiempos ni frecuencia de muestreo
+    .help = indique la frecuencia (opción rate), por ejemplo "1000 Hz"
+read-mass-missing = la fuerza está en { $unit } y no se conoce la masa corporal
+    .help = indique la masa (opción mass), por ejemplo "70 kg"
+
+read-stance-sample = la muestra { $sample } del apoyo es «{ $text }»
+    .help = las muestras deben ser números; solo puede haber campos vacíos al final de la fila
+read-no-stance-row = no se encontró ningún apoyo
+    .help = cada fila debe contener las muestras de un apoyo
+read-row-mass-missing = la fuerza está en { $unit } y no se conoce la masa de la fila { $row }
+    .help = indique la masa (opción mass) o ponga la tabla de sujetos junto al archivo
+
+read-cycle-column-missing = falta la columna de { $column ->
+        [time] tiempo
+       *[force] fuerza
+    }
+    .help = las columnas son { $columns }
+read-cycle-without-table = el archivo está marcado como ciclo pero no contiene ninguna tabla de números
+    .help = dé las columnas time_s y force_n
+read-cycle-row = esta fila no contiene un tiempo y una fuerza
+    .help = cada fila de un ciclo necesita ambos
+read-cycle-value = falta un valor o no es un número
+    .help = cada fila de un ciclo necesita un tiempo y una fuerza
+read-cycle-too-long = las muestras abarcan { $span }, más que el período de { $period }
+    .help = corrija period_s o dé un solo ciclo
+read-cycle-period-missing = no se da el período de los puntos críticos
+    .help = escriba "# period_s = 0.5" encima de la tabla
+read-points-not-rising = se necesitan al menos dos puntos críticos con tiempos crecientes
+    .help = ordene las filas por tiempo
+read-point-beyond-period = un punto en { $at } queda fuera del período de { $period }
+    .help = corrija period_s o el punto
+
+read-processor = tipo de procesador C3D desconocido { $code }
+    .help = debe ser 84 (Intel), 85 (DEC) u 86 (SGI)
+read-no-analog = el archivo no contiene muestras analógicas
+    .help = las plataformas de fuerza se registran como canales analógicos; expórtelos con el ensayo
+read-odd-analog = { $values } valores analógicos por cuadro no se pueden dividir en { $samples } muestras por canal
+    .help = la cabecera está dañada
+read-no-frame = el archivo no contiene ningún cuadro de datos completo
+    .help = un cuadro tiene { $bytes } bytes; el archivo está truncado
+read-no-frame-rate = el archivo no da la frecuencia de cuadros
+    .help = POINT:RATE debe ser positivo
+read-no-channel = no hay ningún canal analógico «{ $channel }»
+    .help = los canales son { $channels }
+read-no-plate = no se encontró ninguna plataforma de fuerza ni canal analógico de fuerza
+    .help = los canales analógicos son { $channels }
+read-plate-type-unknown = la plataforma de fuerza { $plate } tiene el TYPE { $kind }, que no se admite
+    .help = se admiten los tipos 1 a 7; indique su canal de fuerza vertical (opción force). Los canales son { $channels }

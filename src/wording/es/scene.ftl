@@ -1,0 +1,142 @@
+# Qué hay de incorrecto en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
+scene-output-name = «{ $typed }» no puede dar nombre a una carpeta de salida
+    .help = use letras, cifras, - y _
+scene-no-such-key = clave desconocida
+    .help = { $nearest ->
+        [none] las claves aquí son { $known }
+       *[other] ¿quiso decir «{ $nearest }»?
+    }
+scene-not-of-follower = esta clave no se aplica a este seguidor ({ $follower })
+    .help = quítela o elija otro cam.follower
+scene-not-of-drive = esta clave no se aplica a este accionamiento ({ $drive })
+    .help = quítela o elija otro drive.kind
+scene-mass-of-arm = un seguidor oscilante tiene momento de inercia en lugar de masa
+    .help = dé su momento de inercia respecto al pivote: inertia = "0.02 kg m^2"
+scene-not-table = { $typed } no es una tabla
+    .help = escríbalo como tabla, [{ $section }]
+scene-not-list = { $typed } no es una lista de tablas
+    .help = escriba cada una como [[{ $list }]]
+scene-not-text = { $typed } no es un texto
+    .help = escríbalo entre comillas
+scene-not-texts = { $typed } no es un texto
+    .help = escriba un texto entre comillas, o una lista de ellos
+scene-not-flag = { $typed } no es true ni false
+    .help = escriba true o false
+scene-not-count = { $typed } no es un número entero de { $low } a { $high }
+    .help = escriba un número entero de { $low } a { $high }, o "auto"
+scene-not-quantity = { $typed } no es un número con su unidad
+    .help = escriba un número con su unidad entre comillas, por ejemplo { $example }
+scene-unknown-word = valor no válido «{ $word }»
+    .help = { $nearest ->
+        [none] los valores válidos son { $known }
+       *[other] ¿quiso decir «{ $nearest }»? Los valores válidos son { $known }
+    }
+scene-not-positive = { $typed } no es positivo
+    .help = escriba por ejemplo { $example }
+scene-negative = { $typed } es negativo
+    .help = escriba por ejemplo { $example }
+scene-outside = { $typed } está fuera de { $low } … { $high }
+    .help = dé un valor de { $low } a { $high }
+scene-not-acute = el límite { $typed } del ángulo de presión no es menor que 90°
+    .help = lo habitual es de 30° a 45°
+scene-needed-by-follower = falta; este seguidor ({ $follower }) la requiere
+    .help = escriba por ejemplo { $example }
+scene-needed-by-drive = falta; este accionamiento ({ $drive }) la requiere
+    .help = escriba por ejemplo { $example }
+scene-needed-in-entry = falta; cada entrada de la lista la requiere
+    .help = escriba por ejemplo { $example }
+scene-no-assignment = «{ $typed }» no contiene =
+    .help = escriba CLAVE=VALOR, por ejemplo limits.stroke=40 mm
+scene-no-entry = no existe { $list }.{ $number }; { $given ->
+        [0] no se da ninguna
+        [one] se da una
+       *[other] se dan { $given }
+    }
+    .help = las entradas se cuentan desde 1: { $list }.1
+scene-list-without-number = { $list } es una lista de { $given }
+    .help = escriba { $list }.1 para la primera
+scene-value-not-table = { $part } es un valor, no una tabla
+    .help = quite lo que sigue a { $part }
+scene-file-and-model = se dan a la vez file y model
+    .help = conserve uno: file = "walk.mot" o model = "young"
+scene-no-force-named = no se da ni un registro ni un modelo de carga
+    .help = dé file = "walk.mot" o model = "young"; quite [gait] para una ley dada por segmentos o puntos
+scene-no-phases = de { $from } a { $to } no es un intervalo de fases válido
+    .help = las fases van de 0 a 360 deg; en un intervalo que pasa por el final del ciclo, to es menor que from
+scene-nothing-weighed = todas las fases del ciclo tienen peso 0
+    .help = dé al menos a un intervalo un peso mayor que 0
+scene-empty-weigh = no se da ningún peso
+    .help = indique la cantidad que cuenta como una unidad: force_error = "1 %", prime_radius = "20 mm", jerk = "100 m/s^3"
+scene-minimise-and-weigh = law.weigh ya define el objetivo
+    .help = quite uno de los dos
+scene-no-force-to-follow = no se da ninguna fuerza objetivo
+    .help = añada [gait] o minimice "jerk", "peak-acceleration" …
+scene-size-not-free = el tamaño de esta leva no es libre
+    .help = se aplica a seguidores de traslación de cara plana, de rodillo y de cuña cuyo radio no se da
+scene-spline-degree = grado de spline no válido { $typed }
+    .help = escriba un número entero de 3 a 9, o "auto"
+scene-only-splines = una ley de esta familia ({ $family }) no admite esta clave
+    .help = use law.family = "spline"
+scene-program-without-segments = el programa no tiene segmentos
+    .help = escriba [[law.segment]] motion = "cycloidal" lift = "10 mm" angle = "90 deg" para cada uno
+scene-polynomial-without-points = un polinomio necesita al menos dos puntos
+    .help = escriba [[law.point]] angle = "0 deg" lift = "0" velocity = "0" para cada uno
+scene-nothing-asked = la ley no tiene fuerza objetivo ni puntos ni segmentos
+    .help = añada [gait] con una fuerza, entradas [[law.point]], o family = "program" con segmentos
+scene-no-speed = "auto" necesita una fuerza objetivo: la velocidad se deduce de su período
+    .help = escriba por ejemplo "60 rpm"
+scene-no-mass = "auto" necesita una fuerza objetivo: la masa se deduce de su media
+    .help = escriba por ejemplo "70 kg"
+scene-base-and-prime = también se da base_radius; cada uno se deduce del otro
+    .help = quite uno de los dos
+scene-radius-and-breadth = el radio base se deduce de la anchura: (anchura − elevación) / 2
+    .help = quite base_radius y prime_radius
+scene-breadth-without-program = la anchura constante necesita un programa con mitades simétricas
+    .help = ponga law.family = "program" con segmentos
+scene-roller-fills-prime = el radio del rodillo o del arco, { $roller }, deja un radio base de { $base }
+    .help = el radio primario debe superar el radio del rodillo
+scene-base-in-bore = el radio base de { $base } queda dentro del agujero de { $bore }
+    .help = use un radio base mayor que { $least }
+scene-offset-reaches-prime = la excentricidad de { $offset } no es menor que el radio primario, { $prime }
+    .help = reduzca la excentricidad o aumente el radio primario
+scene-force-needs-translation = una fuerza objetivo define una elevación en metros en una vuelta, que este seguidor ({ $follower }) no tiene
+    .help = use un seguidor de traslación, o quite [gait] y dé un programa
+scene-length-needs-program = una ley sobre una longitud debe darse como programa
+    .help = ponga law.family = "program" con segmentos
+scene-turns-need-program = una ley de varias vueltas debe darse como programa
+    .help = ponga law.family = "program" con segmentos
+scene-arm-needs-fixed-axis = la elevación de un seguidor oscilante es un ángulo; no se le puede aplicar una masa ni un muelle en newtons
+    .help = use kind = "fixed-axis"; inertia, spring_rate y preload se refieren entonces al pivote
+scene-pair-not-closed = debe darse exactamente una de las dos: esta clave o base_radius
+    .help = dé la distancia entre caras o centros de rodillo (oscilantes: el ángulo entre los brazos), o el base_radius de la segunda leva
+scene-frequency-and-stiffness = natural_frequency ya define la rigidez del tren del seguidor
+    .help = quite una de las dos
+scene-residual-without-frequency = falta; el límite de vibración residual la requiere
+    .help = escriba por ejemplo "60 Hz" en [machine]
+scene-force-range = { $low } no es menor que force_max = { $high }
+    .help = reduzca force_min o aumente force_max
+scene-polydyne-without-stiffness = una leva polidina necesita la rigidez del seguidor
+    .help = escriba stiffness = "9 kN/m" o natural_frequency = "60 Hz" en [machine]
+scene-polydyne-family = una leva polidina necesita una ley con cuatro derivadas continuas, que esta familia ({ $family }) no garantiza
+    .help = use family = "spline" o "harmonic", o un programa de segmentos 5-6-7-8-9
+scene-polydyne-degree = la elevación de una leva polidina contiene la fuerza: por debajo del grado 5 su aceleración sería discontinua
+    .help = use grado 5 a 9; cada grado por encima de 5 compensa un término más del amortiguamiento
+scene-polydyne-on-slide = una leva polidina debe girar: una ley que no se repite no tiene régimen permanente
+    .help = quite law.polydyne o use otro seguidor
+scene-polydyne-breadth = una leva polidina no mantiene la anchura constante: el seguidor se deforma de otro modo media vuelta después
+    .help = quite law.polydyne o cam.breadth
+scene-no-such-scene = no hay ninguna escena incorporada «{ $typed }»
+    .help = { $nearest ->
+        [none] están incorporadas { $known }
+       *[other] ¿quiso decir «{ $nearest }»?
+    }
+
+scene-no-effect = { $key } no tiene efecto: { $why ->
+        [family] una ley de esta familia ({ $family }) no la usa
+        [follower] este seguidor ({ $follower }) no la usa
+        [drive] este accionamiento ({ $drive }) no la usa
+        [no-force] no se da ninguna fuerza objetivo
+        [recording] la fuerza es un registro
+        [model] la fuerza es un modelo de carga
+       *[rigid-follower] el seguidor es rígido sin machine.natural_frequency o machine.stiffness
+    }

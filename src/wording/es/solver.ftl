@@ -1,0 +1,42 @@
+# Cómo se obtuvo la ley.
+method-programme = movimiento prescrito; sin optimización
+method-interpolation = tantas condiciones como coeficientes: un sistema lineal
+method-spectral = { $harmonics } armónicos; error de truncamiento { $rest } RMS
+method-harmonics = { $harmonics } armónicos, { $rounds ->
+        [one] una iteración de intercambio
+       *[other] { $rounds } iteraciones de intercambio
+    }; violación de restricciones { $violation }
+method-search = subida de { $rise } desde { $from }, bajada de { $fall }, obtenidas en { $steps } pasos de búsqueda; error de fuerza { $error } RMS
+method-no-limit-active = el óptimo sin restricciones cumple todos los límites
+method-exchange = { $rounds ->
+        [one] una iteración de intercambio
+       *[other] { $rounds } iteraciones de intercambio
+    }; violación de restricciones { $violation }
+method-sequence = { $programs ->
+        [one] un programa convexo
+       *[other] { $programs } programas convexos sucesivos
+    } para los límites no convexos; parada: { $ended ->
+        [most-steps] { ended-most-steps }
+        [no-solution] { ended-no-solution }
+        [no-improvement] { ended-no-improvement }
+       *[small-gain] { ended-small-gain }
+    }; violación de restricciones { $violation }
+ended-most-steps = se alcanzó el número máximo de pasos
+ended-no-solution = el programa linealizado no tiene solución cerca de la última ley
+ended-no-improvement = ninguna fracción del último paso mejora el objetivo
+ended-small-gain = el último paso mejoró el objetivo en menos de una parte en diez millones
+
+# Por qué se descartó una familia más sencilla.
+passed-over-accuracy = { $family }: supera el error de fuerza admitido en { $excess }
+passed-over-check = { $family }: incumple «{ $check }» (valor { $value }, límite { $limit })
+passed-over-limits = { $family }: no puede cumplir { $limits }
+passed-over-fault = { $family }: no es posible: { $fault }
+
+# Por qué se detuvo sin resultado un algoritmo de programas convexos.
+name-singular-objective = matriz del objetivo singular
+name-singular-equalities = matriz de las restricciones de igualdad singular
+name-iteration-limit = se alcanzó el límite de iteraciones
+name-no-progress = no hay más progreso
+name-unbounded = objetivo no acotado inferiormente
+name-numerical-error = pérdida de precisión numérica
+name-refused = el método de punto interior rechazó el programa

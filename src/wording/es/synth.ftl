@@ -1,0 +1,39 @@
+# Razones del veredicto sobre un diseño.
+reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
+reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla.
+reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor.
+reason-acceleration-jumps = Se cumplen todos los límites, pero la aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
+reason-lifts-off = Se cumplen todos los límites, pero la fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
+reason-cusp = Se cumplen todos los límites, pero el perfil tiene una cúspide en { $at } (radio de curvatura nulo). Fije limits.curvature.
+reason-undercut = El perfil presenta rebaje en { $at }: su radio de curvatura convexo sería { $radius }.
+reason-too-sharp = El radio de curvatura en { $at } es { $radius }; el mínimo es { $allowed }.
+reason-second-too-sharp = El radio de curvatura de la segunda leva en { $at } es { $radius }; el mínimo es { $allowed }. Aleje su seguidor del eje.
+reason-base-radius-works = El menor radio base factible es { $radius }.
+reason-enlarge-base-circle = Aumente el círculo base o use un rodillo más pequeño.
+reason-lengthen-travel = Aumente la longitud del recorrido o use un rodillo más pequeño.
+reason-interference = En { $at } el seguidor interfiere con otra parte de la leva en { $depth }. Use un rodillo más pequeño o aumente el círculo base.
+reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño o un tambor mayor.
+reason-roller-too-large = El rodillo no cabe en el perfil cóncavo en { $at }: el radio del rodillo es { $roller } y el de curvatura { $hollow }. Use un rodillo más pequeño.
+reason-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; el máximo es { $allowed }. El seguidor puede acuñarse en su guía. Aumente el círculo primario.
+reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allowed }. Amplíe los límites activos o admita más tramos.
+reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.
+reason-prime-radius = La leva necesita un radio primario de { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayor.
+reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
+reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value } y el límite { $allowed }.
+
+# Notas sobre el problema y el diseño, además del veredicto.
+design-said = { $text }
+design-stretched = Una vuelta dura { $turn } y el ciclo de fuerza { $cycle }: la curva de fuerza se adapta a la vuelta.
+design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
+design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero.
+design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acceleration }, de modo que la carrera es como máximo { $stroke } (16 h/T² ≤ máx|a|){ $idle ->
+        [true] ; el límite de carrera no puede estar activo
+       *[other] {""}
+    }.
+design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de menor error de fuerza.
+design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
+design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
+design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.
+design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.
+design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva tallada según la propia ley tendría { $plain } RMS.
+design-polydyne-degree = Un law.degree mayor compensa más del amortiguamiento del seguidor.
