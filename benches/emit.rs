@@ -37,13 +37,20 @@ fn all_default_files(bencher: Bencher) {
 #[divan::bench]
 fn report(bencher: Bencher) {
     let s = designs::heel_tester();
-    bencher.bench(|| gaitcam_output::report::html(black_box(&s), Timing::default(), gaitcam_output::Language::En));
+    bencher.bench(|| {
+        gaitcam_output::report::html(
+            black_box(&s),
+            Timing::default(),
+            gaitcam_output::Language::En,
+        )
+    });
 }
 
 #[divan::bench]
 fn one_png(bencher: Bencher) {
     let s = designs::footbridge();
-    bencher.bench(|| gaitcam_output::plots::force(black_box(&s), gaitcam_output::Language::En).png());
+    bencher
+        .bench(|| gaitcam_output::plots::force(black_box(&s), gaitcam_output::Language::En).png());
 }
 
 #[divan::bench(args = [1e-4, 1e-5, 1e-6])]

@@ -3,7 +3,7 @@
 //! `cargo run --release --example programme`
 use std::error::Error;
 
-use gaitcam::cam::{Cam, Follower, judge};
+use gaitcam::cam::{Cam, Continuity, Follower};
 use gaitcam::law::{Extent, Rise, Segment, program};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
@@ -31,7 +31,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 
     let (fall, rise) = cam.pressure_angle_extremes();
     let sharpest = cam.curvature().convex;
-    println!("{:?}", judge(&cam, &[]).verdict);
+    println!("{:?}", Continuity::of(&cam));
     println!(
         "pressure angle {:.2}° … {:.2}°",
         fall.value.to_degrees(),

@@ -10,8 +10,8 @@ impl Cam {
     /// Refuses lengths that fix no cam: not positive, an offset beyond the prime circle, an arm that does
     /// not reach, a swing beyond the dead centres, a pivot inside the cam.
     ///
-    /// Undercut and steep pressure angles are no faults of the input but of the cam:
-    /// [`judge`](super::judge) sees to them.
+    /// Undercut and steep pressure angles are no faults of the input but of the cam: the verdict of a
+    /// synthesis names them.
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower {
@@ -239,9 +239,4 @@ fn check_lengths(follower: &Follower) -> Result<()> {
         prime: Quantity::length(follower.prime_radius()),
     }
     .into())
-}
-
-/// A length for messages.
-pub(super) fn mm(x: f64) -> String {
-    format!("{:.4} mm", 1e3 * x)
 }

@@ -8,6 +8,7 @@ mod arc_tangent;
 mod barrel;
 mod checks;
 mod conjugate;
+mod continuity;
 mod fit;
 mod follower;
 mod follower_kind;
@@ -20,8 +21,9 @@ mod size;
 mod space;
 
 pub use barrel::{BarrelGroove, Rollers, Wall};
-pub use checks::{Check, Curvature, Judgement, Verdict, judge};
+pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
+pub use continuity::Continuity;
 pub use follower::Follower;
 pub use follower_kind::FollowerKind;
 pub use interference::{Body, Interference};

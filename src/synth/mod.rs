@@ -61,6 +61,7 @@ mod families;
 mod figures;
 mod infeasible;
 mod limits;
+mod machine;
 mod method;
 mod pareto;
 mod phase;
@@ -78,6 +79,7 @@ pub use design::{
 };
 pub use figures::Figures;
 pub use infeasible::{in_units, relaxed};
+pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use pareto::{Against, Trade, trade};
 pub use qp::Certificate;

@@ -222,7 +222,9 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         let curvature = cam.curvature();
         curvature.convex.value >= wanted
             && !curvature.undercut
-            && bearable.is_none_or(|p| limits::pressure(problem, &cam, pressing).value <= p)
+            && bearable.is_none_or(|p| {
+                limits::pressure(&problem.drive, problem.cam.thickness, &cam, pressing).value <= p
+            })
     };
     let first = lift.max(least * 1e-3);
     if holds(lift) {

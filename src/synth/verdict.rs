@@ -9,13 +9,6 @@ use crate::drive::DriveKind;
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
 
-/// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
-const JUMP: f64 = 1e-7;
-/// A derivative that varies by less, m/radᵏ, is that of a law at rest.
-const STILL: f64 = 1e-9;
-/// … or by less than this part of the cam's size.
-const HARDLY_MOVES: f64 = 1e-6;
-
 /// The class of the cam and the reasons for it, the main one first.
 pub fn verdict(
     problem: &Problem,
@@ -24,7 +17,7 @@ pub fn verdict(
     force: &ForceReport,
 ) -> (Verdict, Vec<Reason>) {
     let jump = |order: usize| {
-        let at = place(cam.follower.measures(), first_jump(cam, order)?);
+        let at = place(cam.follower.measures(), cam.first_jump(order)?);
         Some(match order {
             0 => Reason::LiftJumps { at },
             1 => Reason::VelocityJumps { at },
@@ -44,19 +37,6 @@ pub fn verdict(
         Some(reason) => (Verdict::NotForHighSpeed, vec![reason]),
         None => (Verdict::Acceptable, vec![Reason::AllHold]),
     }
-}
-
-/// Where a derivative first jumps by more than rounding.
-fn first_jump(cam: &Cam, order: usize) -> Option<f64> {
-    let (low, high) = cam.law.extremes(order);
-    // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
-    let range = (high.value - low.value)
-        .max(HARDLY_MOVES * cam.follower.prime_radius())
-        .max(STILL);
-    let joints = cam.law.joints().into_iter();
-    let jump = joints.map(|j| (j.at, [j.jump.s, j.jump.v, j.jump.a][order]));
-    let mut large = jump.filter(|(_, size)| size.abs() > JUMP * range);
-    large.next().map(|(at, _)| at)
 }
 
 /// A moved axis is held down by its weight alone: the cam cannot pull it (theory §1).

@@ -216,14 +216,16 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         out.push(Check::at_most("torque_rate", worst, limit, SLACK));
     }
     if let Some(limit) = limits.hertz_pressure {
-        let worst = pressure(design.problem, design.cam, design.pressing);
+        let problem = design.problem;
+        let thickness = problem.cam.thickness;
+        let worst = pressure(&problem.drive, thickness, design.cam, design.pressing);
         out.push(Check::at_most("hertz_pressure", worst, limit, SLACK));
     }
     out
 }
 
 /// Shaft torque F·v without friction, N·m: the force of the law that presses, the velocity of the cam's.
-fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
+pub fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
     let force = drive.force_curve(pressing);
     let velocity = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
     let force = force.cut_at(velocity.breaks());
@@ -267,8 +269,8 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }
 
-/// Highest line pressure, Pa, steel on steel over the plate's thickness: p₀² = N κ E*/(π L).
-pub fn pressure(problem: &Problem, cam: &Cam, pressing: &Law) -> Extreme {
+/// Highest line pressure, Pa, steel on steel over the plate's thickness, m: p₀² = N κ E*/(π L).
+pub fn pressure(drive: &Drive, thickness: f64, cam: &Cam, pressing: &Law) -> Extreme {
     let start = cam.law.extent().0;
     if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
         // A knife edge presses on a line without width.
@@ -277,13 +279,18 @@ pub fn pressure(problem: &Problem, cam: &Cam, pressing: &Law) -> Extreme {
             value: f64::INFINITY,
         };
     }
-    let factor = modulus(STEEL, STEEL) / (PI * problem.cam.thickness);
+    let factor = modulus(STEEL, STEEL) / (PI * thickness);
     let breaks = cam.law.breaks();
+    let alike = pressing.breaks() == breaks;
     let square = stand_in(breaks, 1e-12, |i, x| {
         let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
         let at = cam.law.svaj_on(i, u);
-        let force = problem.drive.force(pressing.svaj_on(i, u));
-        let here = touch(&cam.follower, problem.drive.speed, 0.0, at, force);
+        let force = drive.force(if alike {
+            pressing.svaj_on(i, u)
+        } else {
+            pressing.svaj(x)
+        });
+        let here = touch(&cam.follower, drive.speed, 0.0, at, force);
         factor * here.normal * here.curvature
     })
     .extremes()

@@ -21,7 +21,7 @@ pub use dwell_vibration::{rings, silence};
 pub use force::{about_the_target, report as force_report};
 pub use kinematic::{monotone, peak};
 pub use loads::Loads;
-pub use loads::{bearable_on_some_size, pressure, smallest_base_radius};
+pub use loads::{bearable_on_some_size, pressure, smallest_base_radius, torque_curve};
 pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearance, loaded, relative};
 pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks};
 pub use row::GEOMETRY;

@@ -5,7 +5,7 @@ use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{MachineReport, Synthesis, synthesise};
 use std::f64::consts::TAU;
 
 fn design(text: &str, changes: &[&str]) -> Synthesis {
@@ -188,4 +188,43 @@ fn an_arm_has_inertia_not_mass() {
     assert!(fault(&arm, "drive.preload=1 N").contains("another kind"));
     let got = fault(&arm, "gait.model=young");
     assert!(got.contains("in metres"), "{got}");
+}
+
+#[test]
+fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
+    // s = e(1 − cos θ) under a weight: F = M(g + ω²e cos θ), T = F e sin θ (theory §3).
+    let text = "name = \"eccentric\"\n\
+        drive = { kind = \"moving-axis\", mass = \"2 kg\", speed = \"12 rad/s\" }\n\
+        cam = { follower = \"flat-translating\", base_radius = \"30 mm\", thickness = \"10 mm\" }\n\
+        [law]\nfamily = \"program\"\n\
+        [[law.segment]]\nmotion = \"simple-harmonic\"\nlift = \"20 mm\"\nangle = \"180 deg\"\n\
+        [[law.segment]]\nmotion = \"simple-harmonic\"\nlift = \"-20 mm\"\nangle = \"180 deg\"\n";
+    let s = design(text, &[]);
+    let (mass, e, speed) = (2.0, 0.01, 12.0_f64);
+    let g = s.drive.rest_force / mass;
+    let bend = speed * speed * e;
+    let machine = s.machine();
+    let near = |value: Option<f64>, wanted: f64| {
+        let value = value.unwrap();
+        assert!((value / wanted - 1.0).abs() < 1e-9, "{value} {wanted}");
+    };
+    // dT/dθ = 0 where 2 ω²e cos²θ + g cos θ = ω²e.
+    let cos = ((g * g + 8.0 * bend * bend).sqrt() - g) / (4.0 * bend);
+    let most = mass * (g + bend * cos) * e * (1.0 - cos * cos).sqrt();
+    near(machine.torque_max_n_m, most);
+    near(machine.power_max_w, most * speed);
+    let rms = mass * e * (0.5 * (g * g + 0.25 * bend * bend)).sqrt();
+    near(machine.torque_rms_n_m, rms);
+    assert_eq!(machine.power_mean_w, Some(0.0));
+    near(machine.liftoff_speed_rad_per_s, (g / e).sqrt());
+    // The disc's radius is base radius and eccentricity together.
+    let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let pressed = hertz::line(mass * (g + bend), 0.01, 1.0 / 0.04, steel);
+    near(machine.hertz_pressure_max_pa, pressed.pressure);
+    // Without any load nothing is defined.
+    let idle = text.replace(
+        "kind = \"moving-axis\", mass = \"2 kg\"",
+        "kind = \"fixed-axis\"",
+    );
+    assert_eq!(design(&idle, &[]).machine(), MachineReport::default());
 }

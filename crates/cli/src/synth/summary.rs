@@ -22,6 +22,7 @@ pub fn text(design: &Synthesis, time: Timing) -> String {
     out.push(law(design));
     out.push(drive(design));
     out.push(cam(design));
+    out.extend(machine(design));
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
     out.extend(sensitivities(design));
@@ -146,6 +147,25 @@ fn cam(design: &Synthesis) -> String {
             mm(design.cam.curvature().convex.value)
         ),
     )
+}
+
+/// Torque, power, lift-off and pressure, where they are defined.
+fn machine(design: &Synthesis) -> Option<String> {
+    let m = design.machine();
+    let measures = design.cam.follower.measures();
+    let torque = m.torque_max_n_m.zip(m.torque_rms_n_m);
+    let parts = [
+        torque.map(|(most, rms)| format!("torque {most:.4} N·m maximum, {rms:.4} N·m RMS")),
+        m.power_max_w
+            .map(|most| format!("power {most:.3} W maximum")),
+        m.liftoff_speed_rad_per_s
+            .map(|w| format!("lift-off at {}", measures.speed_words(w, 4))),
+        m.hertz_pressure_max_pa
+            .filter(|p| p.is_finite())
+            .map(|p| format!("Hertz pressure {:.1} MPa", 1e-6 * p)),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
 }
 
 /// The contact points of one active limit, gathered.

@@ -1,7 +1,7 @@
 //! Where methods fail: what the naive way does (shown failing) and what gaitcam does, digits counted.
 //! reports/stability.md tells the same in words.
 
-use gaitcam::cam::{Cam, Follower, ProfilePoint, Verdict, judge, smallest_prime_circle};
+use gaitcam::cam::{Cam, Follower, ProfilePoint, smallest_prime_circle};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::rigid::liftoff_speed;
 use gaitcam::dynamics::thesis;
@@ -352,7 +352,6 @@ fn a_nanometre_of_roller_decides_about_undercut() {
         assert!((found.convex.value - (pitch - roller)).abs() < 1e-13);
         // The absolute value says "1 nm radius, convex" on both sides.
         assert!((found.convex.value.abs() - 1e-9).abs() < 1e-13);
-        assert_eq!(judge(&cam, &[]).verdict == Verdict::Unacceptable, undercut);
     }
 }
 

@@ -4,7 +4,8 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Timing;
-use gaitcam::synth::{End, ForceReport, Infeasible, Reason, Relaxation, Synthesis};
+use gaitcam::cam::Continuity;
+use gaitcam::synth::{End, ForceReport, Infeasible, MachineReport, Reason, Relaxation, Synthesis};
 
 /// The summary of a design.
 ///
@@ -49,10 +50,13 @@ struct Summary<'a> {
     verdict: &'static str,
     reason: String,
     reasons: Vec<Value>,
+    continuity: Continuity,
+    cam_das: &'static str,
     force: Force,
     drive: DriveSummary,
     law: LawSummary<'a>,
     cam: CamSummary,
+    machine: MachineSummary,
     checks: Vec<CheckSummary<'a>>,
     binding: Vec<BindingSummary<'a>>,
     easing: Vec<EasingSummary<'a>>,
@@ -145,6 +149,30 @@ struct CamSummary {
     face_width_m: Option<f64>,
 }
 
+/// What the design asks of a rigid machine without friction.
+#[derive(Serialize)]
+struct MachineSummary {
+    torque_max_n_m: Option<Real>,
+    torque_rms_n_m: Option<Real>,
+    power_max_w: Option<Real>,
+    power_mean_w: Option<Real>,
+    liftoff_speed_rad_per_s: Option<Real>,
+    hertz_pressure_max_pa: Option<Real>,
+}
+
+impl MachineSummary {
+    fn new(machine: MachineReport) -> Self {
+        MachineSummary {
+            torque_max_n_m: machine.torque_max_n_m.map(Real),
+            torque_rms_n_m: machine.torque_rms_n_m.map(Real),
+            power_max_w: machine.power_max_w.map(Real),
+            power_mean_w: machine.power_mean_w.map(Real),
+            liftoff_speed_rad_per_s: machine.liftoff_speed_rad_per_s.map(Real),
+            hertz_pressure_max_pa: machine.hertz_pressure_max_pa.map(Real),
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct CheckSummary<'a> {
     name: &'a str,
@@ -222,6 +250,8 @@ impl<'a> Summary<'a> {
             verdict: synthesis.verdict.name(),
             reason: synthesis.reason(),
             reasons: synthesis.reasons.iter().map(coded).collect(),
+            continuity: Continuity::of(&synthesis.cam),
+            cam_das: synthesis.cam.cam_das_class().name(),
             force: Force::new(&synthesis.force),
             drive: DriveSummary {
                 kind: synthesis.drive.kind.name(),
@@ -230,6 +260,7 @@ impl<'a> Summary<'a> {
             },
             law: LawSummary::new(synthesis),
             cam: CamSummary::new(synthesis),
+            machine: MachineSummary::new(synthesis.machine()),
             checks: synthesis
                 .checks
                 .iter()

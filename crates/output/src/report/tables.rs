@@ -202,6 +202,10 @@ pub fn numbers(out: &mut String, synthesis: &Synthesis, words: &Words) {
     table(out, words, "report-drive", &drive(synthesis, words));
     table(out, words, "report-law", &law(synthesis, words));
     table(out, words, "report-cam", &cam(synthesis, words));
+    let machine = machine(synthesis);
+    if !machine.is_empty() {
+        table(out, words, "report-loads", &machine);
+    }
     out.push_str("</div>\n");
 }
 
@@ -315,6 +319,41 @@ fn cam(synthesis: &Synthesis, words: &Words) -> Rows {
         rows.push(("report-pressure-angle", range));
     }
     rows
+}
+
+/// Torque, power, lift-off and pressure, where they are defined.
+fn machine(synthesis: &Synthesis) -> Rows {
+    let m = synthesis.machine();
+    let measures = synthesis.cam.follower.measures();
+    let speed = measures.speed();
+    let plain = |x: f64, unit: &str| format!("{}\u{a0}{unit}", number(x, 4));
+    let rows = [
+        (
+            "report-torque-max",
+            m.torque_max_n_m.map(|t| plain(t, "N·m")),
+        ),
+        (
+            "report-torque-rms",
+            m.torque_rms_n_m.map(|t| plain(t, "N·m")),
+        ),
+        ("report-power-max", m.power_max_w.map(|p| plain(p, "W"))),
+        ("report-power-mean", m.power_mean_w.map(|p| plain(p, "W"))),
+        (
+            "report-liftoff-speed",
+            m.liftoff_speed_rad_per_s
+                .map(|w| speed.after(&number(speed.factor * w, 5))),
+        ),
+        (
+            "report-hertz-pressure",
+            m.hertz_pressure_max_pa
+                .filter(|p| p.is_finite())
+                .map(|p| plain(1e-6 * p, "MPa")),
+        ),
+    ];
+    let known = rows.into_iter();
+    known
+        .filter_map(|(name, value)| Some((name, value?)))
+        .collect()
 }
 
 /// What a follower's base radius is called.

@@ -107,6 +107,13 @@ report-found-at = at
 report-concave-radius = minimum concave radius
 report-face-width = face width
 report-pressure-angle = pressure angle
+report-loads = Torque, power and pressure
+report-torque-max = maximum torque
+report-torque-rms = torque, RMS
+report-power-max = maximum power
+report-power-mean = mean power
+report-liftoff-speed = lift-off speed
+report-hertz-pressure = maximum Hertz pressure
 
 # Solution.
 report-solution = Solution

@@ -1,0 +1,92 @@
+//! Which derivatives of a law are continuous, and the class that CAM-DAS gives a cam for it.
+
+use serde::Serialize;
+
+use super::{Cam, Verdict};
+
+/// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
+const JUMP: f64 = 1e-7;
+/// A derivative that varies by less, m/radᵏ, is that of a law at rest.
+const STILL: f64 = 1e-9;
+/// … or by less than this part of the cam's size.
+const HARDLY_MOVES: f64 = 1e-6;
+/// Lifts half a turn apart add to the same within this part of the stroke where the breadth is constant.
+const BREADTH: f64 = 1e-9;
+
+/// Which of lift, velocity, acceleration and jerk are continuous.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Continuity, Follower, Verdict};
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// let segment = |motion, lift| Segment { motion, lift, angle: std::f64::consts::PI };
+/// let law = program(&[segment(Rise::Poly345, 0.02), segment(Rise::Poly345, -0.02)], Extent::TURN)?;
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.1 })?;
+/// let all = Continuity::of(&cam);
+/// assert!(all.s && all.v && all.a && all.j);
+/// assert_eq!(cam.cam_das_class(), Verdict::Acceptable);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Continuity {
+    /// Lift.
+    pub s: bool,
+    /// Velocity.
+    pub v: bool,
+    /// Acceleration.
+    pub a: bool,
+    /// Jerk.
+    pub j: bool,
+}
+
+impl Continuity {
+    /// Of the law of a cam.
+    pub fn of(cam: &Cam) -> Self {
+        let [s, v, a, j] = [0, 1, 2, 3].map(|order| cam.first_jump(order).is_none());
+        Continuity { s, v, a, j }
+    }
+}
+
+impl Cam {
+    /// Where the derivative of the given order (0 = lift … 3 = jerk) first jumps by more than rounding.
+    pub fn first_jump(&self, order: usize) -> Option<f64> {
+        let (low, high) = self.law.extremes(order);
+        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
+        let range = (high.value - low.value)
+            .max(HARDLY_MOVES * self.follower.prime_radius())
+            .max(STILL);
+        let joints = self.law.joints().into_iter();
+        let jump = joints.map(|x| (x.at, [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order]));
+        let mut large = jump.filter(|(_, size)| size.abs() > JUMP * range);
+        large.next().map(|(at, _)| at)
+    }
+
+    /// The class that CAM-DAS gives a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a
+    /// jump of jerk makes a cam not fit for high speed, a jump of acceleration unacceptable but for constant
+    /// breadth.
+    pub fn cam_das_class(&self) -> Verdict {
+        let continuous = Continuity::of(self);
+        if !(continuous.s && continuous.v) {
+            Verdict::Unacceptable
+        } else if !continuous.a {
+            match self.has_constant_breadth() {
+                true => Verdict::Acceptable,
+                false => Verdict::Unacceptable,
+            }
+        } else if !continuous.j {
+            Verdict::NotForHighSpeed
+        } else {
+            Verdict::Acceptable
+        }
+    }
+
+    /// Whether s(θ) + s(θ + π) is the same everywhere.
+    fn has_constant_breadth(&self) -> bool {
+        let (start, length) = self.law.extent();
+        let half = 0.5 * length;
+        let slack = BREADTH * self.law.stroke();
+        let sum = |x: f64| self.law.svaj(x).s + self.law.svaj(x + half).s;
+        let first = sum(start);
+        (1..32).all(|i| (sum(start + half * f64::from(i) / 32.0) - first).abs() <= slack)
+    }
+}

@@ -1,0 +1,87 @@
+//! What a design asks of the machine: torque, power, the speed of lift-off and the pressure on the cam.
+
+use serde::Serialize;
+
+use super::Synthesis;
+use super::limits::{pressure, torque_curve};
+use crate::cam::{Cam, Measures};
+use crate::dynamics::rigid::{liftoff_speed, touch::held};
+
+/// A mean power below this part of the largest is rounding: springs and masses give back what they take.
+const GIVEN_BACK: f64 = 1e-12;
+
+/// Torque, power, lift-off and pressure of a rigid machine without friction, exact on the continuous law.
+///
+/// `None` where a number is not defined: without any load, on a cam that slides (it has a push, no torque),
+/// for a follower that no speed lifts off, on an undercut cam.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct MachineReport {
+    /// Largest absolute torque of the shaft, N·m.
+    pub torque_max_n_m: Option<f64>,
+    /// Root mean square of the torque, N·m.
+    pub torque_rms_n_m: Option<f64>,
+    /// Largest power that the shaft takes in, W.
+    pub power_max_w: Option<f64>,
+    /// Its mean, W: what damping uses up.
+    pub power_mean_w: Option<f64>,
+    /// Lowest speed at which the follower leaves the cam, rad/s.
+    pub liftoff_speed_rad_per_s: Option<f64>,
+    /// Highest line pressure, steel on steel over the thickness of the cam, Pa; infinite under a knife edge.
+    pub hertz_pressure_max_pa: Option<f64>,
+}
+
+impl Synthesis {
+    /// What the design asks of the machine.
+    pub fn machine(&self) -> MachineReport {
+        if self.is_idle() {
+            return MachineReport::default();
+        }
+        let turns = self.cam.follower.measures() != Measures::Straight;
+        let (drive, law) = (&self.drive, self.pressing());
+        let torque = torque_curve(drive, law, &self.cam.law);
+        let length = self.cam.law.extent().1;
+        let (low, high) = torque.extremes();
+        let powers = [low.value * drive.speed, high.value * drive.speed];
+        let power_max = powers[0].max(powers[1]);
+        let mean = drive.speed * torque.integral() / length;
+        let scale = power_max.max(-powers[0].min(powers[1]));
+        let turning = |x: f64| turns.then_some(x);
+        MachineReport {
+            torque_max_n_m: turning(high.value.max(-low.value)),
+            torque_rms_n_m: turning((torque.integral_of_square() / length).sqrt()),
+            power_max_w: Some(power_max),
+            power_mean_w: Some(if mean.abs() <= GIVEN_BACK * scale {
+                0.0
+            } else {
+                mean
+            }),
+            liftoff_speed_rad_per_s: self.liftoff().filter(|_| turns),
+            hertz_pressure_max_pa: self.pressure(),
+        }
+    }
+
+    /// Speed at which a follower that is not held from both sides leaves the cam.
+    fn liftoff(&self) -> Option<f64> {
+        let second = self.conjugate.as_ref().map(|pair| &pair.second);
+        if held(&self.cam, second) {
+            return None;
+        }
+        liftoff_speed(self.pressing(), &self.drive)
+    }
+
+    /// Highest pressure; of a barrel at the floor of its groove, where the roller presses most.
+    fn pressure(&self) -> Option<f64> {
+        if self.cam.curvature().convex.value <= 0.0 {
+            return None;
+        }
+        let floor = self.groove.as_ref().map(|groove| groove.depth().0);
+        let cam = match floor {
+            Some(floor) => &Cam {
+                follower: self.cam.follower.with_base_radius(floor),
+                law: self.cam.law.clone(),
+            },
+            None => &self.cam,
+        };
+        Some(pressure(&self.drive, self.thickness, cam, self.pressing()).value)
+    }
+}
