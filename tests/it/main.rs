@@ -3,6 +3,7 @@
 mod cam;
 mod dynamics;
 mod examples;
+mod fluent;
 mod force;
 mod law;
 mod layering;

@@ -1,6 +1,6 @@
 //! Every code has its sentence, and every sentence its code.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -16,6 +16,8 @@ use gaitcam::synth::{Change, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
+
+use crate::fluent::assert_same_messages;
 
 /// Areas with the variants of their messages. An area that is missing here fails the test below.
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {
@@ -69,32 +71,6 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
     );
 }
 
-/// Arguments of every message and of every attribute (`key.attribute`) of a Fluent file.
-fn arguments(text: &str) -> BTreeMap<String, BTreeSet<String>> {
-    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-    let (mut key, mut part) = (String::new(), String::new());
-    for line in text.lines().filter(|l| !l.starts_with('#')) {
-        let start = line.trim_start();
-        let is_message = line.starts_with(|c: char| c.is_ascii_lowercase());
-        if is_message || start.starts_with('.') {
-            let (name, _) = start.split_once(" =").unwrap();
-            if is_message {
-                key = name.to_string();
-                part = key.clone();
-            } else {
-                part = format!("{key}{name}");
-            }
-            found.insert(part.clone(), BTreeSet::new());
-        }
-        for after in line.split('$').skip(1) {
-            let ends = |c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == '_');
-            let name = after.split(ends).next().unwrap_or_default();
-            found.get_mut(&part).unwrap().insert(name.to_string());
-        }
-    }
-    found
-}
-
 #[test]
 fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/wording");
@@ -104,14 +80,8 @@ fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
     };
     assert_eq!(names("en"), names("es"));
     for name in names("en") {
-        let read = |language: &str| {
-            arguments(&fs::read_to_string(folder.join(language).join(&name)).unwrap())
-        };
-        let (english, spanish) = (read("en"), read("es"));
-        for (key, wanted) in &english {
-            assert_eq!(Some(wanted), spanish.get(key), "{name:?}: {key} in Spanish");
-        }
-        assert_eq!(english.len(), spanish.len(), "{name:?}: more in Spanish");
+        let read = |language: &str| fs::read_to_string(folder.join(language).join(&name)).unwrap();
+        assert_same_messages(&read("en"), &read("es"));
     }
     assert_eq!(
         catalogue(Language::En).keys(),

@@ -6,6 +6,9 @@ use gaitcam::cam::Measures;
 use gaitcam::wording::{self, Catalogue, Language};
 use serde_json::{Map, Value};
 
+const ENGLISH: &str = include_str!("en.ftl");
+const SPANISH: &str = include_str!("es.ftl");
+
 /// The words of one language.
 #[derive(Clone, Copy)]
 pub struct Words {
@@ -17,11 +20,10 @@ impl Words {
     /// The words of `language`.
     pub fn new(language: Language) -> Self {
         static EN: OnceLock<Catalogue> = OnceLock::new();
+        static ES: OnceLock<Catalogue> = OnceLock::new();
         let own = match language {
-            // Spanish follows English until its file is there.
-            Language::En | Language::Es => {
-                EN.get_or_init(|| Catalogue::new(Language::En, &[include_str!("en.ftl")]))
-            }
+            Language::En => EN.get_or_init(|| Catalogue::new(language, &[ENGLISH])),
+            Language::Es => ES.get_or_init(|| Catalogue::new(language, &[SPANISH])),
         };
         Words { language, own }
     }

@@ -3,6 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+#[path = "../../../../tests/it/fluent.rs"]
+mod fluent;
+
 fn sources(folder: &Path, out: &mut String) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -32,5 +35,13 @@ fn every_key_has_a_text_and_every_text_is_used() {
     assert!(
         unsaid.is_empty() && unused.is_empty(),
         "without a text: {unsaid:?}; not used: {unused:?}"
+    );
+}
+
+#[test]
+fn spanish_has_the_messages_and_arguments_of_english() {
+    fluent::assert_same_messages(
+        include_str!("../../src/words/en.ftl"),
+        include_str!("../../src/words/es.ftl"),
     );
 }

@@ -1,0 +1,249 @@
+# Informe e imágenes de un diseño: títulos, rótulos y leyendas. Los argumentos llegan como texto con sus unidades.
+
+# Veredicto y resultado.
+report-title = { $name }: informe de la leva
+report-acceptable = Aceptable
+report-not-for-high-speed = No apta para alta velocidad
+report-unacceptable = Inaceptable
+report-infeasible = No factible
+report-conflict = Límites incompatibles
+report-relaxations = Uno cualquiera de estos cambios hace factible el diseño
+report-no-relaxation = Ningún cambio de un solo límite hace factible el diseño
+report-relaxation = de { $from } a
+report-not-alone = { $limit }, { $from }: no basta por sí solo
+
+# Cifras del encabezado.
+report-force-error-rms = Error de fuerza, RMS
+report-of-mean = { $percent } % de la media
+report-force = Fuerza
+report-moment = Momento
+report-mean = media { $value }
+report-stroke = Carrera
+report-prime-circle-of = círculo primario R { $radius }
+report-base-height = Altura base
+report-barrel = Tambor
+report-base-circle = Círculo base
+report-minimum-radius = Radio mínimo
+report-at = en { $place }
+report-speed = Velocidad
+
+# Diagramas.
+report-animation = Animación
+report-force-section = Fuerza
+report-moment-section = Momento en el brazo
+report-law-section = Ley de movimiento
+report-cam-section = Leva y seguidor
+report-curvature-section = Curvatura y contacto
+report-target = Objetivo: { $name }. Error de fuerza { $rms } RMS, { $most } máximo.
+report-variability = Variabilidad entre pasos del registro: { $spread } (RMS de la desviación típica).
+report-variability-ratio = Variabilidad entre pasos del registro: { $spread } (RMS de la desviación típica), { $ratio } veces el error de fuerza.
+report-idle-force = La escena no da masa, muelle ni precarga: se muestra la fuerza de un seguidor de 1 kg.
+report-idle-moment = La escena no da inercia, muelle ni precarga: se muestra el momento de un seguidor de 1 kg·m².
+report-scroll = Desplace lateralmente para ver el diagrama completo →
+report-alt-animation = La leva girando bajo su seguidor
+report-alt-force = Fuerza objetivo y obtenida según el ángulo de leva: { $low } a { $high }, error de fuerza { $rms } RMS
+report-alt-force-alone = Fuerza según el ángulo de leva: { $low } a { $high }
+report-alt-law = Elevación, velocidad, aceleración y sobreaceleración según el ángulo de leva: carrera { $stroke }, aceleración { $acceleration }
+report-alt-cam = La leva en θ = 0 con su seguidor: { $base }, radio de curvatura mínimo { $radius }
+report-alt-curvature = Radio de curvatura y contacto según el ángulo de leva: radio mínimo { $radius } en { $place }
+
+# Comprobaciones y límites activos.
+report-checks = Comprobaciones
+report-check = Comprobación
+report-state = Estado
+report-worst = Valor más desfavorable
+report-limit = Límite
+report-margin = Margen
+report-place = En
+report-satisfied = cumplido
+report-at-limit = en el límite
+report-violated = incumplido
+report-active-limits = Límites activos
+report-no-active-limits = Ningún límite activo.
+report-times = Puntos
+report-multiplier = Multiplicador máximo (SI)
+report-multiplier-note = Multiplicador de Lagrange del objetivo; el mayor indica el límite más restrictivo.
+report-sensitivity = Sensibilidad: cada límite ampliado un 1 %
+report-from = De
+report-to = A
+report-objective = Objetivo
+report-now = Actual
+report-predicted = Previsto
+
+# Tablas del diseño.
+report-data = Datos del diseño
+report-drive = Accionamiento
+report-law = Ley
+report-cam = Leva
+report-machine = máquina
+report-row-speed = velocidad
+report-one-turn = una vuelta
+report-one-pass = una pasada
+report-force-at-rest = fuerza estática
+report-moment-at-rest = momento estático
+report-mass = masa móvil
+report-inertia = momento de inercia
+report-spring = rigidez del muelle
+report-damping = amortiguamiento
+report-family = familia
+report-pieces = tramos polinómicos
+report-degree = grado
+report-row-stroke = carrera
+report-velocity = velocidad
+report-velocity-time = velocidad (por segundo)
+report-acceleration = aceleración
+report-acceleration-time = aceleración (por segundo)
+report-jerk = sobreaceleración
+report-jerk-time = sobreaceleración (por segundo)
+report-follower = seguidor
+report-row-base-height = altura base
+report-row-barrel = radio del tambor
+report-row-base-circle = radio del círculo base
+report-prime-circle = radio del círculo primario
+report-roller-radius = radio del rodillo
+report-offset = excentricidad
+report-convex-radius = radio convexo mínimo
+report-found-at = en
+report-concave-radius = radio cóncavo mínimo
+report-face-width = longitud de la cara
+report-pressure-angle = ángulo de presión
+
+# Solución.
+report-solution = Solución
+report-attempt = Solución intentada
+report-spectral = Solución espectral en forma cerrada
+report-equality = Mínimos cuadrados con restricciones de igualdad
+report-qp = Programa cuadrático convexo
+report-socp = Programa cónico de segundo orden
+report-scp = Sucesión de programas convexos
+report-solved = { $how }: { $time }, { $iterations ->
+        [one] { $iterations } iteración
+       *[other] { $iterations } iteraciones
+    }.
+report-certified = Todos los límites están verificados en la ley continua.
+report-uncertified = Los límites están verificados solo en las muestras.
+report-certificate = Brecha dual relativa { $gap }; residuo KKT { $stationarity }; violación de restricciones { $violation }.
+report-remarks = Observaciones
+report-footer = Longitudes en milímetros, ángulos en grados, θ en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
+report-footer-straight = Longitudes en milímetros, ángulos en grados, recorrido desde el inicio de la pasada. Los extremos se calculan en la ley continua.
+report-footer-sweep = Unidades del SI salvo indicación. Los extremos se calculan en la ley continua.
+
+# Animación.
+report-play = Reproducir
+report-pause = Pausa
+report-pace = velocidad
+report-full-speed = velocidad real
+report-of-full-speed = de la velocidad real
+report-angle = ángulo de leva
+report-travel = recorrido de la leva
+report-lift = elevación s
+report-now-force = fuerza F
+report-now-moment = momento en el brazo
+report-torque = par en el eje T
+report-push = fuerza a lo largo del recorrido
+report-gap = separación
+report-radius-at-contact = radio en el contacto
+report-phi = ángulo de presión φ
+report-inverted = Se muestra con el eje fijo; en la máquina la placa está fija y el eje sube.
+
+# Simulación.
+report-simulation = Simulación
+report-simulated = Simulado con el modelo { $model ->
+        [rigid] rígido
+        [flexible] flexible
+        [contact] de contacto
+       *[other] { $model }
+    }: { $why }.
+report-contact = Contacto
+report-contact-lost = perdido
+report-contact-kept = mantenido
+report-lost-share = { $percent } % del movimiento
+report-kept-share = durante todo el ciclo
+report-contact-force = Fuerza de contacto
+report-error-of-target = error de fuerza { $rms } RMS
+report-shaft-torque = Par en el eje
+report-cam-push = Fuerza a lo largo del recorrido
+report-rms = RMS { $value }
+report-liftoff = Velocidad de pérdida de contacto
+report-liftoff-none = ninguna
+report-runs-at = velocidad de funcionamiento { $speed }
+report-steady = Régimen permanente
+report-steady-first = en la primera vuelta
+report-steady-after = tras { $turns ->
+        [one] { $turns } vuelta
+       *[other] { $turns } vueltas
+    }
+report-steady-not = no alcanzado
+report-steady-within = en las vueltas simuladas
+report-period-one = período: 1 vuelta
+report-period = período: { $turns } vueltas
+report-alt-simulation = Fuerza, par y separación de la simulación según el ángulo de leva: fuerza { $low } a { $high }
+report-impacts = Choques
+report-leaves = Pérdida de contacto en
+report-lands = Contacto en
+report-impact-speed = Velocidad
+report-impact-gap = Separación
+report-impulse = Impulso
+report-more-impacts = { $count } más en simulation.json; los ángulos continúan en las vueltas sucesivas.
+report-next-model = Modelo siguiente, más completo: { $difference }.
+
+# Ejes y leyendas de las imágenes.
+figure-angle = ángulo de leva θ, °
+figure-travel = recorrido, mm
+figure-law = ley de movimiento
+figure-force = fuerza, N
+figure-moment = momento, N·m
+figure-error = error, N
+figure-error-moment = error, N·m
+figure-vertical-force = fuerza vertical
+figure-arm-moment = momento en el brazo
+figure-inertia = inercia, sin carga dada
+figure-target = objetivo
+figure-achieved = obtenida
+figure-force-alone = fuerza
+figure-moment-alone = momento
+figure-force-of-unit = fuerza de un seguidor de 1 kg
+figure-moment-of-unit = momento de un seguidor de 1 kg·m²
+figure-difference = error
+figure-difference-rms = error, RMS { $rms } ({ $percent } % de la media)
+figure-tolerance-band = banda de tolerancia
+figure-step-band = ± DT, entre pasos
+figure-rigid = rígido
+figure-simulated = simulado
+figure-torque = par, N·m
+figure-push = fuerza, N
+figure-gap = separación, { $unit }
+figure-curvature = curvatura y contacto
+figure-rho = radio ρ, mm
+figure-contact-travel = contacto, mm
+figure-pressure-angle = ángulo de presión, °
+figure-limit = límite { $value }
+figure-cam = la leva en θ = 0
+figure-profile = perfil de la leva
+figure-second-profile = segunda leva del par
+figure-walls = paredes de la ranura, desarrolladas
+figure-base-circle = círculo base R { $radius }
+figure-prime-circle = círculo primario R { $radius }
+figure-pitch-curve = curva de paso
+figure-contact = contacto en θ = 0
+figure-sharpest = radio mínimo
+figure-follower = seguidor
+figure-stroke = carrera
+figure-smallest-radius = radio mínimo
+figure-smallest-at = en
+figure-face-width = longitud de la cara
+figure-roller-radius = radio del rodillo
+figure-offset = excentricidad
+figure-phi = ángulo de presión
+figure-speed = velocidad
+figure-stance-share = fracción del apoyo, % (media { $seconds } s)
+figure-one-stance = un apoyo
+figure-mean-of-stances = media de { $count } apoyos
+figure-sd = ± 1 DT
+figure-left = izquierdo
+figure-right = derecho
+figure-foot-unknown = pie no conocido
+figure-time = tiempo, s
+figure-mean-cycle = ciclo medio
+figure-body-weight = peso corporal
+figure-designs = diseños
