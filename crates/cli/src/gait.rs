@@ -31,14 +31,14 @@ pub struct GaitArgs {
     /// Recordings: text, OpenSim .mot/.sto, C3D, insole exports
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Write the mean cycle as csv, and beside it a picture of the stances over their mean (svg, png);
-    /// a folder takes one of each per recording
+    /// Write the mean cycle as csv and a picture of the stances with their mean (svg, png);
+    /// in a folder, one of each per recording
     #[arg(long, value_name = "CURVE.csv|DIR")]
     out: Option<PathBuf>,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Whose force the cycle is: both, one, left, right
+    /// Feet whose force the cycle contains: both, one, left, right
     #[arg(long, default_value = "both")]
     feet: String,
     /// Name or number of the time column
@@ -50,7 +50,7 @@ pub struct GaitArgs {
     /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
     #[arg(long)]
     unit: Option<String>,
-    /// Samples per second where the file does not say: "1000 Hz"
+    /// Sampling rate, if the file does not give it: "1000 Hz"
     #[arg(long)]
     rate: Option<String>,
     /// Mass of the walker: "72.6 kg"

@@ -45,21 +45,21 @@ struct Cli {
 enum Command {
     /// Design a cam: force curve or programme → law → cam → checks → files
     Synth(synth::SynthArgs),
-    /// Read a recording, say what it holds, give its mean cycle
+    /// Read a recording: format, channels, stances, mean cycle
     Gait(gait::GaitArgs),
-    /// Run the emitted cam: force, torque, lift-off, vibration, with the simplest sufficient model
+    /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
-    /// The best designs of a sweep: Pareto set, pictures, the winner as a normal result
+    /// Pareto front of a sweep: table, pictures, and the best design as a normal result
     Front(front::FrontArgs),
-    /// Recompute every figure of the source papers: stated, recomputed, agrees or not
+    /// Recompute every number of the source papers: published, recomputed, agreement
     Reproduce(reproduce::ReproduceArgs),
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
     /// Measure speed against accuracy on this machine and draw the charts
     Chart(chart::ChartArgs),
-    /// List the keys of a scene file: what each takes, its default and its meaning
+    /// List the keys of a scene file: values, default and meaning
     Keys(keys::KeysArgs),
     /// List the scenes that come with the program, or print one
     Scenes(keys::ScenesArgs),

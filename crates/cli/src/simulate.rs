@@ -48,13 +48,13 @@ pub struct SimulateArgs {
     /// First natural frequency of the follower train: "60 Hz"
     #[arg(long, value_name = "HZ", allow_hyphen_values = true)]
     natural_frequency: Option<String>,
-    /// Damping ratio of the follower train (0.05 where the scene says nothing)
+    /// Damping ratio of the follower train (default: that of the scene, else 0.05)
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true)]
     damping_ratio: Option<String>,
-    /// Coefficient of friction of cam on follower (0 where the scene says nothing)
+    /// Coefficient of friction between cam and follower (default: that of the scene, else 0)
     #[arg(long, value_name = "MU", allow_hyphen_values = true)]
     friction: Option<String>,
-    /// Coefficient of restitution of a landing, 0 … 1 (0 where the scene says nothing)
+    /// Coefficient of restitution of an impact, 0 … 1 (default: that of the scene, else 0)
     #[arg(long, value_name = "E", allow_hyphen_values = true)]
     restitution: Option<String>,
     /// Angle by which a second, equal cam follows on the same shaft: "180 deg"

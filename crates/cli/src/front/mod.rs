@@ -26,17 +26,17 @@ use read::{Columns, Kept};
 pub struct FrontArgs {
     /// The table that `gaitcam sweep` wrote
     file: PathBuf,
-    /// Columns to make small, between commas: force_error,prime_radius[,jerk]
+    /// Columns to minimise, separated by commas: force_error,prime_radius[,jerk]
     #[arg(
         long,
         value_name = "COLUMNS",
         default_value = "force_error,prime_radius"
     )]
     minimise: String,
-    /// Open the best design as a normal synth result, in DIR/best
+    /// Also write the best design as a normal synth result, in DIR/best
     #[arg(long)]
     best: bool,
-    /// Count cams that fail a check, too
+    /// Include cams that fail a check
     #[arg(long)]
     all: bool,
     /// Folder for front.csv, pictures and report.html (default out/NAME-front)

@@ -41,31 +41,31 @@ pub struct SweepArgs {
     /// One design for each recording: files or folders (may be repeated)
     #[arg(long, value_name = "PATH")]
     pub recordings: Vec<PathBuf>,
-    /// Spread N points over the varied ranges ('KEY=START:STOP') instead of a grid
+    /// Sample N points of the varied ranges ('KEY=START:STOP') instead of a grid
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub sample: Option<u64>,
-    /// How the points are spread
+    /// Sampling method
     #[arg(long, default_value = "latin", value_parser = ["latin", "sobol"])]
     pub design: String,
-    /// Where the random numbers of the sample start
+    /// Seed of the random numbers of the sample
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// The table: FILE.csv or FILE.parquet
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Go on with a sweep that was stopped
+    /// Continue an interrupted sweep
     #[arg(long)]
     pub resume: bool,
     /// Threads; without it, one per core
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
-    /// Go ahead even with more than a hundred million rows
+    /// Allow more than a hundred million rows
     #[arg(long)]
     pub yes: bool,
-    /// Scatter one design as it is made: 'profile=0.02 mm', base_radius, mass, speed (may be repeated)
+    /// Manufacturing tolerance of one design: 'profile=0.02 mm', base_radius, mass, speed (may be repeated)
     #[arg(long, value_name = "PART=±VALUE")]
     pub tolerance: Vec<String>,
-    /// Force error that a made cam may have, for the yield: '2 %' of the mean
+    /// Force error accepted in a manufactured cam, for the yield: '2 %' of the mean
     #[arg(long, requires = "tolerance")]
     pub band: Option<String>,
     /// Print JSON

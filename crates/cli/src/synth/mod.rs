@@ -41,7 +41,7 @@ pub struct SynthArgs {
     /// Folder for the files (default out/NAME)
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Print summary.json instead of the summary for people; without --out no file is written
+    /// Print summary.json instead of the text summary; without --out no file is written
     #[arg(long)]
     pub json: bool,
     /// Write no PNG pictures
@@ -50,16 +50,16 @@ pub struct SynthArgs {
     /// Print every step of a sequence of convex programs with its merit
     #[arg(short, long)]
     pub verbose: bool,
-    /// Explain every choice of model: what decided it, what the next richer one would cost and change
+    /// Explain the model selection: criterion, and cost and effect of the next richer model
     #[arg(long)]
     pub explain: bool,
     /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub points: Option<u32>,
-    /// The trade-off instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke
+    /// Compute a Pareto front instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke
     #[arg(long, value_name = "A:B")]
     pub front: Option<String>,
-    /// Also write what a workshop takes: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
+    /// Also write manufacturing files: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
     #[arg(long)]
     pub solid: bool,
     /// Also write the path of a cutter of this radius: --tool '6 mm'
