@@ -10,6 +10,7 @@ mod force;
 mod law;
 mod read;
 mod scene;
+mod sweep;
 mod units;
 
 use std::fmt;
@@ -25,6 +26,7 @@ pub use force::ForceError;
 pub use law::{JoinCure, LawError, SegmentName};
 pub use read::{CycleColumn, FileKind, ReadError};
 pub use scene::SceneError;
+pub use sweep::SweepError;
 pub use units::UnitsError;
 
 /// Where in the input a fault was found.
@@ -86,6 +88,17 @@ pub enum ErrorKind {
     Read(ReadError),
     /// In a scene file.
     Scene(SceneError),
+    /// In a sweep.
+    Sweep(SweepError),
+    /// Of a caller with sentences of its own.
+    Own {
+        /// The caller's code.
+        code: String,
+        /// What is wrong.
+        what: String,
+        /// What would be right.
+        help: Option<String>,
+    },
 }
 
 impl From<CamError> for Error {
@@ -118,6 +131,12 @@ impl From<LawError> for Error {
     }
 }
 
+impl From<SweepError> for Error {
+    fn from(kind: SweepError) -> Error {
+        Error::from(ErrorKind::Sweep(kind))
+    }
+}
+
 impl From<ReadError> for Error {
     fn from(kind: ReadError) -> Error {
         Error::from(ErrorKind::Read(kind))
@@ -136,6 +155,8 @@ impl ErrorKind {
             ErrorKind::Law(e) => wording::sentence(language, "law", e),
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
             ErrorKind::Scene(e) => wording::sentence(language, "scene", e),
+            ErrorKind::Sweep(e) => wording::sentence(language, "sweep", e),
+            ErrorKind::Own { what, .. } => what.clone(),
         }
     }
 
@@ -150,6 +171,8 @@ impl ErrorKind {
             ErrorKind::Law(e) => wording::help(language, "law", e),
             ErrorKind::Read(e) => wording::help(language, "read", e),
             ErrorKind::Scene(e) => wording::help(language, "scene", e),
+            ErrorKind::Sweep(e) => wording::help(language, "sweep", e),
+            ErrorKind::Own { help, .. } => help.clone(),
         }
     }
 
@@ -164,6 +187,8 @@ impl ErrorKind {
             ErrorKind::Law(e) => wording::code("law", e),
             ErrorKind::Read(e) => wording::code("read", e),
             ErrorKind::Scene(e) => wording::code("scene", e),
+            ErrorKind::Sweep(e) => wording::code("sweep", e),
+            ErrorKind::Own { code, .. } => code.clone(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::key::{Key, starts_a_number};
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Place, Result, SweepError};
 
 /// The values of an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,25 +57,25 @@ impl Axis {
     ///
     /// Fails on a missing `=`, an empty list, a count of zero, and numbers without the key's unit.
     pub fn parse(text: &str, sampled: bool) -> Result<Axis> {
-        let at = |e: Error| Error::argument("--vary", e.to_string());
         let Some((name, values)) = text.split_once('=') else {
-            return Err(Error::argument("--vary", format!("\"{text}\" has no ="))
-                .help("write --vary 'limits.stroke=20 mm:60 mm:5' or --vary law.family=spline,harmonic"));
+            return Err(SweepError::NoAssignment {
+                typed: text.to_string(),
+            }
+            .into());
         };
         let (name, values) = (name.trim(), values.trim());
         let parts: Vec<&str> = values.split(':').map(str::trim).collect();
         if matches!(parts.len(), 2 | 3) && parts[..2].iter().all(|t| starts_a_number(t)) {
-            return range(name, &parts, sampled).map_err(at);
+            return range(name, &parts, sampled);
         }
-        Axis::list(name, values.split(',').map(str::trim)).map_err(at)
+        Axis::list(name, values.split(',').map(str::trim))
     }
 
     /// An axis of listed values. Fails on an empty list, an empty value and a number without its unit.
     pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
         let values: Vec<&str> = values.collect();
         if values.is_empty() || values.contains(&"") {
-            return Err(Error::key(name, "an empty grid: there is no value to try")
-                .help("write values between commas, or START:STOP:COUNT"));
+            return Err(at_key(name, SweepError::NoValues));
         }
         Ok(match Key::quantity(name, &values)? {
             Some((key, numbers)) => Axis {
@@ -166,6 +166,10 @@ impl Axis {
     }
 }
 
+fn at_key(key: &str, fault: SweepError) -> Error {
+    Error::from(fault).at(Place::Key(key.to_string()))
+}
+
 fn pick(u: f64, length: usize) -> usize {
     ((u * length as f64) as usize).min(length - 1)
 }
@@ -173,21 +177,19 @@ fn pick(u: f64, length: usize) -> usize {
 fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     let count = match (parts.get(2), sampled) {
         (Some(_), true) => {
-            return Err(Error::key(name, "a sampled range has no count")
-                .help("with --sample write START:STOP"));
+            return Err(at_key(name, SweepError::SampledCount));
         }
         (None, false) => {
-            return Err(Error::key(name, "a range needs its count")
-                .help("write START:STOP:COUNT, or take --sample N"));
+            return Err(at_key(name, SweepError::NoCount));
         }
         (None, true) => None,
         (Some(text), false) => {
             let count: u64 = text.parse().map_err(|_| {
-                Error::key(name, format!("\"{text}\" is not a whole number of values"))
-                    .help("write START:STOP:COUNT")
+                let typed = (*text).to_string();
+                at_key(name, SweepError::NotCount { typed })
             })?;
             if count == 0 {
-                return Err(Error::key(name, "an empty grid: 0 values").help("ask for at least 1"));
+                return Err(at_key(name, SweepError::NoValues));
             }
             Some(count)
         }
@@ -207,11 +209,8 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
     let (last, other) =
         number_and_unit(parts[1]).map_err(|e| e.at(Place::Key(name.to_string())))?;
     if unit != other {
-        return Err(Error::key(
-            name,
-            format!("the ends of the range have different units (\"{unit}\" and \"{other}\")"),
-        )
-        .help("give both in the same unit"));
+        let (first, last) = (unit.to_string(), other.to_string());
+        return Err(at_key(name, SweepError::DifferentUnits { first, last }));
     }
     Ok(Axis {
         key: Key::words(name),
@@ -229,9 +228,10 @@ fn number_and_unit(text: &str) -> Result<(f64, &str)> {
         .rev()
         .filter(|&i| text.is_char_boundary(i))
         .find_map(|i| Some((text[..i].trim().parse::<f64>().ok()?, text[i..].trim())));
-    split
-        .filter(|(x, _)| x.is_finite())
-        .ok_or_else(|| Error::new(format!("\"{text}\" does not start with a number")))
+    split.filter(|(x, _)| x.is_finite()).ok_or_else(|| {
+        let typed = text.to_string();
+        SweepError::NotNumber { typed }.into()
+    })
 }
 
 #[cfg(test)]
@@ -250,14 +250,18 @@ mod tests {
     }
 
     #[test]
-    fn bad_axes_say_what_is_wrong() {
-        let fault = |text: &str| Axis::parse(text, false).unwrap_err().to_string();
-        assert!(fault("limits.stroke").contains("has no ="));
-        assert!(fault("limits.stroke=20:60:5").contains("has no unit"));
-        assert!(fault("limits.stroke=20 mm:60 mm:0").contains("empty grid"));
-        assert!(fault("law.family=").contains("empty grid"));
-        assert!(fault("law.family=spline,").contains("empty grid"));
-        assert!(fault("limits.stroke=20 mm:60 mm").contains("needs its count"));
-        assert!(fault("limits.stroke=20 mm:60 mm:many").contains("whole number"));
+    fn bad_axes_have_their_codes() {
+        for (text, code) in [
+            ("limits.stroke", "sweep-no-assignment"),
+            ("limits.stroke=20:60:5", "units-no-unit"),
+            ("limits.stroke=20 mm:60 mm:0", "sweep-no-values"),
+            ("law.family=", "sweep-no-values"),
+            ("law.family=spline,", "sweep-no-values"),
+            ("limits.stroke=20 mm:60 mm", "sweep-no-count"),
+            ("limits.stroke=20 mm:60 mm:many", "sweep-not-count"),
+        ] {
+            let fault = Axis::parse(text, false).unwrap_err();
+            assert_eq!(fault.kind.code(), code, "{text}");
+        }
     }
 }

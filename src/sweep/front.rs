@@ -1,7 +1,7 @@
 //! The Pareto set: designs that no other design beats in every objective.
 
 use super::results::NUMBERS;
-use crate::error::{Error, Result, nearest};
+use crate::error::{Result, SweepError, nearest};
 
 /// A design on the front.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,7 +108,6 @@ pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     if let Some(i) = columns.iter().position(|c| begins(&c)) {
         return Ok(i);
     }
-    let error = Error::argument("--minimise", format!("\"{name}\" is no column of numbers"));
     let short = [
         "force_error",
         "prime_radius",
@@ -117,10 +116,12 @@ pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
         "acceleration",
         "stroke",
     ];
-    Err(match nearest(name, short.into_iter().chain(NUMBERS)) {
-        Some(n) => error.help(format!("did you mean \"{n}\"?")),
-        None => error.help(format!("for example {}", short.join(", "))),
-    })
+    Err(SweepError::NoColumn {
+        typed: name.to_string(),
+        nearest: nearest(name, short.into_iter().chain(NUMBERS)).map(str::to_string),
+        known: short.join(", "),
+    }
+    .into())
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use super::batch::{Batch, Column};
 use super::key::Key;
 use super::plan::NamedScene;
 use super::results::{Results, Row};
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::problem::SpanMemo;
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
@@ -155,7 +155,7 @@ impl<'a> Kernel<'a> {
         let named = self
             .scenes
             .get(scene)
-            .ok_or_else(|| Error::new(format!("there is no base scene {scene}")))?;
+            .ok_or(SweepError::NoScene { scene })?;
         let mut table = named.table.clone();
         // Words first: they may replace what numbers belong to.
         for (key, column) in self.keys.iter().zip(&batch.columns) {

@@ -20,7 +20,7 @@ use super::kernel::Kernel;
 use super::key::Key;
 use super::results::{NUMBERS, Results, TIME, WORDS};
 use super::table::unit_of;
-use crate::error::{Error, Result};
+use crate::error::{Error, Place, Result, SweepError};
 
 /// Rows of a row group.
 pub const GROUP_ROWS: usize = 131_072;
@@ -84,12 +84,18 @@ fn result_columns(results: &Results) -> Vec<ArrayRef> {
     out
 }
 
+fn at_column(column: &str, fault: SweepError) -> Error {
+    Error::from(fault).at(Place::Key(column.to_string()))
+}
+
 fn arrow_fault(e: arrow_schema::ArrowError) -> Error {
-    Error::new(format!("Arrow: {e}"))
+    let fault = e.to_string();
+    SweepError::Arrow { fault }.into()
 }
 
 fn parquet_fault(e: parquet::errors::ParquetError) -> Error {
-    Error::new(format!("Parquet: {e}"))
+    let fault = e.to_string();
+    SweepError::Parquet { fault }.into()
 }
 
 /// The rows `first …` as a record batch of the table.
@@ -130,23 +136,23 @@ pub fn answer(kernel: &Kernel, parameters: &RecordBatch) -> Result<RecordBatch> 
     if let Some(column) = parameters.column_by_name("scene") {
         let scenes = column
             .as_primitive_opt::<Float64Type>()
-            .ok_or_else(|| Error::key("scene", "must be a column of Float64"))?;
+            .ok_or_else(|| at_column("scene", SweepError::ColumnType { wanted: "Float64" }))?;
         batch.scene = scenes.values().iter().map(|s| *s as u32).collect();
     }
     for key in kernel.keys() {
         let name = key.column();
         let column = parameters
             .column_by_name(&name)
-            .ok_or_else(|| Error::key(&name, "there is no such column in the record batch"))?;
+            .ok_or_else(|| at_column(&name, SweepError::ColumnMissing))?;
         batch.columns.push(if key.is_number() {
             let values = column
                 .as_primitive_opt::<Float64Type>()
-                .ok_or_else(|| Error::key(&name, "must be a column of Float64"))?;
+                .ok_or_else(|| at_column(&name, SweepError::ColumnType { wanted: "Float64" }))?;
             Column::Numbers(values.iter().map(|x| x.unwrap_or(f64::NAN)).collect())
         } else {
             let values = column
                 .as_string_opt::<i32>()
-                .ok_or_else(|| Error::key(&name, "must be a column of Utf8"))?;
+                .ok_or_else(|| at_column(&name, SweepError::ColumnType { wanted: "Utf8" }))?;
             Column::Words(values.iter().map(|w| Arc::from(w.unwrap_or(""))).collect())
         });
     }

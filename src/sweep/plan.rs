@@ -7,7 +7,7 @@ use super::axis::{Axis, AxisValue, Values};
 use super::batch::{Batch, Column};
 use super::key::Key;
 use super::sample::{Method, SOBOL_AXES};
-use crate::error::{Error, Place, Result};
+use crate::error::{Place, Result, SweepError};
 use crate::scene;
 
 /// A base scene.
@@ -68,14 +68,6 @@ const FIXED: [&str; 1] = ["name"];
 const TRIED_COMBINATIONS: u128 = 256;
 /// Values of one list that are tried before the sweep starts.
 const TRIED_VALUES: u64 = 64;
-
-/// The keys that vary, for messages.
-fn what_varies() -> String {
-    format!(
-        "these vary: {}; and the values of a list by number: law.segment.2.lift",
-        Key::names().join(", ")
-    )
-}
 
 impl Plan {
     /// Number of rows; saturates far beyond what anyone can wait for.
@@ -167,35 +159,25 @@ impl Plan {
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
-            return Err(Error::argument(
-                "--vary",
-                "an empty grid: there is nothing to try",
-            ));
+            return Err(SweepError::NoRows.into());
         }
         for (i, axis) in axes.iter().enumerate() {
             let name = axis.key.name();
             if FIXED.contains(&name) {
-                let what = format!("\"{name}\" cannot vary");
-                return Err(Error::argument("--vary", what).help(what_varies()));
+                let (key, known) = (name.to_string(), Key::names().join(", "));
+                return Err(SweepError::Fixed { key, known }.into());
             }
             if axes[..i].iter().any(|a| a.key.name() == name) {
-                return Err(Error::argument(
-                    "--vary",
-                    format!("\"{name}\" is given twice"),
-                ));
+                let key = name.to_string();
+                return Err(SweepError::KeyTwice { key }.into());
             }
         }
         if let Design::Sample { method, .. } = self.design {
             if self.axes.is_empty() {
-                return Err(Error::argument("--sample", "there is nothing to sample")
-                    .help("add --vary KEY=START:STOP"));
+                return Err(SweepError::NothingToSample.into());
             }
             if method == Method::Sobol && self.axes.len() > SOBOL_AXES {
-                return Err(Error::argument(
-                    "--design",
-                    format!("Sobol serves up to {SOBOL_AXES} keys here"),
-                )
-                .help("take --design latin"));
+                return Err(SweepError::SobolAxes { most: SOBOL_AXES }.into());
             }
         }
         for scene in &self.scenes {
@@ -248,10 +230,7 @@ impl Plan {
                 Err(_) => return Ok(()),
             }
         }
-        match fault {
-            None => Ok(()),
-            Some(e) => Err(Error::argument("--vary", e.to_string())),
-        }
+        fault.map_or(Ok(()), Err)
     }
 
     /// Names of the base scenes, where there are several.
@@ -312,7 +291,6 @@ fn write(key: &Key, table: &mut Table, value: &AxisValue) -> Result<()> {
         AxisValue::Number(x) => key.write_number(table, *x),
         AxisValue::Words(w) => key.write_words(table, w),
     }
-    .map_err(|e| e.placed(Place::Argument("--vary".to_string())))
 }
 
 fn trial_values(axis: &Axis) -> Vec<AxisValue> {

@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 
 use super::sample::{Method, mixed, unit};
 use crate::drive::DriveKind;
-use crate::error::{Error, Result};
+use crate::error::{Place, Result, SweepError};
 use crate::synth::Synthesis;
 use crate::units::{Dimension, parse};
 
@@ -54,18 +54,19 @@ const FIXED: usize = 4;
 impl Tolerance {
     /// Reads `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
     pub fn parse(text: &str) -> Result<Tolerance> {
-        let fault = |what: String| Error::argument("--tolerance", what);
-        let (name, value) = text.split_once('=').ok_or_else(|| {
-            fault(format!("\"{text}\" has no =")).help("write --tolerance 'profile=0.02 mm'")
-        })?;
+        let (name, value) = text
+            .split_once('=')
+            .ok_or_else(|| SweepError::NoToleranceValue {
+                typed: text.to_string(),
+            })?;
         let (part, dimension) = match name.trim() {
             "profile" => (Part::Profile, Dimension::Length),
             "base_radius" | "cam.base_radius" => (Part::BaseRadius, Dimension::Length),
             "mass" | "drive.mass" => (Part::Mass, Dimension::Mass),
             "speed" | "drive.speed" => (Part::Speed, Dimension::AngularSpeed),
             other => {
-                return Err(fault(format!("\"{other}\" has no tolerance here"))
-                    .help("known are profile, base_radius, mass, speed"));
+                let typed = other.to_string();
+                return Err(SweepError::NoTolerance { typed }.into());
             }
         };
         let relative = value.trim().ends_with('%') && matches!(part, Part::Mass | Part::Speed);
@@ -74,9 +75,13 @@ impl Tolerance {
         } else {
             dimension
         };
-        let half_width = parse(value, dimension).map_err(|e| fault(format!("{name}: {e}")))?;
+        let half_width = parse(value, dimension).map_err(|e| e.at(Place::Key(name.to_string())))?;
         if half_width < 0.0 {
-            return Err(fault(format!("{name}: {half_width} is negative")));
+            return Err(SweepError::NegativeTolerance {
+                part: name.trim().to_string(),
+                typed: value.trim().to_string(),
+            }
+            .into());
         }
         Ok(Tolerance {
             part,
@@ -115,11 +120,7 @@ impl<'a> Scatter<'a> {
     /// Takes the design apart. Fails where no force is wanted, so that there is no error to speak of.
     pub fn new(design: &'a Synthesis) -> Result<Self> {
         let Some(target) = &design.target else {
-            return Err(Error::argument(
-                "--tolerance",
-                "the scene wants no force, so there is no force error",
-            )
-            .help("add [gait] to the scene"));
+            return Err(SweepError::NoForceError.into());
         };
         let count = FIXED + 2 * LOBES.count();
         let mut products = vec![vec![0.0; count]; count];

@@ -4,7 +4,7 @@
 //! point of the front, and no point of the front is missed.
 
 use super::{Synthesis, designed};
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise, Scene};
@@ -70,12 +70,10 @@ impl Against {
                 .join(", ")
         };
         let fault = |what: String| {
-            Error::new(what)
-                .at(Place::Argument("--front".to_string()))
-                .help(format!(
-                    "write force_error:prime_radius; in place of prime_radius also {}",
-                    others()
-                ))
+            Error::new(what).help(format!(
+                "write force_error:prime_radius; in place of prime_radius also {}",
+                others()
+            ))
         };
         let (a, b) = pair
             .split_once(':')
@@ -142,7 +140,7 @@ pub fn trade(
     if problem.target.is_none() {
         return Err(Error::key(
             "gait",
-            "no force is wanted, so no force error can be traded",
+            "no target force: the trade-off is not available",
         ));
     }
     if !matches!(problem.law.family, Family::Spline | Family::Ladder) {

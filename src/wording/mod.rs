@@ -82,6 +82,7 @@ const ENGLISH: &[&str] = &[
     include_str!("en/solver.ftl"),
     include_str!("en/keys.ftl"),
     include_str!("en/scene.ftl"),
+    include_str!("en/sweep.ftl"),
 ];
 
 /// The same in Spanish.
@@ -98,6 +99,7 @@ const SPANISH: &[&str] = &[
     include_str!("es/solver.ftl"),
     include_str!("es/keys.ftl"),
     include_str!("es/scene.ftl"),
+    include_str!("es/sweep.ftl"),
 ];
 
 /// The library's messages in a language.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use gaitcam::error::{
     CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
-    SegmentName, UnitsError,
+    SegmentName, SweepError, UnitsError,
 };
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
 use gaitcam::problem;
@@ -44,6 +44,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("method", Method::VARIANTS),
         ("ended", Ended::VARIANTS),
         ("passed-over", PassedOver::VARIANTS),
+        ("sweep", SweepError::VARIANTS),
     ]
 }
 

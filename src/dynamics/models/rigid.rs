@@ -41,7 +41,7 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {
         out.notes.push(
-            "the rigid model pulls where the force is negative: run --model contact".to_string(),
+            "the rigid model pulls where the force is negative: the contact model follows the lift-off".to_string(),
         );
     }
     if p.laws.len() > 1 {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::error::Error;
 use crate::sweep::{Axis, Design, Method, NUMBERS, Outcome, Plan};
 
 fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {

@@ -98,7 +98,7 @@ built-in-footbridge = Load model of walking on a footbridge, 700 N at 1.85 Hz: t
 built-in-footbridge_thesis_scale = The footbridge at the scale of a bench model
 built-in-heel_tester = Heel tester with a hydraulic drive: one polynomial through given forces
 built-in-heel_tester_fitted = The heel tester with a spline fitted to the same forces
-built-in-measured_walk = Your own recording: give it with --set gait.file=FILE
+built-in-measured_walk = Your own recording: set gait.file to its path
 built-in-mushroom = Translating mushroom follower
 built-in-translating_cam = Cam that translates under a roller
 built-in-thesis_barrel = Barrel cam with a groove over several turns

@@ -98,7 +98,7 @@ built-in-footbridge = Modelo de carga de caminar sobre una pasarela, 700 N a 1,8
 built-in-footbridge_thesis_scale = La pasarela a la escala de una maqueta de banco
 built-in-heel_tester = Ensayadora de tacones con accionamiento hidráulico: un polinomio por fuerzas dadas
 built-in-heel_tester_fitted = La ensayadora de tacones con un spline ajustado a las mismas fuerzas
-built-in-measured_walk = Su propio registro: indíquelo con --set gait.file=ARCHIVO
+built-in-measured_walk = Su propio registro: indique su ruta en gait.file
 built-in-mushroom = Seguidor de hongo de traslación
 built-in-translating_cam = Leva que se traslada bajo un rodillo
 built-in-thesis_barrel = Leva de tambor con una ranura de varias vueltas

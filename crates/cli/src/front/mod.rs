@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use toml::Table;
 
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::input::{SceneArgs, files::read_bytes};
+use crate::input::{SceneArgs, at_flag, files::read_bytes};
 use crate::sweep::beside;
 use crate::synth::{self, SynthArgs};
 use crate::terminal::{print, print_json, report};
@@ -107,7 +107,7 @@ fn gather(args: &FrontArgs, front: &mut Front) -> Result<(Columns, Vec<usize>, K
             objectives = args
                 .minimise
                 .split(',')
-                .map(|name| objective(name, &columns.names))
+                .map(|name| objective(name, &columns.names).map_err(at_flag("--minimise")))
                 .collect::<Result<_>>()?;
         }
         values.clear();

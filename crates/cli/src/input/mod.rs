@@ -58,7 +58,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
             .map_err(|e: toml::de::Error| not_toml(file, &text, &e))?,
     };
     for change in &args.set {
-        scene::set(&mut table, change).map_err(|e| e.at(Place::Argument("--set".to_string())))?;
+        scene::set(&mut table, change).map_err(at_flag("--set"))?;
     }
     let scene = scene::read(&table).map_err(|e| name_file(file, e))?;
     Ok(Input {
@@ -75,9 +75,14 @@ fn built_in(path: &Path) -> Option<&'static str> {
     Some(found.toml)
 }
 
+/// Places a fault at a flag, unless it is placed already.
+pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
+    move |e| e.at(Place::Argument(flag.to_string()))
+}
+
 /// The value of a flag with a unit, where the flag is given.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
-    text.map(|t| parse(t, dimension).map_err(|e| e.at(Place::Argument(flag.to_string()))))
+    text.map(|t| parse(t, dimension).map_err(at_flag(flag)))
         .transpose()
 }
 

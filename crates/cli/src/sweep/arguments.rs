@@ -63,7 +63,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
         });
     }
     for text in &args.vary {
-        axes.push(Axis::parse(text, args.sample.is_some())?);
+        axes.push(Axis::parse(text, args.sample.is_some()).map_err(input::at_flag("--vary"))?);
     }
     let design = match args.sample {
         None => Design::Grid,

@@ -12,9 +12,10 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
+use crate::input;
 use crate::terminal::{self, print, print_json};
 use format::Format;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Error, ErrorKind, Result, SweepError};
 use gaitcam::sweep::{Kernel, Method, table};
 pub use partial::beside;
 use partial::{Counts, Opened, PartialTable};
@@ -110,7 +111,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
             error.help("take fewer values, or --sample N, or say --yes")
         });
     }
-    plan.validate()?;
+    plan.validate()
+        .map_err(|e| input::at_flag(flag_of(&e))(e))?;
     let description = arguments::description(&sweep);
     let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
     let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {
@@ -154,6 +156,15 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     };
     report(args, &counts, rows as u64 - before, seconds);
     Ok(if counts.built > 0 { BUILT } else { NO_SUCH_CAM })
+}
+
+/// The flag that a fault of the whole plan belongs to.
+fn flag_of(e: &Error) -> &'static str {
+    match e.kind {
+        ErrorKind::Sweep(SweepError::NothingToSample) => "--sample",
+        ErrorKind::Sweep(SweepError::SobolAxes { .. }) => "--design",
+        _ => "--vary",
+    }
 }
 
 fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {

@@ -9,7 +9,7 @@ use super::partial::beside;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input::{self, SceneArgs};
 use crate::terminal::{self, print, print_json};
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::synthesise;
 use gaitcam::units::{Dimension, parse};
@@ -44,14 +44,12 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let tolerances = args
         .tolerance
         .iter()
-        .map(|t| Tolerance::parse(t))
+        .map(|t| Tolerance::parse(t).map_err(input::at_flag("--tolerance")))
         .collect::<Result<Vec<_>>>()?;
     let band = args
         .band
         .as_deref()
-        .map(|b| {
-            parse(b, Dimension::Ratio).map_err(|e| e.at(Place::Argument("--band".to_string())))
-        })
+        .map(|b| parse(b, Dimension::Ratio).map_err(input::at_flag("--band")))
         .transpose()?;
     let count = args.sample.unwrap_or(SAMPLES);
     if count > MOST {
@@ -72,7 +70,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         ));
         return Ok(NO_SUCH_CAM);
     }
-    let scatter = Scatter::new(&design)?;
+    let scatter = Scatter::new(&design).map_err(input::at_flag("--tolerance"))?;
     let made: Vec<Made> = (0..count)
         .into_par_iter()
         .map(|i| scatter.sample(&tolerances, i, count, args.seed))

@@ -27,7 +27,7 @@ const COLUMNS: [&str; 7] = [
 
 /// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
-    let against = Against::from_pair(pair)?;
+    let against = Against::from_pair(pair).map_err(input::at_flag("--front"))?;
     let input = input::scene(&args.scene)?;
     let folder = Folder::open(&input.result_folder(args.out.as_deref(), "-front")?)?;
     let target = input.target()?;

@@ -1,0 +1,70 @@
+//! Faults in a sweep: its axes, its plan, its tolerances and its tables.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+/// What is wrong with a sweep. Texts in fields are as the user typed them.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the messages of wording/en/sweep.ftl say what each field is
+pub enum SweepError {
+    NoAssignment {
+        typed: String,
+    },
+    NoValues,
+    SampledCount,
+    NoCount,
+    NotCount {
+        typed: String,
+    },
+    DifferentUnits {
+        first: String,
+        last: String,
+    },
+    NotNumber {
+        typed: String,
+    },
+    NoRows,
+    Fixed {
+        key: String,
+        known: String,
+    },
+    KeyTwice {
+        key: String,
+    },
+    NothingToSample,
+    SobolAxes {
+        most: usize,
+    },
+    NoScene {
+        scene: usize,
+    },
+    NoToleranceValue {
+        typed: String,
+    },
+    NoTolerance {
+        typed: String,
+    },
+    NegativeTolerance {
+        part: String,
+        typed: String,
+    },
+    NoForceError,
+    NoColumn {
+        typed: String,
+        nearest: Option<String>,
+        known: String,
+    },
+    ColumnMissing,
+    ColumnType {
+        wanted: &'static str,
+    },
+    Arrow {
+        fault: String,
+    },
+    Parquet {
+        fault: String,
+    },
+}

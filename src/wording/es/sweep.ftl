@@ -1,0 +1,40 @@
+# Errores de un barrido: sus ejes, su plan, sus tolerancias y sus tablas.
+sweep-no-assignment = "{ $typed }" no tiene =
+    .help = escriba CLAVE=VALORES, por ejemplo limits.stroke=20 mm:60 mm:5 o law.family=spline,harmonic
+sweep-no-values = rejilla vacía: no se da ningún valor
+    .help = escriba al menos un valor entre comas, o INICIO:FIN:CANTIDAD
+sweep-sampled-count = un intervalo que se muestrea no lleva cantidad
+    .help = escriba INICIO:FIN
+sweep-no-count = el intervalo de una rejilla necesita su cantidad
+    .help = escriba INICIO:FIN:CANTIDAD, o muestree el intervalo
+sweep-not-count = "{ $typed }" no es un número entero de valores
+    .help = escriba INICIO:FIN:CANTIDAD
+sweep-different-units = los extremos del intervalo tienen unidades distintas ("{ $first }" y "{ $last }")
+    .help = dé ambos en la misma unidad
+sweep-not-number = "{ $typed }" no empieza por un número
+sweep-no-rows = rejilla vacía: no hay filas que calcular
+sweep-fixed = "{ $key }" no puede variar
+    .help = claves que varían: { $known }; y valores de una lista por su número, como law.segment.2.lift
+sweep-key-twice = "{ $key }" aparece dos veces
+sweep-nothing-to-sample = no varía ninguna clave, así que no hay nada que muestrear
+    .help = varíe una clave en un intervalo: CLAVE=INICIO:FIN
+sweep-sobol-axes = las sucesiones de Sobol están disponibles hasta { $most } claves
+    .help = use el hipercubo latino (latin)
+sweep-no-scene = no hay escena base { $scene }
+sweep-no-tolerance-value = "{ $typed }" no tiene =
+    .help = escriba PARTE=VALOR, por ejemplo profile=0.02 mm
+sweep-no-tolerance = "{ $typed }" no admite tolerancia
+    .help = partes con tolerancia: profile, base_radius, mass, speed
+sweep-negative-tolerance = la tolerancia de { $part } es negativa: { $typed }
+    .help = dé la semianchura de la tolerancia, 0 o más
+sweep-no-force-error = la escena no tiene fuerza objetivo, así que no hay error de fuerza que dispersar
+    .help = añada [gait] a la escena
+sweep-no-column = "{ $typed }" no es una columna de números
+    .help = { $nearest ->
+        [none] por ejemplo { $known }
+       *[other] ¿quiso decir "{ $nearest }"?
+    }
+sweep-column-missing = el lote de registros no tiene esa columna
+sweep-column-type = la columna debe ser de tipo { $wanted }
+sweep-arrow = Arrow: { $fault }
+sweep-parquet = Parquet: { $fault }
