@@ -77,7 +77,7 @@ impl Against {
         };
         let (a, b) = pair
             .split_once(':')
-            .ok_or_else(|| fault(format!("\"{pair}\" names no two quantities")))?;
+            .ok_or_else(|| fault(format!("\"{pair}\" does not name two quantities")))?;
         let other = match (a, b) {
             ("force_error", other) | (other, "force_error") => other,
             _ => return Err(fault("one of the two must be force_error".to_string())),
@@ -86,7 +86,7 @@ impl Against {
             .iter()
             .find(|n| n.0 == other || (n.0 == "prime_radius" && other == "base_radius")))
         .map(|n| n.1)
-        .ok_or_else(|| fault(format!("\"{other}\" is not known here")))
+        .ok_or_else(|| fault(format!("invalid value \"{other}\"")))
     }
 
     /// Its column with the unit.

@@ -134,7 +134,7 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     let offset = spec.offset.unwrap_or(0.0);
     if place <= 0.0 {
         return Err(key(Error::new(format!(
-            "a breadth of {:.4} mm cannot hold a lift of {:.4} mm",
+            "a breadth of {:.4} mm is too small for a lift of {:.4} mm",
             1e3 * breadth,
             1e3 * lift
         ))
@@ -236,7 +236,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         if high > LARGEST_GROWTH * first.max(least) {
             return Err(
                 Error::key("limits.curvature", "no prime circle is large enough for it")
-                    .help("a law with a jump in velocity has a corner that no size removes"),
+                    .help("a discontinuous velocity gives the profile a corner, which no base radius removes"),
             );
         }
     }

@@ -171,7 +171,7 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
     if !(0.0..=1.0).contains(&e) {
         return Err(
             Error::argument("--restitution", format!("{e} is outside 0 … 1"))
-                .help("0 lands without rebound, 1 loses nothing"),
+                .help("0: plastic impact, 1: elastic impact"),
         );
     }
     machine.restitution = e;

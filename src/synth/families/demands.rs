@@ -78,7 +78,7 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
             return Err(Error::key(
                 &key,
                 format!(
-                    "{:.3}° to {:.3}° is no range of one turn",
+                    "{:.3}° to {:.3}° is not a valid range within one turn",
                     d.from.to_degrees(),
                     d.to.to_degrees()
                 ),

@@ -109,8 +109,7 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
             }
         }
     }
-    let (cost, raw) =
-        best.ok_or_else(|| Error::new("the search for a double harmonic found nothing"))?;
+    let (cost, raw) = best.ok_or_else(|| Error::new("the search found no double harmonic law"))?;
     let angles = admissible(raw);
     let shape = shape(angles)?;
     let lift = search.lift(&shape);

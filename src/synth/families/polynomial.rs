@@ -52,7 +52,7 @@ fn through_points(problem: &Problem) -> Result<Polynomial> {
         return Err(Error::key(
             "law.point",
             format!(
-                "{:.3}° to {:.3}° is no range of one turn",
+                "{:.3}° to {:.3}° is not a valid range within one turn",
                 start.to_degrees(),
                 end.to_degrees()
             ),

@@ -87,7 +87,7 @@ pub fn invert(
             }
             return Err(Error::key(
                 "drive",
-                format!("harmonic {h} of the force meets the drive's resonance: spring and inertia cancel and nothing is left to press with"),
+                format!("harmonic {h} of the force is at the resonance of the drive, where spring and inertia forces cancel"),
             )
             .help("add damping, or change mass, spring rate or speed"));
         }

@@ -106,9 +106,9 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     if rows > MOST || (rows > MANY && !args.yes) {
         let error = Error::argument("--vary", format!("{rows} combinations"));
         return Err(if rows > MOST {
-            error.help("no machine finishes them: take fewer values, or --sample N")
+            error.help("too many to compute: use fewer values, or --sample N")
         } else {
-            error.help("take fewer values, or --sample N, or say --yes")
+            error.help("use fewer values, --sample N, or --yes")
         });
     }
     plan.validate()
@@ -140,7 +140,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let done = partial.counts().rows;
     if u128::from(done) < rows {
         terminal::report(format!(
-            "stopped after {done} of {rows} rows; nothing is lost, go on with --resume"
+            "stopped after {done} of {rows} rows; completed rows are saved, continue with --resume"
         ));
         return Ok(INTERRUPTED);
     }

@@ -135,7 +135,7 @@ impl PartialTable {
                     partial.counts.rows
                 ),
             )
-            .help("go on with --resume, or remove it to start anew"));
+            .help("continue with --resume, or remove it to start again"));
         }
         let before = described(&beside(table, ".partial.json"))
             .or_else(|| described(&beside(table, ".sweep.json")))
@@ -266,7 +266,7 @@ impl PartialTable {
         if let Err(e) = written {
             let _ = self.file.set_len(self.end);
             return Err(self.fault("cannot be written", &e).help(format!(
-                "{} rows are safe in it: make room and go on with --resume",
+                "{} rows are safe in it: free disk space and continue with --resume",
                 self.counts.rows
             )));
         }
@@ -285,7 +285,7 @@ impl PartialTable {
         write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
         let fault = |e: std::io::Error| {
             Error::file(&self.table, format!("cannot be written ({e})"))
-                .help("all rows are safe beside it: make room and go on with --resume")
+                .help("all rows are safe beside it: free disk space and continue with --resume")
         };
         match convert {
             None => std::fs::rename(&self.path, &self.table).map_err(fault)?,

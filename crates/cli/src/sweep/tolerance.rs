@@ -65,7 +65,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let design = synthesise(&input.scene, target.as_ref())?;
     if let Some(infeasible) = &design.infeasible {
         terminal::report(format!(
-            "there is no design to scatter: {}",
+            "there is no design to apply tolerances to: {}",
             infeasible.words()
         ));
         return Ok(NO_SUCH_CAM);

@@ -1,7 +1,8 @@
 //! `synth --verbose`: the sequence of convex programs, step by step.
 
 use gaitcam::synth::Synthesis;
-use gaitcam::wording::Language;
+
+use crate::language;
 
 /// One line per step.
 pub fn text(design: &Synthesis) -> String {
@@ -24,7 +25,10 @@ pub fn text(design: &Synthesis) -> String {
         ));
     }
     if let Some(ended) = solver.ended() {
-        out.push(format!("  stopped: {}", ended.sentence(Language::En)));
+        out.push(format!(
+            "  stopped: {}",
+            ended.sentence(language::current())
+        ));
     }
     out.join("\n")
 }

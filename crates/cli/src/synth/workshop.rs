@@ -81,18 +81,18 @@ fn gouge(gouge: &Gouge, measures: Measures) -> String {
     let place = |at: f64| measures.place(at, 2);
     match gouge {
         Gouge::Hollow { at, radius } => format!(
-            "the cutter is too wide for the hollow at {}: at most {:.4} mm fits",
+            "the cutter radius is too large for the concave profile at {}: {:.4} mm maximum",
             place(*at),
             1e3 * radius
         ),
         Gouge::Elsewhere { at, damaged, depth } => format!(
-            "cutting at {}, the cutter bites {:.4} mm into the profile at {}",
+            "at {} the cutter gouges the profile by {:.4} mm at {}",
             place(*at),
             1e3 * depth,
             place(*damaged)
         ),
         Gouge::Undercut { at } => format!(
-            "the profile is undercut at {}: no cutter makes it",
+            "the profile is undercut at {}: it cannot be cut",
             place(*at)
         ),
     }

@@ -194,7 +194,7 @@ fn refused(failure: &Failure) -> Error {
             format!("contradicting equalities: {equalities:?}")
         }
         Failure::Infeasible => "infeasible limits".to_string(),
-        Failure::Numerical { stop } => wording::sentence(Language::En, "solver", stop),
+        Failure::Numerical { stop } => wording::sentence(Language::En, "name", stop),
     })
 }
 

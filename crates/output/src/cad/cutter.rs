@@ -61,10 +61,8 @@ pub struct CutterPath {
 /// curvature, and elsewhere on the `points` of the profile.
 pub fn path(synthesis: &Synthesis, tool: f64, points: usize) -> Result<CutterPath> {
     if !(tool.is_finite() && tool > 0.0) {
-        return Err(
-            Error::new(format!("a cutter of radius {tool} m cuts nothing"))
-                .help("give a positive tool radius"),
-        );
+        return Err(Error::new(format!("invalid cutter radius {tool} m"))
+            .help("give a positive tool radius"));
     }
     let cam = &synthesis.cam;
     let rows = cam.profile(points);

@@ -41,19 +41,22 @@ pub fn plate(synthesis: &Synthesis, plate: Plate) -> Result<Mesh> {
     let thickness = MM * plate.thickness;
     if !(thickness.is_finite() && thickness > 0.0) {
         return Err(
-            Error::new(format!("a plate {} m thick is no solid", plate.thickness))
+            Error::new(format!("invalid plate thickness of {} m", plate.thickness))
                 .help("give a positive thickness"),
         );
     }
     if plate.points < 8 {
-        return Err(
-            Error::new(format!("{} profile points make no plate", plate.points))
-                .help("give at least 8"),
-        );
+        return Err(Error::new(format!(
+            "{} profile points are too few for a plate",
+            plate.points
+        ))
+        .help("give at least 8"));
     }
     if !cam.law.is_closed() {
-        return Err(Error::new("the law is open: its profile encloses no plate")
-            .help("only a law that closes after its turn makes a disc cam"));
+        return Err(
+            Error::new("the law is open: its profile does not enclose a plate")
+                .help("only a law that closes after its turn makes a disc cam"),
+        );
     }
     if cam.curvature().undercut {
         return Err(Error::new("the profile is undercut: it crosses itself")

@@ -26,12 +26,16 @@ const EDGES: usize = 4;
 pub fn plate(synthesis: &Synthesis, thickness: f64) -> Result<Vec<u8>> {
     let cam = &synthesis.cam;
     if !(thickness.is_finite() && thickness > 0.0) {
-        return Err(Error::new(format!("a plate of {thickness} m is no solid"))
-            .help("give a positive thickness"));
+        return Err(
+            Error::new(format!("invalid plate thickness of {thickness} m"))
+                .help("give a positive thickness"),
+        );
     }
     if !cam.law.is_closed() || cam.follower.is_unrolled() {
-        return Err(Error::new("the profile is open: it bounds no plate")
-            .help("only a disc cam whose law closes makes a plate"));
+        return Err(
+            Error::new("the profile is open: it does not enclose a plate")
+                .help("only a disc cam whose law closes makes a plate"),
+        );
     }
     if cam.curvature().undercut {
         return Err(Error::new("the profile is undercut: it crosses itself")

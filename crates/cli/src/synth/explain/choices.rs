@@ -44,7 +44,7 @@ pub fn choices(scene: &Scene, design: &Synthesis) -> Vec<Choice> {
 /// How well the force is met, against what is asked.
 fn accuracy(scene: &Scene, design: &Synthesis) -> String {
     let missed = format!(
-        "misses the force by {:.4} % RMS of its mean",
+        "force error {:.4} % RMS of the mean",
         design.force.rms_error_percent_of_mean
     );
     match scene.rms {
@@ -59,7 +59,7 @@ fn family(scene: &Scene, design: &Synthesis) -> Choice {
     let status = design.solver.status();
     let because = match asked {
         Family::Auto => format!("the simplest that passes every check: {status}"),
-        Family::Ladder => format!("the lowest rung that passes every check: {status}"),
+        Family::Ladder => format!("the simplest solver that passes every check: {status}"),
         _ => format!("the scene asks for it; it {}", accuracy(scene, design)),
     };
     let (next, richer) = match design.family.as_str() {
@@ -129,7 +129,7 @@ fn tier(design: &Synthesis) -> Choice {
         subject: "solver",
         chosen: solver.tier.name().to_string(),
         because: format!(
-            "{}; {} limit(s) bind, {} iterations",
+            "{}; {} active limit(s), {} iterations",
             solver.status(),
             design.binding.len(),
             solver.iterations
