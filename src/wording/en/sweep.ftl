@@ -1,5 +1,5 @@
 # Faults in a sweep: its axes, its plan, its tolerances and its tables.
-sweep-no-assignment = "{ $typed }" has no =
+sweep-no-assignment = "{ $typed }" contains no =
     .help = write KEY=VALUES, for example limits.stroke=20 mm:60 mm:5 or law.family=spline,harmonic
 sweep-no-values = an empty grid: no value is given
     .help = write at least one value between commas, or START:STOP:COUNT
@@ -21,15 +21,15 @@ sweep-nothing-to-sample = no key varies, so there is nothing to sample
 sweep-sobol-axes = Sobol sequences are available for up to { $most } keys
     .help = use Latin hypercube sampling (latin)
 sweep-no-scene = there is no base scene { $scene }
-sweep-no-tolerance-value = "{ $typed }" has no =
+sweep-no-tolerance-value = "{ $typed }" contains no =
     .help = write PART=VALUE, for example profile=0.02 mm
 sweep-no-tolerance = "{ $typed }" takes no tolerance
     .help = parts with a tolerance: profile, base_radius, mass, speed
 sweep-negative-tolerance = the tolerance of { $part } is negative: { $typed }
     .help = give the half width of the tolerance, 0 or more
-sweep-no-force-error = the scene has no target force, so there is no force error to scatter
+sweep-no-force-error = the scene has no target force, so it has no force error
     .help = add [gait] to the scene
-sweep-no-column = "{ $typed }" is no column of numbers
+sweep-no-column = "{ $typed }" is not a column of numbers
     .help = { $nearest ->
         [none] for example { $known }
        *[other] did you mean "{ $nearest }"?
