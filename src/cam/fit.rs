@@ -102,9 +102,9 @@ impl Cam {
             return Ok(());
         }
         let fault = if arm <= c - rp {
-            ArmFault::TooShort
+            ArmFault::Short
         } else if arm >= c + rp {
-            ArmFault::TooLong
+            ArmFault::Long
         } else {
             ArmFault::Apart
         };

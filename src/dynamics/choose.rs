@@ -4,10 +4,12 @@ use super::flexible::Train;
 use super::models::{contact_run, flexible_run, rigid_run};
 use super::outcome::{Difference, Model, Outcome};
 use super::prepared::Prepared;
+use super::reason::{ForceMargin, LiftoffMargin, ModelReason, Vibration, load};
 use super::recover::Cycle;
 use super::run::Run;
 use crate::cam::Measures;
 use crate::error::Result;
+use crate::quantity::{Dimension, Quantity};
 use realfft::RealFftPlanner;
 
 /// Force margin, as part of the mean, below which the contact itself is run.
@@ -35,44 +37,47 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
             .map(|_| difference(&out, Model::Flexible, flexible_run(input, p)));
         return Ok(out);
     }
-    let margin = margin_words(p, &rigid, &forces, mean);
+    let margin = force_margin(p, &rigid, &forces, mean);
     let Some(train) = &input.machine.train else {
         let mut out = rigid;
-        out.why =
-            format!("{margin}; no natural frequency or stiffness is given, so nothing can vibrate");
+        out.why = ModelReason::NothingVibrates { margin };
         if contact {
             out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
         }
         return Ok(out);
     };
-    let (ringing, words) = vibration(train, p, &forces, mean);
+    let (ringing, vibration) = vibration(train, p, &forces, mean);
+    let allowed = Quantity::share(RIGID_ENOUGH);
     if ringing > RIGID_ENOUGH {
         let mut out = flexible_run(input, p)?;
         if out.contact_lost {
-            let flexible_min = out.force.min;
+            let force = load(p, out.force.min);
             out = contact_run(input, p)?;
-            out.why = format!(
-                "{words}; vibrating, the force falls to {flexible_min:.4} N and contact is lost; the contact model leaves the vibration out"
-            );
+            out.why = ModelReason::VibrationLosesContact { vibration, force };
             out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
             return Ok(out);
         }
-        out.why = format!("{words}, more than {:.1} %; {margin}", 100.0 * RIGID_ENOUGH);
+        out.why = ModelReason::Vibrates {
+            vibration,
+            allowed,
+            margin,
+        };
         if contact {
             out.next = Some(difference(&out, Model::Contact, contact_run(input, p)));
         }
         return Ok(out);
     }
     let mut out = rigid;
-    out.why = format!(
-        "{words}, no more than {:.1} %; {margin}",
-        100.0 * RIGID_ENOUGH
-    );
+    out.why = ModelReason::HardlyVibrates {
+        vibration,
+        allowed,
+        margin,
+    };
     out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
     Ok(out)
 }
 
-fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> {
+fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelReason> {
     let scale = mean.abs();
     // Without mass a small force is no nearness to lift-off: only a pull asks for more.
     let asked = if p.drive.mass > 0.0 {
@@ -81,88 +86,67 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<String> 
         rigid.contact_lost
     };
     if asked {
-        let unit = p.measures.force().name;
-        return Some(format!(
-            "the rigid {} falls to {:.4} {unit}, below {:.0} % of its mean {mean:.4} {unit}; {}",
-            p.measures.force_words(),
-            rigid.force.min,
-            100.0 * MARGIN,
-            liftoff_words(p, rigid)
-        ));
+        return Some(ModelReason::LowForce {
+            force: load(p, rigid.force.min),
+            part: Quantity::share(MARGIN),
+            mean: load(p, mean),
+            liftoff: liftoff_margin(p, rigid),
+        });
     }
     if rigid
         .liftoff_speed
         .is_some_and(|w| p.drive.speed > NEAR_LIFTOFF * w)
     {
-        return Some(format!("near lift-off: {}", liftoff_words(p, rigid)));
+        let liftoff = liftoff_margin(p, rigid);
+        return Some(ModelReason::NearLiftoff { liftoff });
     }
-    if p.laws.len() > 1 {
-        return Some(
-            "two cams hand the follower over with blows that only contact knows".to_string(),
-        );
-    }
-    None
+    (p.laws.len() > 1).then_some(ModelReason::TwoCams)
 }
 
-fn margin_words(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> String {
+fn force_margin(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> ForceMargin {
     let largest = forces.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
-    let (unit, low) = (p.measures.force().name, rigid.force.min);
     if largest == 0.0 {
-        return "no mean force presses the follower on the cam, nor any other: the drive has neither mass nor spring nor preload"
-            .to_string();
+        return ForceMargin::NoForce;
     }
-    let liftoff = liftoff_words(p, rigid);
+    let liftoff = liftoff_margin(p, rigid);
+    let low = rigid.force.min;
     // Inertia alone has no mean to be a part of.
     if mean.abs() <= 1e-9 * largest {
-        let high = rigid.force.max;
-        return format!(
-            "no mean force presses the follower on the cam, inertia gives {low:.4} … {high:.4} {unit}; {liftoff}"
-        );
+        return ForceMargin::InertiaOnly {
+            low: load(p, low),
+            high: load(p, rigid.force.max),
+            liftoff,
+        };
     }
-    let words = p.measures.force_words();
-    let part = 100.0 * low / mean;
-    format!("smallest {words} {low:.4} {unit} is {part:.1} % of the mean, {liftoff}")
-}
-
-/// A speed for people: slow ones keep their digits.
-fn speed_words(speed: f64) -> String {
-    if speed != 0.0 && speed.abs() < 0.01 {
-        format!("{speed:.4e}")
-    } else {
-        format!("{speed:.4}")
+    ForceMargin::SmallestForce {
+        force: load(p, low),
+        part: Quantity::share(low / mean),
+        liftoff,
     }
 }
 
-fn liftoff_words(p: &Prepared, rigid: &Outcome) -> String {
-    let runs = if p.measures == Measures::Straight {
-        "the cam slides at"
-    } else {
-        "the shaft turns at"
+fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
+    let dimension = match p.measures {
+        Measures::Straight => Dimension::Speed,
+        _ => Dimension::AngularSpeed,
     };
-    let unit = p.measures.speed().name;
+    let speed = Quantity::new(p.drive.speed, dimension);
     match rigid.liftoff_speed {
-        Some(w) => format!(
-            "{runs} {} {unit}, lift-off is at {} {unit}",
-            speed_words(p.drive.speed),
-            speed_words(w)
-        ),
-        None if p.held => "held from both sides, the follower cannot lift off".to_string(),
-        None => format!(
-            "{runs} {} {unit}, no speed lifts the follower off",
-            speed_words(p.drive.speed)
-        ),
+        Some(w) => LiftoffMargin::LiftoffAt {
+            speed,
+            liftoff: Quantity::new(w, dimension),
+        },
+        None if p.held => LiftoffMargin::HeldFromBothSides,
+        None => LiftoffMargin::NoLiftoff { speed },
     }
 }
 
 /// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, and what
 /// to say about it: each harmonic n is passed on with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
-fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, String) {
+fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
         // Without mass nothing rings, but springs in series share the lift: always worth running.
-        return (
-            f64::INFINITY,
-            "the column gives without ringing".to_string(),
-        );
+        return (f64::INFINITY, Vibration::NoMass);
     };
     let zeta = train.damping / (2.0 * p.drive.mass * natural);
     let mut planner = RealFftPlanner::<f64>::new();
@@ -172,7 +156,7 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, St
         .process(&mut forces.to_vec(), &mut spectrum)
         .is_err()
     {
-        return (f64::INFINITY, "the force has no spectrum".to_string());
+        return (f64::INFINITY, Vibration::NoSpectrum);
     }
     let scale = 2.0 / forces.len() as f64;
     let mut sum = 0.0;
@@ -184,13 +168,12 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, St
     }
     // An undamped resonance gives an infinite sum: the flexible run then names it.
     let part = sum.sqrt() / mean.abs();
-    let ratio = natural / p.drive.speed;
-    let words = format!(
-        "first natural frequency {:.2} Hz, {ratio:.1} times the shaft's; its harmonics would move the force by {:.3} % of the mean RMS",
-        natural / std::f64::consts::TAU,
-        100.0 * part
-    );
-    (if part.is_nan() { f64::INFINITY } else { part }, words)
+    let known = Vibration::Harmonics {
+        frequency: Quantity::new(natural / std::f64::consts::TAU, Dimension::Frequency),
+        ratio: natural / p.drive.speed,
+        part: Quantity::share(part),
+    };
+    (if part.is_nan() { f64::INFINITY } else { part }, known)
 }
 
 fn difference(base: &Outcome, model: Model, next: Result<Outcome>) -> Difference {
@@ -213,7 +196,7 @@ fn difference(base: &Outcome, model: Model, next: Result<Outcome>) -> Difference
             force_max: 0.0,
             rms_error: None,
             lost_fraction: 0.0,
-            failed: Some(error.to_string()),
+            failed: Some(error),
         },
     }
 }

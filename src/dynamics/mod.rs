@@ -17,6 +17,7 @@ mod models;
 pub mod outcome;
 pub mod piecewise_force;
 mod prepared;
+mod reason;
 pub mod recover;
 pub mod report;
 pub mod rigid;
@@ -28,6 +29,7 @@ pub mod thesis;
 
 pub use flexible::Train;
 pub use outcome::{Model, Outcome};
+pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 pub use rigid::hertz;
 pub use run::{Face, Machine, Run};
 pub use simulate::simulate;

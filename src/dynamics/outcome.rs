@@ -1,7 +1,9 @@
 //! What a run of the cam found.
 
 use super::contact::Impact;
+use super::reason::{ModelReason, RunNote};
 use super::rigid::hertz::LineContact;
+use crate::error::Error;
 
 /// Which model ran.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,8 +99,8 @@ pub struct Difference {
     pub rms_error: Option<f64>,
     /// Its lost fraction less this one's.
     pub lost_fraction: f64,
-    /// In words, where it could not be run.
-    pub failed: Option<String>,
+    /// Why it could not be run.
+    pub failed: Option<Error>,
 }
 
 /// The highest line pressure and where it acts.
@@ -116,7 +118,7 @@ pub struct Outcome {
     /// The model whose numbers these are; never `Auto`.
     pub model: Model,
     /// The numbers that decided for it.
-    pub why: String,
+    pub why: ModelReason,
     /// Whether the follower leaves the cam.
     pub contact_lost: bool,
     /// Part of the motion without contact.
@@ -142,7 +144,7 @@ pub struct Outcome {
     /// Largest difference between the lift of the emitted points and the law's, m.
     pub law_mismatch: f64,
     /// Anything else a person should know.
-    pub notes: Vec<String>,
+    pub notes: Vec<RunNote>,
     /// One repetition at equal angles.
     pub rows: Vec<Row>,
 }

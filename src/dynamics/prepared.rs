@@ -2,6 +2,7 @@
 
 use super::contact::impact::check_restitution;
 use super::contact::two_cams::{envelope, shifted};
+use super::reason::RunNote;
 use super::recover::{Cycle, recover_cam};
 use super::rigid;
 use super::rigid::hertz::Material;
@@ -40,7 +41,7 @@ pub(super) struct Prepared {
     pub target: Option<Vec<f64>>,
     pub mismatch: f64,
     pub law_mismatch: f64,
-    pub notes: Vec<String>,
+    pub notes: Vec<RunNote>,
 }
 
 pub(super) fn prepare(input: &Run) -> Result<Prepared> {
@@ -130,10 +131,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     };
     let follower = &input.cam.follower;
     if follower.is_oscillating() {
-        notes.push(
-            "the follower swings: lift and gap are angles, rad, the force is the moment about the pivot, N·m, and the drive's mass, spring and preload count about it; the normal force is in N"
-                .to_string(),
-        );
+        notes.push(RunNote::Swings);
     }
     Ok(Prepared {
         drive: forward,
@@ -180,7 +178,7 @@ fn conjugate_nodes(
     n: usize,
     reversed: bool,
     first: &[Svaj],
-    notes: &mut Vec<String>,
+    notes: &mut Vec<RunNote>,
 ) -> Result<Vec<Svaj>> {
     let cycle = Cycle::of(&cam.law);
     let emitted = recover_cam(cam, &cam.profile(n), cycle)?;
@@ -195,10 +193,8 @@ fn conjugate_nodes(
     let (low, high) = sums.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
         (l.min(x), h.max(x))
     });
-    notes.push(format!(
-        "the conjugate pair keeps its distance within {:.1e}; where the force turns negative the second cam takes it",
-        high - low
-    ));
+    let deviation = high - low;
+    notes.push(RunNote::PairDistance { deviation });
     Ok(nodes)
 }
 

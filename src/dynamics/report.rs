@@ -2,7 +2,9 @@
 
 use super::contact::Impact;
 use super::outcome::{Difference, Outcome, Pressure, Row};
+use super::reason::RunNote;
 use crate::cam::Measures;
+use crate::wording::Language;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -43,7 +45,7 @@ impl Outcome {
         let impacts: Vec<Value> = self.impacts.iter().map(impact_json).collect();
         json!({
             "model": self.model.name(),
-            "why": self.why,
+            "why": self.why.sentence(Language::En),
             "contact_lost": self.contact_lost,
             "lost_fraction": self.lost_fraction,
             "force": {
@@ -66,7 +68,7 @@ impl Outcome {
                 "next": self.next.as_ref().map(difference_json),
                 "profile_mismatch_m": self.profile_mismatch,
                 "law_mismatch_m": self.law_mismatch,
-                "notes": self.notes,
+                "notes": self.notes.iter().map(said).collect::<Vec<_>>(),
             },
         })
     }
@@ -92,7 +94,7 @@ impl Outcome {
         };
         let mut lines: Vec<(&str, String)> = vec![
             ("model", self.model.name().to_string()),
-            ("why", self.why.clone()),
+            ("why", self.why.sentence(Language::En)),
             ("contact", self.contact_words()),
             (
                 "force",
@@ -157,7 +159,7 @@ impl Outcome {
             lines.push(("next model", difference_words(next)));
         }
         for note in &self.notes {
-            lines.push(("note", note.clone()));
+            lines.push(("note", said(note)));
         }
         let width = lines.iter().map(|l| l.0.len()).max().unwrap_or(0);
         lines.iter().fold(String::new(), |mut out, (name, value)| {
@@ -174,6 +176,10 @@ impl Outcome {
             "kept all the way round".to_string()
         }
     }
+}
+
+fn said(note: &RunNote) -> String {
+    note.sentence(Language::En)
 }
 
 fn impact_json(hit: &Impact) -> Value {
@@ -205,7 +211,7 @@ fn difference_json(next: &Difference) -> Value {
         "force_max_change_n": next.force_max,
         "rms_error_change_n": next.rms_error,
         "lost_fraction_change": next.lost_fraction,
-        "failed": next.failed,
+        "failed": next.failed.as_ref().map(ToString::to_string),
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
 use super::prepared::Prepared;
+use super::reason::ModelReason;
 use super::rigid::touch::{Touch, touch};
 use super::rigid::{self, hertz};
 use super::run::Run;
@@ -128,10 +129,10 @@ impl Prepared {
         rigid::liftoff_speed(&self.lift, &self.drive)
     }
 
-    pub fn outcome(&self, model: Model, why: &str) -> Outcome {
+    pub fn outcome(&self, model: Model) -> Outcome {
         Outcome {
             model,
-            why: why.to_string(),
+            why: ModelReason::AskedFor,
             contact_lost: false,
             lost_fraction: 0.0,
             force: Force::default(),

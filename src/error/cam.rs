@@ -117,7 +117,7 @@ pub enum CamLength {
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
 pub enum ArmFault {
-    TooShort,
-    TooLong,
+    Short,
+    Long,
     Apart,
 }

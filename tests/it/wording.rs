@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
     CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
     SegmentName, SweepError, UnitsError,
@@ -25,6 +26,11 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("units", UnitsError::VARIANTS),
         ("cam", CamError::VARIANTS),
         ("dynamics", DynamicsError::VARIANTS),
+        ("model", ModelReason::VARIANTS),
+        ("model", LiftoffMargin::VARIANTS),
+        ("model", ForceMargin::VARIANTS),
+        ("model", Vibration::VARIANTS),
+        ("run", RunNote::VARIANTS),
         ("force", ForceError::VARIANTS),
         ("law", LawError::VARIANTS),
         ("law", SegmentName::VARIANTS),

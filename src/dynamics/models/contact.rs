@@ -3,6 +3,7 @@
 use crate::dynamics::contact::{self, ContactRun, Phase};
 use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
 use crate::dynamics::prepared::Prepared;
+use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
 use crate::dynamics::surface::Surface;
@@ -38,7 +39,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         input.machine.restitution,
         &input.machine.limits,
     );
-    let mut out = p.outcome(Model::Contact, "asked for");
+    let mut out = p.outcome(Model::Contact);
     let (from, to) = run.window();
     let n = p.nodes.len();
     let total = n * run.period;
@@ -86,14 +87,12 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     out.rows = p.rows(input, &forces, &heights);
     out.hertz = p.hertz(input, &out.rows);
     if run.escaped {
-        out.notes
-            .push("the mass leaves the cam and nothing brings it back".to_string());
+        out.notes.push(RunNote::Escapes);
     } else if run.settle.is_none() {
-        out.notes.push(format!(
-            "the motion does not repeat within {} turns and {} impacts",
-            run.turns,
-            run.impacts.len()
-        ));
+        out.notes.push(RunNote::NotPeriodic {
+            turns: run.turns,
+            impacts: run.impacts.len(),
+        });
     }
     out.impacts = run.impacts;
     Ok(out)

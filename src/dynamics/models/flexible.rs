@@ -4,6 +4,7 @@ use super::note_other_side;
 use crate::dynamics::flexible;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::prepared::Prepared;
+use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Result};
 
@@ -15,7 +16,7 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
         return Err(DynamicsError::OpenVibration.into());
     }
     let steady = flexible::steady(&p.lift, &p.drive, train)?;
-    let mut out = p.outcome(Model::Flexible, "asked for");
+    let mut out = p.outcome(Model::Flexible);
     let n = p.nodes.len();
     // Most rows' angles are among the breaks of the forcing; the others all but touch one.
     let mut k = 0;
@@ -46,15 +47,13 @@ pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     out.torque = p.signed(p.sampled_torque(input, &forces));
     let pulled = forces.iter().filter(|f| **f < 0.0).count() as f64 / n as f64;
     if p.held {
-        note_other_side(&mut out, input, pulled);
+        note_other_side(&mut out, input, p, pulled);
     } else {
         out.contact_lost = low.value < 0.0;
         out.lost_fraction = pulled;
     }
     if out.contact_lost {
-        out.notes.push(
-            "the vibrating follower leaves the cam: the flexible model pulls there".to_string(),
-        );
+        out.notes.push(RunNote::FlexiblePulls);
     }
     out.rows = p.rows(input, &forces, &heights);
     out.hertz = p.hertz(input, &out.rows);

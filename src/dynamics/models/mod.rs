@@ -9,21 +9,20 @@ pub(super) use flexible::flexible_run;
 pub(super) use rigid::rigid_run;
 
 use super::outcome::Outcome;
+use super::prepared::Prepared;
+use super::reason::{RunNote, load};
 use super::run::Run;
+use crate::quantity::Quantity;
 
 /// Where a groove or a pair holds the follower from both sides a pull is the other side's push.
-fn note_other_side(out: &mut Outcome, input: &Run, pulled: f64) {
+fn note_other_side(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if pulled <= 0.0 {
         return;
     }
-    let side = if input.machine.conjugate.is_some() {
-        "the second cam"
+    let (part, force) = (Quantity::share(pulled), load(p, -out.force.min));
+    out.notes.push(if input.machine.conjugate.is_some() {
+        RunNote::SecondCamBears { part, force }
     } else {
-        "the groove's other wall"
-    };
-    out.notes.push(format!(
-        "{side} bears for {:.2} % of the cycle, up to {:.4} N; at each change the play between both sides is crossed",
-        100.0 * pulled,
-        -out.force.min
-    ));
+        RunNote::OtherWallBears { part, force }
+    });
 }

@@ -3,6 +3,7 @@
 use super::note_other_side;
 use crate::dynamics::outcome::{Force, Model, Outcome};
 use crate::dynamics::prepared::Prepared;
+use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
 use crate::dynamics::run::Run;
 use crate::dynamics::surface::Surface;
@@ -10,7 +11,7 @@ use crate::error::Result;
 
 pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     let friction = input.machine.friction;
-    let mut out = p.outcome(Model::Rigid, "asked for");
+    let mut out = p.outcome(Model::Rigid);
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
     let surface = Surface::new(p.lift.clone(), &p.drive);
     let (low, high) = surface.force.extremes();
@@ -34,21 +35,16 @@ pub fn rigid_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     out.torque = p.signed(out.torque);
     let pulled = surface.pulls.iter().fold(0.0, |sum, (a, b)| sum + b - a) / p.cycle.length;
     if p.held {
-        note_other_side(&mut out, input, pulled);
+        note_other_side(&mut out, input, p, pulled);
     } else {
         out.lost_fraction = pulled;
     }
     out.contact_lost = out.lost_fraction > 0.0;
     if out.contact_lost {
-        out.notes.push(
-            "the rigid model pulls where the force is negative: the contact model follows the lift-off".to_string(),
-        );
+        out.notes.push(RunNote::RigidPulls);
     }
     if p.laws.len() > 1 {
-        out.notes.push(
-            "the rigid model leaves out the blows where one cam takes over from the other"
-                .to_string(),
-        );
+        out.notes.push(RunNote::RigidWithoutImpacts);
     }
     out.rows = p.rows(input, &forces, &vec![0.0; forces.len()]);
     out.hertz = p.hertz(input, &out.rows);

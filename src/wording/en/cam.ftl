@@ -25,8 +25,8 @@ cam-below-centre = the law falls to { $lift }, below the cam centre, which is { 
 cam-face-reach = a flat face of offset { $offset } cannot touch a base circle of radius { $base } with its pivot at { $pivot }
     .help = the pivot distance must exceed { $least }
 cam-arm-reach = the arm of { $arm } { $fault ->
-        [too-short] is too short to reach
-        [too-long] is too long to touch
+        [short] is too short to reach
+        [long] is too long to touch
        *[apart] cannot touch
     } the prime circle of radius { $prime } from a pivot at { $pivot }
     .help = its length must lie between { $least } and { $most }

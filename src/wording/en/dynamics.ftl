@@ -38,3 +38,33 @@ dynamics-not-one-turn = the contact model needs a cam that turns once per cycle
 dynamics-open-polydyne = a polydyne cam needs a law that repeats: otherwise there is no steady state
 dynamics-polydyne-jump = the { $derivative } of the law is discontinuous at { $at }; the lift of a polydyne cam contains the force, so the cam's own acceleration would be discontinuous there
     .help = use a law with four continuous derivatives: a spline of degree 5 or more, harmonics, or 5-6-7-8-9 segments
+
+# Why a model was chosen.
+model-asked-for = selected
+model-low-force = the rigid contact load falls to { $force }, below { $part } of its mean { $mean }; { $liftoff }
+model-near-liftoff = near lift-off: { $liftoff }
+model-two-cams = where one cam takes over from the other there are impacts, which only the contact model has
+model-nothing-vibrates = { $margin }; no natural frequency or stiffness is given, so nothing can vibrate
+model-vibration-loses-contact = { $vibration }; with vibration the contact load falls to { $force } and contact is lost; the contact model leaves the vibration out
+model-vibrates = { $vibration }, more than { $allowed }; { $margin }
+model-hardly-vibrates = { $vibration }, no more than { $allowed }; { $margin }
+model-held-from-both-sides = held from both sides, the follower cannot lift off
+model-no-liftoff = speed { $speed }, no speed lifts the follower off
+model-liftoff-at = speed { $speed }, lift-off at { $liftoff }
+model-no-force = nothing presses the follower on the cam: the drive has neither mass nor spring nor preload
+model-inertia-only = no mean load presses the follower on the cam, inertia gives { $low } … { $high }; { $liftoff }
+model-smallest-force = the minimum contact load { $force } is { $part } of the mean; { $liftoff }
+model-no-mass = the fluid column yields without vibration
+model-no-spectrum = the force has no spectrum
+model-harmonics = the first natural frequency is { $frequency }, { $ratio } times the shaft frequency; vibration would change the force by { $part } of the mean (RMS)
+
+# What to know of a run.
+run-second-cam-bears = the second cam bears for { $part } of the cycle, up to { $force }; at each change the clearance between both sides is crossed
+run-other-wall-bears = the other wall of the groove bears for { $part } of the cycle, up to { $force }; at each change the clearance between both sides is crossed
+run-rigid-pulls = the rigid model pulls where the force is negative: the contact model follows the lift-off
+run-rigid-without-impacts = the rigid model leaves out the impacts where one cam takes over from the other
+run-flexible-pulls = the vibrating follower leaves the cam: the flexible model pulls there
+run-escapes = the mass leaves the cam and nothing brings it back
+run-not-periodic = the motion does not repeat within { $turns } turns and { $impacts } impacts
+run-swings = the follower oscillates: lift and gap are angles in rad, the force is the moment about the pivot in N·m, and mass, spring and preload of the drive act about the pivot; the normal force is in N
+run-pair-distance = the conjugate pair keeps its distance within { $deviation }; where the force turns negative the second cam bears it

@@ -25,8 +25,8 @@ cam-below-centre = la ley baja a { $lift }, por debajo del centro de la leva, qu
 cam-face-reach = una cara plana a distancia { $offset } no puede tocar un círculo base de radio { $base } con su pivote a { $pivot }
     .help = la distancia al pivote debe superar { $least }
 cam-arm-reach = el brazo de { $arm } { $fault ->
-        [too-short] es demasiado corto para alcanzar
-        [too-long] es demasiado largo para tocar
+        [short] es demasiado corto para alcanzar
+        [long] es demasiado largo para tocar
        *[apart] no puede tocar
     } el círculo primario de radio { $prime } desde un pivote a { $pivot }
     .help = su longitud debe estar entre { $least } y { $most }

@@ -44,3 +44,33 @@ dynamics-polydyne-jump = la { $derivative ->
        *[other] cuarta derivada
     } de la ley es discontinua en { $at }; la elevación de una leva polidina contiene la fuerza, de modo que la aceleración de la propia leva sería discontinua ahí
     .help = use una ley con cuatro derivadas continuas: un spline de grado 5 o mayor, armónicos o segmentos 5-6-7-8-9
+
+# Por qué se eligió un modelo.
+model-asked-for = elegido
+model-low-force = la carga de contacto del modelo rígido baja a { $force }, menos del { $part } de su media { $mean }; { $liftoff }
+model-near-liftoff = cerca del despegue: { $liftoff }
+model-two-cams = donde una leva releva a la otra hay impactos, que solo tiene el modelo de contacto
+model-nothing-vibrates = { $margin }; no se da frecuencia natural ni rigidez, así que nada puede vibrar
+model-vibration-loses-contact = { $vibration }; con vibración la carga de contacto baja a { $force } y se pierde el contacto; el modelo de contacto no incluye la vibración
+model-vibrates = { $vibration }, más del { $allowed }; { $margin }
+model-hardly-vibrates = { $vibration }, no más del { $allowed }; { $margin }
+model-held-from-both-sides = sujeto por ambos lados, el seguidor no puede despegarse
+model-no-liftoff = velocidad { $speed }, ninguna velocidad despega el seguidor
+model-liftoff-at = velocidad { $speed }, despegue a { $liftoff }
+model-no-force = nada aprieta el seguidor contra la leva: el accionamiento no tiene masa, muelle ni precarga
+model-inertia-only = ninguna carga media aprieta el seguidor contra la leva, la inercia da { $low } … { $high }; { $liftoff }
+model-smallest-force = la carga de contacto mínima { $force } es el { $part } de la media; { $liftoff }
+model-no-mass = la columna de fluido cede sin vibrar
+model-no-spectrum = la fuerza no tiene espectro
+model-harmonics = la primera frecuencia natural es { $frequency }, { $ratio } veces la frecuencia del eje; la vibración cambiaría la fuerza un { $part } de la media (RMS)
+
+# Qué conviene saber de una simulación.
+run-second-cam-bears = la segunda leva soporta la carga durante el { $part } del ciclo, hasta { $force }; en cada cambio se recorre el juego entre ambos lados
+run-other-wall-bears = la otra pared de la ranura soporta la carga durante el { $part } del ciclo, hasta { $force }; en cada cambio se recorre el juego entre ambos lados
+run-rigid-pulls = el modelo rígido tira donde la fuerza es negativa: el modelo de contacto sigue el despegue
+run-rigid-without-impacts = el modelo rígido no incluye los impactos donde una leva releva a la otra
+run-flexible-pulls = el seguidor que vibra se separa de la leva: ahí el modelo flexible tira
+run-escapes = la masa se separa de la leva y nada la devuelve
+run-not-periodic = el movimiento no se repite en { $turns } vueltas y { $impacts } impactos
+run-swings = el seguidor oscila: elevación y separación son ángulos en rad, la fuerza es el momento respecto al pivote en N·m, y la masa, el muelle y la precarga del accionamiento actúan respecto al pivote; la fuerza normal está en N
+run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva

@@ -20,7 +20,8 @@ const LISTED: usize = 12;
 pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running, words: &Words) {
     let outcome = running.outcome;
     heading(out, &words.text("report-simulation"));
-    let arguments = [("model", outcome.model.name()), ("why", &outcome.why)];
+    let why = outcome.why.sentence(words.language());
+    let arguments = [("model", outcome.model.name()), ("why", &why)];
     paragraph(out, &words.fill("report-simulated", &arguments));
     cards(out, &cards_of(synthesis, outcome, words));
     out.push_str("<div class=\"turning\">\n");
@@ -167,8 +168,10 @@ fn remarks(out: &mut String, outcome: &Outcome, words: &Words) {
         return;
     }
     out.push_str("<ul>\n");
-    for note in outcome.notes.iter().chain(&next) {
-        let _ = writeln!(out, "<li>{}</li>", escaped(note));
+    let notes = outcome.notes.iter();
+    let notes = notes.map(|note| note.sentence(words.language()));
+    for note in notes.chain(next) {
+        let _ = writeln!(out, "<li>{}</li>", escaped(&note));
     }
     out.push_str("</ul>\n");
 }

@@ -28,6 +28,11 @@ impl Words {
         Words { language, own }
     }
 
+    /// The language itself.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
     /// The tag of the language, for `html lang`.
     pub fn tag(&self) -> &'static str {
         self.language.tag()

@@ -12,6 +12,7 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::wording::Language;
 
 /// Runs of which the quickest counts.
 const RUNS: usize = 5;
@@ -81,7 +82,7 @@ fn dynamics(design: &Synthesis, points: usize) -> Option<Line> {
         Some(next) => {
             let seconds = quickest(|| simulate(&run, next.model)).1;
             let change = match &next.failed {
-                Some(words) => words.clone(),
+                Some(fault) => fault.to_string(),
                 None => format!(
                     "least and largest force move by {:.4} and {:.4} N",
                     next.force_min, next.force_max
@@ -98,7 +99,7 @@ fn dynamics(design: &Synthesis, points: usize) -> Option<Line> {
     Some(Line {
         subject: "dynamics",
         chosen: chosen.model.name().to_string(),
-        because: chosen.why,
+        because: chosen.why.sentence(Language::En),
         next,
     })
 }
