@@ -107,6 +107,13 @@ report-found-at = en
 report-concave-radius = radio cóncavo mínimo
 report-face-width = longitud de la cara
 report-pressure-angle = ángulo de presión
+report-loads = Par, potencia y presión
+report-torque-max = par máximo
+report-torque-rms = par, RMS
+report-power-max = potencia máxima
+report-power-mean = potencia media
+report-liftoff-speed = velocidad de despegue
+report-hertz-pressure = presión de Hertz máxima
 
 # Solución.
 report-solution = Solución
