@@ -1,6 +1,9 @@
 //! What a design's quantities are measured in. Lifts are lengths or, of an arm, angles; a cam turns through
 //! angles or slides along a length; forces follow the lift. Every number shown to people passes here.
 
+use crate::units::Dimension;
+use crate::wording::people;
+
 /// A unit people use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {
@@ -18,6 +21,12 @@ const MM: Unit = unit(1e3, "mm");
 const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
 
 impl Unit {
+    /// The unit in which people give what has this dimension.
+    pub fn of(dimension: Dimension) -> Unit {
+        let (name, factor) = people(dimension.si());
+        Unit { factor, name }
+    }
+
     /// A number written in this unit, with the unit: degrees stand close to their number.
     pub fn after(self, number: &str) -> String {
         match self.name {
@@ -163,31 +172,6 @@ impl Measures {
             },
         )
     }
-
-    /// A limit or check by its name in `summary.json`; without a unit where the name is not known here.
-    pub fn limit(self, name: &str) -> Unit {
-        match name {
-            _ if name.contains("pressure_angle") => DEGREES,
-            "stroke" | "residual" | "base_circle" => self.lift(0),
-            "velocity" => self.by_time(1),
-            "acceleration" => self.by_time(2),
-            "jerk" => self.by_time(3),
-            "force_min" | "force_max" | "rms_error" | "band" => self.force(),
-            "torque" if self == Measures::Straight => unit(1.0, "N"),
-            "torque" => unit(1.0, "N·m"),
-            "torque_rate" => unit(1.0, "N·m/rad"),
-            "accuracy.rms" => unit(100.0, "%"),
-            "hertz_pressure" => unit(1e-6, "MPa"),
-            "bore" | "face_width" | "offset" | "upper_wall" | "lower_wall" => MM,
-            _ if ["curvature", "concave", "interference", "radius"]
-                .iter()
-                .any(|length| name.ends_with(length)) =>
-            {
-                MM
-            }
-            _ => unit(1.0, ""),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -195,30 +179,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_arm_has_angles_and_moments_and_a_slide_millimetres() {
-        let shown = |m: Measures, name: &str, x: f64| {
-            let u = m.limit(name);
-            u.after(&format!("{:.4}", u.factor * x))
-        };
-        let ten = 10_f64.to_radians();
-        assert_eq!(shown(Measures::Oscillating, "stroke", ten), "10.0000°");
-        assert_eq!(shown(Measures::Translating, "stroke", 0.01), "10.0000 mm");
-        assert_eq!(shown(Measures::Oscillating, "jerk", 9.0), "9.0000 rad/s³");
-        assert_eq!(shown(Measures::Straight, "jerk", 9.0), "9.0000 m/s³");
-        assert_eq!(shown(Measures::Oscillating, "force_min", 2.0), "2.0000 N·m");
-        assert_eq!(
-            shown(Measures::Oscillating, "second_curvature", 2e-3),
-            "2.0000 mm"
-        );
-        assert_eq!(
-            shown(Measures::Oscillating, "cam.prime_radius", 2e-3),
-            "2.0000 mm"
-        );
-        assert_eq!(
-            shown(Measures::Translating, "pressure_angle_rise", ten),
-            "10.0000°"
-        );
-        assert_eq!(shown(Measures::Translating, "spans", 8.0), "8.0000");
+    fn places_and_speeds_are_angles_or_of_a_slide_millimetres() {
         assert_eq!(Measures::Straight.place(0.16, 1), "160.0 mm");
         assert_eq!(Measures::Oscillating.place(-0.0, 1), "0.0°");
         assert_eq!(Measures::Straight.speed_words(0.5, 2), "0.50 m/s");

@@ -4,6 +4,7 @@
 //! Nothing after [`Problem::settle`] looks at the [`Scene`] again. A search that changes a limit changes the
 //! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
 
+mod changed;
 mod machine;
 mod notes;
 mod spans;

@@ -38,8 +38,22 @@ pub struct Limits {
 }
 
 /// Every limit that a scene may set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    strum::EnumString,
+    strum::IntoStaticStr,
+    strum::VariantArray,
+)]
 #[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case")]
 #[non_exhaustive]
 pub enum LimitKind {
     /// Largest stroke.
@@ -77,25 +91,53 @@ pub enum LimitKind {
 }
 
 impl LimitKind {
+    /// All of them, in the order of the key table.
+    pub const ALL: &'static [LimitKind] = <LimitKind as strum::VariantArray>::VARIANTS;
+
     /// Its name among the checks of a summary: the last word of its key.
     pub fn name(self) -> &'static str {
-        match self {
-            LimitKind::Stroke => "stroke",
-            LimitKind::Velocity => "velocity",
-            LimitKind::Acceleration => "acceleration",
-            LimitKind::Jerk => "jerk",
-            LimitKind::ForceMin => "force_min",
-            LimitKind::ForceMax => "force_max",
-            LimitKind::Curvature => "curvature",
-            LimitKind::PressureAngle => "pressure_angle",
-            LimitKind::PressureAngleRise => "pressure_angle_rise",
-            LimitKind::PressureAngleFall => "pressure_angle_fall",
-            LimitKind::PrimeRadius => "prime_radius",
-            LimitKind::FaceWidth => "face_width",
-            LimitKind::Torque => "torque",
-            LimitKind::TorqueRate => "torque_rate",
-            LimitKind::HertzPressure => "hertz_pressure",
-            LimitKind::Residual => "residual",
+        self.into()
+    }
+
+    /// The limit of that name.
+    pub fn named(name: &str) -> Option<LimitKind> {
+        name.parse().ok()
+    }
+
+    /// Whether a check of a design measures it. One value for both pressure angles is measured on both sides.
+    pub fn is_measured_by(self, check: &str) -> bool {
+        match LimitKind::named(check) {
+            Some(LimitKind::PressureAngleRise | LimitKind::PressureAngleFall)
+                if self == LimitKind::PressureAngle =>
+            {
+                true
+            }
+            measured => measured == Some(self),
+        }
+    }
+}
+
+impl Limits {
+    /// Where the value of a limit stands; of one value for both pressure angles, that of the rise.
+    pub fn slot(&mut self, kind: LimitKind) -> &mut Option<f64> {
+        match kind {
+            LimitKind::Stroke => &mut self.stroke,
+            LimitKind::Velocity => &mut self.velocity,
+            LimitKind::Acceleration => &mut self.acceleration,
+            LimitKind::Jerk => &mut self.jerk,
+            LimitKind::ForceMin => &mut self.force_min,
+            LimitKind::ForceMax => &mut self.force_max,
+            LimitKind::Curvature => &mut self.curvature,
+            LimitKind::PressureAngle | LimitKind::PressureAngleRise => {
+                &mut self.pressure_angle_rise
+            }
+            LimitKind::PressureAngleFall => &mut self.pressure_angle_fall,
+            LimitKind::PrimeRadius => &mut self.prime_radius,
+            LimitKind::FaceWidth => &mut self.face_width,
+            LimitKind::Torque => &mut self.torque,
+            LimitKind::TorqueRate => &mut self.torque_rate,
+            LimitKind::HertzPressure => &mut self.hertz_pressure,
+            LimitKind::Residual => &mut self.residual,
         }
     }
 }

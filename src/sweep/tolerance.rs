@@ -16,6 +16,7 @@ use std::f64::consts::TAU;
 use super::sample::{Method, mixed, unit};
 use crate::drive::DriveKind;
 use crate::error::{Place, Result, SweepError};
+use crate::scene::keys::{self, Key};
 use crate::synth::Synthesis;
 use crate::units::{Dimension, parse};
 
@@ -31,6 +32,34 @@ pub enum Part {
     Mass,
     /// The speed.
     Speed,
+}
+
+impl Part {
+    const ALL: [Part; 4] = [Part::Profile, Part::BaseRadius, Part::Mass, Part::Speed];
+
+    /// Its key in the scene; the profile is no number there.
+    fn key(self) -> Option<&'static str> {
+        match self {
+            Part::Profile => None,
+            Part::BaseRadius => Some("cam.base_radius"),
+            Part::Mass => Some("drive.mass"),
+            Part::Speed => Some("drive.speed"),
+        }
+    }
+
+    /// Whether a user means it: by its key or the key's last word.
+    fn is_named(self, name: &str) -> bool {
+        match self.key() {
+            None => name == "profile",
+            Some(key) => name == key || key.rsplit_once('.').is_some_and(|k| k.1 == name),
+        }
+    }
+
+    /// What its tolerance is measured in.
+    fn dimension(self) -> Dimension {
+        let measure = self.key().and_then(keys::find).and_then(Key::measure);
+        measure.map_or(Dimension::Length, |m| m.translating)
+    }
 }
 
 /// A tolerance ± on a part; samples are spread evenly over it.
@@ -59,26 +88,21 @@ impl Tolerance {
             .ok_or_else(|| SweepError::NoToleranceValue {
                 typed: text.to_string(),
             })?;
-        let (part, dimension) = match name.trim() {
-            "profile" => (Part::Profile, Dimension::Length),
-            "base_radius" | "cam.base_radius" => (Part::BaseRadius, Dimension::Length),
-            "mass" | "drive.mass" => (Part::Mass, Dimension::Mass),
-            "speed" | "drive.speed" => (Part::Speed, Dimension::AngularSpeed),
-            other => {
-                let typed = other.to_string();
-                return Err(SweepError::NoTolerance { typed }.into());
-            }
+        let name = name.trim();
+        let Some(part) = Part::ALL.into_iter().find(|p| p.is_named(name)) else {
+            let typed = name.to_string();
+            return Err(SweepError::NoTolerance { typed }.into());
         };
         let relative = value.trim().ends_with('%') && matches!(part, Part::Mass | Part::Speed);
         let dimension = if relative {
             Dimension::Ratio
         } else {
-            dimension
+            part.dimension()
         };
         let half_width = parse(value, dimension).map_err(|e| e.at(Place::Key(name.to_string())))?;
         if half_width < 0.0 {
             return Err(SweepError::NegativeTolerance {
-                part: name.trim().to_string(),
+                part: name.to_string(),
                 typed: value.trim().to_string(),
             }
             .into());

@@ -3,13 +3,14 @@
 use super::method::{Ended, Method, PassedOver};
 use super::qp::Certificate;
 use super::reason::{Reason, sentences};
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Unit, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Note;
+use crate::units::Dimension;
 use crate::wording::Language;
 
 /// Everything known about a finished design.
@@ -179,14 +180,14 @@ impl Easing {
             "rms_error_n" => ("force error (RMS)", force),
             "weighted_rms_error_n" => ("weighted force error (RMS)", force),
             "max_error_n" => ("force error (largest)", force),
-            "radius_m" => ("radius", measures.limit("base_radius")),
+            "radius_m" => ("radius", Unit::of(Dimension::Length)),
             "rms_derivative_2" => ("acceleration (RMS)", lift(2)),
             "rms_derivative_3" => ("jerk (RMS)", lift(3)),
             "rms_derivative_4" => ("snap (RMS)", lift(4)),
             "peak_derivative_2" => ("peak acceleration", lift(2)),
             "peak_derivative_3" => ("peak jerk", lift(3)),
             "peak_derivative_4" => ("peak snap", lift(4)),
-            _ => ("objective", measures.limit("")),
+            _ => ("objective", Unit::of(Dimension::Ratio)),
         };
         (name, unit.name, unit.factor)
     }
@@ -287,6 +288,8 @@ pub struct Infeasible {
 pub struct Relaxation {
     /// Name of the limit.
     pub limit: String,
+    /// Its key, as typed after `--set`.
+    pub key: &'static str,
     /// Its present value, SI.
     pub from: f64,
     /// The value that works, SI; `None` when no value of this limit alone helps.

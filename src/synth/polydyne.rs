@@ -11,7 +11,7 @@ use crate::dynamics::flexible::polydyne::{end_error, polydyne};
 use crate::error::{Place, Result};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
-use crate::scene::Limits;
+use crate::scene::{LimitKind, Limits};
 use crate::units::{Dimension, Quantity};
 
 /// Times that the end's limits are moved so that the cam keeps its own.
@@ -121,23 +121,18 @@ fn cut(problem: &Problem, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
     Ok((cam, wanted))
 }
 
+/// Limits of the cam that no change of the end's own limits brings nearer.
+const OTHERS: [LimitKind; 4] = [
+    LimitKind::ForceMin,
+    LimitKind::ForceMax,
+    LimitKind::FaceWidth,
+    LimitKind::Residual,
+];
+
 /// The scene's number behind a check, where rows of the program can hold it.
 fn own_limit<'a>(limits: &'a mut Limits, check: &str) -> Option<&'a mut f64> {
-    match check {
-        "stroke" => &mut limits.stroke,
-        "velocity" => &mut limits.velocity,
-        "acceleration" => &mut limits.acceleration,
-        "jerk" => &mut limits.jerk,
-        "pressure_angle_rise" => &mut limits.pressure_angle_rise,
-        "pressure_angle_fall" => &mut limits.pressure_angle_fall,
-        "curvature" => &mut limits.curvature,
-        "prime_radius" => &mut limits.prime_radius,
-        "torque" => &mut limits.torque,
-        "torque_rate" => &mut limits.torque_rate,
-        "hertz_pressure" => &mut limits.hertz_pressure,
-        _ => return None,
-    }
-    .as_mut()
+    let kind = LimitKind::named(check).filter(|kind| !OTHERS.contains(kind))?;
+    limits.slot(kind).as_mut()
 }
 
 /// What the flexible machine makes of the cam, and of one cut to the wanted law itself.

@@ -3,9 +3,10 @@
 use serde::Serialize;
 use strum::VariantNames;
 
+use super::named::dimension;
 use super::qp::Stop;
 use crate::cam::Measures;
-use crate::units::{Dimension, Quantity};
+use crate::units::Quantity;
 use crate::wording::{self, Language};
 
 /// One reason for a verdict.
@@ -148,24 +149,5 @@ pub fn place(measures: Measures, at: f64) -> Quantity {
 
 /// A limit's value with its unit, on a cam of these measures.
 pub fn quantity(measures: Measures, limit: &str, value: f64) -> Quantity {
-    let oscillating = measures == Measures::Oscillating;
-    let either = |arm: Dimension, other: Dimension| if oscillating { arm } else { other };
-    let dimension = match limit {
-        _ if limit.contains("pressure_angle") => Dimension::Angle,
-        "stroke" | "residual" | "base_circle" => either(Dimension::Angle, Dimension::Length),
-        "velocity" => either(Dimension::AngularSpeed, Dimension::Speed),
-        "acceleration" => either(Dimension::AngularAcceleration, Dimension::Acceleration),
-        "jerk" => either(Dimension::AngularJerk, Dimension::Jerk),
-        "force_min" | "force_max" | "rms_error" | "band" => {
-            either(Dimension::Torque, Dimension::Force)
-        }
-        "torque" if measures == Measures::Straight => Dimension::Force,
-        "torque" => Dimension::Torque,
-        "torque_rate" => Dimension::AngularRate,
-        "power" => Dimension::Power,
-        "accuracy.rms" => Dimension::Percent,
-        "hertz_pressure" => Dimension::Pressure,
-        _ => Dimension::Length,
-    };
-    Quantity::new(value, dimension)
+    Quantity::new(value, dimension(measures, limit))
 }

@@ -79,6 +79,14 @@ fn short(text: &str) -> &str {
     }
 }
 
+/// The unit that people use in place of an SI unit, and the factor to it.
+pub fn people(si: &str) -> (&str, f64) {
+    SHOWN
+        .iter()
+        .find(|row| row.0 == si)
+        .map_or((si, 1.0), |row| (row.1, row.2))
+}
+
 /// A quantity given in an SI unit, in the unit that people use: 0.0136 m is `13.6 mm`.
 ///
 /// ```
@@ -88,10 +96,7 @@ fn short(text: &str) -> &str {
 /// assert_eq!(quantity(Language::En, std::f64::consts::PI, "rad"), "180°");
 /// ```
 pub fn quantity(language: Language, value: f64, unit: &str) -> String {
-    let (shown, factor) = SHOWN
-        .iter()
-        .find(|row| row.0 == unit)
-        .map_or((unit, 1.0), |row| (row.1, row.2));
+    let (shown, factor) = people(unit);
     let number = number(language, factor * value);
     match shown {
         "" => number,

@@ -15,6 +15,8 @@ mod value;
 
 use std::sync::LazyLock;
 
+use super::LimitKind;
+
 pub use list::{json, markdown, takes};
 pub use row::{Idle, Key, Kind, Measure, Range, Relax};
 pub use value::Value;
@@ -49,6 +51,11 @@ pub static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
 /// The row of a key; entries of lists go by number or by the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.index_in(path).is_some())
+}
+
+/// The row that sets a limit.
+pub fn of_limit(kind: LimitKind) -> Option<&'static Key> {
+    KEYS.iter().find(|k| k.limit == Some(kind))
 }
 
 /// The rows that may be relaxed when a scene cannot be met: limits first, then accuracy and given sizes.

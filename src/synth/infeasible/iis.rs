@@ -7,6 +7,7 @@ use crate::problem::{Problem, Size};
 use crate::synth::design::{Infeasible, Relaxation};
 use crate::synth::families::Stuck;
 use crate::synth::limits::{Loads, NonconvexLimits};
+use crate::synth::named::key_of;
 use crate::synth::qp::{EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
 use crate::synth::reason::Reason;
 use crate::synth::scp;
@@ -160,11 +161,13 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let relaxations = vec![
         Relaxation {
             limit: "bore".to_string(),
+            key: key_of("bore"),
             from: bore,
             to: (smaller > 0.0).then_some(smaller),
         },
         Relaxation {
             limit: "prime_radius".to_string(),
+            key: key_of("prime_radius"),
             from: limit,
             to: Some(least),
         },
@@ -197,6 +200,11 @@ fn elastic(program: &Program, name: &str) -> Option<Relaxation> {
         .solve()
         .ok()
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
-    let limit = first.meaning.key(first.name).to_string();
-    Some(Relaxation { limit, from, to })
+    let limit = first.meaning.key(first.name);
+    Some(Relaxation {
+        limit: limit.to_string(),
+        key: key_of(limit),
+        from,
+        to,
+    })
 }

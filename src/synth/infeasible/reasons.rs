@@ -2,6 +2,7 @@
 
 use crate::cam::Measures;
 use crate::synth::design::Relaxation;
+use crate::synth::named::unit;
 use crate::synth::reason::{Change, Reason, quantity};
 
 /// Which limits cannot hold together.
@@ -38,7 +39,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
 
 /// A limit's value in the units people use for it on a cam of these measures.
 pub fn in_units(measures: Measures, limit: &str, value: f64) -> String {
-    let unit = measures.limit(limit);
+    let unit = unit(measures, limit);
     let value = unit.factor * value;
     if value.is_infinite() {
         return "∞".to_string();

@@ -1,155 +1,61 @@
-//! The numbers of a problem that may be relaxed: limits, accuracy, sizes that were given.
+//! How far a key that may be relaxed is moved, and in which steps its value is told. Which keys those are, and
+//! which way they ask for less, stands in their rows of the key table.
 
 use crate::problem::Problem;
+use crate::scene::keys::{self, Key, Range, Relax};
+use crate::synth::named::name_of;
 
-/// A limit is first lifted by this factor, to see whether it is what stands in the way.
+/// A limit is first lifted by this factor, to see whether it is what stands in the way …
 pub const AWAY: f64 = 1e4;
+/// … a size of the cam by this one.
+const FAR_LARGER: f64 = 30.0;
 /// Pressure angle that is no limit any more, rad.
-pub const STEEPEST: f64 = 1.55;
+const STEEPEST: f64 = 1.55;
 
-/// A number of the problem that may be relaxed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relaxable {
-    Stroke,
-    Velocity,
-    Acceleration,
-    Jerk,
-    ForceMin,
-    ForceMax,
-    Curvature,
-    PressureAngle,
-    Rise,
-    Fall,
-    Bore,
-    PrimeRadiusLimit,
-    FaceWidth,
-    Torque,
-    TorqueRate,
-    Hertz,
-    Residual,
-    Accuracy,
-    PrimeRadius,
-    BaseRadius,
+/// A number of the scene that may be relaxed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Relaxable {
+    /// Its row.
+    pub key: &'static Key,
+    relax: Relax,
 }
 
-pub use Relaxable::{
-    Acceleration, Accuracy, BaseRadius, Bore, Curvature, FaceWidth, Fall, ForceMax, ForceMin,
-    Hertz, Jerk, PressureAngle, PrimeRadius, PrimeRadiusLimit, Residual, Rise, Stroke, Torque,
-    TorqueRate, Velocity,
-};
-
-/// All of them, in the order in which they are told.
-pub const RELAXABLE: [Relaxable; 20] = [
-    Stroke,
-    Velocity,
-    Acceleration,
-    Jerk,
-    ForceMin,
-    ForceMax,
-    Curvature,
-    PressureAngle,
-    Rise,
-    Fall,
-    Bore,
-    PrimeRadiusLimit,
-    FaceWidth,
-    Torque,
-    TorqueRate,
-    Hertz,
-    Residual,
-    Accuracy,
-    PrimeRadius,
-    BaseRadius,
-];
+/// The numbers of a problem that may be relaxed, with their values, in the order in which they are told.
+pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
+    let of = |key: &'static Key| {
+        let relax = key.relax?;
+        Some((Relaxable { key, relax }, problem.value(key)?))
+    };
+    keys::relaxable().filter_map(of).collect()
+}
 
 impl Relaxable {
-    /// Name in messages and in `summary.json`: the limit's, or the scene's key where that is none.
+    /// Its name in `summary.json`.
     pub fn name(self) -> &'static str {
-        match self {
-            Stroke => "stroke",
-            Velocity => "velocity",
-            Acceleration => "acceleration",
-            Jerk => "jerk",
-            ForceMin => "force_min",
-            ForceMax => "force_max",
-            Curvature => "curvature",
-            PressureAngle => "pressure_angle",
-            Rise => "pressure_angle_rise",
-            Fall => "pressure_angle_fall",
-            Bore => "bore",
-            PrimeRadiusLimit => "prime_radius",
-            FaceWidth => "face_width",
-            Torque => "torque",
-            TorqueRate => "torque_rate",
-            Hertz => "hertz_pressure",
-            Residual => "residual",
-            Accuracy => "accuracy.rms",
-            PrimeRadius => "cam.prime_radius",
-            BaseRadius => "cam.base_radius",
-        }
+        name_of(self.key)
+    }
+
+    /// Whether it is the accuracy, a part of the mean force that a check has in newtons.
+    pub fn is_accuracy(self) -> bool {
+        self.key.section() == "accuracy"
     }
 
     /// Whether a check measures it.
     pub fn is_measured_by(self, check: &str) -> bool {
-        match self {
-            PressureAngle => check == "pressure_angle_rise" || check == "pressure_angle_fall",
-            Accuracy => check == "rms_error",
-            Bore | PrimeRadius | BaseRadius => false,
-            _ => check == self.name(),
+        match self.key.limit {
+            Some(kind) => kind.is_measured_by(check),
+            None => self.is_accuracy() && check == "rms_error",
         }
     }
 
-    fn slot(self, problem: &mut Problem) -> &mut Option<f64> {
-        let limits = &mut problem.limits;
-        match self {
-            Stroke => &mut limits.stroke,
-            Velocity => &mut limits.velocity,
-            Acceleration => &mut limits.acceleration,
-            Jerk => &mut limits.jerk,
-            ForceMin => &mut limits.force_min,
-            ForceMax => &mut limits.force_max,
-            Curvature => &mut limits.curvature,
-            PressureAngle | Rise => &mut limits.pressure_angle_rise,
-            Fall => &mut limits.pressure_angle_fall,
-            Bore => &mut problem.cam.bore,
-            PrimeRadiusLimit => &mut limits.prime_radius,
-            FaceWidth => &mut limits.face_width,
-            Torque => &mut limits.torque,
-            TorqueRate => &mut limits.torque_rate,
-            Hertz => &mut limits.hertz_pressure,
-            Residual => &mut limits.residual,
-            Accuracy => &mut problem.accuracy,
-            PrimeRadius => &mut problem.cam.prime_radius,
-            BaseRadius => &mut problem.cam.base_radius,
-        }
-    }
-
-    /// Its value, where the scene has one that can be relaxed by itself.
-    pub fn value(self, problem: &Problem) -> Option<f64> {
-        let both = problem.limits.pressure_angle_rise.is_some()
-            && problem.limits.pressure_angle_rise == problem.limits.pressure_angle_fall;
-        let told = match self {
-            PressureAngle => both,
-            Rise | Fall => !both,
-            _ => true,
-        };
-        let value = *self.slot(&mut problem.clone());
-        value.filter(|_| told)
-    }
-
-    /// The scene with another value.
+    /// The problem with another value.
     pub fn with(self, problem: &Problem, value: f64) -> Problem {
-        let mut out = problem.clone();
-        *self.slot(&mut out) = Some(value);
-        if self == PressureAngle {
-            out.limits.pressure_angle_fall = Some(value);
-        }
-        out
+        problem.with(self.key, value)
     }
 
     /// Whether a larger value is the weaker limit.
     pub fn grows(self) -> bool {
-        !matches!(self, ForceMin | Curvature | Bore)
+        self.relax == Relax::Up
     }
 
     /// +1 where a larger value is the weaker limit.
@@ -159,21 +65,30 @@ impl Relaxable {
 
     /// A value that limits nothing.
     pub fn away(self, from: f64, force: f64) -> f64 {
-        match self {
-            PressureAngle | Rise | Fall => STEEPEST,
-            Curvature => 0.0,
-            Bore => from / AWAY,
-            ForceMin => from - AWAY * force.max(from.abs()),
-            ForceMax => from + AWAY * force.max(from.abs()),
-            PrimeRadius | BaseRadius => 30.0 * from,
-            _ => AWAY * from,
+        match (self.key.range, self.relax) {
+            (Range::Acute, _) => STEEPEST,
+            (Range::Any, _) => from + self.sign() * AWAY * force.max(from.abs()),
+            (Range::NotNegative, Relax::Down) => 0.0,
+            (_, Relax::Down) => from / AWAY,
+            (_, Relax::Up) if self.key.section() == "cam" => FAR_LARGER * from,
+            (_, Relax::Up) => AWAY * from,
+        }
+    }
+
+    /// The value relaxed by a share of it.
+    pub fn eased(self, from: f64, share: f64, force: f64) -> f64 {
+        match (self.key.range, self.relax) {
+            (Range::Acute, _) => (from * (1.0 + share)).min(STEEPEST),
+            (Range::Any, Relax::Down) => from - share * from.abs().max(force),
+            (_, Relax::Down) => from / (1.0 + share),
+            (_, Relax::Up) => from * (1.0 + share),
         }
     }
 
     /// Steps in which a value is told: a little on the weak side of what was found.
     pub fn rounded(self, value: f64) -> f64 {
-        let step = match self {
-            PressureAngle | Rise | Fall => 1e-3_f64.to_radians(),
+        let step = match self.key.range {
+            Range::Acute => 1e-3_f64.to_radians(),
             _ => 10_f64.powf((value.abs().max(f64::MIN_POSITIVE)).log10().floor() - 5.0),
         };
         // A value that is round already stays.

@@ -6,15 +6,12 @@
 //! with and has passed.
 
 use super::reasons::smallest_relaxations;
-use super::relaxable::{
-    AWAY, Accuracy, Bore, Curvature, Fall, ForceMin, PressureAngle, RELAXABLE, Relaxable, Rise,
-    STEEPEST,
-};
+use super::relaxable::{AWAY, Relaxable, relaxables};
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::design::{Binding, Relaxation, Synthesis, Tier};
+use crate::synth::design::{Relaxation, Synthesis, Tier};
 use crate::synth::reason::Reason;
 use crate::units::Quantity;
 
@@ -38,17 +35,8 @@ pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Synthesis) -> 
 }
 
 fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
-    // A failed check is a limit that binds, whatever shaped the law.
-    for check in design.checks.iter().filter(|c| !c.pass) {
-        if !design.binding.iter().any(|b| b.limit == check.name) {
-            design.binding.push(Binding {
-                limit: check.name.clone(),
-                multiplier: 0.0,
-                at: check.at,
-            });
-        }
-    }
-    if RELAXABLE.iter().all(|k| k.value(problem).is_none()) {
+    let numbers = relaxables(problem);
+    if numbers.is_empty() {
         return design;
     }
     let known: Vec<Relaxation> = design
@@ -68,24 +56,22 @@ fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
         },
     };
     let mut found: Vec<Relaxation> = Vec::new();
-    for knob in RELAXABLE {
-        let Some(from) = knob.value(problem) else {
-            continue;
-        };
+    for &(number, from) in &numbers {
         let hint = known
             .iter()
-            .find(|r| r.limit == knob.name())
+            .find(|r| r.limit == number.name())
             .and_then(|r| r.to);
-        if let Some(to) = search.smallest(knob, from, hint) {
+        if let Some(to) = search.smallest(number, from, hint) {
             found.push(Relaxation {
-                limit: knob.name().to_string(),
+                limit: number.name().to_string(),
+                key: number.key.path,
                 from,
                 to: Some(to),
             });
         }
     }
     let together = if found.is_empty() {
-        search.together()
+        search.together(&numbers)
     } else {
         None
     };
@@ -138,40 +124,43 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The design with one value changed, where it passes.
-    fn tried(&self, knob: Relaxable, value: f64) -> Option<Synthesis> {
-        passing(knob.with(self.problem, value))
+    fn tried(&self, number: Relaxable, value: f64) -> Option<Synthesis> {
+        passing(number.with(self.problem, value))
     }
 
     /// The value nearest to `from` with which the design passes, rounded to the weak side.
-    fn smallest(&self, knob: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
+    fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
         // Next to the edge of what exists a program is hard to solve: a little room helps.
         for room in hint.map_or(&[][..], |_| &ROOMS) {
             let hint = hint.unwrap_or(from);
-            let to = knob.rounded(hint + room * hint.abs() * knob.sign());
-            if self.tried(knob, to).is_none() {
+            let to = number.rounded(hint + room * hint.abs() * number.sign());
+            if self.tried(number, to).is_none() {
                 continue;
             }
-            let back = to - BACK * to.abs() * knob.sign();
-            if *room > 0.0 || self.tried(knob, back).is_none() {
+            let back = to - BACK * to.abs() * number.sign();
+            if *room > 0.0 || self.tried(number, back).is_none() {
                 return Some(to);
             }
             break;
         }
-        let free = knob.away(from, self.force);
-        let design = self.tried(knob, free)?;
+        let free = number.away(from, self.force);
+        let design = self.tried(number, free)?;
         // What the free design needs is enough; often it is the answer.
         let needed = design
             .checks
             .iter()
-            .filter(|c| knob.is_measured_by(&c.name))
-            .map(|c| match knob {
-                Accuracy => c.worst / self.force_mean(),
-                _ => c.worst,
+            .filter(|c| number.is_measured_by(&c.name))
+            .map(|c| {
+                if number.is_accuracy() {
+                    c.worst / self.force_mean()
+                } else {
+                    c.worst
+                }
             })
-            .reduce(|a, b| if knob.grows() { a.max(b) } else { a.min(b) });
+            .reduce(|a, b| if number.grows() { a.max(b) } else { a.min(b) });
         let mut works = free;
-        if let Some(needed) = needed.map(|n| knob.rounded(n))
-            && self.tried(knob, needed).is_some()
+        if let Some(needed) = needed.map(|n| number.rounded(n))
+            && self.tried(number, needed).is_some()
         {
             works = needed;
         }
@@ -185,7 +174,7 @@ impl Search<'_> {
             } else {
                 0.5 * (works + fails)
             };
-            if self.tried(knob, middle).is_some() {
+            if self.tried(number, middle).is_some() {
                 works = middle;
             } else {
                 fails = middle;
@@ -194,8 +183,8 @@ impl Search<'_> {
         // A program at its edge may fail where the one beside it is solved.
         EDGES
             .iter()
-            .map(|room| knob.rounded(works + room * works.abs() * knob.sign()))
-            .find(|&to| self.tried(knob, to).is_some())
+            .map(|room| number.rounded(works + room * works.abs() * number.sign()))
+            .find(|&to| self.tried(number, to).is_some())
     }
 
     fn force_mean(&self) -> f64 {
@@ -208,22 +197,10 @@ impl Search<'_> {
     }
 
     /// The smallest share by which all limits can be relaxed together, with the values.
-    fn together(&self) -> Option<(f64, Vec<Relaxation>)> {
-        let knobs: Vec<(Relaxable, f64)> = RELAXABLE
-            .into_iter()
-            .filter_map(|k| Some((k, k.value(self.problem)?)))
-            .collect();
-        if knobs.is_empty() {
-            return None;
-        }
+    fn together(&self, numbers: &[(Relaxable, f64)]) -> Option<(f64, Vec<Relaxation>)> {
         let eased = |part: f64| -> Vec<(Relaxable, f64)> {
-            let by = |knob: Relaxable, from: f64| match knob {
-                ForceMin => from - part * from.abs().max(self.force),
-                Curvature | Bore => from / (1.0 + part),
-                PressureAngle | Rise | Fall => (from * (1.0 + part)).min(STEEPEST),
-                _ => from * (1.0 + part),
-            };
-            knobs.iter().map(|&(k, from)| (k, by(k, from))).collect()
+            let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, part, self.force));
+            numbers.iter().map(by).collect()
         };
         let holds = |part: f64| {
             let changed = eased(part)
@@ -249,9 +226,10 @@ impl Search<'_> {
         }
         let all = eased(works)
             .into_iter()
-            .zip(&knobs)
+            .zip(numbers)
             .map(|((k, to), &(_, from))| Relaxation {
                 limit: k.name().to_string(),
+                key: k.key.path,
                 from,
                 to: Some(to),
             })

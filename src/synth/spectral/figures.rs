@@ -4,7 +4,7 @@ use super::{Fit, HarmonicTarget, LawRanges};
 use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
-use crate::scene::{Family, Minimise, Scene};
+use crate::scene::{Family, LimitKind, Minimise, Scene};
 use crate::synth::{Figures, ForceReport};
 
 /// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
@@ -171,15 +171,30 @@ fn force(fit: &Fit, scale: f64, mean: f64, mean_force: f64) -> ForceReport {
     }
 }
 
+/// The limits that are looked at here. A pressure angle under a flat face is none.
+const HERE: [LimitKind; 12] = [
+    LimitKind::Stroke,
+    LimitKind::Velocity,
+    LimitKind::Acceleration,
+    LimitKind::Jerk,
+    LimitKind::ForceMin,
+    LimitKind::ForceMax,
+    LimitKind::Curvature,
+    LimitKind::PressureAngle,
+    LimitKind::PressureAngleRise,
+    LimitKind::PressureAngleFall,
+    LimitKind::PrimeRadius,
+    LimitKind::FaceWidth,
+];
+
 /// Whether every limit holds; limits of the running machine are the solver's business. The solver counts a
 /// stroke limit from the base circle, so `highest` is the largest lift above it.
 fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f64) -> bool {
     let limits = &scene.limits;
     let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
-    let machine = limits.torque.is_some()
-        || limits.torque_rate.is_some()
-        || limits.hertz_pressure.is_some()
-        || limits.residual.is_some();
+    let mut given = limits.clone();
+    let mut others = LimitKind::ALL.iter().filter(|kind| !HERE.contains(kind));
+    let machine = others.any(|&kind| given.slot(kind).is_some());
     let force = &figures.force;
     !machine
         && within(highest, limits.stroke)

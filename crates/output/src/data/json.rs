@@ -218,6 +218,7 @@ struct InfeasibleSummary<'a> {
 #[derive(Serialize)]
 struct RelaxationSummary<'a> {
     limit: &'a str,
+    key: &'static str,
     from: f64,
     to: Option<f64>,
 }
@@ -384,6 +385,7 @@ impl<'a> RelaxationSummary<'a> {
     fn new(r: &'a Relaxation) -> Self {
         RelaxationSummary {
             limit: &r.limit,
+            key: r.key,
             from: r.from,
             to: r.to,
         }

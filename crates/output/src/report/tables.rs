@@ -8,14 +8,14 @@ use crate::escape::escaped;
 use crate::number::{degrees, millimetres, number, range};
 use crate::words::Words;
 use gaitcam::cam::{Check, Follower, Measures, Unit};
-use gaitcam::synth::{Synthesis, Tier};
+use gaitcam::synth::{Synthesis, Tier, unit};
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;
 
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
 pub fn shown(measures: Measures, limit: &str, value: f64) -> String {
-    let unit = measures.limit(limit);
+    let unit = unit(measures, limit);
     unit.after(&number(unit.factor * value, 4))
 }
 

@@ -236,11 +236,13 @@ pub fn impossible() -> Synthesis {
         relaxations: vec![
             Relaxation {
                 limit: "stroke".into(),
+                key: "limits.stroke",
                 from: 0.03,
                 to: Some(0.0483),
             },
             Relaxation {
                 limit: "rms".into(),
+                key: "accuracy.rms",
                 from: 0.005,
                 to: None,
             },
