@@ -85,7 +85,7 @@ pub use method::{Ended, Method, PassedOver};
 pub use named::unit;
 pub use pareto::{Against, Trade, trade};
 pub use qp::Certificate;
-pub use reason::{Change, Reason};
+pub use reason::{Change, Reason, sentences};
 
 use crate::cam::{Cam, Check, Verdict};
 use crate::error::{Error, Result};

@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::Value;
+use serde_json::{Value, json};
 
+use crate::error::CliError;
 use crate::exit_code::{BAD_INPUT, BUILT};
 use crate::input::{self, files::read_bytes, target::metadata};
 use crate::language;
 use crate::terminal::{print, print_json, report};
+use crate::words;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Cycle, Feet, ReadOptions, Recording, Stances};
 use gaitcam::units::Dimension;
@@ -72,10 +74,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
         .as_deref()
         .map(|out| places(out, &args.files))
         .transpose()?;
-    let feet: Feet = args
-        .feet
-        .parse()
-        .map_err(|e: Error| e.at(Place::Argument("--feet".to_string())))?;
+    let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
     let mut code = BUILT;
     let mut objects = Vec::new();
     for (i, path) in args.files.iter().enumerate() {
@@ -91,7 +90,7 @@ pub fn run(args: &GaitArgs) -> Result<u8> {
             Err(e) => Some(e),
         };
         if let Some(fault) = fault {
-            report(fault);
+            report(fault.sentence(language::current()));
             code = BAD_INPUT;
         }
     }
@@ -111,7 +110,7 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
     let bytes = read_bytes(path)?;
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
         if let Some(place) = place {
-            let from = format!("cycle of {}", path.display());
+            let from = named("gait-cycle-of", path);
             write_whole(place, force::csv(&curve, &[&from]).as_bytes())?;
         }
         return Ok(Described {
@@ -149,11 +148,16 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
     })
 }
 
+/// A heading with a file's name.
+fn named(key: &str, path: &Path) -> String {
+    words::fill(key, &json!({"file": path.display().to_string()}))
+}
+
 fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
-    let unit = args.unit.as_deref().map(|u| {
-        u.parse()
-            .map_err(|e: Error| e.at(Place::Argument("--unit".to_string())))
-    });
+    let unit = args
+        .unit
+        .as_deref()
+        .map(|u| u.parse().map_err(input::at_flag("--unit")));
     Ok(ReadOptions {
         time: args.time.clone(),
         force: args.force.clone(),
@@ -172,7 +176,7 @@ fn write_cycle(
     stances: &Stances,
     cycle: &Cycle,
 ) -> Result<()> {
-    let from = format!("mean cycle of {}", path.display());
+    let from = named("gait-mean-cycle-of", path);
     let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
     write_whole(place, csv.as_bytes())?;
     let Some(overlay) = force::overlay(recording, stances, DRAWN) else {
@@ -194,9 +198,8 @@ fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
     if !csv && !out.is_dir() && out.extension().is_some() {
-        let what = format!("{} is neither a .csv file nor a folder", out.display());
-        return Err(Error::argument("--out", what)
-            .help("the cycle is written as .csv, with pictures .svg and .png beside it"));
+        let file = out.display().to_string();
+        return Err(CliError::CycleEnding { file }.flag("--out"));
     }
     if !csv || out.is_dir() {
         let folder = Folder::open(out)?;
@@ -214,19 +217,12 @@ fn places(out: &Path, recordings: &[PathBuf]) -> Result<Vec<PathBuf>> {
         return Ok(places);
     }
     if recordings.len() > 1 {
-        return Err(Error::argument(
-            "--out",
-            "one curve file cannot hold the cycles of several recordings",
-        )
-        .help("give a folder, or one recording at a time"));
+        return Err(CliError::OneCurve.flag("--out"));
     }
     let same =
         |p: &PathBuf| matches!((p.canonicalize(), out.canonicalize()), (Ok(a), Ok(b)) if a == b);
     if recordings.iter().any(same) {
-        return Err(
-            Error::argument("--out", "the mean cycle would replace the recording itself")
-                .help("give another name"),
-        );
+        return Err(CliError::CycleOverRecording.flag("--out"));
     }
     // As synth does: a folder that is not there yet is made.
     if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {

@@ -1,12 +1,13 @@
 //! `gaitcam keys`: every key of a scene file; `gaitcam scenes`: the scenes that come with the program.
 
 use clap::Args;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::scene::keys::{self, KEYS};
 use gaitcam::scene::{SCENES, built_in, schema};
 use gaitcam::wording::{Language, key_doc, scene_doc};
 use serde_json::{Value, json};
 
+use crate::error::CliError;
 use crate::exit_code::BUILT;
 use crate::language;
 use crate::terminal::{print, print_json};
@@ -69,10 +70,8 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
     }
     if !found {
         let pattern = args.pattern.as_deref().unwrap_or("");
-        return Err(Error::argument(
-            "PATTERN",
-            format!("no key contains \"{pattern}\""),
-        ));
+        let pattern = pattern.to_string();
+        return Err(CliError::NoKeyContains { pattern }.flag("PATTERN"));
     }
     Ok(BUILT)
 }
@@ -100,7 +99,7 @@ pub fn scenes(args: &ScenesArgs) -> Result<u8> {
                 print(&format!(
                     "{:30} {}",
                     s.name,
-                    scene_doc(Language::En, s.name)
+                    scene_doc(language::current(), s.name)
                 ));
             }
         }

@@ -5,11 +5,17 @@ use serde_json::{Value, json};
 
 use crate::exit_code::BUILT;
 use crate::terminal::{print, print_json};
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam::law::{Ends, Factors, Rise};
 
+const EXAMPLES: &str = "Examples:
+  gaitcam laws
+  gaitcam laws --json | python3 -m json.tool";
+
 /// How to print it.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct LawsArgs {
     /// Print JSON
     #[arg(long)]
@@ -55,11 +61,15 @@ fn object((name, f, ends): &Row) -> Value {
 
 fn table(rows: &[Row]) -> String {
     let mut out = vec![
-        "Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|"
-            .to_string(),
+        words::text("laws-head"),
         format!(
-            "{:<22} {:>9} {:>9} {:>10} {:>9}  joins",
-            "law", "Cv", "Ca", "Cj", "Ct"
+            "{:<22} {:>9} {:>9} {:>10} {:>9}  {}",
+            words::text("laws-law"),
+            "Cv",
+            "Ca",
+            "Cj",
+            "Ct",
+            words::text("laws-joins")
         ),
     ];
     for (name, f, ends) in rows {

@@ -7,6 +7,7 @@
 mod chart;
 mod compare;
 mod completions;
+mod error;
 pub mod exit_code;
 mod front;
 mod gait;
@@ -20,6 +21,7 @@ mod simulate;
 mod sweep;
 pub mod synth;
 mod terminal;
+mod words;
 
 use std::ffi::OsString;
 
@@ -85,14 +87,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     match std::panic::catch_unwind(|| dispatch(cli)) {
         Ok(Ok(code)) => final_exit_code(code),
         Ok(Err(error)) => {
-            report(&error);
+            report(error.sentence(language::current()));
             if json {
                 print_json(&error_json(&error));
             }
             final_exit_code(BAD_INPUT)
         }
         Err(_) => {
-            report("internal error; please report it with the scene");
+            report(words::text("run-internal-error"));
             INTERNAL_ERROR
         }
     }

@@ -8,8 +8,13 @@ use crate::exit_code::BUILT;
 use crate::terminal::print;
 use gaitcam::error::Result;
 
+const EXAMPLES: &str = "Examples:
+  gaitcam reproduce
+  gaitcam reproduce --out out/reproduced";
+
 /// Where the report goes.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct ReproduceArgs {
     /// Folder for the report
     #[arg(long, value_name = "DIR", default_value = "reports")]

@@ -7,17 +7,20 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::json;
 
+use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
+use crate::synth::files_in;
 use crate::terminal::{print, print_json, report};
+use crate::words;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::Train;
 use gaitcam::dynamics::hertz::STEEL;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::Result;
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Synthesis, sentences, synthesise};
 use gaitcam::units::Dimension;
 use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
@@ -65,8 +68,8 @@ pub struct SimulateArgs {
 /// Designs the scene's cam, emits its profile and runs that; exit code 3 when there is no cam to run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
-        Error::argument("--model", format!("\"{}\" is not a model", args.model))
-            .help("write auto, rigid, flexible or contact")
+        let typed = args.model.clone();
+        CliError::NoModel { typed }.flag("--model")
     })?;
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
@@ -76,7 +79,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = no_cam(&design) {
-        report(format!("there is no cam to run: {why}"));
+        report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
         }
@@ -104,21 +107,19 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         print_json(&json);
     } else {
         print(&outcome.table(run.cam.follower.measures()));
-        print(&format!(
-            "Files in {0}; open {0}/report.html first.",
-            place.display()
-        ));
+        print(&files_in(&place, "report.html"));
     }
     Ok(BUILT)
 }
 
 /// Why a design has no cam that could run.
 fn no_cam(design: &Synthesis) -> Option<String> {
+    let language = crate::language::current();
     if let Some(infeasible) = &design.infeasible {
-        return Some(infeasible.words());
+        return Some(sentences(&infeasible.reasons, language));
     }
     let undercut = design.cam.follower.is_flat() && design.cam.curvature().undercut;
-    undercut.then(|| design.reason())
+    undercut.then(|| sentences(&design.reasons, language))
 }
 
 /// The emitted profile of the design on the machine.
@@ -155,8 +156,8 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
         .unwrap_or(spec.damping_ratio);
     machine.train = match hz {
         Some(hz) => {
-            let place = Place::Argument("--natural-frequency".to_string());
-            Some(Train::from_frequency(drive, hz, ratio).map_err(|e| e.at(place))?)
+            let placed = input::at_flag("--natural-frequency");
+            Some(Train::from_frequency(drive, hz, ratio).map_err(placed)?)
         }
         None => MachineSpec {
             damping_ratio: ratio,
@@ -169,10 +170,7 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
     let e =
         given("--restitution", &args.restitution, Dimension::Ratio)?.unwrap_or(spec.restitution);
     if !(0.0..=1.0).contains(&e) {
-        return Err(
-            Error::argument("--restitution", format!("{e} is outside 0 … 1"))
-                .help("0: plastic impact, 1: elastic impact"),
-        );
+        return Err(CliError::Restitution { value: e }.flag("--restitution"));
     }
     machine.restitution = e;
     machine.second_cam =

@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Result, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::exit_code::INTERNAL_ERROR;
+use crate::words;
 
 /// Longest message on standard error, bytes.
 const LONGEST_MESSAGE: usize = 2048;
@@ -48,9 +49,8 @@ pub fn record_write_error(written: Result<()>) {
         && e.kind() != ErrorKind::BrokenPipe
         && !STDOUT_FAILED.swap(true, Ordering::Relaxed)
     {
-        report(format!(
-            "the answer cannot be written to standard output ({e})"
-        ));
+        let fault = serde_json::json!({"fault": e.to_string()});
+        report(words::fill("run-stdout", &fault));
     }
 }
 

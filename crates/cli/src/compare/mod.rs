@@ -10,14 +10,21 @@ use serde_json::{Value, json};
 
 use crate::exit_code::BUILT;
 use crate::terminal::{print, print_json};
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam_output::Picture;
 use gaitcam_output::folder::Folder;
 use gaitcam_output::overlay::{Strip, diagrams_over, profiles};
 use read::Design;
 
+const EXAMPLES: &str = "Examples:
+  gaitcam compare out/footbridge out/heel
+  gaitcam compare out/a out/b out/c --out out/three
+  gaitcam compare out/a out/b --json";
+
 /// Which results.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct CompareArgs {
     /// Folders that gaitcam synth wrote
     #[arg(required = true, num_args = 2..)]
@@ -58,7 +65,8 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         print_json(&list.into());
     } else {
         print(&table::text(&designs));
-        print(&format!("Diagrams in {}", folder.path().display()));
+        let place = folder.path().display().to_string();
+        print(&words::fill("compare-diagrams", &json!({"folder": place})));
     }
     Ok(BUILT)
 }

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::input::files::read_bytes;
+use crate::error::CliError;
+use crate::input::{files::read_bytes, not_json};
 use crate::result_folder::settle;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 
 /// One result.
 pub struct Design {
@@ -27,13 +28,10 @@ impl Design {
     pub fn read(folder: &Path) -> Result<Design> {
         settle(folder);
         let path = folder.join("summary.json");
-        let summary: Value = serde_json::from_slice(&read_bytes(&path)?)
-            .map_err(|e| Error::line(&path, e.line(), format!("is not JSON ({e})")))?;
+        let summary: Value =
+            serde_json::from_slice(&read_bytes(&path)?).map_err(|e| not_json(&path, &e))?;
         if summary["outcome"] == "infeasible" {
-            return Err(
-                Error::file(&path, "holds no cam: its outcome is infeasible")
-                    .help("relax its limits as the summary says, or leave it out"),
-            );
+            return Err(CliError::InfeasibleResult.file(&path));
         }
         Ok(Design {
             name: summary["name"].as_str().unwrap_or("cam").to_string(),
@@ -83,9 +81,7 @@ impl Columns {
     fn read(path: &Path) -> Result<Columns> {
         let bytes = read_bytes(path)?;
         let mut reader = csv::Reader::from_reader(bytes.as_slice());
-        let broken = |line: usize, what: String| {
-            Error::line(path, line, what).help("write it again with gaitcam synth")
-        };
+        let broken = |line: usize, fault: String| CliError::BrokenTable { fault }.line(path, line);
         let names = reader
             .headers()
             .map_err(|e| broken(1, e.to_string()))?
@@ -96,7 +92,7 @@ impl Columns {
         for (i, record) in reader.records().enumerate() {
             let record = record.map_err(|e| broken(i + 2, e.to_string()))?;
             let row = record.iter().map(number).collect::<Option<Vec<f64>>>();
-            rows.push(row.ok_or_else(|| broken(i + 2, "a field is not a number".to_string()))?);
+            rows.push(row.ok_or_else(|| CliError::FieldNotNumber.line(path, i + 2))?);
         }
         Ok(Columns { names, rows })
     }

@@ -3,42 +3,43 @@
 use serde_json::Value;
 
 use super::read::Design;
+use crate::words;
 
 /// What stands where a result has no such number.
 const NONE: &str = "—";
 
 /// Headings with one cell per design.
-pub fn rows(designs: &[Design]) -> Vec<(&'static str, Vec<String>)> {
+pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     type Cell = fn(&Design) -> String;
     let cells: [(&'static str, Cell); 18] = [
-        ("verdict", |d| word(&d.summary["verdict"])),
-        ("outcome", |d| word(&d.summary["outcome"])),
-        ("law", |d| word(&d.summary["law"]["family"])),
-        ("follower", |d| word(&d.summary["cam"]["follower"])),
-        ("force error, RMS", |d| force(d, "rms_error_n", 4, "N")),
-        ("force error, RMS of mean", |d| {
+        ("compare-verdict", |d| word(&d.summary["verdict"])),
+        ("compare-outcome", |d| word(&d.summary["outcome"])),
+        ("compare-law", |d| word(&d.summary["law"]["family"])),
+        ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
+        ("compare-rms", |d| force(d, "rms_error_n", 4, "N")),
+        ("compare-percent", |d| {
             force(d, "rms_error_percent_of_mean", 3, "%")
         }),
-        ("force error, maximum", |d| force(d, "max_error_n", 3, "N")),
-        ("smallest force", |d| force(d, "min_n", 2, "N")),
-        ("largest force", |d| force(d, "max_n", 2, "N")),
-        ("mass", mass),
-        ("speed", speed),
-        ("stroke", |d| lift(d, &["stroke_m"], 0)),
-        ("largest |a|", |d| {
+        ("compare-largest", |d| force(d, "max_error_n", 3, "N")),
+        ("compare-force-min", |d| force(d, "min_n", 2, "N")),
+        ("compare-force-max", |d| force(d, "max_n", 2, "N")),
+        ("compare-mass", mass),
+        ("compare-speed", speed),
+        ("compare-stroke", |d| lift(d, &["stroke_m"], 0)),
+        ("compare-a", |d| {
             lift(d, &["a_max_m_per_rad2", "a_min_m_per_rad2"], 2)
         }),
-        ("largest |j|", |d| {
+        ("compare-j", |d| {
             lift(d, &["j_max_m_per_rad3", "j_min_m_per_rad3"], 3)
         }),
-        ("base radius", |d| millimetres(d, "base_radius_m")),
-        ("smallest convex radius", |d| millimetres(d, "rho_min_m")),
-        ("largest pressure angle", pressure_angle),
-        ("face width", |d| millimetres(d, "face_width_m")),
+        ("compare-base-radius", |d| millimetres(d, "base_radius_m")),
+        ("compare-convex", |d| millimetres(d, "rho_min_m")),
+        ("compare-pressure-angle", pressure_angle),
+        ("compare-face-width", |d| millimetres(d, "face_width_m")),
     ];
     cells
         .iter()
-        .map(|(heading, cell)| (*heading, designs.iter().map(cell).collect()))
+        .map(|(heading, cell)| (words::text(heading), designs.iter().map(cell).collect()))
         .collect()
 }
 
@@ -124,14 +125,17 @@ pub fn markdown(designs: &[Design]) -> String {
 
 /// In columns, for the console.
 pub fn text(designs: &[Design]) -> String {
-    let mut lines = vec![("", designs.iter().map(|d| d.name.clone()).collect())];
+    let mut lines = vec![(
+        String::new(),
+        designs.iter().map(|d| d.name.clone()).collect(),
+    )];
     lines.extend(rows(designs));
     let width = |text: &str| text.chars().count();
-    let heading = lines.iter().map(|l| width(l.0)).max().unwrap_or(0);
+    let heading = lines.iter().map(|l| width(&l.0)).max().unwrap_or(0);
     let columns: Vec<usize> = (0..designs.len())
         .map(|k| lines.iter().map(|l| width(&l.1[k])).max().unwrap_or(0))
         .collect();
-    let line = |(name, cells): &(&str, Vec<String>)| {
+    let line = |(name, cells): &(String, Vec<String>)| {
         let cells = cells
             .iter()
             .zip(&columns)

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
+use crate::error::CliError;
 use gaitcam::error::{Error, Result};
 
 /// Largest scene file, bytes.
@@ -19,10 +20,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
 /// The text of a scene or of a list of values.
 pub fn read_text(path: &Path) -> Result<String> {
     let bytes = read_at_most(path, LARGEST_SCENE)?;
-    String::from_utf8(bytes).map_err(|e| {
-        Error::byte(path, e.utf8_error().valid_up_to(), "is not UTF-8 text")
-            .help("a scene is a TOML file, see scenes/")
-    })
+    String::from_utf8(bytes).map_err(|e| CliError::NotUtf8.byte(path, e.utf8_error().valid_up_to()))
 }
 
 /// The scene on standard input.
@@ -30,7 +28,7 @@ pub fn read_standard_input() -> Result<String> {
     let place = Path::new("standard input");
     let bytes = limited(std::io::stdin().lock(), place, LARGEST_SCENE)?;
     String::from_utf8(bytes)
-        .map_err(|e| Error::byte(place, e.utf8_error().valid_up_to(), "is not UTF-8 text"))
+        .map_err(|e| CliError::NotUtf8.byte(place, e.utf8_error().valid_up_to()))
 }
 
 /// A pipe that nobody writes to and a device that never ends are refused before they are opened.
@@ -38,11 +36,10 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let fault = |e: std::io::Error| cannot_be_read(path, &e);
     let about = fs::metadata(path).map_err(fault)?;
     if about.is_dir() {
-        return Err(Error::file(path, "is a folder").help("give a file"));
+        return Err(CliError::Folder.file(path));
     }
     if !about.is_file() && !is_open_already(path) {
-        return Err(Error::file(path, "is a pipe or a device, not a file")
-            .help("give a file, or - for standard input"));
+        return Err(CliError::Device.file(path));
     }
     if about.len() > most {
         return Err(too_large(path, most));
@@ -70,10 +67,11 @@ fn is_open_already(path: &Path) -> bool {
 }
 
 fn too_large(path: &Path, most: u64) -> Error {
-    Error::file(path, format!("is larger than {} MiB", most >> 20))
+    CliError::TooLarge { mib: most >> 20 }.file(path)
 }
 
 /// The error of a file that the system does not give.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
-    Error::file(path, format!("cannot be read ({e})")).help("check the path")
+    let fault = e.to_string();
+    CliError::CannotRead { fault }.file(path)
 }

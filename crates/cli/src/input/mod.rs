@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use toml::Table;
 
+use crate::error::{CliError, NameFault};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene, Source};
@@ -128,20 +129,19 @@ impl Input {
 
 /// Refuses a scene's name that is no plain file name.
 fn check_file_name(name: &str) -> Result<()> {
-    let what = if name.trim().is_empty() {
-        "is blank"
+    let fault = if name.trim().is_empty() {
+        NameFault::Blank
     } else if name.starts_with('-') {
-        "begins with a dash"
+        NameFault::Dash
     } else if name.chars().any(|c| c.is_control() || is_invisible(c)) {
-        "holds a control character or an invisible mark"
+        NameFault::Control
     } else if name == "." || name == ".." || name.chars().any(|c| "/\\:*?\"<>|~".contains(c)) {
-        "is no plain file name"
+        NameFault::NotPlain
     } else {
         return Ok(());
     };
     let shown: String = name.escape_debug().take(60).collect();
-    Err(Error::key("name", format!("\"{shown}\" {what}"))
-        .help("results go to out/NAME: write letters, digits, - and _, or give the folder"))
+    Err(CliError::SceneName { shown, fault }.key("name"))
 }
 
 /// Marks that turn the direction of text or take no room (Unicode bidirectional controls and their like).
@@ -151,21 +151,24 @@ fn is_invisible(c: char) -> bool {
 
 /// The scene that a summary.json was made from.
 fn of_summary(path: &Path, text: &str) -> Result<Table> {
-    let value: serde_json::Value = serde_json::from_str(text)
-        .map_err(|e| Error::line(path, e.line(), format!("is not JSON ({e})")))?;
-    let missing = || {
-        Error::file(path, "holds no scene").help("give a summary.json of gaitcam, or a scene file")
-    };
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
+    let missing = || CliError::NoSceneInSummary.file(path);
     let scene = value.get("scene").ok_or_else(missing)?;
     serde_json::from_value(scene.clone()).map_err(|_| missing())
+}
+
+/// The error of a text that is no JSON.
+pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
+    let fault = e.to_string();
+    CliError::NotJson { fault }.line(path, e.line())
 }
 
 fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     let line = e.span().map_or(1, |s| {
         text[..s.start.min(text.len())].matches('\n').count() + 1
     });
-    let error =
-        Error::new(e.message().replace('\n', ", ")).help("a scene is a TOML file, see scenes/");
+    let fault = e.message().replace('\n', ", ");
+    let error = Error::from(CliError::NotToml { fault });
     match path {
         Some(path) => error.at(Place::Line(path.to_path_buf(), line)),
         None => error,

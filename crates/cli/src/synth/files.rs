@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use crate::error::CliError;
 use crate::input::Input;
 use crate::language;
 use crate::result_folder::ResultFolder;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::synth::Synthesis;
 use gaitcam_output::{self as output, Timing};
 
@@ -80,10 +81,8 @@ pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
         let beside = path.file_name().map(|name| folder.join(name));
         let replaced = beside.is_some_and(|b| same(&path, &b) && !b.ends_with(SCENE));
         if replaced && is_written(&path) {
-            return Err(
-                Error::argument("--out", format!("{} would be replaced", path.display()))
-                    .help("an input file is never overwritten; choose another folder"),
-            );
+            let file = path.display().to_string();
+            return Err(CliError::Replaced { file }.flag("--out"));
         }
     }
     Ok(())

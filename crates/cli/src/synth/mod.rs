@@ -8,17 +8,19 @@ mod sequence;
 mod summary;
 mod workshop;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use serde_json::Value;
+use serde_json::{Value, json};
 
+use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
 use crate::terminal::{print, print_json};
-use gaitcam::error::{Error, Result};
+use crate::words;
+use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::{Synthesis, relaxed, synthesise};
 use gaitcam::units::Dimension;
@@ -121,11 +123,8 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
 fn rows(args: &SynthArgs) -> Result<usize> {
     let rows = args.points.unwrap_or(ROWS);
     if rows < FEWEST_ROWS {
-        return Err(
-            Error::argument("--points", format!("invalid value {rows}")).help(format!(
-                "at least {FEWEST_ROWS} points are required, fewer only with --front"
-            )),
-        );
+        let least = FEWEST_ROWS;
+        return Err(CliError::FewRows { rows, least }.flag("--points"));
     }
     Ok(rows as usize)
 }
@@ -191,15 +190,19 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
         print(&explain::text(&design.name, lines));
     }
     for remark in remarks {
-        print(&format!("  note      {remark}"));
+        print(&summary::row("note", &remark));
     }
     if let Some(place) = place {
-        print(&format!(
-            "Files in {0}; open {0}/report.html first.",
-            place.display()
-        ));
+        print(&files_in(&place, "report.html"));
     }
     Ok(())
+}
+
+/// The line that says where the files are, and which to open.
+pub fn files_in(folder: &Path, first: &str) -> String {
+    let first = folder.join(first).display().to_string();
+    let folder = folder.display().to_string();
+    words::fill("run-files", &json!({"folder": folder, "first": first}))
 }
 
 fn workshop_files(

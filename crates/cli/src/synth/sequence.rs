@@ -1,18 +1,23 @@
 //! `synth --verbose`: the sequence of convex programs, step by step.
 
 use gaitcam::synth::Synthesis;
+use serde_json::json;
 
-use crate::language;
+use super::summary::row;
+use crate::{language, words};
 
 /// One line per step.
 pub fn text(design: &Synthesis) -> String {
     let solver = &design.solver;
     if solver.steps.is_empty() {
-        return "  sequence  none: one convex program or less was sufficient".to_string();
+        return row("sequence", &words::text("synth-no-sequence"));
     }
     let mut out = vec![
-        format!("  sequence  {} convex programs", solver.steps.len()),
-        "  step   prime radius          objective   relative clearance   step length".to_string(),
+        row(
+            "sequence",
+            &words::fill("synth-sequence", &json!({"count": solver.steps.len()})),
+        ),
+        format!("  {}", words::text("synth-step-head")),
     ];
     for (i, step) in solver.steps.iter().enumerate() {
         out.push(format!(
@@ -25,10 +30,8 @@ pub fn text(design: &Synthesis) -> String {
         ));
     }
     if let Some(ended) = solver.ended() {
-        out.push(format!(
-            "  stopped: {}",
-            ended.sentence(language::current())
-        ));
+        let why = json!({"why": ended.sentence(language::current())});
+        out.push(format!("  {}", words::fill("synth-ended", &why)));
     }
     out.join("\n")
 }

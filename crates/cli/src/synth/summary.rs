@@ -1,8 +1,12 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::{Check, Measures};
-use gaitcam::synth::{Binding, Synthesis, in_units};
+use gaitcam::synth::{Binding, SolverReport, Synthesis, in_units, sentences};
 use gaitcam_output::Timing;
+use serde_json::json;
+
+use crate::language;
+use crate::words::{self, fixed, power};
 
 /// Most lines of one kind; the rest is counted and stands in summary.json.
 const CHECKS: usize = 7;
@@ -13,9 +17,10 @@ const NOTES: usize = 2;
 
 /// The summary for people.
 pub fn text(design: &Synthesis, time: Timing) -> String {
+    let language = language::current();
     let mut out = vec![
-        format!("{}: {}", design.name, design.verdict.name()),
-        format!("  {}", design.reason()),
+        format!("{}: {}", design.name, words::name(design.verdict.name())),
+        format!("  {}", sentences(&design.reasons, language)),
     ];
     out.extend(failed_checks(design));
     out.extend(force(design));
@@ -26,14 +31,31 @@ pub fn text(design: &Synthesis, time: Timing) -> String {
     out.extend(passed_checks(design));
     out.extend(active_limits(design));
     out.extend(sensitivities(design));
-    let notes: Vec<String> = design.remarks().iter().map(|r| row("note", r)).collect();
-    out.extend(at_most(NOTES, notes, "notes"));
+    let notes: Vec<String> = (design.notes.iter())
+        .map(|n| row("note", &n.sentence(language)))
+        .collect();
+    out.extend(at_most(NOTES, notes, "more-notes"));
     out.extend(solver(design, time));
     out.join("\n")
 }
 
-fn row(name: &str, text: &str) -> String {
-    format!("  {name:<9} {text}")
+/// Labels of the rows, without `label-`.
+const LABELS: [&str; 13] = [
+    "failed", "ok", "force", "law", "drive", "cam", "machine", "active", "relaxing", "note",
+    "solved", "optimum", "sequence",
+];
+
+/// A row under its label; a label that is empty continues the row before.
+pub fn row(label: &str, text: &str) -> String {
+    let shown = |name: &str| words::text(&format!("label-{name}"));
+    let longest = LABELS.iter().map(|l| shown(l).chars().count()).max();
+    let width = longest.unwrap_or(0) + 1;
+    let label = if label.is_empty() {
+        String::new()
+    } else {
+        shown(label)
+    };
+    format!("  {label:<width$} {text}")
 }
 
 /// The first `most` lines, and how many more there are.
@@ -41,7 +63,7 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
     if lines.len() > most {
         let left = lines.len() - (most - 1);
         lines.truncate(most - 1);
-        lines.push(row("", &format!("{left} more {what} in summary.json")));
+        lines.push(row("", &words::fill(what, &json!({"count": left}))));
     }
     lines
 }
@@ -50,12 +72,10 @@ fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
     let value = |x: f64| in_units(measures, &check.name, x);
     row(
         mark,
-        &format!(
-            "{} {} (limit {}) at {}",
-            check.name,
-            value(check.worst),
-            value(check.limit),
-            measures.place(check.at, 2)
+        &words::fill(
+            "synth-check",
+            &json!({"name": words::name(&check.name), "value": value(check.worst), "limit": value(check.limit),
+                "at": measures.place(check.at, 2)}),
         ),
     )
 }
@@ -63,8 +83,8 @@ fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
 fn failed_checks(design: &Synthesis) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let failed = design.checks.iter().filter(|c| !c.pass);
-    let lines = failed.map(|c| check_line("FAIL", c, measures)).collect();
-    at_most(FAILED_CHECKS, lines, "failed checks")
+    let lines = failed.map(|c| check_line("failed", c, measures)).collect();
+    at_most(FAILED_CHECKS, lines, "more-failed")
 }
 
 fn passed_checks(design: &Synthesis) -> Vec<String> {
@@ -72,7 +92,7 @@ fn passed_checks(design: &Synthesis) -> Vec<String> {
     let passed = design.checks.iter().filter(|c| c.pass);
     let lines: Vec<String> = passed.map(|c| check_line("ok", c, measures)).collect();
     let failed = (design.checks.len() - lines.len()).min(FAILED_CHECKS);
-    at_most(CHECKS - failed, lines, "passed checks")
+    at_most(CHECKS - failed, lines, "more-passed")
 }
 
 /// A force that is zero to its last printed digit, printed without a minus sign.
@@ -88,18 +108,18 @@ fn force(design: &Synthesis) -> Vec<String> {
     vec![
         row(
             "force",
-            &format!(
-                "error {:.2} N RMS ({:.3} % of the mean), {:.2} N maximum",
-                f.rms_error_n, f.rms_error_percent_of_mean, f.max_error_n
+            &words::fill(
+                "synth-force-error",
+                &json!({"rms": fixed(f.rms_error_n, 2), "percent": fixed(f.rms_error_percent_of_mean, 3),
+                    "most": fixed(f.max_error_n, 2)}),
             ),
         ),
         row(
             "",
-            &format!(
-                "{:.2} … {:.2} N, mean {:.2} N",
-                without_negative_zero(f.min_n),
-                f.max_n,
-                f.mean_n
+            &words::fill(
+                "synth-force-range",
+                &json!({"low": fixed(without_negative_zero(f.min_n), 2), "high": fixed(f.max_n, 2),
+                    "mean": fixed(f.mean_n, 2)}),
             ),
         ),
     ]
@@ -108,16 +128,21 @@ fn force(design: &Synthesis) -> Vec<String> {
 fn law(design: &Synthesis) -> String {
     let lift = design.cam.follower.measures().lift(0);
     let decimals = if lift.name == "°" { 4 } else { 3 };
-    let stroke = format!("{:.decimals$}", lift.factor * design.cam.law.stroke());
+    let stroke = fixed(lift.factor * design.cam.law.stroke(), decimals);
     let pieces = design.cam.law.poly().pieces();
-    let order = match (design.degree, pieces) {
-        (0, _) => String::new(),
-        (degree, 1) => format!(", degree {degree}"),
-        (degree, pieces) => format!(", degree {degree}, {pieces} pieces"),
+    // One piece, and a law without a degree, say nothing of pieces.
+    let pieces = if design.degree == 0 || pieces == 1 {
+        0
+    } else {
+        pieces
     };
     row(
         "law",
-        &format!("{}{order}, stroke {}", design.family, lift.after(&stroke)),
+        &words::fill(
+            "synth-law",
+            &json!({"family": words::name(&design.family), "degree": design.degree, "pieces": pieces,
+                "stroke": lift.after(&stroke)}),
+        ),
     )
 }
 
@@ -125,26 +150,24 @@ fn drive(design: &Synthesis) -> String {
     let measures = design.cam.follower.measures();
     let mass = match design.drive.mass {
         0.0 => String::new(),
-        mass => format!("{mass:.4} {}, ", measures.mass().name),
+        mass => format!("{} {}, ", fixed(mass, 4), measures.mass().name),
     };
     let speed = measures.speed_words(design.drive.speed, 4);
     row(
         "drive",
-        &format!("{}, {mass}{speed}", design.drive.kind.name()),
+        &format!("{}, {mass}{speed}", words::name(design.drive.kind.name())),
     )
 }
 
 fn cam(design: &Synthesis) -> String {
-    let mm = |x: f64| format!("{:.3} mm", 1e3 * x);
+    let mm = |x: f64| fixed(1e3 * x, 3);
     let follower = &design.cam.follower;
     row(
         "cam",
-        &format!(
-            "{}, base radius {}, prime radius {}, smallest convex radius {}",
-            follower.name(),
-            mm(follower.base_radius()),
-            mm(follower.prime_radius()),
-            mm(design.cam.curvature().convex.value)
+        &words::fill(
+            "synth-cam",
+            &json!({"follower": words::name(follower.name()), "base": mm(follower.base_radius()),
+                "prime": mm(follower.prime_radius()), "convex": mm(design.cam.curvature().convex.value)}),
         ),
     )
 }
@@ -155,14 +178,23 @@ fn machine(design: &Synthesis) -> Option<String> {
     let measures = design.cam.follower.measures();
     let torque = m.torque_max_n_m.zip(m.torque_rms_n_m);
     let parts = [
-        torque.map(|(most, rms)| format!("torque {most:.4} N·m maximum, {rms:.4} N·m RMS")),
+        torque.map(|(most, rms)| {
+            words::fill(
+                "synth-torque",
+                &json!({"most": fixed(most, 4), "rms": fixed(rms, 4)}),
+            )
+        }),
         m.power_max_w
-            .map(|most| format!("power {most:.3} W maximum")),
-        m.liftoff_speed_rad_per_s
-            .map(|w| format!("lift-off at {}", measures.speed_words(w, 4))),
+            .map(|most| words::fill("synth-power", &json!({"most": fixed(most, 3)}))),
+        m.liftoff_speed_rad_per_s.map(|w| {
+            words::fill(
+                "synth-lift-off",
+                &json!({"speed": measures.speed_words(w, 4)}),
+            )
+        }),
         m.hertz_pressure_max_pa
             .filter(|p| p.is_finite())
-            .map(|p| format!("Hertz pressure {:.1} MPa", 1e-6 * p)),
+            .map(|p| words::fill("synth-hertz", &json!({"pressure": fixed(1e-6 * p, 1)}))),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
@@ -198,14 +230,11 @@ fn active_limits(design: &Synthesis) -> Vec<String> {
     let size = |a: &ActiveLimit| a.strongest.multiplier.abs();
     limits.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let lines = limits.iter().map(|a| {
-        let place = measures.place(a.strongest.at, 2);
-        let places = match a.points {
-            1 => format!("at {place}"),
-            n => format!("at {n} points, largest multiplier at {place}"),
-        };
-        row("active", &format!("limit {} {places}", a.strongest.limit))
+        let at = measures.place(a.strongest.at, 2);
+        let said = json!({"limit": words::name(&a.strongest.limit), "points": a.points, "at": at});
+        row("active", &words::fill("synth-active", &said))
     });
-    at_most(ACTIVE_LIMITS, lines.collect(), "active limits")
+    at_most(ACTIVE_LIMITS, lines.collect(), "more-active")
 }
 
 fn sensitivities(design: &Synthesis) -> Vec<String> {
@@ -214,36 +243,42 @@ fn sensitivities(design: &Synthesis) -> Vec<String> {
         let (name, unit, factor) = easing.in_words(measures);
         row(
             "relaxing",
-            &format!(
-                "{} by 1 % to {}: {name} {:.5} {unit} instead of {:.5} {unit}",
-                easing.limit,
-                in_units(measures, &easing.limit, easing.to),
-                factor * easing.after,
-                factor * easing.before
+            &words::fill(
+                "synth-relaxing",
+                &json!({"limit": words::name(&easing.limit), "to": in_units(measures, &easing.limit, easing.to),
+                    "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
+                    "before": fixed(factor * easing.before, 5)}),
             ),
         )
     });
-    at_most(SENSITIVITIES, lines.collect(), "sensitivities")
+    at_most(SENSITIVITIES, lines.collect(), "more-relaxing")
+}
+
+/// How the law was found and what simpler families missed.
+fn status(solver: &SolverReport) -> String {
+    let language = language::current();
+    let missed = solver.passed_over.iter().map(|p| p.sentence(language));
+    let all = std::iter::once(solver.method.sentence(language)).chain(missed);
+    all.collect::<Vec<_>>().join("; ")
 }
 
 fn solver(design: &Synthesis, time: Timing) -> Vec<String> {
     let solver = &design.solver;
     let mut out = vec![row(
         "solved",
-        &format!(
-            "{} tier, {:.3} ms of {:.0} ms: {}",
-            solver.tier.name(),
-            1e3 * time.solve_s,
-            1e3 * time.total_s,
-            solver.status()
+        &words::fill(
+            "synth-solved",
+            &json!({"tier": solver.tier.name(), "solve": fixed(1e3 * time.solve_s, 3),
+                "total": fixed(1e3 * time.total_s, 0), "status": status(solver)}),
         ),
     )];
     if let Some(c) = &solver.certificate {
         out.push(row(
             "optimum",
-            &format!(
-                "relative duality gap {:.1e}, KKT residual {:.1e}, constraint violation {:.1e}",
-                c.relative_gap, c.stationarity, c.violation
+            &words::fill(
+                "synth-optimum",
+                &json!({"gap": power(c.relative_gap, 1), "kkt": power(c.stationarity, 1),
+                    "violation": power(c.violation, 1)}),
             ),
         ));
     }

@@ -1,8 +1,11 @@
 //! What a workshop takes: solids, arcs, a workbook, a cutter's path.
 
+use serde_json::{Value, json};
+
 use crate::result_folder::ResultFolder;
+use crate::{language, words};
 use gaitcam::cam::{Measures, Wall};
-use gaitcam::error::Result;
+use gaitcam::error::{Error, Result};
 use gaitcam::synth::Synthesis;
 use gaitcam_output::{self as output, Timing, cutter::Gouge};
 
@@ -37,11 +40,11 @@ pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<
             folder.write("profile.stl", &bytes)?;
             folder.write("profile.3mf", &output::solid::threemf(design, plate)?)?;
         }
-        Err(fault) => remarks.push(format!("no solid: {fault}")),
+        Err(fault) => remarks.push(words::fill("synth-no-solid", &said(&fault))),
     }
     match output::step::plate(design, design.thickness) {
         Ok(bytes) => folder.write("cam.step", &bytes)?,
-        Err(fault) => remarks.push(format!("no STEP file: {fault}")),
+        Err(fault) => remarks.push(words::fill("synth-no-step", &said(&fault))),
     }
     let options = output::dxf::Options {
         points: VERTICES,
@@ -52,13 +55,11 @@ pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<
     match output::dxf::arcs(design, ARCS, options) {
         Some(drawing) => {
             folder.write("profile_arcs.dxf", &drawing.bytes)?;
-            remarks.push(format!(
-                "profile_arcs.dxf: {} arcs, {:.2e} mm from the profile at most",
-                drawing.arcs,
-                1e3 * drawing.deviation
-            ));
+            let deviation = words::power(1e3 * drawing.deviation, 2);
+            let arcs = json!({"arcs": drawing.arcs, "deviation": deviation});
+            remarks.push(words::fill("synth-arcs", &arcs));
         }
-        None => remarks.push("no arcs: the profile is not smooth enough for them".to_string()),
+        None => remarks.push(words::text("synth-no-arcs")),
     }
     Ok(remarks)
 }
@@ -77,23 +78,21 @@ pub fn cutter(
     Ok(path.gouges.iter().map(words).collect())
 }
 
+fn said(fault: &Error) -> Value {
+    json!({"fault": fault.sentence(language::current())})
+}
+
 fn gouge(gouge: &Gouge, measures: Measures) -> String {
     let place = |at: f64| measures.place(at, 2);
     match gouge {
-        Gouge::Hollow { at, radius } => format!(
-            "the cutter radius is too large for the concave profile at {}: {:.4} mm maximum",
-            place(*at),
-            1e3 * radius
+        Gouge::Hollow { at, radius } => words::fill(
+            "synth-gouge-hollow",
+            &json!({"at": place(*at), "radius": words::fixed(1e3 * radius, 4)}),
         ),
-        Gouge::Elsewhere { at, damaged, depth } => format!(
-            "at {} the cutter gouges the profile by {:.4} mm at {}",
-            place(*at),
-            1e3 * depth,
-            place(*damaged)
+        Gouge::Elsewhere { at, damaged, depth } => words::fill(
+            "synth-gouge-elsewhere",
+            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::fixed(1e3 * depth, 4)}),
         ),
-        Gouge::Undercut { at } => format!(
-            "the profile is undercut at {}: it cannot be cut",
-            place(*at)
-        ),
+        Gouge::Undercut { at } => words::fill("synth-gouge-undercut", &json!({"at": place(*at)})),
     }
 }

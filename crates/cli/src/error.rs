@@ -1,0 +1,119 @@
+//! Faults that only the command can meet: files, flags, folders. Their sentences stand in `words/`.
+
+use std::path::Path;
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::words;
+use gaitcam::error::{Error, ErrorKind, Place};
+
+/// What is wrong. Texts in fields are as the user typed them, or what the system says.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum CliError {
+    CannotRead { fault: String },
+    CannotWrite { fault: String },
+    CannotOpen { fault: String },
+    CannotPlace { fault: String },
+    FolderRefuses { fault: String },
+    Folder,
+    Device,
+    TooLarge { mib: u64 },
+    NotUtf8,
+    NotToml { fault: String },
+    NotJson { fault: String },
+    NotCsv { fault: String },
+    NoSceneInSummary,
+    SceneName { shown: String, fault: NameFault },
+    FewRows { rows: u32, least: u32 },
+    Replaced { file: String },
+    CycleEnding { file: String },
+    OneCurve,
+    CycleOverRecording,
+    NoKeyContains { pattern: String },
+    NoModel { typed: String },
+    Restitution { value: f64 },
+    InfeasibleResult,
+    BrokenTable { fault: String },
+    FieldNotNumber,
+    EmptyTable,
+    NotSweepTable { column: String },
+    NoParquet,
+    TableEnding { file: String },
+    NoBaseScene,
+    RowNotNumber { row: u64, cell: String },
+    NothingVaries,
+    ListCell,
+    EmptyList,
+    NoRecordings { endings: String },
+    NotRecordings { files: usize, endings: String },
+    NoCurve,
+    TooManyRows { rows: String },
+    ManyRows { rows: String },
+    Threads { fault: String },
+    ScatterAlone,
+    ScatterCsv,
+    TooManySamples { count: String, most: String },
+    NoSample,
+    PartialRows { rows: u64 },
+    NotPartial,
+    RowsSafe { fault: String, rows: u64 },
+    AllRowsSafe { fault: String },
+    CannotRepair { fault: String },
+    Busy,
+    AnotherSweep { differences: String },
+    WriterFailed,
+}
+
+/// Why a scene's name cannot name a folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NameFault {
+    Blank,
+    Dash,
+    Control,
+    NotPlain,
+}
+
+/// Area of the messages.
+const AREA: &str = "cli";
+
+impl From<CliError> for Error {
+    fn from(fault: CliError) -> Error {
+        let words = words::catalogue();
+        Error::from(ErrorKind::Own {
+            code: gaitcam::wording::code(AREA, &fault),
+            what: words.sentence(AREA, &fault),
+            help: words.help(AREA, &fault),
+        })
+    }
+}
+
+impl CliError {
+    /// In a whole file.
+    pub fn file(self, path: &Path) -> Error {
+        Error::from(self).at(Place::File(path.to_path_buf()))
+    }
+
+    /// In one line of a file, counted from 1.
+    pub fn line(self, path: &Path, line: usize) -> Error {
+        Error::from(self).at(Place::Line(path.to_path_buf(), line))
+    }
+
+    /// At a byte of a file, counted from 0.
+    pub fn byte(self, path: &Path, offset: usize) -> Error {
+        Error::from(self).at(Place::Byte(path.to_path_buf(), offset))
+    }
+
+    /// In a flag or argument.
+    pub fn flag(self, flag: &str) -> Error {
+        Error::from(self).at(Place::Argument(flag.to_string()))
+    }
+
+    /// In a key of the scene.
+    pub fn key(self, key: &str) -> Error {
+        Error::from(self).at(Place::Key(key.to_string()))
+    }
+}

@@ -1,0 +1,222 @@
+# Faults that only the command can meet: files, flags, folders.
+cli-cannot-read = cannot be read ({ $fault })
+    .help = check the path
+cli-cannot-write = cannot be written ({ $fault })
+cli-cannot-open = cannot be opened ({ $fault })
+cli-cannot-place = the files cannot be moved into place ({ $fault })
+cli-folder-refuses = cannot write into this folder ({ $fault })
+    .help = choose another with --out DIR
+cli-folder = is a folder
+    .help = give a file
+cli-device = is a pipe or a device, not a file
+    .help = give a file, or - for standard input
+cli-too-large = is larger than { $mib } MiB
+cli-not-utf8 = is not UTF-8 text
+    .help = a scene is a TOML file, see scenes/
+cli-not-toml = { $fault }
+    .help = a scene is a TOML file, see scenes/
+cli-not-json = is not JSON ({ $fault })
+cli-not-csv = is not a CSV table ({ $fault })
+cli-no-scene-in-summary = holds no scene
+    .help = give a summary.json of gaitcam, or a scene file
+cli-scene-name = "{ $shown }" { $fault ->
+        [blank] is blank
+        [dash] begins with a dash
+        [control] contains a control character or an invisible mark
+       *[not-plain] is no plain file name
+    }
+    .help = results go to out/NAME: use letters, digits, - and _, or give the folder
+cli-few-rows = invalid value { $rows }
+    .help = at least { $least } points are required, fewer only with --front
+cli-replaced = { $file } would be replaced
+    .help = an input file is never overwritten; choose another folder
+cli-cycle-ending = { $file } is neither a .csv file nor a folder
+    .help = the cycle is written as .csv, with pictures .svg and .png beside it
+cli-one-curve = one curve file cannot hold the cycles of several recordings
+    .help = give a folder, or one recording at a time
+cli-cycle-over-recording = the mean cycle would replace the recording itself
+    .help = give another name
+cli-no-key-contains = no key contains "{ $pattern }"
+cli-no-model = "{ $typed }" is not a model
+    .help = write auto, rigid, flexible or contact
+cli-restitution = invalid value { $value }
+    .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
+cli-infeasible-result = contains no cam: its outcome is infeasible
+    .help = relax its limits as the summary says, or leave it out
+cli-broken-table = { $fault }
+    .help = write it again with gaitcam synth
+cli-field-not-number = a field is not a number
+    .help = write it again with gaitcam synth
+cli-empty-table = the table has no row
+cli-not-sweep-table = is not the table of a sweep: it has no column "{ $column }"
+    .help = give the file that gaitcam sweep wrote
+cli-no-parquet = this gaitcam was built without Parquet (the feature "parquet")
+    .help = use a .csv table, or build with --features parquet
+cli-table-ending = { $file } is neither .csv nor .parquet
+    .help = give the table one of these endings
+cli-no-base-scene = does not name the row's base scene
+cli-row-not-number = row { $row }: "{ $cell }" is no number
+cli-nothing-varies = an empty grid: no key varies
+    .help = write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER
+cli-list-cell = a value is missing
+    .help = every row needs every key
+cli-empty-list = an empty grid: the list has no row
+    .help = the first line names keys, each further line gives their values
+cli-no-recordings = an empty grid: there is no file
+    .help = recordings end in { $endings }
+cli-not-recordings = an empty grid: none of { $files } files has the name of a recording
+    .help = recordings end in { $endings }
+cli-no-curve = there is no force curve
+cli-too-many-rows = { $rows } combinations
+    .help = too many for any computer: take fewer values, or --sample N
+cli-many-rows = { $rows } combinations
+    .help = take fewer values, or --sample N, or confirm with --yes
+cli-threads = the threads cannot be started ({ $fault })
+cli-scatter-alone = cannot be combined with another variation: it applies to one design
+    .help = fix the scene with --set
+cli-scatter-csv = the samples of --tolerance are written as .csv
+cli-too-many-samples = invalid value { $count }
+    .help = at most { $most }
+cli-no-sample = no sample
+cli-partial-rows = contains { $rows } rows of a sweep that was stopped
+    .help = continue with --resume, or remove it to start anew
+cli-not-partial = is not the partial table of a sweep
+    .help = move it away, or choose another --out
+cli-rows-safe = cannot be written ({ $fault })
+    .help = { $rows } rows are safe in it: make room and continue with --resume
+cli-all-rows-safe = cannot be written ({ $fault })
+    .help = all rows are safe beside it: make room and continue with --resume
+cli-cannot-repair = cannot be repaired ({ $fault })
+cli-busy = another gaitcam is writing this table
+    .help = wait for it, or choose another --out
+cli-another-sweep = is another sweep: { $differences }
+    .help = repeat the sweep as it was, or choose another --out
+cli-writer-failed = the table's writer failed
+
+# Every verb.
+run-internal-error = internal error; please report it with the scene
+run-stdout = the answer cannot be written to standard output ({ $fault })
+run-files = Files in { $folder }; open { $first } first.
+
+# synth: labels of the rows of the summary, at most nine characters.
+label-failed = FAIL
+label-ok = ok
+label-force = force
+label-law = law
+label-drive = drive
+label-cam = cam
+label-machine = machine
+label-active = active
+label-relaxing = relaxing
+label-note = note
+label-solved = solved
+label-optimum = optimum
+label-sequence = sequence
+more-failed = { $count } more failed checks in summary.json
+more-passed = { $count } more passed checks in summary.json
+more-active = { $count } more active limits in summary.json
+more-relaxing = { $count } more sensitivities in summary.json
+more-notes = { $count } more notes in summary.json
+synth-check = { $name } { $value } (limit { $limit }) at { $at }
+synth-force-error = error { $rms } N RMS ({ $percent } % of the mean), { $most } N maximum
+synth-force-range = { $low } … { $high } N, mean { $mean } N
+synth-law = { $family }{ $degree ->
+        [0] {""}
+       *[other] , degree { $degree }
+    }{ $pieces ->
+        [0] {""}
+       *[other] , { $pieces } pieces
+    }, stroke { $stroke }
+synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm, smallest convex radius { $convex } mm
+synth-torque = torque { $most } N·m maximum, { $rms } N·m RMS
+synth-power = power { $most } W maximum
+synth-lift-off = lift-off at { $speed }
+synth-hertz = Hertz pressure { $pressure } MPa
+synth-active = limit { $limit } { $points ->
+        [1] at { $at }
+       *[other] at { $points } points, largest multiplier at { $at }
+    }
+synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
+synth-solved = { $tier } tier, { $solve } ms of { $total } ms: { $status }
+synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
+synth-no-sequence = none: one convex program or less was sufficient
+synth-sequence = { $count } convex programs
+synth-step-head = step   prime radius          objective   relative clearance   step length
+synth-ended = stopped: { $why }
+synth-no-solid = no solid: { $fault }
+synth-no-step = no STEP file: { $fault }
+synth-arcs = profile_arcs.dxf: { $arcs } arcs, at most { $deviation } mm from the profile
+synth-no-arcs = no arcs: the profile is not smooth enough for them
+synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }: { $radius } mm maximum
+synth-gouge-elsewhere = at { $at } the cutter gouges the profile by { $depth } mm at { $damaged }
+synth-gouge-undercut = the profile is undercut at { $at }: it cannot be cut
+
+# synth --front.
+trade-none = no point of the front can be built
+trade-title = { $name }: least force error at each { $quantity }
+trade-rms = RMS error N
+trade-percent = % of mean
+trade-prime-radius = prime radius
+trade-jerk = jerk
+trade-acceleration = acceleration
+trade-velocity = velocity
+trade-stroke = stroke
+
+# gait.
+gait-cycle-of = cycle of { $file }
+gait-mean-cycle-of = mean cycle of { $file }
+
+# simulate.
+simulate-no-cam = there is no cam to run: { $why }
+
+# sweep.
+sweep-skipped = { $count } file(s) beside the recordings are skipped ({ $first }{ $count ->
+        [1] {""}
+       *[other] {" …"}
+    })
+sweep-complete = { $file } is already complete.
+sweep-stopped = stopped after { $done } of { $rows } rows; nothing is lost, continue with --resume
+sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable), { $infeasible } infeasible, { $errors } errors
+sweep-rate = { $designs } designs in { $seconds } s, { $rate } per second
+sweep-first-error = First error, row { $row }: { $fault }
+sweep-repaired = the last { $bytes } bytes of { $file } were cut short by a crash and are computed again
+sweep-no-design = there is no design to scatter: { $why }
+sweep-samples = { $name }: { $count } manufactured samples; force error by design { $own } % of the mean
+sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, largest { $largest } %
+sweep-yield = yield     { $within } % stay within { $band } %
+sweep-scatter-files = Samples in { $file }, pictures in { $page }.
+sweep-designs = designs
+
+# front.
+front-none-built = { $file }: no design was built
+front-none-feasible = { $file }: no design passes every check (--all includes the others)
+front-counts = { $file }: { $candidates } of { $seen } designs are feasible, { $front } of them non-dominated
+front-row = row
+front-best = best compromise
+front-more = … { $count } more in front.csv; best compromise: row { $row }
+
+# compare.
+compare-diagrams = Diagrams in { $folder }
+compare-verdict = verdict
+compare-outcome = outcome
+compare-law = law
+compare-follower = follower
+compare-rms = force error, RMS
+compare-percent = force error, RMS of mean
+compare-largest = force error, maximum
+compare-force-min = smallest force
+compare-force-max = largest force
+compare-mass = mass
+compare-speed = speed
+compare-stroke = stroke
+compare-a = largest |a|
+compare-j = largest |j|
+compare-base-radius = base radius
+compare-convex = smallest convex radius
+compare-pressure-angle = largest pressure angle
+compare-face-width = face width
+
+# laws.
+laws-head = Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|
+laws-law = law
+laws-joins = joins

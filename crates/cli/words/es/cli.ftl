@@ -1,0 +1,222 @@
+# Errores que sólo la orden encuentra: archivos, opciones, carpetas.
+cli-cannot-read = no se puede leer ({ $fault })
+    .help = compruebe la ruta
+cli-cannot-write = no se puede escribir ({ $fault })
+cli-cannot-open = no se puede abrir ({ $fault })
+cli-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
+cli-folder-refuses = no se puede escribir en esta carpeta ({ $fault })
+    .help = elija otra con --out CARPETA
+cli-folder = es una carpeta
+    .help = indique un archivo
+cli-device = es una tubería o un dispositivo, no un archivo
+    .help = indique un archivo, o - para la entrada estándar
+cli-too-large = supera { $mib } MiB
+cli-not-utf8 = no es texto UTF-8
+    .help = una escena es un archivo TOML, véase scenes/
+cli-not-toml = { $fault }
+    .help = una escena es un archivo TOML, véase scenes/
+cli-not-json = no es JSON ({ $fault })
+cli-not-csv = no es una tabla CSV ({ $fault })
+cli-no-scene-in-summary = no contiene ninguna escena
+    .help = indique un summary.json de gaitcam o un archivo de escena
+cli-scene-name = "{ $shown }" { $fault ->
+        [blank] está en blanco
+        [dash] empieza por un guion
+        [control] contiene un carácter de control o una marca invisible
+       *[not-plain] no es un nombre de archivo simple
+    }
+    .help = los resultados van a out/NOMBRE: use letras, cifras, - y _, o indique la carpeta
+cli-few-rows = valor no válido { $rows }
+    .help = se necesitan al menos { $least } puntos, menos sólo con --front
+cli-replaced = se sustituiría { $file }
+    .help = un archivo de entrada nunca se sobrescribe; elija otra carpeta
+cli-cycle-ending = { $file } no es ni un archivo .csv ni una carpeta
+    .help = el ciclo se escribe como .csv, con figuras .svg y .png a su lado
+cli-one-curve = un solo archivo no puede contener los ciclos de varios registros
+    .help = indique una carpeta, o un registro cada vez
+cli-cycle-over-recording = el ciclo medio sustituiría al propio registro
+    .help = indique otro nombre
+cli-no-key-contains = ninguna clave contiene "{ $pattern }"
+cli-no-model = "{ $typed }" no es un modelo
+    .help = escriba auto, rigid, flexible o contact
+cli-restitution = valor no válido { $value }
+    .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
+cli-infeasible-result = no contiene ninguna leva: su resultado es irrealizable
+    .help = relaje sus límites como dice el resumen, o quítelo
+cli-broken-table = { $fault }
+    .help = escríbala de nuevo con gaitcam synth
+cli-field-not-number = un campo no es un número
+    .help = escríbala de nuevo con gaitcam synth
+cli-empty-table = la tabla no tiene filas
+cli-not-sweep-table = no es la tabla de un barrido: no tiene la columna "{ $column }"
+    .help = indique el archivo que escribió gaitcam sweep
+cli-no-parquet = este gaitcam se compiló sin Parquet (la opción "parquet")
+    .help = use una tabla .csv, o compile con --features parquet
+cli-table-ending = { $file } no es ni .csv ni .parquet
+    .help = dé a la tabla una de estas extensiones
+cli-no-base-scene = no nombra la escena base de la fila
+cli-row-not-number = fila { $row }: "{ $cell }" no es un número
+cli-nothing-varies = rejilla vacía: no varía ninguna clave
+    .help = escriba --vary 'limits.stroke=20 mm:60 mm:5', --list ARCHIVO.csv o --recordings CARPETA
+cli-list-cell = falta un valor
+    .help = cada fila necesita todas las claves
+cli-empty-list = rejilla vacía: la lista no tiene filas
+    .help = la primera línea nombra las claves, cada línea siguiente da sus valores
+cli-no-recordings = rejilla vacía: no hay ningún archivo
+    .help = los registros terminan en { $endings }
+cli-not-recordings = rejilla vacía: ninguno de { $files } archivos tiene nombre de registro
+    .help = los registros terminan en { $endings }
+cli-no-curve = no hay curva de fuerza
+cli-too-many-rows = { $rows } combinaciones
+    .help = son demasiadas para cualquier ordenador: tome menos valores, o --sample N
+cli-many-rows = { $rows } combinaciones
+    .help = tome menos valores, o --sample N, o confirme con --yes
+cli-threads = no se pueden iniciar los hilos ({ $fault })
+cli-scatter-alone = no se puede combinar con otra variación: se aplica a un solo diseño
+    .help = fije la escena con --set
+cli-scatter-csv = las muestras de --tolerance se escriben como .csv
+cli-too-many-samples = valor no válido { $count }
+    .help = como máximo { $most }
+cli-no-sample = ninguna muestra
+cli-partial-rows = contiene { $rows } filas de un barrido detenido
+    .help = continúe con --resume, o bórrelo para empezar de nuevo
+cli-not-partial = no es la tabla parcial de un barrido
+    .help = muévalo a otro lugar, o elija otro --out
+cli-rows-safe = no se puede escribir ({ $fault })
+    .help = contiene { $rows } filas a salvo: libere espacio y continúe con --resume
+cli-all-rows-safe = no se puede escribir ({ $fault })
+    .help = todas las filas están a salvo a su lado: libere espacio y continúe con --resume
+cli-cannot-repair = no se puede reparar ({ $fault })
+cli-busy = otro gaitcam está escribiendo esta tabla
+    .help = espere a que termine, o elija otro --out
+cli-another-sweep = es otro barrido: { $differences }
+    .help = repita el barrido tal como era, o elija otro --out
+cli-writer-failed = falló la escritura de la tabla
+
+# Todas las órdenes.
+run-internal-error = error interno; comuníquelo junto con la escena
+run-stdout = la respuesta no se puede escribir en la salida estándar ({ $fault })
+run-files = Archivos en { $folder }; abra primero { $first }.
+
+# synth: rótulos de las filas del resumen.
+label-failed = FALLA
+label-ok = cumple
+label-force = fuerza
+label-law = ley
+label-drive = accionamiento
+label-cam = leva
+label-machine = máquina
+label-active = activo
+label-relaxing = relajar
+label-note = nota
+label-solved = cálculo
+label-optimum = óptimo
+label-sequence = secuencia
+more-failed = { $count } comprobaciones fallidas más en summary.json
+more-passed = { $count } comprobaciones cumplidas más en summary.json
+more-active = { $count } límites activos más en summary.json
+more-relaxing = { $count } sensibilidades más en summary.json
+more-notes = { $count } notas más en summary.json
+synth-check = { $name } { $value } (límite { $limit }) en { $at }
+synth-force-error = error { $rms } N RMS ({ $percent } % de la media), máximo { $most } N
+synth-force-range = { $low } … { $high } N, media { $mean } N
+synth-law = { $family }{ $degree ->
+        [0] {""}
+       *[other] , grado { $degree }
+    }{ $pieces ->
+        [0] {""}
+       *[other] , { $pieces } tramos
+    }, carrera { $stroke }
+synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm, menor radio convexo { $convex } mm
+synth-torque = par máximo { $most } N·m, RMS { $rms } N·m
+synth-power = potencia máxima { $most } W
+synth-lift-off = pérdida de contacto a { $speed }
+synth-hertz = presión de Hertz { $pressure } MPa
+synth-active = límite { $limit } { $points ->
+        [1] en { $at }
+       *[other] en { $points } puntos, mayor multiplicador en { $at }
+    }
+synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit } en lugar de { $before } { $unit }
+synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
+synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
+synth-no-sequence = ninguna: bastó con un programa convexo o menos
+synth-sequence = { $count } programas convexos
+synth-step-head = paso radio primario           objetivo    holgura relativa      longitud
+synth-ended = detenida: { $why }
+synth-no-solid = sin sólido: { $fault }
+synth-no-step = sin archivo STEP: { $fault }
+synth-arcs = profile_arcs.dxf: { $arcs } arcos, a lo sumo a { $deviation } mm del perfil
+synth-no-arcs = sin arcos: el perfil no es bastante suave
+synth-gouge-hollow = la fresa es demasiado grande para el perfil cóncavo en { $at }: radio máximo { $radius } mm
+synth-gouge-elsewhere = al cortar en { $at }, la fresa penetra { $depth } mm en el perfil en { $damaged }
+synth-gouge-undercut = el perfil tiene rebaje en { $at }: ninguna fresa lo mecaniza
+
+# synth --front.
+trade-none = no se puede construir ningún punto del frente
+trade-title = { $name }: menor error de fuerza para cada { $quantity }
+trade-rms = error RMS N
+trade-percent = % de media
+trade-prime-radius = radio primario
+trade-jerk = sobreaceleración
+trade-acceleration = aceleración
+trade-velocity = velocidad
+trade-stroke = carrera
+
+# gait.
+gait-cycle-of = ciclo de { $file }
+gait-mean-cycle-of = ciclo medio de { $file }
+
+# simulate.
+simulate-no-cam = no hay ninguna leva que simular: { $why }
+
+# sweep.
+sweep-skipped = se omiten { $count } archivos junto a los registros ({ $first }{ $count ->
+        [1] {""}
+       *[other] {" …"}
+    })
+sweep-complete = { $file } ya está completa.
+sweep-stopped = detenido tras { $done } de { $rows } filas; no se pierde nada, continúe con --resume
+sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables), { $infeasible } irrealizables, { $errors } errores
+sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
+sweep-first-error = Primer error, fila { $row }: { $fault }
+sweep-repaired = los últimos { $bytes } bytes de { $file } quedaron cortados por una interrupción y se calculan de nuevo
+sweep-no-design = no hay ningún diseño que dispersar: { $why }
+sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza del diseño { $own } % de la media
+sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
+sweep-yield = rendimiento { $within } % queda dentro de { $band } %
+sweep-scatter-files = Muestras en { $file }, figuras en { $page }.
+sweep-designs = diseños
+
+# front.
+front-none-built = { $file }: no se construyó ningún diseño
+front-none-feasible = { $file }: ningún diseño cumple todas las comprobaciones (--all incluye los demás)
+front-counts = { $file }: { $candidates } de { $seen } diseños son realizables, { $front } de ellos no dominados
+front-row = fila
+front-best = mejor compromiso
+front-more = … { $count } más en front.csv; mejor compromiso: fila { $row }
+
+# compare.
+compare-diagrams = Diagramas en { $folder }
+compare-verdict = veredicto
+compare-outcome = resultado
+compare-law = ley
+compare-follower = seguidor
+compare-rms = error de fuerza, RMS
+compare-percent = error de fuerza, RMS de la media
+compare-largest = error de fuerza, máximo
+compare-force-min = fuerza mínima
+compare-force-max = fuerza máxima
+compare-mass = masa
+compare-speed = velocidad
+compare-stroke = carrera
+compare-a = |a| máxima
+compare-j = |j| máxima
+compare-base-radius = radio base
+compare-convex = menor radio convexo
+compare-pressure-angle = ángulo de presión máximo
+compare-face-width = ancho de la cara
+
+# laws.
+laws-head = Subida de 1 en tiempo 1: máximos de velocidad Cv, aceleración Ca, sobreaceleración Cj, par Ct = max|a·v|
+laws-law = ley
+laws-joins = enlaza con
