@@ -9,7 +9,8 @@ use std::cell::RefCell;
 use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{Error, Result};
+use crate::error::CliError;
+use gaitcam::error::Result;
 
 /// New files that wait to be moved into place.
 const READY: &str = ".gaitcam.ready";
@@ -33,8 +34,8 @@ impl ResultFolder {
     /// any work is done.
     pub fn open(path: &Path) -> Result<ResultFolder> {
         let fault = |e: std::io::Error| {
-            Error::file(path, format!("cannot write into this folder ({e})"))
-                .help("choose another with --out DIR")
+            let fault = e.to_string();
+            CliError::FolderRefuses { fault }.file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
         let lock = Lock::wait(&path.join(LOCK)).map_err(fault)?;
@@ -57,8 +58,10 @@ impl ResultFolder {
 
     /// Writes a file of the new result.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
-        fs::write(self.stage.join(name), bytes)
-            .map_err(|e| Error::file(&self.path.join(name), format!("cannot be written ({e})")))?;
+        fs::write(self.stage.join(name), bytes).map_err(|e| {
+            let fault = e.to_string();
+            CliError::CannotWrite { fault }.file(&self.path.join(name))
+        })?;
         self.written.borrow_mut().push(name.to_string());
         Ok(())
     }
@@ -66,10 +69,8 @@ impl ResultFolder {
     /// Puts the new files into place and removes those of `others` that the new result does not have.
     pub fn commit(self, others: &[&str]) -> Result<()> {
         let fault = |e: std::io::Error| {
-            Error::file(
-                &self.path,
-                format!("the files cannot be moved into place ({e})"),
-            )
+            let fault = e.to_string();
+            CliError::CannotPlace { fault }.file(&self.path)
         };
         let written = self.written.borrow();
         let stale: Vec<&str> = others

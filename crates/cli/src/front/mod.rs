@@ -8,12 +8,14 @@ use clap::Args;
 use serde_json::{Value, json};
 use toml::Table;
 
+use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::input::{SceneArgs, at_flag, files::read_bytes};
+use crate::input::{SceneArgs, at_flag, files::read_bytes, not_json};
 use crate::sweep::beside;
 use crate::synth::{self, SynthArgs};
 use crate::terminal::{print, print_json, report};
-use gaitcam::error::{Error, Result};
+use crate::words;
+use gaitcam::error::Result;
 use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Front, Key, Point, objective};
 use gaitcam_output::folder::Folder;
@@ -21,8 +23,14 @@ use gaitcam_output::sweep_plots::{self, Quantity};
 use gaitcam_output::sweep_report;
 use read::{Columns, Kept};
 
+const EXAMPLES: &str = "Examples:
+  gaitcam front strokes.csv
+  gaitcam front grid.csv --minimise force_error,prime_radius,jerk --out out/grid
+  gaitcam front walks.csv --best";
+
 /// Which table, which objectives.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct FrontArgs {
     /// The table that `gaitcam sweep` wrote
     file: PathBuf,
@@ -59,12 +67,13 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         .map(|&o| columns.names[o].clone())
         .collect();
     let Some(best) = front.best().cloned() else {
-        let what = if args.all {
-            "no design was built"
+        let key = if args.all {
+            "front-none-built"
         } else {
-            "no design passes every check (--all counts the others, too)"
+            "front-none-feasible"
         };
-        report(format!("{}: {what}", args.file.display()));
+        let file = args.file.display().to_string();
+        report(words::fill(key, &json!({"file": file})));
         return Ok(NO_SUCH_CAM);
     };
     let sorted = front.sorted();
@@ -85,11 +94,7 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         print_json(&object);
     } else if !args.json {
         print(&text(args, &kept, &columns, &names, &sorted, &best));
-        print(&format!(
-            "Files in {}; open {} first.",
-            folder.path().display(),
-            folder.path().join("report.html").display()
-        ));
+        print(&synth::files_in(folder.path(), "report.html"));
     }
     if args.best {
         return open_best(args, &folder, &columns, &best);
@@ -125,7 +130,7 @@ fn gather(args: &FrontArgs, front: &mut Front) -> Result<(Columns, Vec<usize>, K
         Ok(())
     })?;
     if objectives.is_empty() {
-        return Err(Error::file(&args.file, "the table has no row"));
+        return Err(CliError::EmptyTable.file(&args.file));
     }
     Ok((columns, objectives, kept))
 }
@@ -170,33 +175,32 @@ fn text(
     front: &[&Point],
     best: &Point,
 ) -> String {
-    let mut out = vec![format!(
-        "{}: {} of {} designs are feasible, {} of them non-dominated",
-        args.file.display(),
-        kept.candidates,
-        kept.seen,
-        front.len()
+    let mut out = vec![words::fill(
+        "front-counts",
+        &json!({"file": args.file.display().to_string(), "candidates": kept.candidates.to_string(),
+            "seen": kept.seen.to_string(), "front": front.len().to_string()}),
     )];
     let head: Vec<String> = names.iter().map(|n| format!("{n:>24}")).collect();
     let called: Vec<String> = front.iter().map(|p| row_name(columns, p)).collect();
     let shown = called.iter().take(SHOWN);
     let wide = shown.map(|n| n.chars().count()).max().unwrap_or(0).max(12);
-    out.push(format!("{:>wide$} {}", "row", head.join(" ")));
+    out.push(format!(
+        "{:>wide$} {}",
+        words::text("front-row"),
+        head.join(" ")
+    ));
     for (p, name) in front.iter().zip(&called).take(SHOWN) {
         let values: Vec<String> = p.values.iter().map(|v| format!("{v:>24.6}")).collect();
         let mark = if p.row == best.row {
-            "  best compromise"
+            format!("  {}", words::text("front-best"))
         } else {
-            ""
+            String::new()
         };
         out.push(format!("{name:>wide$} {}{mark}", values.join(" ")));
     }
     if front.len() > SHOWN {
-        out.push(format!(
-            "… {} more in front.csv; best compromise: row {}",
-            front.len() - SHOWN,
-            best.row
-        ));
+        let more = json!({"count": front.len() - SHOWN, "row": best.row.to_string()});
+        out.push(words::fill("front-more", &more));
     }
     out.join("\n")
 }
@@ -372,21 +376,23 @@ fn pictures(
 fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point) -> Result<u8> {
     let described = beside(&args.file, ".sweep.json");
     let bytes = read_bytes(&described)?;
-    let sweep: Value =
-        serde_json::from_slice(&bytes).map_err(|e| Error::file(&described, e.to_string()))?;
+    let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&described, &e))?;
     let scenes = sweep["scenes"].as_array().cloned().unwrap_or_default();
     let column = |name: &str| columns.names.iter().position(|n| n == name);
     let named = column("scene").map(|c| best.cells[c].clone());
     let scene = scenes
         .iter()
         .find(|s| named.as_deref().is_none_or(|n| s["name"] == n));
-    let scene =
-        scene.ok_or_else(|| Error::file(&described, "does not name the row's base scene"))?;
-    let mut table: Table = scene["text"]
-        .as_str()
-        .unwrap_or("")
-        .parse()
-        .map_err(|e: toml::de::Error| Error::file(&described, e.message().to_string()))?;
+    let scene = scene.ok_or_else(|| CliError::NoBaseScene.file(&described))?;
+    let mut table: Table =
+        scene["text"]
+            .as_str()
+            .unwrap_or("")
+            .parse()
+            .map_err(|e: toml::de::Error| {
+                let fault = e.message().to_string();
+                CliError::NotToml { fault }.file(&described)
+            })?;
     let inputs: Vec<(Key, &String)> = columns
         .inputs
         .iter()
@@ -397,10 +403,8 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     }
     for (key, cell) in inputs.iter().filter(|(k, _)| k.is_number()) {
         let value = cell.parse().map_err(|_| {
-            Error::file(
-                &args.file,
-                format!("row {}: \"{cell}\" is no number", best.row),
-            )
+            let (row, cell) = (best.row, (*cell).clone());
+            CliError::RowNotNumber { row, cell }.file(&args.file)
         })?;
         key.write_number(&mut table, value)?;
     }

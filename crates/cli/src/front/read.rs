@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
-use gaitcam::error::{Error, Result};
+use crate::error::CliError;
+use crate::input::files::cannot_be_read;
+use gaitcam::error::Result;
 use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Key, NUMBERS};
 use gaitcam_output::sweep_plots::Quantity;
@@ -28,11 +30,8 @@ impl Columns {
     fn of(path: &Path, names: Vec<String>) -> Result<Columns> {
         let find = |name: &str| {
             names.iter().position(|n| n == name).ok_or_else(|| {
-                Error::file(
-                    path,
-                    format!("is not the table of a sweep: it has no column \"{name}\""),
-                )
-                .help("give the file that gaitcam sweep wrote")
+                let column = name.to_string();
+                CliError::NotSweepTable { column }.file(path)
             })
         };
         let first = find(NUMBERS[0])?;
@@ -96,8 +95,7 @@ impl Row<'_> {
 
 /// Reads the table once, whatever its size.
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
-    let file = File::open(path)
-        .map_err(|e| Error::file(path, format!("cannot be read ({e})")).help("check the path"))?;
+    let file = File::open(path).map_err(|e| cannot_be_read(path, &e))?;
     if path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("parquet"))
@@ -107,7 +105,8 @@ pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) 
     let mut reader = csv::Reader::from_reader(std::io::BufReader::with_capacity(1 << 20, file));
     let fault = |e: csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
-        Error::line(path, line, e.to_string())
+        let fault = e.to_string();
+        CliError::NotCsv { fault }.line(path, line)
     };
     let names = reader.headers().map_err(fault)?.iter().map(str::to_string);
     let columns = Columns::of(path, names.collect())?;
@@ -137,7 +136,7 @@ fn parquet_rows(
         (0..batch.num_rows()).try_for_each(|row| each(columns, Row::Parquet(batch, row)))
     })
     .map_err(|e| e.at(gaitcam::error::Place::File(path.to_path_buf())))?;
-    columns.ok_or_else(|| Error::file(path, "the table has no row"))
+    columns.ok_or_else(|| CliError::EmptyTable.file(path))
 }
 
 #[cfg(not(feature = "parquet"))]
@@ -146,11 +145,7 @@ fn parquet_rows(
     _: File,
     _: impl FnMut(&Columns, Row) -> Result<()>,
 ) -> Result<Columns> {
-    Err(Error::file(
-        path,
-        "this gaitcam was built without Parquet (the feature \"parquet\")",
-    )
-    .help("sweep into a .csv, or build with --features parquet"))
+    Err(CliError::NoParquet.file(path))
 }
 
 /// Rows kept for pictures, at most.

@@ -7,8 +7,10 @@ use std::sync::{Arc, Mutex};
 use serde_json::{Value, json};
 
 use super::SweepArgs;
-use crate::input::{self, SceneArgs, files::read_bytes};
-use gaitcam::error::{Error, Place, Result};
+use crate::error::CliError;
+use crate::input::files::{cannot_be_read, read_bytes};
+use crate::input::{self, SceneArgs};
+use gaitcam::error::{Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::sweep::{Axis, Design, Key, List, NamedScene, Plan, Values};
@@ -75,8 +77,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     };
     let list = args.list.as_deref().map(list).transpose()?;
     if axes.is_empty() && list.is_none() && scenes.len() == 1 {
-        return Err(Error::argument("--vary", "an empty grid: nothing varies")
-            .help("write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER"));
+        return Err(CliError::NothingVaries.flag("--vary"));
     }
     Ok(Sweep {
         plan: Plan {
@@ -108,7 +109,8 @@ fn list(path: &Path) -> Result<List> {
         .from_reader(&bytes[..]);
     let fault = |e: csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
-        Error::line(path, line, e.to_string())
+        let fault = e.to_string();
+        CliError::NotCsv { fault }.line(path, line)
     };
     let names = reader.headers().map_err(fault)?.clone();
     let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
@@ -117,23 +119,20 @@ fn list(path: &Path) -> Result<List> {
         for (column, cell) in columns.iter_mut().zip(&record) {
             if cell.is_empty() {
                 let line = record.position().map_or(1, |p| p.line() as usize);
-                return Err(
-                    Error::line(path, line, "a value is missing").help("every row needs every key")
-                );
+                return Err(CliError::ListCell.line(path, line));
             }
             column.push(cell.to_string());
         }
     }
     if columns.first().is_none_or(Vec::is_empty) {
-        return Err(Error::file(path, "an empty grid: there is no row")
-            .help("the first line names keys, each further line gives their values"));
+        return Err(CliError::EmptyList.file(path));
     }
     let columns = names
         .iter()
         .zip(&columns)
         .map(|(name, values)| Axis::list(name, values.iter().map(String::as_str)))
         .collect::<Result<Vec<Axis>>>()
-        .map_err(|e| Error::file(path, e.to_string()))?;
+        .map_err(|e| e.at(Place::File(path.to_path_buf())))?;
     Ok(List { columns })
 }
 
@@ -171,29 +170,25 @@ fn recordings(paths: &[PathBuf]) -> Result<Recordings> {
         }
     }
     if found.files.is_empty() && !paths.is_empty() {
-        let what = match found.skipped.len() {
-            0 => "an empty grid: there is no file".to_string(),
-            n => format!("an empty grid: none of {n} files is called as recordings are"),
+        let endings = format!(".{}", ENDINGS.join(", ."));
+        let fault = match found.skipped.len() {
+            0 => CliError::NoRecordings { endings },
+            files => CliError::NotRecordings { files, endings },
         };
-        return Err(Error::argument("--recordings", what)
-            .help(format!("recordings end in .{}", ENDINGS.join(", ."))));
+        return Err(fault.flag("--recordings"));
     }
     Ok(found)
 }
 
-fn unreadable(path: &Path, e: &std::io::Error) -> Error {
-    Error::file(path, format!("cannot be read ({e})")).help("check the path")
-}
-
 fn is_file(path: &Path) -> Result<bool> {
-    let about = std::fs::metadata(path).map_err(|e| unreadable(path, &e))?;
+    let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
     Ok(about.is_file())
 }
 
 fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
     let mut inside = std::fs::read_dir(folder)
         .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
-        .map_err(|e: std::io::Error| unreadable(folder, &e))
+        .map_err(|e: std::io::Error| cannot_be_read(folder, &e))
         .map(|all: Vec<PathBuf>| all)?;
     inside.sort();
     for path in inside {
@@ -232,11 +227,8 @@ pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCur
             return curve;
         }
         let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
-        let curve = input::target::target(scene, folder).and_then(|curve| {
-            curve.ok_or_else(|| {
-                Error::new("there is no force curve").at(Place::Key("gait".to_string()))
-            })
-        });
+        let curve = input::target::target(scene, folder)
+            .and_then(|curve| curve.ok_or_else(|| CliError::NoCurve.key("gait")));
         if let Ok(mut kept) = kept.lock() {
             if kept.len() >= KEPT_CURVES {
                 kept.clear();

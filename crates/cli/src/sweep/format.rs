@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use gaitcam::error::{Error, Result};
+use crate::error::CliError;
+use gaitcam::error::Result;
 #[cfg(feature = "parquet")]
 use gaitcam::sweep::Plan;
 
@@ -22,16 +23,11 @@ impl Format {
         match ending.as_deref() {
             Some("csv") => Ok(Format::Csv),
             Some("parquet") if cfg!(feature = "parquet") => Ok(Format::Parquet),
-            Some("parquet") => Err(Error::argument(
-                "--out",
-                "this gaitcam was built without Parquet (the feature \"parquet\")",
-            )
-            .help("write a .csv, or build with --features parquet")),
-            _ => Err(Error::argument(
-                "--out",
-                format!("{} is neither .csv nor .parquet", path.display()),
-            )
-            .help("give the table one of these endings")),
+            Some("parquet") => Err(CliError::NoParquet.flag("--out")),
+            _ => {
+                let file = path.display().to_string();
+                Err(CliError::TableEnding { file }.flag("--out"))
+            }
         }
     }
 }
@@ -42,8 +38,14 @@ pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
     use gaitcam::sweep::parquet::{GROUP_ROWS, Writer, record_batch, schema};
     use gaitcam::sweep::{Results, Row};
 
-    let fault = |e: std::io::Error| Error::file(parquet, format!("cannot be written ({e})"));
-    let unreadable = |e: csv::Error| Error::file(csv, format!("cannot be read ({e})"));
+    let fault = |e: std::io::Error| {
+        let fault = e.to_string();
+        CliError::CannotWrite { fault }.file(parquet)
+    };
+    let unreadable = |e: csv::Error| {
+        let fault = e.to_string();
+        CliError::CannotRead { fault }.file(csv)
+    };
     let names = plan.scene_names();
     let schema = schema(&plan.keys(), names.is_some());
     let file = std::fs::File::create(parquet).map_err(fault)?;

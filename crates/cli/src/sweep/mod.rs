@@ -10,10 +10,13 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use serde_json::json;
 
+use crate::error::CliError;
 use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
 use crate::input;
 use crate::terminal::{self, print, print_json};
+use crate::words;
 use format::Format;
 use gaitcam::error::{Error, ErrorKind, Result, SweepError};
 use gaitcam::sweep::{Kernel, Method, table};
@@ -25,8 +28,16 @@ const MANY: u128 = 100_000_000;
 /// More rows than this have no numbers here.
 const MOST: u128 = 1 << 53;
 
+const EXAMPLES: &str = "Examples:
+  gaitcam sweep --vary 'limits.stroke=20 mm:60 mm:9' --out strokes.csv
+  gaitcam sweep my.toml --vary law.family=spline,harmonic --vary 'drive.mass=5 kg:9 kg:5' --out grid.csv
+  gaitcam sweep --sample 10000 --vary 'gait.step_frequency=1.5 Hz:2.4 Hz' --out sample.csv --resume
+  gaitcam sweep scenes/measured_walk.toml --recordings data/gait_curves --out walks.csv
+  gaitcam sweep --tolerance 'profile=0.02 mm' --band '2 %' --out made.csv";
+
 /// What to sweep and where to put it.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub struct SweepArgs {
     /// Scene files; without one, the built-in footbridge
     pub scenes: Vec<PathBuf>,
@@ -96,20 +107,18 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let sweep = arguments::plan(args)?;
     let plan = &sweep.plan;
     if let [first, ..] = &sweep.skipped[..] {
-        terminal::report(format!(
-            "{} file(s) beside the recordings are skipped ({first}{})",
-            sweep.skipped.len(),
-            if sweep.skipped.len() > 1 { " …" } else { "" }
-        ));
+        let skipped = json!({"count": sweep.skipped.len(), "first": first});
+        terminal::report(words::fill("sweep-skipped", &skipped));
     }
     let rows = plan.rows();
     if rows > MOST || (rows > MANY && !args.yes) {
-        let error = Error::argument("--vary", format!("{rows} combinations"));
-        return Err(if rows > MOST {
-            error.help("too many to compute: use fewer values, or --sample N")
+        let shown = rows.to_string();
+        let fault = if rows > MOST {
+            CliError::TooManyRows { rows: shown }
         } else {
-            error.help("use fewer values, --sample N, or --yes")
-        });
+            CliError::ManyRows { rows: shown }
+        };
+        return Err(fault.flag("--vary"));
     }
     plan.validate()
         .map_err(|e| input::at_flag(flag_of(&e))(e))?;
@@ -117,7 +126,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
     let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {
         Opened::Finished => {
-            print(&format!("{} is already complete.", args.out.display()));
+            print(&words::fill("sweep-complete", &file(args)));
             return Ok(BUILT);
         }
         Opened::Partial(partial) => partial,
@@ -131,7 +140,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.jobs.map_or(0, usize::from))
         .build()
-        .map_err(|e| Error::argument("--jobs", e.to_string()))?;
+        .map_err(|e| {
+            let fault = e.to_string();
+            CliError::Threads { fault }.flag("--jobs")
+        })?;
     let stop = work::stop_on_ctrl_c();
     let before = partial.counts().rows;
     let computed = Instant::now();
@@ -139,9 +151,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let seconds = computed.elapsed().as_secs_f64();
     let done = partial.counts().rows;
     if u128::from(done) < rows {
-        terminal::report(format!(
-            "stopped after {done} of {rows} rows; completed rows are saved, continue with --resume"
-        ));
+        let stopped = json!({"done": done.to_string(), "rows": rows.to_string()});
+        terminal::report(words::fill("sweep-stopped", &stopped));
         return Ok(INTERRUPTED);
     }
     let counts = match format {
@@ -152,10 +163,15 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
             Some(&|csv, parquet| format::to_parquet(plan, csv, parquet)),
         )?,
         #[cfg(not(feature = "parquet"))]
-        Format::Parquet => return Err(Error::argument("--out", "built without Parquet")),
+        Format::Parquet => return Err(CliError::NoParquet.flag("--out")),
     };
     report(args, &counts, rows as u64 - before, seconds);
     Ok(if counts.built > 0 { BUILT } else { NO_SUCH_CAM })
+}
+
+/// The table's name, as the argument of a sentence.
+fn file(args: &SweepArgs) -> serde_json::Value {
+    json!({"file": args.out.display().to_string()})
 }
 
 /// The flag that a fault of the whole plan belongs to.
@@ -178,21 +194,24 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
         print_json(&object);
         return;
     }
-    print(&format!(
-        "{} rows in {}: {} built ({} acceptable), {} infeasible, {} errors",
-        counts.rows,
-        args.out.display(),
-        counts.built,
-        counts.acceptable,
-        counts.infeasible,
-        counts.errors
-    ));
+    let mut all = file(args);
+    for (name, count) in [
+        ("rows", counts.rows),
+        ("built", counts.built),
+        ("acceptable", counts.acceptable),
+        ("infeasible", counts.infeasible),
+        ("errors", counts.errors),
+    ] {
+        all[name] = json!(count.to_string());
+    }
+    print(&words::fill("sweep-counts", &all));
     if computed > 0 {
-        print(&format!(
-            "{computed} designs in {seconds:.2} s, {rate:.0} a second"
-        ));
+        let rate = json!({"designs": computed.to_string(), "seconds": words::fixed(seconds, 2),
+            "rate": words::fixed(rate, 0)});
+        print(&words::fill("sweep-rate", &rate));
     }
     if let Some(first) = &counts.first_error {
-        print(&format!("First error, row {}: {}", first.0, first.1));
+        let first = json!({"row": first.0.to_string(), "fault": first.1});
+        print(&words::fill("sweep-first-error", &first));
     }
 }

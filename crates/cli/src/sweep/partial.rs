@@ -9,11 +9,14 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use crate::error::CliError;
+use crate::input::files::cannot_be_read;
 use crate::result_folder::is_still_there;
+use crate::words;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Outcome, Results, differences};
 use gaitcam_output::folder::write_whole;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// An open and locked partial table.
 pub struct PartialTable {
@@ -128,14 +131,8 @@ impl PartialTable {
             return Ok(Opened::Partial(partial));
         }
         if !resume {
-            return Err(Error::file(
-                &partial.path,
-                format!(
-                    "holds {} rows of a sweep that was stopped",
-                    partial.counts.rows
-                ),
-            )
-            .help("continue with --resume, or remove it to start again"));
+            let rows = partial.counts.rows;
+            return Err(CliError::PartialRows { rows }.file(&partial.path));
         }
         let before = described(&beside(table, ".partial.json"))
             .or_else(|| described(&beside(table, ".sweep.json")))
@@ -155,13 +152,12 @@ impl PartialTable {
         self.repaired.as_deref()
     }
 
-    fn fault(&self, what: &str, e: &std::io::Error) -> Error {
-        Error::file(&self.path, format!("{what} ({e})"))
+    fn unreadable(&self, e: &std::io::Error) -> Error {
+        cannot_be_read(&self.path, e)
     }
 
     fn foreign(&self) -> Error {
-        Error::file(&self.path, "is not the partial table of a sweep")
-            .help("move it away, or choose another --out")
+        CliError::NotPartial.file(&self.path)
     }
 
     /// Counts the complete rows. Fails on a file that does not begin like a table.
@@ -172,7 +168,7 @@ impl PartialTable {
             .file
             .rewind()
             .and_then(|()| self.file.read_exact(&mut start));
-        read.map_err(|e| self.fault("cannot be read", &e))?;
+        read.map_err(|e| self.unreadable(&e))?;
         let common = start.iter().zip(header.as_bytes());
         let begins_so = common.take_while(|(a, b)| a == b).count();
         // The column of row numbers comes first in every table; a shorter file was cut in its header.
@@ -180,9 +176,7 @@ impl PartialTable {
             return Err(self.foreign());
         }
         let ends_a_line = self.last_byte(size)? == Some(b'\n');
-        self.file
-            .rewind()
-            .map_err(|e| self.fault("cannot be read", &e))?;
+        self.file.rewind().map_err(|e| self.unreadable(&e))?;
         let mut reader = csv::Reader::from_reader(BufReader::new(&self.file));
         let Ok(names) = reader.headers().cloned() else {
             return Ok(());
@@ -211,9 +205,7 @@ impl PartialTable {
 
     fn size(&self) -> Result<u64> {
         let metadata = self.file.metadata();
-        Ok(metadata
-            .map_err(|e| self.fault("cannot be read", &e))?
-            .len())
+        Ok(metadata.map_err(|e| self.unreadable(&e))?.len())
     }
 
     fn last_byte(&mut self, size: u64) -> Result<Option<u8>> {
@@ -225,7 +217,7 @@ impl PartialTable {
             .file
             .seek(SeekFrom::Start(size - 1))
             .and_then(|_| self.file.read_exact(&mut byte));
-        read.map_err(|e| self.fault("cannot be read", &e))?;
+        read.map_err(|e| self.unreadable(&e))?;
         Ok(Some(byte[0]))
     }
 
@@ -233,14 +225,13 @@ impl PartialTable {
     fn cut(&mut self) -> Result<()> {
         let size = self.size()?;
         if self.end < size {
-            self.repaired = Some(format!(
-                "the last {} bytes of {} were cut short by a crash and are computed again",
-                size - self.end,
-                self.path.display()
-            ));
-            self.file
-                .set_len(self.end)
-                .map_err(|e| self.fault("cannot be repaired", &e))?;
+            let file = self.path.display().to_string();
+            let lost = json!({"bytes": size - self.end, "file": file});
+            self.repaired = Some(words::fill("sweep-repaired", &lost));
+            self.file.set_len(self.end).map_err(|e| {
+                let fault = e.to_string();
+                CliError::CannotRepair { fault }.file(&self.path)
+            })?;
         }
         Ok(())
     }
@@ -250,7 +241,10 @@ impl PartialTable {
         let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
         write_whole(&beside(&self.path, ".json"), text.as_bytes())?;
         let written = self.file.set_len(0).and_then(|()| self.file.rewind());
-        written.map_err(|e| self.fault("cannot be written", &e))?;
+        written.map_err(|e| {
+            let fault = e.to_string();
+            CliError::CannotWrite { fault }.file(&self.path)
+        })?;
         self.end = 0;
         self.append(header, Counts::default())
     }
@@ -265,10 +259,8 @@ impl PartialTable {
             .and_then(|()| self.file.sync_data());
         if let Err(e) = written {
             let _ = self.file.set_len(self.end);
-            return Err(self.fault("cannot be written", &e).help(format!(
-                "{} rows are safe in it: free disk space and continue with --resume",
-                self.counts.rows
-            )));
+            let (fault, rows) = (e.to_string(), self.counts.rows);
+            return Err(CliError::RowsSafe { fault, rows }.file(&self.path));
         }
         self.end += rows.len() as u64;
         self.counts.add(counts);
@@ -284,8 +276,8 @@ impl PartialTable {
         let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
         write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
         let fault = |e: std::io::Error| {
-            Error::file(&self.table, format!("cannot be written ({e})"))
-                .help("all rows are safe beside it: free disk space and continue with --resume")
+            let fault = e.to_string();
+            CliError::AllRowsSafe { fault }.file(&self.table)
         };
         match convert {
             None => std::fs::rename(&self.path, &self.table).map_err(fault)?,
@@ -312,11 +304,11 @@ impl PartialTable {
 
 /// The partial table, open and locked by this process alone.
 fn locked(path: &Path, table: &Path) -> Result<File> {
-    let fault = |e: std::io::Error| Error::file(path, format!("cannot be opened ({e})"));
-    let busy = || {
-        Error::file(table, "another gaitcam is writing this table")
-            .help("wait for it, or choose another --out")
+    let fault = |e: std::io::Error| {
+        let fault = e.to_string();
+        CliError::CannotOpen { fault }.file(path)
     };
+    let busy = || CliError::Busy.file(table);
     let file = OpenOptions::new()
         .read(true)
         .write(true)
@@ -341,8 +333,6 @@ fn agree(path: &Path, before: &Value, now: &Value) -> Result<()> {
     if lines.is_empty() {
         return Ok(());
     }
-    Err(
-        Error::file(path, format!("is another sweep: {}", lines.join("; ")))
-            .help("repeat the sweep as it was, or choose another --out"),
-    )
+    let differences = lines.join("; ");
+    Err(CliError::AnotherSweep { differences }.file(path))
 }

@@ -6,12 +6,14 @@ use rayon::prelude::*;
 
 use super::SweepArgs;
 use super::partial::beside;
+use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input::{self, SceneArgs};
 use crate::terminal::{self, print, print_json};
-use gaitcam::error::{Error, Result};
+use crate::words::{self, fixed};
+use gaitcam::error::Result;
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
-use gaitcam::synth::synthesise;
+use gaitcam::synth::{sentences, synthesise};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
@@ -29,17 +31,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         || !args.recordings.is_empty()
         || args.scenes.len() > 1
     {
-        return Err(Error::argument(
-            "--tolerance",
-            "scatters one design and goes with no other variation",
-        )
-        .help("fix the scene with --set"));
+        return Err(CliError::ScatterAlone.flag("--tolerance"));
     }
     if args.out.extension().is_none_or(|e| e != "csv") {
-        return Err(Error::argument(
-            "--out",
-            "the samples of --tolerance are written as .csv",
-        ));
+        return Err(CliError::ScatterCsv.flag("--out"));
     }
     let tolerances = args
         .tolerance
@@ -53,9 +48,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .transpose()?;
     let count = args.sample.unwrap_or(SAMPLES);
     if count > MOST {
-        return Err(
-            Error::argument("--sample", format!("{count} samples")).help(format!("up to {MOST}"))
-        );
+        let (count, most) = (count.to_string(), MOST.to_string());
+        return Err(CliError::TooManySamples { count, most }.flag("--sample"));
     }
     let input = input::scene(&SceneArgs {
         scene: args.scenes.first().cloned(),
@@ -64,10 +58,9 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let target = input.target()?;
     let design = synthesise(&input.scene, target.as_ref())?;
     if let Some(infeasible) = &design.infeasible {
-        terminal::report(format!(
-            "there is no design to apply tolerances to: {}",
-            infeasible.words()
-        ));
+        let why = sentences(&infeasible.reasons, crate::language::current());
+        let why = serde_json::json!({"why": why});
+        terminal::report(words::fill("sweep-no-design", &why));
         return Ok(NO_SUCH_CAM);
     }
     let scatter = Scatter::new(&design).map_err(input::at_flag("--tolerance"))?;
@@ -79,7 +72,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let percents: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
     let spread = Spread::of(&percents, band.map(|b| 100.0 * b));
     let Some(spread) = spread else {
-        return Err(Error::argument("--sample", "no sample"));
+        return Err(CliError::NoSample.flag("--sample"));
     };
     let own = design.force.rms_error_percent_of_mean;
     let page = beside(&args.out, ".report.html");
@@ -95,12 +88,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         });
         print_json(&object);
     } else {
-        print(&words(&design.name, own, count, &spread, band));
-        print(&format!(
-            "Samples in {}, pictures in {}.",
-            args.out.display(),
-            page.display()
-        ));
+        print(&summary(&design.name, own, count, &spread, band));
+        let (file, page) = (args.out.display().to_string(), page.display().to_string());
+        let files = serde_json::json!({"file": file, "page": page});
+        print(&words::fill("sweep-scatter-files", &files));
     }
     Ok(BUILT)
 }
@@ -125,20 +116,20 @@ fn table(made: &[Made]) -> String {
     out
 }
 
-fn words(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
-    let [p5, median, p95] = s.quantiles;
+fn summary(name: &str, own: f64, count: u64, s: &Spread, band: Option<f64>) -> String {
+    let [p5, median, p95] = s.quantiles.map(|x| fixed(x, 3));
+    let head = serde_json::json!({"name": name, "count": count.to_string(), "own": fixed(own, 3)});
+    let spread = serde_json::json!({"mean": fixed(s.mean, 3), "deviation": fixed(s.deviation, 3),
+        "p5": p5, "p95": p95, "median": median, "largest": fixed(s.largest, 3)});
     let mut out = format!(
-        "{name}: {count} manufactured samples; force error by design {own:.3} % of the mean\n  \
-         spread    mean {:.3} %, standard deviation {:.3} %, 5 % to 95 %: {p5:.3} % … {p95:.3} %, median {median:.3} %, largest {:.3} %",
-        s.mean, s.deviation, s.largest
+        "{}\n  {}",
+        words::fill("sweep-samples", &head),
+        words::fill("sweep-spread", &spread)
     );
     if let (Some(band), Some(within)) = (band, s.within) {
-        let _ = write!(
-            out,
-            "\n  yield     {:.2} % stay within {:.3} %",
-            100.0 * within,
-            100.0 * band
-        );
+        let share =
+            serde_json::json!({"within": fixed(100.0 * within, 2), "band": fixed(100.0 * band, 3)});
+        let _ = write!(out, "\n  {}", words::fill("sweep-yield", &share));
     }
     out
 }

@@ -10,8 +10,10 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
 use super::partial::{Counts, PartialTable};
+use crate::error::CliError;
 use crate::exit_code::INTERRUPTED;
-use gaitcam::error::{Error, Result};
+use crate::words;
+use gaitcam::error::Result;
 use gaitcam::sweep::{Kernel, Plan, table};
 
 /// A wave aims at this much time: no more than this is lost in a crash.
@@ -37,7 +39,7 @@ pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
 }
 
 /// A bar with rate and time left on a terminal, nothing in a pipe.
-pub fn progress(what: &'static str, total: u64, done: u64) -> ProgressBar {
+pub fn progress(what: String, total: u64, done: u64) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
@@ -70,7 +72,7 @@ pub fn compute(
 ) -> Result<()> {
     let total = plan.rows() as u64;
     let mut next = partial.counts().rows;
-    let bar = progress("designs", total, next);
+    let bar = progress(words::text("sweep-designs"), total, next);
     let (send, receive) = sync_channel::<Vec<Block>>(1);
     let written = std::thread::scope(|scope| {
         let bar = &bar;
@@ -106,7 +108,7 @@ pub fn compute(
         writer.join()
     });
     bar.finish_and_clear();
-    written.unwrap_or_else(|_| Err(Error::new("the table's writer failed")))
+    written.unwrap_or_else(|_| Err(CliError::WriterFailed.into()))
 }
 
 /// Rows `first .. first + rows`, or as many blocks of them from the start as were done when the stop came.

@@ -6,6 +6,7 @@ use super::SynthArgs;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input;
 use crate::terminal::{print, print_json, report};
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::table::label;
 use gaitcam::synth::{Against, Trade, trade};
@@ -34,7 +35,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let points = args.points.unwrap_or(POINTS) as usize;
     let front = trade(&input.scene, target.as_ref(), against, points)?;
     if front.is_empty() {
-        report("no point of the front can be built");
+        report(words::text("trade-none"));
         return Ok(NO_SUCH_CAM);
     }
     folder.write("front.csv", csv(against, &front).as_bytes())?;
@@ -55,11 +56,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         .copied()
         .zip(y.values.iter().copied())
         .collect();
-    let title = format!(
-        "{}: least force error at each {}",
-        input.scene.name,
-        quantity_name(against)
-    );
+    let title = title(&input.scene.name, against);
     let picture = sweep_plots::front(&title, &x, &y, &line, None);
     folder.write("front.svg", picture.svg().as_bytes())?;
     folder.write("front.png", &picture.png())?;
@@ -75,11 +72,8 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
             .collect();
         print_json(&rows.into());
     } else {
-        print(&words(&input.scene.name, against, &front));
-        print(&format!(
-            "Files in {}; open front.png first.",
-            folder.path().display()
-        ));
+        print(&table(&input.scene.name, against, &front));
+        print(&super::files_in(folder.path(), "front.png"));
     }
     Ok(BUILT)
 }
@@ -89,7 +83,12 @@ fn quantity_name(against: Against) -> String {
         .iter()
         .find(|n| n.1 == against)
         .map_or("", |n| n.0);
-    name.replace('_', " ")
+    words::text(&format!("trade-{}", name.replace('_', "-")))
+}
+
+fn title(name: &str, against: Against) -> String {
+    let said = json!({"name": name, "quantity": quantity_name(against)});
+    words::fill("trade-title", &said)
 }
 
 /// The unit in which people read it, and SI's factor to it.
@@ -132,18 +131,15 @@ fn csv(against: Against, front: &[Trade]) -> String {
     out
 }
 
-fn words(name: &str, against: Against, front: &[Trade]) -> String {
+fn table(name: &str, against: Against, front: &[Trade]) -> String {
     let (unit, factor) = shown_in(against);
     let mut out = vec![
-        format!(
-            "{name}: least force error at each {}",
-            quantity_name(against)
-        ),
+        title(name, against),
         format!(
             "  {:>16} {unit:<5} {:>14} {:>12}",
             quantity_name(against),
-            "RMS error N",
-            "% of mean"
+            words::text("trade-rms"),
+            words::text("trade-percent")
         ),
     ];
     for t in front {

@@ -175,12 +175,12 @@ sweep-skipped = se omiten { $count } archivos junto a los registros ({ $first }{
        *[other] {" …"}
     })
 sweep-complete = { $file } ya está completa.
-sweep-stopped = detenido tras { $done } de { $rows } filas; no se pierde nada, continúe con --resume
+sweep-stopped = detenido tras { $done } de { $rows } filas; las filas calculadas están guardadas, continúe con --resume
 sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables), { $infeasible } irrealizables, { $errors } errores
 sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
 sweep-first-error = Primer error, fila { $row }: { $fault }
 sweep-repaired = los últimos { $bytes } bytes de { $file } quedaron cortados por una interrupción y se calculan de nuevo
-sweep-no-design = no hay ningún diseño que dispersar: { $why }
+sweep-no-design = no hay ningún diseño al que aplicar tolerancias: { $why }
 sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza del diseño { $own } % de la media
 sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
 sweep-yield = rendimiento { $within } % queda dentro de { $band } %
