@@ -23,8 +23,8 @@ const BREADTH: f64 = 1e-9;
 /// let law = program(&[segment(Rise::Poly345, 0.02), segment(Rise::Poly345, -0.02)], Extent::TURN)?;
 /// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.1 })?;
 /// let all = Continuity::of(&cam);
-/// assert!(all.s && all.v && all.a && all.j);
-/// assert_eq!(cam.cam_das_class(), Verdict::Acceptable);
+/// assert!(all.s && all.v && all.a && !all.j);
+/// assert_eq!(cam.cam_das_class(), Verdict::NotForHighSpeed);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -1,12 +1,15 @@
 //! What a run of the cam found.
 
+use serde::Serialize;
+
 use super::contact::Impact;
 use super::reason::{ModelReason, RunNote};
 use super::rigid::hertz::LineContact;
 use crate::error::Error;
 
 /// Which model ran.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Model {
     /// Start rigid, go as far as the numbers ask.
     Auto,
@@ -63,7 +66,7 @@ pub struct Row {
 }
 
 /// Extremes and error of the force, N.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
     /// Smallest.
     pub min: f64,
@@ -74,7 +77,7 @@ pub struct Force {
 }
 
 /// Torque of the shaft, N·m.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
     /// Smallest.
     pub min: f64,
@@ -87,7 +90,7 @@ pub struct Torque {
 }
 
 /// What the next model up would change.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
     /// The model that was run for comparison.
     pub model: Model,

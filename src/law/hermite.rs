@@ -27,9 +27,22 @@ const RANK: f64 = 1e-14;
 
 /// The one polynomial of degree n − 1 that meets n conditions, on [start, end] rad, as a single piece.
 ///
-/// The conditions are met to rounding of the largest of them. Fails when there are none, when an angle
-/// lies outside the interval, when two conditions speak of the same derivative at the same angle, when an
-/// order exceeds the degree, or when the set does not fix a polynomial (possible when orders are skipped).
+/// The conditions are met to rounding of the largest of them.
+///
+/// ```
+/// use gaitcam::law::{Condition, hermite_birkhoff};
+///
+/// // From rest at 0 to rest at lift 1: 3x² − 2x³.
+/// let on = |theta, order, value| Condition { theta, order, value };
+/// let conditions = [on(0.0, 0, 0.0), on(0.0, 1, 0.0), on(1.0, 0, 1.0), on(1.0, 1, 0.0)];
+/// let cubic = hermite_birkhoff(&conditions, 0.0, 1.0)?;
+/// assert!((cubic.eval(0.25) - 0.15625).abs() < 1e-15);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// No conditions, an angle outside the interval, two conditions on the same derivative at the same angle, an
+/// order above the degree, or a set that does not fix a polynomial (possible when orders are skipped).
 pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Result<PiecewisePoly> {
     check(conditions, start, end)?;
     let n = conditions.len();

@@ -65,9 +65,24 @@ const JUMP: f64 = 1e-9;
 
 /// The law of a programme that starts at lift 0 at θ = 0, every joint without a jump of lift or velocity.
 ///
-/// Fails, naming the segment, when lengths do not fill the extent, the lift does not return or leaves the
-/// base circle downwards, a motion cannot join its neighbour, or two general polynomials are neighbours.
 /// Jumps of acceleration pass (CAM-DAS: not for high speed); [`Law::joints`] lists them.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+/// use std::f64::consts::PI;
+///
+/// let segment = |motion, lift| Segment { motion, lift, angle: PI };
+/// let law = program(&[segment(Rise::Cycloidal, 0.02), segment(Rise::Poly345, -0.02)], Extent::TURN)?;
+/// assert!((law.stroke() - 0.02).abs() < 1e-15);
+///
+/// let short = program(&[segment(Rise::Cycloidal, 0.02)], Extent::TURN);
+/// assert_eq!(short.unwrap_err().kind.code(), "law-uncovered");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Names the segment when lengths do not fill the extent, the lift does not return or leaves the base circle
+/// downwards, a motion cannot join its neighbour, or two general polynomials are neighbours.
 pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     let draft = draft(segments, extent)?;
     check_joints(&draft, segments, extent)?;
@@ -77,6 +92,9 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
 
 /// As [`program`], but lets jumps of lift and velocity and falls below the base circle pass: for showing
 /// what is wrong with a law.
+///
+/// # Errors
+/// Lengths that do not fill the extent, two general polynomials side by side.
 pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft(segments, extent)?.law)
 }
@@ -84,6 +102,9 @@ pub fn assemble(segments: &[Segment], extent: Extent) -> Result<Law> {
 /// The law of a constant-breadth (flat faces) or constant-diameter (rollers) cam: `half` describes the
 /// first half turn, from lift 0 to the full lift L; the second half is L − s(θ − π), so that
 /// s(θ) + s(θ + π) = L everywhere and two parallel faces 2·Rb + L apart both touch.
+///
+/// # Errors
+/// A half turn that does not lead from 0 to its largest lift in 180°, and what [`program`] refuses.
 pub fn constant_breadth(half: &[Segment]) -> Result<Law> {
     let total: f64 = half.iter().map(|s| s.angle).sum();
     if (total - PI).abs() > ROUNDING * PI {

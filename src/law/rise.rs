@@ -224,7 +224,10 @@ impl Rise {
     }
 
     /// The motion of a name as in the catalogue, or `dwell`. Parameters may follow the name:
-    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio). Unknown names fail with the nearest one.
+    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio).
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one; parameters that are no numbers, too many or out of range.
     pub fn from_name(text: &str) -> Result<Rise> {
         let mut words = text
             .split(|c: char| c.is_whitespace() || c == ',')
@@ -261,8 +264,10 @@ impl Rise {
         Ok(rise)
     }
 
-    /// The normalised rise: from 0 to 1 over x ∈ [0, 1] (a dwell stays at 0). Fails for parameters out
-    /// of range only.
+    /// The normalised rise: from 0 to 1 over x ∈ [0, 1] (a dwell stays at 0).
+    ///
+    /// # Errors
+    /// Parameters out of range.
     pub fn law(&self) -> Result<Law> {
         Ok(match self {
             Rise::Dwell => shapes::power(&[0.0]),
@@ -314,6 +319,9 @@ impl Rise {
 
     /// The normalised fall: from 1 to 0 over x ∈ [0, 1]. For motions whose two ends differ by nature
     /// (double harmonic, eccentric) it is the rise seen backwards, otherwise the rise upside down.
+    ///
+    /// # Errors
+    /// Parameters out of range.
     pub fn fall(&self) -> Result<Law> {
         let mut pieces = Pieces::starting_at(0.0);
         let base = if *self == Rise::Dwell { 0.0 } else { 1.0 };
@@ -337,6 +345,9 @@ impl Rise {
     }
 
     /// Exact peak factors.
+    ///
+    /// # Errors
+    /// Parameters out of range.
     pub fn factors(&self) -> Result<Factors> {
         let law = self.law()?;
         let order = |k: usize| {
@@ -362,6 +373,9 @@ impl Rise {
     }
 
     /// Motion at both ends of the normalised rise: what may stand beside it.
+    ///
+    /// # Errors
+    /// Parameters out of range.
     pub fn ends(&self) -> Result<Ends> {
         let law = self.law()?;
         Ok(Ends {

@@ -14,6 +14,9 @@ impl Rise {
     /// (v = a = 0) at both ends if asked, otherwise as smooth at the ends as inside (not-a-knot).
     ///
     /// The table is normalised: its first row becomes (0, 0), its last (1, 1).
+    ///
+    /// # Errors
+    /// Too few rows, numbers that are not finite, x that does not increase, a table that ends at its first lift.
     pub fn table(name: &str, rows: &[(f64, f64)], rest: bool) -> Result<Rise> {
         let table = name.to_string();
         if rows.len() < 2 {
@@ -55,6 +58,9 @@ impl Rise {
     /// A law from the control points of a clamped B-spline with equal spans; at least degree + 1 points.
     /// Normalised so that it leads from 0 (first point) to 1 (last point). Three equal points at an end
     /// put it at rest there (v = a = 0).
+    ///
+    /// # Errors
+    /// A degree outside 1 … 15, too few points, or points that do not lead from one lift to another.
     pub fn spline(name: &str, degree: usize, control: &[f64]) -> Result<Rise> {
         let spline = name.to_string();
         let n = control.len();
