@@ -29,6 +29,8 @@ pub struct Limits {
     pub face_width: Option<f64>,
     /// Largest shaft torque without friction, N·m.
     pub torque: Option<f64>,
+    /// Largest shaft power without friction, W.
+    pub power: Option<f64>,
     /// Largest rate of that torque by the cam angle, N·m/rad.
     pub torque_rate: Option<f64>,
     /// Largest line pressure between cam and follower, steel on steel over the plate's thickness, Pa.
@@ -82,6 +84,8 @@ pub enum LimitKind {
     FaceWidth,
     /// Largest shaft torque.
     Torque,
+    /// Largest shaft power.
+    Power,
     /// Largest rate of the shaft torque.
     TorqueRate,
     /// Largest contact pressure.
@@ -135,6 +139,7 @@ impl Limits {
             LimitKind::PrimeRadius => &mut self.prime_radius,
             LimitKind::FaceWidth => &mut self.face_width,
             LimitKind::Torque => &mut self.torque,
+            LimitKind::Power => &mut self.power,
             LimitKind::TorqueRate => &mut self.torque_rate,
             LimitKind::HertzPressure => &mut self.hertz_pressure,
             LimitKind::Residual => &mut self.residual,

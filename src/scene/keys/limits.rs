@@ -148,6 +148,13 @@ pub static LIMITS: &[Key] = &[
     )
     .limit(LimitKind::Torque, Relax::Up),
     plain(
+        "limits.power",
+        D::Power,
+        Range::Positive,
+        optional!(limits.power),
+    )
+    .limit(LimitKind::Power, Relax::Up),
+    plain(
         "limits.torque_rate",
         D::AngularRate,
         Range::Positive,

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use super::Finished;
 use super::nonconvex::{Profile, ProfileSize, Slack};
+use super::power;
 use super::row::row as limit_row;
 use crate::cam::{Cam, Check, FollowerKind};
 use crate::drive::Drive;
@@ -20,7 +21,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS};
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
 const WORTH_GROWING: f64 = 0.95;
 /// A limit counts as kept within this part of it.
-const SLACK: f64 = 1e-6;
+pub const SLACK: f64 = 1e-6;
 
 /// Steel on steel under a flat face of given base radius.
 pub fn row(problem: &Problem) -> Option<Limit> {
@@ -44,6 +45,7 @@ pub fn nonconvex(problem: &Problem, profile: Option<Profile>) -> Option<Loads> {
     let loads = Loads {
         drive: problem.drive,
         torque: limits.torque,
+        power: power::as_torque(problem),
         torque_rate: limits.torque_rate,
         pressure: roller
             .zip(limits.hertz_pressure)
@@ -83,6 +85,8 @@ pub struct Loads {
     pub drive: Drive,
     /// Largest |F v|, N·m.
     pub torque: Option<f64>,
+    /// Largest |F v| that a limit on the power leaves, N·m.
+    pub power: Option<f64>,
     /// Largest |d(F v)/dθ|, N·m/rad.
     pub torque_rate: Option<f64>,
     /// Pressure under a roller.
@@ -103,17 +107,28 @@ pub struct Pressure {
 impl Loads {
     /// Every limit at a place of the law; h ≥ 0 where it holds.
     pub fn slacks(&self, at: Svaj, size: ProfileSize, out: &mut Vec<Slack>) {
+        let shaft = self.shaft();
         for side in [1.0, -1.0] {
-            out.extend(self.torque.map(|most| self.torque_slack(at, most, side)));
+            out.extend(shaft.map(|(name, most)| self.torque_slack(name, at, most, side)));
             out.extend(self.torque_rate.map(|most| self.rate_slack(at, most, side)));
         }
         out.extend(self.pressure.map(|p| self.pressure_slack(at, size, p)));
+    }
+
+    /// The lesser of the limits on the torque: the other one follows from it.
+    fn shaft(&self) -> Option<(&'static str, f64)> {
+        match (self.torque, self.power) {
+            (Some(torque), Some(power)) if power < torque => Some(("power", power)),
+            (None, power) => Some(("power", power?)),
+            (Some(torque), _) => Some(("torque", torque)),
+        }
     }
 
     /// The limits there are, with their values.
     pub fn named(&self) -> Vec<(&'static str, f64)> {
         [
             ("torque", self.torque),
+            ("power", self.power),
             ("torque_rate", self.torque_rate),
             ("hertz_pressure", self.pressure.map(|p| p.most)),
         ]
@@ -127,6 +142,7 @@ impl Loads {
         let mut out = *self;
         match name {
             "torque" => out.torque = value,
+            "power" => out.power = value,
             "torque_rate" => out.torque_rate = value,
             _ => {
                 out.pressure = out
@@ -138,7 +154,7 @@ impl Loads {
     }
 
     /// T − (±F v).
-    fn torque_slack(&self, at: Svaj, most: f64, side: f64) -> Slack {
+    fn torque_slack(&self, name: &'static str, at: Svaj, most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         let force = self.drive.force(at);
         Slack {
@@ -148,7 +164,7 @@ impl Loads {
             by_lift: -side * k * at.v,
             by_velocity: -side * (force + c * at.v),
             by_acceleration: -side * m * at.v,
-            ..Slack::none("torque")
+            ..Slack::none(name)
         }
     }
 
@@ -233,7 +249,7 @@ pub fn torque_curve(drive: &Drive, pressing: &Law, law: &Law) -> PiecewisePoly {
 }
 
 /// Largest absolute value, by roots.
-fn largest(curve: &PiecewisePoly) -> Extreme {
+pub fn largest(curve: &PiecewisePoly) -> Extreme {
     let (low, high) = curve.extremes();
     if high.value >= -low.value {
         return high;

@@ -20,6 +20,7 @@ fn loads() -> Loads {
             ..Drive::moving_axis(3.0, 9.81, 20.0)
         },
         torque: Some(5.0),
+        power: None,
         torque_rate: Some(9.0),
         pressure: Some(Pressure {
             spread: PI * THICK / modulus(STEEL, STEEL),

@@ -12,6 +12,7 @@ mod loads;
 #[cfg(test)]
 mod loads_tests;
 mod nonconvex;
+mod power;
 mod pressure_angle;
 mod row;
 mod size;
@@ -95,6 +96,7 @@ impl Finished<'_> {
         out.extend(self.profile_checks());
         out.extend(force::accuracy_check(self));
         out.extend(loads::checks(self));
+        out.extend(power::check(self));
         out.extend(dwell_vibration::check(self));
         out
     }

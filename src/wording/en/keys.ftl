@@ -83,6 +83,7 @@ key-limits-pressure_angle_fall = Largest pressure angle during the fall.
 key-limits-prime_radius = Largest prime radius (flat faces: base radius) of a cam whose size is free.
 key-limits-face_width = Longest flat face.
 key-limits-torque = Largest shaft torque, without friction.
+key-limits-power = Largest shaft power, driving or braking, without friction.
 key-limits-torque_rate = Largest change of the shaft torque per cam angle.
 key-limits-hertz_pressure = Largest Hertz pressure of the line contact, steel on steel.
 key-limits-residual = Largest residual vibration of the follower in a dwell.

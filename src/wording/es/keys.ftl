@@ -83,6 +83,7 @@ key-limits-pressure_angle_fall = Ángulo de presión máximo en la bajada.
 key-limits-prime_radius = Radio primario máximo (caras planas: radio base) de una leva de tamaño libre.
 key-limits-face_width = Longitud máxima de la cara plana.
 key-limits-torque = Par máximo en el eje, sin rozamiento.
+key-limits-power = Potencia máxima en el eje, motriz o de freno, sin rozamiento.
 key-limits-torque_rate = Variación máxima del par del eje por ángulo de leva.
 key-limits-hertz_pressure = Presión de Hertz máxima del contacto lineal, acero sobre acero.
 key-limits-residual = Vibración residual máxima del seguidor en un detenimiento.

@@ -5,6 +5,7 @@ mod every_limit;
 mod families;
 mod loads;
 mod machine;
+mod power;
 mod problem;
 mod random;
 mod relaxations;

@@ -1,0 +1,24 @@
+//! Shaft power |F·v·ω|: at constant speed a limit P on it is a limit P/ω on the torque (theory §10).
+
+use super::Finished;
+use super::loads::{SLACK, largest, torque_curve};
+use crate::cam::Check;
+use crate::poly::Extreme;
+use crate::problem::Problem;
+
+/// The torque that the limit on the power leaves, N·m.
+pub fn as_torque(problem: &Problem) -> Option<f64> {
+    Some(problem.limits.power? / problem.drive.speed)
+}
+
+/// Largest power of the finished cam against the limit.
+pub fn check(design: &Finished) -> Option<Check> {
+    let limit = design.problem.limits.power?;
+    let drive = &design.problem.drive;
+    let torque = largest(&torque_curve(drive, design.pressing, &design.cam.law));
+    let worst = Extreme {
+        value: torque.value * drive.speed,
+        ..torque
+    };
+    Some(Check::at_most("power", worst, limit, SLACK))
+}

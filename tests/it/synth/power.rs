@@ -1,0 +1,114 @@
+//! The limit on the shaft's power: a closed form, a law that it shapes, and where it leaves none.
+
+use gaitcam::cam::Check;
+use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Synthesis, relaxed, synthesise};
+
+fn scene_of(text: &str, changes: &[&str]) -> Scene {
+    let mut table: toml::Table = text.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    scene::read(&table).unwrap()
+}
+
+fn design(text: &str, changes: &[&str]) -> Synthesis {
+    let scene = scene_of(text, changes);
+    let force: Option<ForceCurve> = (scene.gait.as_ref())
+        .map(|g| model("young", Some(1.85), 700.0, g.feet).unwrap_or_else(|e| panic!("{e}")));
+    synthesise(&scene, force.as_ref()).unwrap()
+}
+
+fn power(s: &Synthesis) -> &Check {
+    s.checks.iter().find(|c| c.name == "power").unwrap()
+}
+
+/// An eccentric of e = 10 mm under a flat face: s = e(1 − cos θ), F = m(g + ω²e cos θ), so
+/// P = m ω e sin θ (g + ω²e cos θ), largest where 2k cos²θ + cos θ = k with k = ω²e/g.
+#[test]
+fn the_power_of_an_eccentric_is_its_closed_form() {
+    let text = r#"
+        name = "eccentric"
+        [drive]
+        kind = "moving-axis"
+        mass = "3 kg"
+        speed = "20 rad/s"
+        [law]
+        family = "program"
+        [[law.segment]]
+        motion = "simple-harmonic"
+        lift = "20 mm"
+        angle = "180 deg"
+        [[law.segment]]
+        motion = "simple-harmonic"
+        lift = "-20 mm"
+        angle = "180 deg"
+        [cam]
+        follower = "flat-translating"
+        base_radius = "20 mm"
+        [limits]
+        power = "7 W"
+    "#;
+    let (m, g, w, e) = (3.0, 9.81, 20.0_f64, 0.01);
+    let k = w * w * e / g;
+    let cos = ((1.0 + 8.0 * k * k).sqrt() - 1.0) / (4.0 * k);
+    let most = m * w * e * (1.0 - cos * cos).sqrt() * (g + w * w * e * cos);
+    let s = design(text, &[]);
+    let check = power(&s);
+    assert!((check.worst / most - 1.0).abs() < 1e-9, "{check:?} {most}");
+    assert!(
+        (check.at - cos.acos()).abs() < 1e-6 || (check.at + cos.acos() - 6.283_185).abs() < 1e-5
+    );
+    assert_eq!(check.pass, most <= 7.0);
+    assert!(power(&design(text, &["limits.power=6.8 W"])).pass == (most <= 6.8));
+}
+
+#[test]
+fn a_power_limit_shapes_the_law_as_the_same_torque_does() {
+    let open = ["accuracy.rms=50 %", "law.spans=12"];
+    let free = design(
+        scene::DEFAULT,
+        &[&open[..], &["limits.power=1 kW"]].concat(),
+    );
+    let (most, speed) = (power(&free).worst, free.drive.speed);
+    let held = |limit: String| design(scene::DEFAULT, &[&open[..], &[limit.as_str()]].concat());
+    let by_power = held(format!("limits.power={} W", 0.85 * most));
+    let by_torque = held(format!("limits.torque={} N m", 0.85 * most / speed));
+    let check = power(&by_power);
+    assert!(by_power.infeasible.is_none() && check.pass, "{check:?}");
+    assert!(check.worst > 0.999 * check.limit, "{check:?}");
+    assert!(by_power.binding.iter().any(|b| b.limit == "power"));
+    let error = |s: &Synthesis| s.force.rms_error_n;
+    assert!(error(&by_power) > error(&free));
+    assert!((error(&by_power) / error(&by_torque) - 1.0).abs() < 1e-6);
+    let largest = by_torque
+        .coefficients
+        .iter()
+        .fold(0.0_f64, |m, c| m.max(c.abs()));
+    for (p, t) in by_power.coefficients.iter().zip(&by_torque.coefficients) {
+        assert!((p - t).abs() < 1e-6 * largest, "{p} {t}");
+    }
+}
+
+#[test]
+fn a_power_that_leaves_no_law_is_named_with_its_relaxation() {
+    // A band keeps the force, so the follower cannot rest.
+    let changes = ["gait.band=15 N", "law.spans=12"];
+    let force = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    let with = |limit: &str| {
+        let scene = scene_of(scene::DEFAULT, &[&changes[..], &[limit]].concat());
+        let design = synthesise(&scene, Some(&force)).unwrap();
+        (scene, design)
+    };
+    let most = power(&with("limits.power=1 kW").1).worst;
+    let (scene, refused) = with(&format!("limits.power={} W", 0.5 * most));
+    let s = relaxed(&scene, Some(&force), refused);
+    let why = s.infeasible.unwrap();
+    assert_eq!(why.conflict, ["band", "power"], "{:?}", why.reasons);
+    let one = why.relaxations.iter().find(|r| r.key == "limits.power");
+    let to = one.and_then(|r| r.to).unwrap();
+    assert!(to > 0.5 * most && to < 1.01 * most, "{to} {most}");
+    let eased = with(&format!("limits.power={to} W")).1;
+    assert!(eased.infeasible.is_none() && power(&eased).pass);
+}
