@@ -82,7 +82,11 @@ fn least_squares_by_faer_gives_the_same_law() {
     let mut worst = 0.0_f64;
     for k in 0..997 {
         let theta = TAU * f64::from(k) / 997.0;
-        let own: f64 = c.iter().enumerate().map(|(i, c)| c * curvature(i, theta)).sum();
+        let own: f64 = c
+            .iter()
+            .enumerate()
+            .map(|(i, c)| c * curvature(i, theta))
+            .sum();
         worst = worst.max((own - design.cam.law.svaj(theta).a).abs());
     }
     assert!(worst < 1e-7 * size, "{worst} of {size}");

@@ -182,7 +182,7 @@ fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
         },
         Follower::TranslatingCam { .. } | Follower::Barrel { .. } => {
             return Err(CamError::NoConjugateOf {
-                follower: first.kind(),
+                follower: first.kind().name(),
             }
             .into());
         }

@@ -145,7 +145,7 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
         return Ok(0.0);
     }
     let mut good = found.ok_or(CamError::NoSize {
-        follower: cam.follower.kind(),
+        follower: cam.follower.kind().name(),
     })?;
     while good - bad > 1e-10 * good {
         let middle = 0.5 * (good + bad);

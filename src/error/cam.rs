@@ -3,7 +3,6 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::cam::FollowerKind;
 use crate::quantity::Quantity;
 
 /// What is wrong with a follower, a size, a conjugate pair or a groove.
@@ -67,7 +66,7 @@ pub enum CamError {
     ArmsByDistance,
     SlidesByAngle,
     NoConjugateOf {
-        follower: FollowerKind,
+        follower: &'static str,
     },
     SecondCam {
         because: Box<CamError>,
@@ -80,7 +79,7 @@ pub enum CamError {
     },
     TranslatingHeight,
     NoSize {
-        follower: FollowerKind,
+        follower: &'static str,
     },
     GrooveDepth {
         floor: Quantity,

@@ -3,7 +3,6 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::cam::FollowerKind;
 use crate::quantity::Quantity;
 
 /// What is wrong with a machine, an emitted profile or the model asked for.
@@ -34,7 +33,7 @@ pub enum DynamicsError {
     },
     RowReach {
         row: usize,
-        follower: FollowerKind,
+        follower: &'static str,
     },
     Concave {
         at: Quantity,

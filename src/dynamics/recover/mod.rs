@@ -177,7 +177,7 @@ fn equal_step(points: &[ProfilePoint], cycle: Cycle) -> Result<f64> {
 fn out_of_reach(follower: &Follower, row: usize) -> Error {
     DynamicsError::RowReach {
         row,
-        follower: follower.kind(),
+        follower: follower.kind().name(),
     }
     .into()
 }

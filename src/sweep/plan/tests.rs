@@ -45,7 +45,6 @@ fn keys_that_cannot_vary_are_named() {
     for name in ["limits.torque,", "gait.phase,", "law.family,"] {
         assert!(fault(&["name=a,b"]).contains(name), "{name}");
     }
-    assert!(fault(&["law.segment.1.lift=1 mm,2 mm"]).contains("law.segment"));
     assert!(fault(&["limits.strok=1 mm:2 mm:3"]).contains("did you mean \"stroke\"?"));
     assert!(fault(&["limits=a,b"]).contains("limits"));
     assert!(fault(&["limits.stroke=-1 mm:2 mm:3"]).contains("not positive"));

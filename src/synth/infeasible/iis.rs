@@ -15,6 +15,9 @@ use crate::synth::scp;
 /// More demands than this are named without looking for the few that are to blame: each costs a program.
 const MOST_DEMANDS: usize = 64;
 
+/// A solution that exceeds a limit by more than this part of its size does not hold it.
+const BROKEN: f64 = 1e-6;
+
 /// Explains a program without solution.
 pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
     let because = |reason: Reason, conflict: Vec<String>| Infeasible {
@@ -130,6 +133,8 @@ fn is_asked(limit: &Limit) -> bool {
 /// Whether a law was found that keeps everything; `None` where the solver stopped without an answer.
 fn can_hold(program: &Program, nonconvex: Option<NonconvexLimits>) -> Option<bool> {
     match program.solve() {
+        // What the exchange of rows could not bring inside the limits is no law.
+        Ok(own) if own.violation > BROKEN => Some(false),
         Ok(own) => Some(nonconvex.is_none_or(|b| scp::feasible(program, &own, b).is_some())),
         Err(Failure::Infeasible | Failure::Inconsistent { .. }) => Some(false),
         Err(Failure::Numerical { .. }) => None,
@@ -199,6 +204,7 @@ fn elastic(program: &Program, name: &str) -> Option<Relaxation> {
     let to = elastic
         .solve()
         .ok()
+        .filter(|s| s.violation <= BROKEN)
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
     let limit = first.meaning.key(first.name);
     Some(Relaxation {

@@ -164,7 +164,8 @@ fn limits_that_leave_no_law_say_so_with_the_smallest_relaxation() {
             "{name}"
         );
         let less = design(LIFT, &[&format!("limits.{name}={} {unit}", 0.99 * to)]);
-        assert!(less.infeasible.is_some(), "{name}");
+        let passes = less.infeasible.is_none() && less.checks.iter().all(|c| c.pass);
+        assert!(!passes, "{name}");
     }
     // Lifting 12 mm against the spring is work: no torque below its mean over the rise can do it.
     let work = 300.0 * 0.012 + 0.5 * 4000.0 * 0.012 * 0.012;

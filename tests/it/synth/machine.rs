@@ -157,10 +157,10 @@ fn what_is_said_of_the_machine_must_make_sense() {
     for (change, words) in [
         ("machine.restitution=1.2", "outside 0 … 1"),
         ("machine.friction=-0.1", "negative"),
-        ("machine.natural_frequency=60 mm", "another kind"),
+        ("machine.natural_frequency=60 mm", "wrong dimension"),
         ("machine.frictoin=0.1", "did you mean \"friction\""),
         ("limits.torque=0 N m", "not positive"),
-        ("limits.hertz_pressure=5 N", "another kind"),
+        ("limits.hertz_pressure=5 N", "wrong dimension"),
     ] {
         let got = fault(RISE, change);
         assert!(got.contains(words), "{change}: {got}");
@@ -185,7 +185,7 @@ fn an_arm_has_inertia_not_mass() {
         (0.02, 2.0, 3.0)
     );
     assert!(fault(&arm, "drive.mass=1 kg").contains("inertia"));
-    assert!(fault(&arm, "drive.preload=1 N").contains("another kind"));
+    assert!(fault(&arm, "drive.preload=1 N").contains("wrong dimension"));
     let got = fault(&arm, "gait.model=young");
     assert!(got.contains("in metres"), "{got}");
 }

@@ -63,7 +63,9 @@ fn an_infeasible_design_leaves_no_law_of_an_earlier_one_beside_it() {
         run(&["synth", "--out", out, "--set", "limits.stroke=3 kg"]),
         2
     );
-    assert_eq!(names(folder.path()), before);
+    let mut after = names(folder.path());
+    after.retain(|name| !name.starts_with(".gaitcam"));
+    assert_eq!(after, before);
 
     let beside = tempfile::tempdir().unwrap();
     let scene = beside.path().join("impossible.toml");
