@@ -327,7 +327,7 @@ mod tests {
             Tolerance::parse("colour=3 mm")
                 .unwrap_err()
                 .to_string()
-                .contains("known are")
+                .contains("parts with a tolerance")
         );
     }
 }

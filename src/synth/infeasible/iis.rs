@@ -96,13 +96,18 @@ fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
             names.push(name);
         }
     }
-    irreducible(&names, |kept| {
+    let holds = |kept: &[&'static str]| {
         let mut program = stuck.program.clone();
         program
             .limits
             .retain(|l| !names.contains(&l.name) || kept.contains(&l.name));
         can_hold(&program, stuck.nonconvex.map(|b| only_loads(b, kept)))
-    })
+    };
+    // Where no law is found without any limit, the limits are not to blame.
+    if holds(&[]) != Some(true) {
+        return Vec::new();
+    }
+    irreducible(&names, holds)
 }
 
 /// The points and dwells that cannot hold together on or above the base circle.
@@ -121,7 +126,7 @@ fn conflicting_demands(program: &Program) -> Vec<String> {
     irreducible(&names, |kept| {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
-        can_hold(&trial, None)
+        Some(can_hold(&trial, None) == Some(true))
     })
 }
 

@@ -19,6 +19,7 @@ pub const OF_DESIGN: [&str; 20] = [
     "profile.stl",
     "profile.3mf",
     "profile.xlsx",
+    "cam.step",
     "profile_arcs.dxf",
     "groove_upper.stl",
     "groove_lower.stl",

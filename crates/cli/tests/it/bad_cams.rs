@@ -51,7 +51,7 @@ fn an_arm_too_short_is_told_how_long_it_must_be() {
     says(
         synth(&text, &["cam.arm=55 mm"]),
         2,
-        &["arm", "too short", "62.0000 mm"],
+        &["arm", "too short", "62 mm"],
     );
 }
 
@@ -88,7 +88,7 @@ fn an_undercut_cam_is_told_the_smallest_base_radius_that_works() {
     says(
         synth(text, &[]),
         3,
-        &["unacceptable", "undercut", "-2.853", "32.853 mm"],
+        &["unacceptable", "undercut", "-2.853", "32.8531 mm"],
     );
     says(
         synth(text, &["cam.base_radius=32.8527 mm"]),
@@ -103,7 +103,7 @@ fn angles_that_miss_the_turn_are_counted() {
     says(
         synth(&text, &[]),
         2,
-        &["law.segment", "355", "5.000000° are missing"],
+        &["law.segment", "355", "5° are missing"],
     );
 }
 
@@ -121,7 +121,7 @@ fn a_conjugate_that_cannot_exist_is_told_from_where_on_it_can() {
     says(
         synth(&text, &changes),
         2,
-        &["cam.conjugate", "145.0000 mm", "from"],
+        &["cam.conjugate", "145 mm", "from"],
     );
 }
 
@@ -141,7 +141,7 @@ fn a_law_without_constant_breadth_is_refused_for_parallel_faces() {
     says(
         synth(&text, &["cam.breadth=20 mm"]),
         2,
-        &["cam.breadth", "30.0000 mm"],
+        &["cam.breadth", "30 mm"],
     );
 }
 
@@ -157,7 +157,7 @@ fn keys_that_a_follower_does_not_have_are_refused() {
     says(
         synth(&text, &["drive.mass=3 kg"]),
         2,
-        &["drive.mass", "angle", "inertia"],
+        &["drive.mass", "oscillating", "inertia"],
     );
     says(
         synth(&text, &["cam.folower=barrel"]),

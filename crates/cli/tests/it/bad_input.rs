@@ -292,7 +292,7 @@ fn bands_weights_phases_and_fronts_are_refused_with_their_cure() {
     refused(&["gait.phase=sideways"], &["gait.phase", "90 deg"]);
     refused(
         &[r#"gait.weight=[{from="0 deg", to="400 deg", weight=2.0}]"#],
-        &["gait.weight[1].from", "0 to 360 deg"],
+        &["gait.weight", "0 to 360 deg"],
     );
     refused(
         &[r#"gait.weight=[{from="0 deg", to="360 deg", weight=0.0}]"#],

@@ -70,7 +70,7 @@ fn limits_of_an_arm_are_told_in_angles_and_moments() {
     let reason = shown.summary()["reason"].as_str().unwrap().to_string();
     let page = text(&shown.file("report.html"));
     for words in [&reason, &shown.out, &page] {
-        assert!(words.contains("10.00"), "{words}");
+        assert!(words.contains("10°") || words.contains("10.00"), "{words}");
         for alien in ["m/s²", "m/s³", " N/mm", "force at rest", "kg,"] {
             let at = words
                 .find(alien)
@@ -80,7 +80,7 @@ fn limits_of_an_arm_are_told_in_angles_and_moments() {
         }
     }
     assert!(
-        reason.contains("10.0000°") && !reason.contains("mm"),
+        reason.contains("10°") && !reason.contains("mm"),
         "{reason}"
     );
     assert!(
@@ -132,7 +132,7 @@ fn a_sliding_cam_is_told_in_millimetres_of_travel() {
 fn a_programme_without_load_shows_inertia_and_speaks_of_no_percents() {
     let shown = run("synth", "camdas_01_roller", &[]);
     let picture = text(&shown.file("force.svg"));
-    assert!(picture.contains("force of 1 kg moved"), "{picture}");
+    assert!(picture.contains("force of a 1 kg follower"), "{picture}");
     let ran = run("simulate", "camdas_01_roller", &[]);
     assert!(
         !ran.out.contains("NaN") && ran.out.contains("no mean force"),
@@ -202,7 +202,7 @@ fn what_changes_nothing_is_said() {
         "law.family=spline",
         "law.harmonics=3",
         "cam.offset=9 mm",
-        "law.segment=[{motion = \"no-such-motion\", lift = \"1 mm\", angle = \"90 deg\"}]",
+        "law.segment=[{motion = \"cycloidal\", lift = \"1 mm\", angle = \"90 deg\"}]",
     ];
     let said = remarks("footbridge", &set);
     for key in ["law.harmonics", "cam.offset", "law.segment"] {

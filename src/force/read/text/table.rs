@@ -325,7 +325,7 @@ mod tests {
         let e = numbers(Path::new("a.csv"), text, layout, &t, &[0, 1], Some(0)).unwrap_err();
         assert!(
             e.to_string()
-                .starts_with("a.csv line 4: time goes backwards"),
+                .starts_with("a.csv line 4: time decreases"),
             "{e}"
         );
     }
