@@ -535,7 +535,10 @@ fn scatter_of_no_width_is_the_design_and_wider_tolerances_cost_yield() {
     let share = wide["yield"].as_f64().unwrap();
     assert!(share > 0.2 && share < 0.4, "{share}");
     assert_eq!(rows(&out).len(), 2001);
-    refused(&["--tolerance", "colour=1 mm"], "parts with a tolerance: profile");
+    refused(
+        &["--tolerance", "colour=1 mm"],
+        "parts with a tolerance: profile",
+    );
     refused(&["--tolerance", "profile=1"], "no unit");
     refused(
         &["--tolerance", "mass=1 %", "--vary", "law.degree=3,5"],
@@ -549,7 +552,14 @@ fn a_folder_of_recordings_fills_a_scene_that_names_none() {
     let records = folder.path().join("records");
     fs::create_dir(&records).unwrap();
     for name in ["a.csv", "b.csv"] {
-        fs::copy(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/gait_curves/young_1.85Hz_700N.csv"), records.join(name)).unwrap();
+        fs::copy(
+            concat!(
+                env!("CARGO_MANIFEST_DIR"),
+                "/../../data/gait_curves/young_1.85Hz_700N.csv"
+            ),
+            records.join(name),
+        )
+        .unwrap();
     }
     for name in ["README.md", "LICENSE", "LICENCE.txt", "people_metadata.csv"] {
         fs::write(records.join(name), "words about the recordings").unwrap();

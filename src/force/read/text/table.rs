@@ -324,8 +324,7 @@ mod tests {
         let t = next_table(text, layout, Position { offset: 0, line: 1 }).unwrap();
         let e = numbers(Path::new("a.csv"), text, layout, &t, &[0, 1], Some(0)).unwrap_err();
         assert!(
-            e.to_string()
-                .starts_with("a.csv line 4: time decreases"),
+            e.to_string().starts_with("a.csv line 4: time decreases"),
             "{e}"
         );
     }
