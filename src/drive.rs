@@ -68,6 +68,11 @@ impl Drive {
         }
     }
 
+    /// Whether it presses with nothing: no mass, spring, damping or preload.
+    pub fn is_idle(&self) -> bool {
+        [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
+    }
+
     /// Weights of s, v, a, j in the force: `[k, cω, mω², 0]`, N per m, m/rad, m/rad².
     pub fn weights(&self) -> [f64; 4] {
         [

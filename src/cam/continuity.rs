@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Cam, Verdict};
+use crate::poly::Extreme;
 
 /// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
 const JUMP: f64 = 1e-7;
@@ -50,15 +51,43 @@ impl Continuity {
 impl Cam {
     /// Where the derivative of the given order (0 = lift … 3 = jerk) first jumps by more than rounding.
     pub fn first_jump(&self, order: usize) -> Option<f64> {
+        self.jumps(order).first().map(|jump| jump.at)
+    }
+
+    /// Smallest and largest value of a derivative of the lift by the cam's angle. Where the derivative below it
+    /// jumps, it is infinite; where one further below does, both ways.
+    pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
+        let (mut low, mut high) = self.law.extremes(order);
+        for below in 0..order {
+            for jump in self.jumps(below) {
+                let at = jump.at;
+                let both = below + 1 < order;
+                if low.value.is_finite() && (both || jump.value < 0.0) {
+                    let value = f64::NEG_INFINITY;
+                    low = Extreme { at, value };
+                }
+                if high.value.is_finite() && (both || jump.value > 0.0) {
+                    let value = f64::INFINITY;
+                    high = Extreme { at, value };
+                }
+            }
+        }
+        (low, high)
+    }
+
+    /// The jumps of a derivative: where, and by how much.
+    fn jumps(&self, order: usize) -> Vec<Extreme> {
         let (low, high) = self.law.extremes(order);
         // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
         let range = (high.value - low.value)
             .max(HARDLY_MOVES * self.follower.prime_radius())
             .max(STILL);
         let joints = self.law.joints().into_iter();
-        let jump = joints.map(|x| (x.at, [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order]));
-        let mut large = jump.filter(|(_, size)| size.abs() > JUMP * range);
-        large.next().map(|(at, _)| at)
+        let jump = joints.map(|x| Extreme {
+            at: x.at,
+            value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
+        });
+        jump.filter(|x| x.value.abs() > JUMP * range).collect()
     }
 
     /// The class that CAM-DAS gives a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a

@@ -19,7 +19,7 @@ pub use target::Target;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::cam::FollowerKind;
-use crate::drive::Drive;
+use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Error, Result};
 use crate::force::{ForceCurve, implausible, spread_rms_n};
@@ -37,6 +37,9 @@ pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 const WALL: f64 = 1e-3;
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
 pub(crate) const USUAL_ACCURACY: f64 = 0.005;
+/// A mean force that differs from the weight by a smaller part is the same: masses are written with four
+/// digits.
+const SAME_MEAN: f64 = 1e-3;
 /// Degree of splines, and two more for the first terms of a polydyne follower's damping.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
@@ -291,6 +294,45 @@ impl Problem {
     /// The same, whatever the recording's spread.
     pub fn asked_error(&self) -> f64 {
         self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
+    }
+
+    /// Force error, N RMS, above which a design misses its force: the accuracy asked for, otherwise 0.5 % of
+    /// the mean or the step-to-step spread of the recording, whichever is larger; `None` where no force is
+    /// wanted, a band stands for the accuracy, or the scene has it not judged.
+    pub fn allowed_error(&self) -> Option<f64> {
+        let target = self.target.as_ref()?;
+        if self.limits.unjudged.accuracy || self.band.is_some() {
+            return None;
+        }
+        let mean = self.target_mean();
+        Some(match self.accuracy {
+            Some(rms) => rms * mean,
+            None => spread_rms_n(&target.curve)
+                .unwrap_or(0.0)
+                .max(USUAL_ACCURACY * mean),
+        })
+    }
+
+    /// How far the mean of the wanted force is from the weight that a moving axis carries, N: over a turn no
+    /// cam changes the mean (theory §1). Differences below the rounding of a mass are none.
+    pub fn mean_force_gap(&self) -> Option<f64> {
+        let gap = self.target_mean() - self.drive.rest_force;
+        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
+        (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
+    }
+
+    /// Smallest contact force that is judged where the scene gives none, N: 0 where only force closes the
+    /// contact, on a moving axis or by whatever presses on a fixed one.
+    pub fn usual_force_min(&self) -> Option<f64> {
+        let form_closed = self.cam.conjugate.is_some()
+            || self.cam.breadth.is_some()
+            || self.cam.follower == FollowerKind::Barrel;
+        let pressed = match self.drive.kind {
+            DriveKind::MovingAxis => true,
+            DriveKind::FixedAxis => !self.drive.is_idle() && !form_closed,
+            DriveKind::Hydraulic => false,
+        };
+        (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
     }
 
     /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.

@@ -48,6 +48,8 @@ pub enum Note {
         /// The stroke is limited to more than that.
         idle: bool,
     },
+    /// A bound of the verdict is switched off.
+    NotJudged { key: &'static str },
     /// The phase that was found.
     Phase { phase: Quantity },
     /// The size of the law stops where it would follow noise.
@@ -79,6 +81,8 @@ impl Problem {
     pub fn notes(&self) -> Vec<Note> {
         let said = |text: &String| Note::Said { text: text.clone() };
         let mut out: Vec<Note> = self.given.remarks.iter().map(said).collect();
+        let off = self.limits.unjudged.keys().into_iter();
+        out.extend(off.map(|key| Note::NotJudged { key }));
         out.extend(self.stretched());
         if self.drive.kind == DriveKind::MovingAxis {
             out.extend(self.closure());

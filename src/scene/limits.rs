@@ -37,6 +37,31 @@ pub struct Limits {
     pub hertz_pressure: Option<f64>,
     /// Largest amplitude with which the follower may ring on in a dwell, m.
     pub residual: Option<f64>,
+    /// What is not judged by the bound that is usual where the scene gives none.
+    pub unjudged: Unjudged,
+}
+
+/// Bounds of the verdict that a scene switches off with `"none"`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Unjudged {
+    /// `limits.pressure_angle = "none"`.
+    pub pressure_angle: bool,
+    /// `limits.force_min = "none"`.
+    pub contact_force: bool,
+    /// `accuracy.rms = "none"`.
+    pub accuracy: bool,
+}
+
+impl Unjudged {
+    /// The keys that say `"none"`.
+    pub fn keys(self) -> Vec<&'static str> {
+        let all = [
+            ("limits.pressure_angle", self.pressure_angle),
+            ("limits.force_min", self.contact_force),
+            ("accuracy.rms", self.accuracy),
+        ];
+        all.into_iter().filter(|k| k.1).map(|k| k.0).collect()
+    }
 }
 
 /// Every limit that a scene may set.

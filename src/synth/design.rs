@@ -10,7 +10,7 @@ use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Note;
-use crate::units::Dimension;
+use crate::units::{Dimension, Quantity};
 use crate::wording::Language;
 
 /// Everything known about a finished design.
@@ -98,16 +98,32 @@ impl Synthesis {
         sentences(&self.reasons, Language::En)
     }
 
+    /// The reasons for the verdict as sentences.
+    pub fn reasons_in(&self, language: Language) -> String {
+        sentences(&self.reasons, language)
+    }
+
     /// The notes in English.
     pub fn remarks(&self) -> Vec<String> {
         let said = |note: &Note| note.sentence(Language::En);
         self.notes.iter().map(said).collect()
     }
 
+    /// What a run of the emitted cam adds to the verdict: the follower is off the cam for this share of the
+    /// motion.
+    pub fn loses_contact(&mut self, share: f64) {
+        let known = |r: &Reason| matches!(r, Reason::ContactLost { .. } | Reason::LiftsOff { .. });
+        if !self.reasons.iter().any(known) {
+            let share = Quantity::share(share);
+            self.reasons.retain(|r| *r != Reason::AllHold);
+            self.reasons.insert(0, Reason::ContactLostInRun { share });
+        }
+        self.verdict = Verdict::Unacceptable;
+    }
+
     /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
     pub fn is_idle(&self) -> bool {
-        let d = &self.drive;
-        [d.mass, d.spring_rate, d.damping, d.rest_force] == [0.0; 4]
+        self.drive.is_idle()
     }
 
     /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller

@@ -40,7 +40,7 @@ impl Figures {
             speed,
             stroke: cam.law.stroke(),
             peaks: [1, 2, 3].map(|order| {
-                let (low, high) = cam.law.extremes(order);
+                let (low, high) = cam.derivative_extremes(order);
                 high.value.max(-low.value) * speed.powi(order as i32)
             }),
             base_radius: cam.follower.base_radius(),

@@ -206,9 +206,13 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     let (mut verdict, mut reasons) = verdict::verdict(&problem, &cam, &checks, &force);
     if let Some(infeasible) = &infeasible {
         verdict = Verdict::Unacceptable;
-        reasons = infeasible.reasons.clone();
+        reasons.retain(|r| matches!(r, Reason::MeanForce { .. }));
+        reasons.extend(infeasible.reasons.iter().cloned());
     }
-    let notes = notes(&problem, &found, &cam, end.as_ref());
+    let mut notes = notes(&problem, &found, &cam, end.as_ref());
+    if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
+        notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
+    }
     Ok(Synthesis {
         name: problem.name,
         phase: problem.phase,

@@ -159,6 +159,7 @@ pub fn trade(
     // The accuracy would raise the number of spans and fail what the front is there to show.
     let mut open = problem;
     open.accuracy = None;
+    open.limits.unjudged.accuracy = true;
     open.law.minimise = Some(Minimise::ForceError);
     if open.law.spans.is_none() && open.law.dwells.is_empty() {
         let own = first.cam.law.poly().pieces();

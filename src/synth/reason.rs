@@ -18,6 +18,12 @@ use crate::wording::{self, Language};
 pub enum Reason {
     /// Every check passes and lift, velocity and acceleration are continuous.
     AllHold,
+    /// The mean of the target is not the weight of the moved mass.
+    MeanForce {
+        mean: Quantity,
+        weight: Quantity,
+        error: Quantity,
+    },
     /// The lift jumps.
     LiftJumps { at: Quantity },
     /// The velocity jumps.
@@ -30,6 +36,10 @@ pub enum Reason {
         pull: Quantity,
         speed: Quantity,
     },
+    /// The same where a spring, a preload or a mass presses.
+    ContactLost { at: Quantity, pull: Quantity },
+    /// The emitted cam was run, and the follower leaves it.
+    ContactLostInRun { share: Quantity },
     /// The profile has a cusp.
     Cusp { at: Quantity },
     /// The profile cuts itself.
@@ -71,6 +81,12 @@ pub enum Reason {
         at: Quantity,
         angle: Quantity,
         allowed: Quantity,
+    },
+    /// The pressure angle is larger than usual, where nothing limits it.
+    LargePressureAngle {
+        at: Quantity,
+        angle: Quantity,
+        usual: Quantity,
     },
     /// The force is farther from the target than asked.
     ForceError { error: Quantity, allowed: Quantity },

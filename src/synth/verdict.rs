@@ -1,7 +1,7 @@
-//! The class of a finished cam and the reasons for it.
+//! The class of a finished cam and all the reasons for it (docs/verdict.md).
 
 use super::design::ForceReport;
-use super::limits::GEOMETRY;
+use super::limits::{GEOMETRY, usual_pressure_angle};
 use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Follower, Verdict};
@@ -9,50 +9,96 @@ use crate::drive::DriveKind;
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
 
-/// The class of the cam and the reasons for it, the main one first.
+/// The class of the cam and every reason for it, the worst first.
 pub fn verdict(
     problem: &Problem,
     cam: &Cam,
     checks: &[Check],
     force: &ForceReport,
 ) -> (Verdict, Vec<Reason>) {
-    let jump = |order: usize| {
-        let at = place(cam.follower.measures(), cam.first_jump(order)?);
-        Some(match order {
-            0 => Reason::LiftJumps { at },
-            1 => Reason::VelocityJumps { at },
-            _ => Reason::AccelerationJumps { at },
-        })
+    let mut bad: Vec<Reason> = mean_force(problem, force).into_iter().collect();
+    bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
+    let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
+    failed.sort_by_key(|c| severity(&c.name));
+    bad.extend(failed.iter().flat_map(|c| broken(problem, cam, force, c)));
+    let mut slow: Vec<Reason> = jump(cam, 2).into_iter().collect();
+    slow.extend(cusp(problem, cam, checks));
+    slow.extend(steep(problem, cam, checks));
+    let class = match (bad.is_empty(), slow.is_empty()) {
+        (false, _) => Verdict::Unacceptable,
+        (true, false) => Verdict::NotForHighSpeed,
+        (true, true) => Verdict::Acceptable,
     };
-    if let Some(reason) = jump(0).or_else(|| jump(1)) {
-        return (Verdict::Unacceptable, vec![reason]);
+    bad.extend(slow);
+    if bad.is_empty() {
+        bad.push(Reason::AllHold);
     }
-    if let Some(failed) = checks.iter().find(|c| !c.pass) {
-        return (Verdict::Unacceptable, broken(problem, cam, failed));
-    }
-    let slow = jump(2)
-        .or_else(|| lifts_off(problem, cam, force))
-        .or_else(|| cusp(problem, cam, checks));
-    match slow {
-        Some(reason) => (Verdict::NotForHighSpeed, vec![reason]),
-        None => (Verdict::Acceptable, vec![Reason::AllHold]),
+    (class, bad)
+}
+
+/// A moving axis carries M·g on the mean, whatever its cam (theory §1).
+pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
+    problem.mean_force_gap().map(|gap| Reason::MeanForce {
+        mean: Quantity::force(force.target_mean_n),
+        weight: Quantity::force(problem.drive.rest_force),
+        error: Quantity::force(gap.abs()),
+    })
+}
+
+/// The first jump of a derivative as a reason.
+fn jump(cam: &Cam, order: usize) -> Option<Reason> {
+    let at = place(cam.follower.measures(), cam.first_jump(order)?);
+    Some(match order {
+        0 => Reason::LiftJumps { at },
+        1 => Reason::VelocityJumps { at },
+        _ => Reason::AccelerationJumps { at },
+    })
+}
+
+/// What makes a cam useless comes before what makes it wrong.
+fn severity(check: &str) -> usize {
+    match check {
+        "curvature" | "second_curvature" | "concave" | "second_concave" | "upper_wall"
+        | "lower_wall" => 0,
+        "interference" | "second_interference" | "base_circle" => 1,
+        "force_min" => 2,
+        _ if check.contains("pressure_angle") => 3,
+        "rms_error" | "band" => 4,
+        _ => 5,
     }
 }
 
-/// A moved axis is held down by its weight alone: the cam cannot pull it (theory §1).
-fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport) -> Option<Reason> {
+/// Only a pull would keep the follower on the cam.
+fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> Reason {
     let drive = &problem.drive;
-    let slack = 1e-9 * force.max_n.abs().max(drive.rest_force.abs());
-    if drive.kind != DriveKind::MovingAxis || force.min_n >= -slack {
-        return None;
+    let measures = cam.follower.measures();
+    let (at, pull) = (
+        place(measures, low.at),
+        quantity(measures, "force_min", -low.worst),
+    );
+    if drive.kind != DriveKind::MovingAxis || force.min_n >= drive.rest_force {
+        return Reason::ContactLost { at, pull };
     }
-    let low = drive.force_curve(&cam.law).extremes().0;
     // F = M(g + ω²a): it vanishes where ω² = g/(−a).
-    let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.value)).sqrt();
-    Some(Reason::LiftsOff {
-        at: Quantity::angle(low.at),
-        pull: Quantity::force(-low.value),
+    let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.worst)).sqrt();
+    Reason::LiftsOff {
+        at,
+        pull,
         speed: Quantity::new(fastest, Dimension::AngularSpeed),
+    }
+}
+
+/// A pressure angle above the usual one, where the scene limits none.
+fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
+    let [usual, _] = usual_pressure_angle(problem)?;
+    let angles = checks
+        .iter()
+        .filter(|c| c.name.contains("pressure_angle") && c.pass);
+    let worst = angles.max_by(|a, b| a.worst.total_cmp(&b.worst))?;
+    (worst.worst > usual * (1.0 + GEOMETRY)).then(|| Reason::LargePressureAngle {
+        at: place(cam.follower.measures(), worst.at),
+        angle: Quantity::angle(worst.worst),
+        usual: Quantity::angle(usual),
     })
 }
 
@@ -85,7 +131,7 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
 }
 
 /// A check that failed, and its cure where one is known.
-fn broken(problem: &Problem, cam: &Cam, check: &Check) -> Vec<Reason> {
+fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);
     let value = quantity(measures, &check.name, check.worst);
@@ -115,16 +161,17 @@ fn broken(problem: &Problem, cam: &Cam, check: &Check) -> Vec<Reason> {
             radius: value,
             allowed,
         },
-        "concave" => Reason::RollerTooLarge {
+        "concave" | "second_concave" => Reason::RollerTooLarge {
             at,
             roller: allowed,
             hollow: value,
         },
-        "pressure_angle_rise" | "pressure_angle_fall" => Reason::PressureAngle {
+        name if name.contains("pressure_angle") => Reason::PressureAngle {
             at,
             angle: value,
             allowed,
         },
+        "force_min" if problem.limits.force_min.is_none() => lifts_off(problem, cam, force, check),
         "rms_error" => Reason::ForceError {
             error: value,
             allowed,

@@ -1,5 +1,7 @@
 //! Exit codes of the command.
 
+use gaitcam::cam::Verdict;
+
 /// Built, and every check passes.
 pub const BUILT: u8 = 0;
 /// Internal error, or an answer that could not be written.
@@ -10,3 +12,11 @@ pub const BAD_INPUT: u8 = 2;
 pub const NO_SUCH_CAM: u8 = 3;
 /// Stopped by Ctrl-C, as shells count it.
 pub const INTERRUPTED: u8 = 130;
+
+/// The exit code of a design.
+pub fn of(verdict: Verdict) -> u8 {
+    match verdict {
+        Verdict::Acceptable | Verdict::NotForHighSpeed => BUILT,
+        Verdict::Unacceptable => NO_SUCH_CAM,
+    }
+}

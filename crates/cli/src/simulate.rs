@@ -8,7 +8,7 @@ use clap::Args;
 use serde_json::json;
 
 use crate::error::CliError;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::exit_code::{self, NO_SUCH_CAM};
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
 use crate::synth::files_in;
@@ -65,7 +65,8 @@ pub struct SimulateArgs {
     second_cam: Option<String>,
 }
 
-/// Designs the scene's cam, emits its profile and runs that; exit code 3 when there is no cam to run.
+/// Designs the scene's cam, emits its profile and runs that; exit code 3 when there is no cam to run, or one
+/// that is unacceptable, be it for contact lost in this run.
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
         let typed = args.model.clone();
@@ -76,7 +77,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let folder = ResultFolder::open(&input.result_folder(args.out.as_deref(), "")?)?;
     let target = input.target()?;
     let solving = Instant::now();
-    let design = synthesise(&input.scene, target.as_ref())?;
+    let mut design = synthesise(&input.scene, target.as_ref())?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = no_cam(&design) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
@@ -87,6 +88,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let run = prepared(args, &input, &design)?;
     let outcome = simulate(&run, model)?;
+    if outcome.contact_lost && contact_is_judged(&input.scene) {
+        design.loses_contact(outcome.lost_fraction);
+    }
     let running = Running {
         outcome: &outcome,
         second_cam: run.machine.second_cam,
@@ -95,7 +99,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
     };
-    let json = outcome.json();
+    let mut json = outcome.json();
+    json["verdict"] = design.verdict.name().into();
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     folder.write("dynamics.csv", outcome.csv().as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
@@ -106,10 +111,18 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     if args.json {
         print_json(&json);
     } else {
+        print(&format!("{}: {}", design.name, design.verdict.name()));
+        print(&format!("  {}", design.reason()));
         print(&outcome.table(run.cam.follower.measures()));
         print(&files_in(&place, "report.html"));
     }
-    Ok(BUILT)
+    Ok(exit_code::of(design.verdict))
+}
+
+/// Whether the scene leaves it to the verdict that contact is kept.
+fn contact_is_judged(scene: &Scene) -> bool {
+    let limits = &scene.limits;
+    !limits.unjudged.contact_force && limits.force_min.is_none_or(|low| low >= 0.0)
 }
 
 /// Why a design has no cam that could run.

@@ -1,6 +1,8 @@
 //! Rows of `[limits]`, `[machine]` and `[accuracy]`.
 
-use super::row::{Access, Idle, Key, Measure, Range, Relax, given, number, optional, plain};
+use super::row::{
+    Access, Idle, Key, Kind, Measure, Range, Relax, given, key, number, optional, plain,
+};
 use super::value::Value;
 use crate::scene::{LimitKind, Limits, Scene};
 use crate::units::Dimension as D;
@@ -26,6 +28,27 @@ fn both_sides(limits: &Limits) -> Option<f64> {
         .pressure_angle_rise
         .filter(|_| limits.pressure_angle_rise == limits.pressure_angle_fall)
 }
+
+/// Access to a bound that `"none"` switches off together with its default.
+macro_rules! switched {
+    ($($flag:ident).+, $get:expr, |$scene:ident, $value:ident| $set:expr) => {
+        Access {
+            get: |s, _| {
+                let off = s.$($flag).+.then(|| Value::Text(NONE.to_string()));
+                off.or_else(|| $get(s).map(Value::Number))
+            },
+            set: |$scene, _, v| {
+                $scene.$($flag).+ = matches!(&v, Value::Text(word) if word == NONE);
+                let $value = v.number();
+                $set;
+                Ok(())
+            },
+        }
+    };
+}
+
+/// The word that switches a default bound off.
+const NONE: &str = "none";
 
 pub static LIMITS: &[Key] = &[
     number(
@@ -56,11 +79,15 @@ pub static LIMITS: &[Key] = &[
         optional!(limits.jerk),
     )
     .limit(LimitKind::Jerk, Relax::Up),
-    number(
+    key(
         "limits.force_min",
-        FORCE,
+        Kind::NumberOr(FORCE, NONE),
         Range::Any,
-        optional!(limits.force_min),
+        switched!(
+            limits.unjudged.contact_force,
+            |s: &Scene| s.limits.force_min,
+            |s, v| s.limits.force_min = v
+        ),
     )
     .limit(LimitKind::ForceMin, Relax::Down),
     number(
@@ -77,19 +104,18 @@ pub static LIMITS: &[Key] = &[
         optional!(limits.curvature),
     )
     .limit(LimitKind::Curvature, Relax::Down),
-    plain(
+    key(
         "limits.pressure_angle",
-        D::Angle,
+        Kind::NumberOr(Measure::same(D::Angle), NONE),
         Range::Acute,
-        Access {
-            get: |s, _| both_sides(&s.limits).map(Value::Number),
-            set: |s, _, v| {
-                let angle = v.number();
+        switched!(
+            limits.unjudged.pressure_angle,
+            |s: &Scene| both_sides(&s.limits),
+            |s, angle| {
                 s.limits.pressure_angle_rise = angle;
                 s.limits.pressure_angle_fall = angle;
-                Ok(())
-            },
-        },
+            }
+        ),
     )
     .read_again()
     .limit(LimitKind::PressureAngle, Relax::Up),
@@ -221,8 +247,15 @@ pub static REST: &[Key] = &[
         optional!(machine.second_cam),
     )
     .default(""),
-    plain("accuracy.rms", D::Percent, Range::Positive, optional!(rms))
-        .default("auto")
-        .relax(Relax::Up)
-        .idle_when(|s| s.gait.is_none().then_some(Idle::NoForce)),
+    key(
+        "accuracy.rms",
+        Kind::NumberOr(Measure::same(D::Percent), NONE),
+        Range::Positive,
+        switched!(limits.unjudged.accuracy, |s: &Scene| s.rms, |s, share| s
+            .rms =
+            share),
+    )
+    .default("auto")
+    .relax(Relax::Up)
+    .idle_when(|s| s.gait.is_none().then_some(Idle::NoForce)),
 ];

@@ -28,8 +28,10 @@ const BACK: f64 = 1e-3;
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
 pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Synthesis) -> Synthesis {
+    // No limit changes the mean of the force: nothing to relax before the mass is right.
+    let hopeless = matches!(design.reasons.first(), Some(Reason::MeanForce { .. }));
     match Problem::settle(scene, force) {
-        Ok(problem) if !passes(&design) => with_relaxations(&problem, design),
+        Ok(problem) if !hopeless && !passes(&design) => with_relaxations(&problem, design),
         _ => design,
     }
 }
@@ -106,13 +108,13 @@ fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
 }
 
 fn passes(design: &Synthesis) -> bool {
-    design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
+    design.verdict != Verdict::Unacceptable
 }
 
 /// The whole design, where it passes.
 fn passing(problem: Problem) -> Option<Synthesis> {
     let design = crate::synth::built(problem).ok()?;
-    (passes(&design) && design.verdict != Verdict::Unacceptable).then_some(design)
+    passes(&design).then_some(design)
 }
 
 struct Search<'a> {

@@ -97,7 +97,10 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
     report
 }
 
-/// Smallest and largest force of the design.
+/// A contact force below zero by this part of the largest is rounding.
+const TOUCHES: f64 = 1e-7;
+
+/// Smallest and largest force of the design; contact is kept, asked for or not.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.drive.force_curve(design.pressing).extremes();
@@ -106,6 +109,10 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         let mut check = Check::at_least("force_min", low, limit, SLACK);
         check.pass = low.value >= limit - slack(design);
         out.push(check);
+    } else if let Some(limit) = design.problem.usual_force_min() {
+        let mut check = Check::at_least("force_min", low, limit, 0.0);
+        check.pass = low.value >= limit - TOUCHES * high.value.abs().max(low.value.abs());
+        out.push(check);
     }
     if let Some(limit) = limits.force_max {
         out.push(Check::at_most("force_max", high, limit, SLACK));
@@ -113,7 +120,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     out
 }
 
-/// The band, which is the accuracy where there is one, otherwise the RMS error asked for.
+/// The band, which is the accuracy where there is one, otherwise the RMS error that is allowed.
 pub fn accuracy_check(design: &Finished) -> Option<Check> {
     let (problem, force) = (design.problem, design.force);
     if let Some([low, high]) = &problem.band {
@@ -129,12 +136,11 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         check.pass = worst.value <= slack(design);
         return Some(check);
     }
-    let rms = problem.accuracy.filter(|_| problem.target.is_some())?;
+    let limit = problem.allowed_error()?;
     let worst = Extreme {
         at: 0.0,
         value: force.rms_error_n,
     };
-    let limit = rms * force.target_mean_n.abs();
     Some(Check::at_most("rms_error", worst, limit, TOLERANCE))
 }
 

@@ -2,7 +2,6 @@
 
 use super::row::{SLACK, only, own_scale, range, row, same};
 use crate::cam::{Cam, Check};
-use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{LOWEST, Limit, Meaning};
@@ -82,10 +81,10 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
     out
 }
 
-/// Stroke and derivatives by time of the finished law.
-pub fn checks(problem: &Problem, law: &Law) -> Vec<Check> {
+/// Stroke and derivatives by time of the finished cam; where one jumps the next is infinite.
+pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
-    let (bottom, top) = law.extremes(0);
+    let (bottom, top) = cam.law.extremes(0);
     if let Some(h) = problem.limits.stroke {
         let stroke = Extreme {
             at: top.at,
@@ -94,7 +93,7 @@ pub fn checks(problem: &Problem, law: &Law) -> Vec<Check> {
         out.push(Check::at_most("stroke", stroke, h, SLACK));
     }
     for (name, order, limit) in limited(problem) {
-        let (low, high) = law.extremes(order);
+        let (low, high) = cam.derivative_extremes(order);
         let worst = if high.value >= -low.value {
             high
         } else {

@@ -24,7 +24,7 @@ pub use kinematic::{monotone, peak};
 pub use loads::Loads;
 pub use loads::{bearable_on_some_size, pressure, smallest_base_radius, torque_curve};
 pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearance, loaded, relative};
-pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks};
+pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks, usual_pressure_angle};
 pub use row::GEOMETRY;
 
 use super::design::ForceReport;
@@ -91,7 +91,7 @@ pub struct Finished<'a> {
 impl Finished<'_> {
     /// Every limit of the problem, and what no cam may lack, held against the design.
     pub fn checks(&self) -> Vec<Check> {
-        let mut out = kinematic::checks(self.problem, &self.cam.law);
+        let mut out = kinematic::checks(self.problem, self.cam);
         out.extend(force::checks(self));
         out.extend(self.profile_checks());
         out.extend(force::accuracy_check(self));

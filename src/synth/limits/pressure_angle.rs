@@ -71,16 +71,39 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> 
     }
 }
 
-/// Both sides of the finished cam's pressure angle against its limits.
+/// Pressure angles up to which a cam is good for any machine and for slow ones, where the scene limits neither
+/// side: the bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
+pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
+    let limits = &problem.limits;
+    let written = limits.pressure_angle_rise.or(limits.pressure_angle_fall);
+    if written.is_some() || limits.unjudged.pressure_angle {
+        return None;
+    }
+    let any_machine: f64 = match problem.cam.follower {
+        FollowerKind::FlatTranslating | FollowerKind::FlatOscillating => return None,
+        FollowerKind::RollerOscillating
+        | FollowerKind::KnifeOscillating
+        | FollowerKind::MushroomOscillating => 35.0,
+        FollowerKind::RollerTranslating
+        | FollowerKind::KnifeTranslating
+        | FollowerKind::MushroomTranslating
+        | FollowerKind::TranslatingCam
+        | FollowerKind::Barrel => 30.0,
+    };
+    Some([any_machine, 45.0].map(f64::to_radians))
+}
+
+/// Both sides of the finished cam's pressure angle against its limits, or against what is usual.
 pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme), prefix: &str) -> Vec<Check> {
     let limits = &problem.limits;
+    let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
     let falling = Extreme {
         at: low.at,
         value: -low.value,
     };
     [
-        (RISING, high, limits.pressure_angle_rise),
-        (FALLING, falling, limits.pressure_angle_fall),
+        (RISING, high, limits.pressure_angle_rise.or(usual)),
+        (FALLING, falling, limits.pressure_angle_fall.or(usual)),
     ]
     .into_iter()
     .filter_map(|(name, worst, limit)| {

@@ -5,6 +5,7 @@ use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
 use crate::scene::{Family, LimitKind, Minimise, Scene};
+use crate::synth::limits::GEOMETRY;
 use crate::synth::{Figures, ForceReport};
 
 /// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
@@ -127,6 +128,9 @@ fn kept(
         return None;
     }
     let force = force(fit, scale, mean, mean_force);
+    if !is_judged_well(scene, drive, &force) {
+        return None;
+    }
     let peaks = [1, 2, 3].map(|order| {
         let (low, high) = motion.range(order);
         high.max(-low) * drive.speed.powi(order as i32)
@@ -186,6 +190,19 @@ const HERE: [LimitKind; 12] = [
     LimitKind::PrimeRadius,
     LimitKind::FaceWidth,
 ];
+/// A mean force nearer to the weight, as a part of it, is the weight.
+const CLOSED: f64 = 1e-6;
+
+/// Whether force, contact and mean are what the verdict asks for where no limit says otherwise; what is left
+/// in doubt here the synthesis judges.
+fn is_judged_well(scene: &Scene, drive: &Drive, force: &ForceReport) -> bool {
+    let pressed = drive.kind != DriveKind::Hydraulic && scene.limits.force_min.is_none();
+    let allowed = scene.rms.unwrap_or(USUAL_ACCURACY) * force.target_mean_n;
+    let gap = (force.mean_n - force.target_mean_n).abs();
+    (!pressed || force.min_n >= 0.0)
+        && force.rms_error_n <= allowed
+        && (drive.kind != DriveKind::MovingAxis || gap <= CLOSED * force.target_mean_n)
+}
 
 /// Whether every limit holds; limits of the running machine are the solver's business. The solver counts a
 /// stroke limit from the base circle, so `highest` is the largest lift above it.
@@ -206,6 +223,8 @@ fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f6
         && within(figures.face_width.unwrap_or(0.0), limits.face_width)
         && within(figures.base_radius, limits.prime_radius)
         && figures.smallest_convex_radius >= least_radius
+        && (limits.curvature.is_some_and(|rho| rho > 0.0)
+            || figures.smallest_convex_radius > GEOMETRY * figures.base_radius)
         && figures.base_radius >= 0.5 * scene.cam.bore.unwrap_or(0.0)
         && within(
             force.rms_error_n,

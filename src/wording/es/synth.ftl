@@ -1,10 +1,13 @@
 # Razones del veredicto sobre un diseño.
 reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
+reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
 reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla.
 reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor.
-reason-acceleration-jumps = Se cumplen todos los límites, pero la aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
-reason-lifts-off = Se cumplen todos los límites, pero la fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
-reason-cusp = Se cumplen todos los límites, pero el perfil tiene una cúspide en { $at } (radio de curvatura nulo). Fije limits.curvature.
+reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
+reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
+reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
+reason-contact-lost-in-run = En marcha, el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
+reason-cusp = El perfil tiene una cúspide en { $at } (radio de curvatura nulo). Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }: su radio de curvatura convexo sería { $radius }.
 reason-too-sharp = El radio de curvatura en { $at } es { $radius }; el mínimo es { $allowed }.
 reason-second-too-sharp = El radio de curvatura de la segunda leva en { $at } es { $radius }; el mínimo es { $allowed }. Aleje su seguidor del eje.
@@ -15,7 +18,8 @@ reason-interference = En { $at } el seguidor interfiere con otra parte de la lev
 reason-sharp-wall = El radio de curvatura de una pared de la ranura en { $at } es { $radius }; el mínimo es { $allowed }. Use un rodillo más pequeño o un tambor mayor.
 reason-roller-too-large = El rodillo no cabe en el perfil cóncavo en { $at }: el radio del rodillo es { $roller } y el de curvatura { $hollow }. Use un rodillo más pequeño.
 reason-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; el máximo es { $allowed }. El seguidor puede acuñarse en su guía. Aumente el círculo primario.
-reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allowed }. Amplíe los límites activos o admita más tramos.
+reason-large-pressure-angle = El ángulo de presión alcanza { $angle } en { $at }; más de { $usual } solo vale a baja velocidad. Aumente el círculo primario o fije limits.pressure_angle.
+reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allowed }. Amplíe los límites activos, admita más tramos o fije en accuracy.rms el error admisible.
 reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.
 reason-prime-radius = La leva necesita un radio primario de { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayor.
 reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
@@ -24,6 +28,7 @@ reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valo
 # Notas sobre el problema y el diseño, además del veredicto.
 design-said = { $text }
 design-stretched = Una vuelta dura { $turn } y el ciclo de fuerza { $cycle }: la curva de fuerza se adapta a la vuelta.
+design-not-judged = { $key } = "none": el límite habitual no se juzga.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
 design-free-fall = La fuerza objetivo es casi nula durante { $share } de la vuelta ({ $duration }). Ahí la masa debe estar en caída libre, lo que por sí solo requiere una elevación de unos { $lift }. Al caminar, la fuerza total de ambos pies (feet = "both") no llega a cero.
 design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acceleration }, de modo que la carrera es como máximo { $stroke } (16 h/T² ≤ máx|a|){ $idle ->

@@ -10,3 +10,4 @@ mod problem;
 mod random;
 mod relaxations;
 mod targets;
+mod verdict;

@@ -24,6 +24,8 @@ base_radius = "6.47 mm"
 [limits]
 curvature = "23.6 mm"
 stroke = "34.57 mm"
+[accuracy]
+rms = "none"
 [law]
 family = "spline"
 degree = 4

@@ -236,6 +236,7 @@ fn a_rollers_curvature_is_reached_whatever_it_is() {
             "cam.roller_radius=10 mm",
             "cam.base_radius=20 mm",
             "cam.offset=0 mm",
+            "limits.pressure_angle=none",
             limit.as_str(),
         ];
         let design = synthesise(&scene_of(HUMP, &changes), None).unwrap();
@@ -316,7 +317,7 @@ fn a_cam_that_would_have_to_pull_is_for_lower_speeds() {
         base_radius = "20 mm"
     "#;
     let fast = synthesise(&scene_of(text, &[]), None).unwrap();
-    assert_eq!(fast.verdict.name(), "not-for-high-speed");
+    assert_eq!(fast.verdict.name(), "unacceptable");
     // √(g/e) with e = 10 mm (theory §10).
     let Reason::LiftsOff { speed, .. } = fast.reasons[0] else {
         panic!("{}", fast.reason());

@@ -15,7 +15,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use crate::error::CliError;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::exit_code;
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
 use crate::terminal::{print, print_json};
@@ -116,8 +116,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     };
     hand_over(args, &input, request, &answer)?;
     let design = &answer.design;
-    let good = design.infeasible.is_none() && design.checks.iter().all(|c| c.pass);
-    Ok(if good { BUILT } else { NO_SUCH_CAM })
+    Ok(exit_code::of(design.verdict))
 }
 
 fn rows(args: &SynthArgs) -> Result<usize> {

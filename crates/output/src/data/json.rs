@@ -6,6 +6,7 @@ use serde_json::{Map, Value};
 use crate::Timing;
 use gaitcam::cam::Continuity;
 use gaitcam::synth::{End, ForceReport, Infeasible, MachineReport, Reason, Relaxation, Synthesis};
+use gaitcam::wording::Language;
 
 /// The summary of a design.
 ///
@@ -50,6 +51,7 @@ struct Summary<'a> {
     verdict: &'static str,
     reason: String,
     reasons: Vec<Value>,
+    verdict_text: VerdictText,
     continuity: Continuity,
     cam_das: &'static str,
     force: Force,
@@ -69,6 +71,22 @@ struct Summary<'a> {
     remarks: Vec<String>,
     solver: Solver,
     time: Total,
+}
+
+/// The reasons for the verdict as sentences.
+#[derive(Serialize)]
+struct VerdictText {
+    en: String,
+    es: String,
+}
+
+impl VerdictText {
+    fn new(synthesis: &Synthesis) -> Self {
+        VerdictText {
+            en: synthesis.reasons_in(Language::En),
+            es: synthesis.reasons_in(Language::Es),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -251,6 +269,7 @@ impl<'a> Summary<'a> {
             verdict: synthesis.verdict.name(),
             reason: synthesis.reason(),
             reasons: synthesis.reasons.iter().map(coded).collect(),
+            verdict_text: VerdictText::new(synthesis),
             continuity: Continuity::of(&synthesis.cam),
             cam_das: synthesis.cam.cam_das_class().name(),
             force: Force::new(&synthesis.force),
@@ -343,7 +362,8 @@ impl Force {
 impl<'a> LawSummary<'a> {
     fn new(synthesis: &'a Synthesis) -> Self {
         let law = &synthesis.cam.law;
-        let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] = [1, 2, 3].map(|k| law.extremes(k));
+        let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] =
+            [1, 2, 3].map(|k| synthesis.cam.derivative_extremes(k));
         LawSummary {
             family: &synthesis.family,
             pieces: law.poly().pieces(),

@@ -1,0 +1,372 @@
+//! Every row of the verdict's table (docs/verdict.md) from both sides of its bound. Codes are compared, not words.
+
+use gaitcam::cam::{Continuity, Verdict};
+use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::problem::{Note, Problem};
+use gaitcam::scene;
+use gaitcam::synth::{Synthesis, relaxed, synthesise};
+
+fn young() -> ForceCurve {
+    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
+}
+
+fn scene_of(text: &str, changes: &[&str]) -> gaitcam::scene::Scene {
+    let mut table: toml::Table = text.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    scene::read(&table).unwrap()
+}
+
+/// A programme of two rises and a dwell under a follower.
+fn programme(motion: &str, cam: &str, changes: &[&str]) -> Synthesis {
+    let lift = if cam.contains("oscillating") {
+        "10 deg"
+    } else {
+        "10 mm"
+    };
+    let text = format!(
+        "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\n[law]\nfamily = \"program\"\n\
+         [[law.segment]]\nmotion = \"{motion}\"\nlift = \"{lift}\"\nangle = \"120 deg\"\n\
+         [[law.segment]]\nmotion = \"dwell\"\nangle = \"60 deg\"\n\
+         [[law.segment]]\nmotion = \"{motion}\"\nlift = \"-{lift}\"\nangle = \"120 deg\"\n\
+         [[law.segment]]\nmotion = \"dwell\"\nangle = \"60 deg\"\n[cam]\n{cam}\n"
+    );
+    synthesise(&scene_of(&text, changes), None).unwrap()
+}
+
+fn walking(changes: &[&str]) -> Synthesis {
+    let target = young();
+    synthesise(&scene_of(scene::DEFAULT, changes), Some(&target)).unwrap()
+}
+
+fn codes(design: &Synthesis) -> Vec<String> {
+    design.reasons.iter().map(|r| r.code()).collect()
+}
+
+fn has(design: &Synthesis, code: &str) -> bool {
+    codes(design).iter().any(|c| c == code)
+}
+
+fn judged(design: &Synthesis, verdict: Verdict, code: &str) {
+    assert_eq!(design.verdict, verdict, "{:?}", design.reasons);
+    assert!(has(design, code), "{code}: {:?}", design.reasons);
+}
+
+const FLAT: &str = "follower = \"flat-translating\"\nbase_radius = \"60 mm\"";
+const ROLLER: &str = "follower = \"roller-translating\"\nroller_radius = \"5 mm\"\noffset = \"0\"\nbase_radius = \"60 mm\"";
+const ARM: &str = "follower = \"roller-oscillating\"\nroller_radius = \"8 mm\"\nbase_radius = \"60 mm\"\n\
+                   pivot_distance = \"130 mm\"\narm = \"100 mm\"";
+const BARREL: &str =
+    "follower = \"barrel\"\nroller_radius = \"4 mm\"\ndepth = \"6 mm\"\nbase_radius = \"40 mm\"";
+
+#[test]
+fn continuity_makes_three_classes() {
+    for cam in [FLAT, ROLLER, ARM, BARREL] {
+        let smooth = programme("3-4-5", cam, &[]);
+        judged(&smooth, Verdict::Acceptable, "reason-all-hold");
+        judged(
+            &programme("parabolic", cam, &[]),
+            Verdict::NotForHighSpeed,
+            "reason-acceleration-jumps",
+        );
+        let continuity = Continuity::of(&smooth.cam);
+        assert_eq!(
+            [continuity.s, continuity.v, continuity.a, continuity.j],
+            [true, true, true, false]
+        );
+        let higher = Continuity::of(&programme("4-5-6-7", cam, &[]).cam);
+        assert!(higher.j);
+    }
+}
+
+#[test]
+fn a_jump_makes_the_next_derivative_infinite_and_no_limit_on_it_holds() {
+    let jerky = programme("parabolic", FLAT, &["limits.jerk=1e9 m/s^3"]);
+    judged(&jerky, Verdict::Unacceptable, "reason-limit-broken");
+    let jerk = jerky.checks.iter().find(|c| c.name == "jerk").unwrap();
+    assert!(jerk.worst == f64::INFINITY && !jerk.pass);
+    let (low, high) = jerky.cam.derivative_extremes(3);
+    assert_eq!((low.value, high.value), (f64::NEG_INFINITY, f64::INFINITY));
+    assert!(jerky.cam.derivative_extremes(2).1.value.is_finite());
+    // The jerk of 3-4-5 jumps, and is finite.
+    let finite = programme("3-4-5", FLAT, &["limits.jerk=1e9 m/s^3"]);
+    judged(&finite, Verdict::Acceptable, "reason-all-hold");
+    assert!(gaitcam::synth::Figures::of(&jerky).peaks[2].is_infinite());
+}
+
+#[test]
+fn a_follower_held_by_force_is_never_pulled() {
+    let loaded = |cam, preload: &str| {
+        programme(
+            "3-4-5",
+            cam,
+            &[
+                "drive.mass=1 kg",
+                "drive.spring_rate=100 N/m",
+                &format!("drive.preload={preload}"),
+            ],
+        )
+    };
+    judged(
+        &loaded(FLAT, "20 N"),
+        Verdict::Acceptable,
+        "reason-all-hold",
+    );
+    for cam in [FLAT, ROLLER] {
+        judged(
+            &loaded(cam, "0.1 N"),
+            Verdict::Unacceptable,
+            "reason-contact-lost",
+        );
+    }
+    let arm = |preload: &str| {
+        let rest = format!("drive.preload={preload}");
+        programme("3-4-5", ARM, &["drive.inertia=0.01 kg m^2", &rest])
+    };
+    judged(&arm("5 N m"), Verdict::Acceptable, "reason-all-hold");
+    judged(
+        &arm("0.01 N m"),
+        Verdict::Unacceptable,
+        "reason-contact-lost",
+    );
+    // Form-closed cams push and pull.
+    judged(
+        &loaded(BARREL, "0.1 N"),
+        Verdict::Acceptable,
+        "reason-all-hold",
+    );
+    let pair = programme(
+        "3-4-5",
+        &format!("{ROLLER}\n[cam.conjugate]\ndistance = \"160 mm\""),
+        &["drive.mass=1 kg"],
+    );
+    judged(&pair, Verdict::Acceptable, "reason-all-hold");
+    // A spring that touches 0 in the rest loses nothing; a motion alone has no force.
+    judged(
+        &programme("3-4-5", FLAT, &["drive.spring_rate=1000 N/m"]),
+        Verdict::Acceptable,
+        "reason-all-hold",
+    );
+    // A written bound takes the place of 0, and "none" switches it off, visibly.
+    let changes = ["drive.mass=1 kg", "limits.force_min=-100 N"];
+    judged(
+        &programme("3-4-5", FLAT, &changes),
+        Verdict::Acceptable,
+        "reason-all-hold",
+    );
+    let off = programme("3-4-5", FLAT, &["drive.mass=1 kg", "limits.force_min=none"]);
+    judged(&off, Verdict::Acceptable, "reason-all-hold");
+    let note = Note::NotJudged {
+        key: "limits.force_min",
+    };
+    assert!(off.notes.contains(&note));
+}
+
+#[test]
+fn a_moving_axis_is_held_by_its_weight() {
+    let text = "name = \"x\"\n[drive]\nkind = \"moving-axis\"\nmass = \"1 kg\"\nspeed = \"30 rad/s\"\n[law]\nfamily = \"program\"\n\
+        [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"10 mm\"\nangle = \"180 deg\"\n\
+        [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-10 mm\"\nangle = \"180 deg\"\n\
+        [cam]\nfollower = \"flat-translating\"\nbase_radius = \"30 mm\"\n";
+    // ω² < g/|a|max with a = 2πh/β².
+    let edge = (9.80665 / (std::f64::consts::TAU * 0.01 / std::f64::consts::PI.powi(2))).sqrt();
+    let at = |w: f64| {
+        let speed = format!("drive.speed={w} rad/s");
+        synthesise(&scene_of(text, &[&speed]), None).unwrap()
+    };
+    judged(&at(0.999 * edge), Verdict::Acceptable, "reason-all-hold");
+    judged(&at(1.001 * edge), Verdict::Unacceptable, "reason-lifts-off");
+}
+
+#[test]
+fn the_pressure_angle_has_two_bounds_for_every_follower_that_has_one() {
+    // The largest angle falls as the cam grows: sizes from both sides of both bounds.
+    for (cam, key, usual) in [
+        (ROLLER, "cam.base_radius", 30.0_f64),
+        (ARM, "cam.base_radius", 35.0),
+        (BARREL, "cam.base_radius", 30.0),
+    ] {
+        let mut seen = [false; 3];
+        for mm in 5..80 {
+            let text = format!("{key}={mm} mm");
+            let lift = if cam == ROLLER || cam == BARREL {
+                "30 mm"
+            } else {
+                "25 deg"
+            };
+            let (up, down) = (
+                format!("law.segment.1.lift={lift}"),
+                format!("law.segment.3.lift=-{lift}"),
+            );
+            let scene = std::panic::catch_unwind(|| programme("3-4-5", cam, &[&text, &up, &down]));
+            let Ok(design) = scene else { continue };
+            let (low, high) = design.pressure_angle_extremes();
+            let angle = high.value.max(-low.value).to_degrees();
+            let class = usize::from(angle > usual) + usize::from(angle > 45.0);
+            seen[class] = true;
+            assert_eq!(
+                has(&design, "reason-large-pressure-angle"),
+                class == 1,
+                "{angle}"
+            );
+            assert_eq!(has(&design, "reason-pressure-angle"), class == 2, "{angle}");
+            let written = programme(
+                "3-4-5",
+                cam,
+                &[&text, &up, &down, "limits.pressure_angle=none"],
+            );
+            assert!(!codes(&written).iter().any(|c| c.contains("pressure-angle")));
+        }
+        assert_eq!(&seen[..2], &[true; 2], "{key} of {usual}: {seen:?}");
+    }
+    // A written limit takes the place of both bounds; a flat face has none.
+    let wide = [
+        "cam.base_radius=5 mm",
+        "limits.pressure_angle=89 deg",
+        "limits.curvature=0",
+    ];
+    let wide = programme("3-4-5", ROLLER, &wide);
+    assert!(!codes(&wide).iter().any(|c| c.contains("pressure-angle")));
+    let flat = programme("3-4-5", FLAT, &[]);
+    assert!(
+        !flat
+            .checks
+            .iter()
+            .any(|c| c.name.contains("pressure_angle"))
+    );
+}
+
+#[test]
+fn undercut_is_unacceptable_and_a_cusp_is_for_slow_machines() {
+    let size = |mm: f64| {
+        let radius = format!("cam.base_radius={mm} mm");
+        programme("3-4-5", FLAT, &[&radius])
+    };
+    let sized = programme("3-4-5", "follower = \"flat-translating\"", &[]);
+    let least = 1e3 * sized.cam.follower.base_radius();
+    judged(&sized, Verdict::NotForHighSpeed, "reason-cusp");
+    judged(&size(1.01 * least), Verdict::Acceptable, "reason-all-hold");
+    judged(
+        &size(0.99 * least),
+        Verdict::Unacceptable,
+        "reason-undercut",
+    );
+}
+
+#[test]
+fn a_force_is_met_to_half_a_percent_where_nothing_else_is_asked() {
+    let fixed = ["law.spans=16", "limits.stroke=35 mm", "accuracy.rms=auto"];
+    let coarse = walking(&fixed);
+    let percent = coarse.force.rms_error_percent_of_mean;
+    assert!(percent > 0.5);
+    judged(&coarse, Verdict::Unacceptable, "reason-force-error");
+    let fine = walking(&["law.spans=48", "accuracy.rms=auto"]);
+    judged(&fine, Verdict::Acceptable, "reason-all-hold");
+    let accepting = |share: f64| {
+        let text = format!("accuracy.rms={} %", share * percent);
+        walking(&["law.spans=16", "limits.stroke=35 mm", &text])
+    };
+    judged(&accepting(1.001), Verdict::Acceptable, "reason-all-hold");
+    judged(
+        &accepting(0.999),
+        Verdict::Unacceptable,
+        "reason-force-error",
+    );
+    let off = walking(&["law.spans=16", "limits.stroke=35 mm", "accuracy.rms=none"]);
+    judged(&off, Verdict::Acceptable, "reason-all-hold");
+    assert!(off.notes.contains(&Note::NotJudged {
+        key: "accuracy.rms"
+    }));
+}
+
+#[test]
+fn the_spread_of_a_recording_is_accuracy_enough() {
+    let text = ["law.spans=16", "limits.stroke=35 mm", "accuracy.rms=auto"];
+    let coarse = walking(&text).force.rms_error_n;
+    for (part, verdict) in [(1.01, Verdict::Acceptable), (0.99, Verdict::Unacceptable)] {
+        let mut target = young();
+        target.spread_n = Some(vec![part * coarse; target.force_n.len()]);
+        let design = synthesise(&scene_of(scene::DEFAULT, &text), Some(&target)).unwrap();
+        assert_eq!(design.verdict, verdict, "{:?}", design.reasons);
+    }
+}
+
+#[test]
+fn a_mean_force_that_is_not_the_weight_comes_first_with_its_cure() {
+    let target = young();
+    for (mass, first) in [("80 kg", true), ("71.5 kg", true), ("71.38 kg", false)] {
+        let text = format!("drive.mass={mass}");
+        let scene = scene_of(scene::DEFAULT, &[&text]);
+        let design = synthesise(&scene, Some(&target)).unwrap();
+        let design = relaxed(&scene, Some(&target), design);
+        assert_eq!(
+            codes(&design)[0] == "reason-mean-force",
+            first,
+            "{mass}: {:?}",
+            design.reasons
+        );
+        assert_eq!(design.verdict == Verdict::Unacceptable, first);
+        assert!(design.relaxations.is_empty());
+    }
+    let scaled = walking(&["drive.mass=80 kg", "gait.scale=to-mass"]);
+    judged(&scaled, Verdict::Acceptable, "reason-all-hold");
+}
+
+#[test]
+fn a_limit_that_is_broken_is_unacceptable_and_all_reasons_are_told() {
+    let stroke = walking(&["law.spans=16"]).cam.law.stroke();
+    let limited = |part: f64| {
+        let text = format!("limits.stroke={} mm", 1e3 * part * stroke);
+        programme("3-4-5", FLAT, &[&text])
+    };
+    let own = programme("3-4-5", FLAT, &[]).cam.law.stroke() / stroke;
+    judged(
+        &limited(1.001 * own),
+        Verdict::Acceptable,
+        "reason-all-hold",
+    );
+    judged(
+        &limited(0.999 * own),
+        Verdict::Unacceptable,
+        "reason-limit-broken",
+    );
+    let all = programme(
+        "parabolic",
+        ROLLER,
+        &[
+            "limits.stroke=1 mm",
+            "drive.mass=1 kg",
+            "limits.pressure_angle=1 deg",
+        ],
+    );
+    let expected = [
+        "reason-contact-lost",
+        "reason-pressure-angle",
+        "reason-pressure-angle",
+        "reason-limit-broken",
+        "reason-acceleration-jumps",
+    ];
+    assert_eq!(codes(&all), expected);
+}
+
+#[test]
+fn contact_lost_in_a_run_is_no_good_cam() {
+    let mut design = programme("3-4-5", FLAT, &[]);
+    design.loses_contact(0.1);
+    judged(&design, Verdict::Unacceptable, "reason-contact-lost-in-run");
+    assert_eq!(codes(&design).len(), 1);
+}
+
+#[test]
+fn none_is_read_and_written_back() {
+    let keys = ["limits.pressure_angle", "limits.force_min", "accuracy.rms"];
+    for key in keys {
+        let scene = scene_of(scene::DEFAULT, &[&format!("{key}=none")]);
+        assert_eq!(scene.limits.unjudged.keys(), [key]);
+        let again = scene::read(&scene.to_table()).unwrap();
+        assert_eq!(again, scene);
+        let notes = Problem::settle(&scene, Some(&young())).unwrap().notes();
+        assert!(notes.contains(&Note::NotJudged { key }));
+    }
+}
