@@ -9,6 +9,8 @@ use crate::poly::Extreme;
 const JUMP: f64 = 1e-7;
 /// A derivative that varies by less, m/radᵏ, is that of a law at rest.
 const STILL: f64 = 1e-9;
+/// Jumps below this, m/radᵏ, are rounding on a cam of any size.
+const ROUNDING: f64 = 1e-13;
 /// … or by less than this part of the cam's size.
 const HARDLY_MOVES: f64 = 1e-6;
 /// Lifts half a turn apart add to the same within this part of the stroke where the breadth is constant.
@@ -87,7 +89,8 @@ impl Cam {
             at: x.at,
             value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
         });
-        jump.filter(|x| x.value.abs() > JUMP * range).collect()
+        jump.filter(|x| x.value.abs() > (JUMP * range).max(ROUNDING))
+            .collect()
     }
 
     /// The class that CAM-DAS gives a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a

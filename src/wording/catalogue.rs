@@ -177,6 +177,10 @@ impl Catalogue {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => number(self.language, n.as_f64().unwrap_or(f64::NAN)),
+            // A message without fields inside another, otherwise a name.
+            Value::String(text) if self.keys.contains(&format!("{area}-{text}")) => {
+                self.of_value(area, value)
+            }
             Value::String(text) => self.name(text),
             Value::Array(items) => {
                 let items: Vec<String> = items.iter().map(|i| self.shown(area, i)).collect();

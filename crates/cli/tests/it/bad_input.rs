@@ -296,7 +296,7 @@ fn bands_weights_phases_and_fronts_are_refused_with_their_cure() {
     );
     refused(
         &[r#"gait.weight=[{from="0 deg", to="360 deg", weight=0.0}]"#],
-        &["gait.weight", "no phase of the cycle counts"],
+        &["gait.weight", "have weight 0"],
     );
     refused(
         &["law.family=harmonic", "gait.band=20 N"],

@@ -169,7 +169,7 @@ fn a_measured_walk_is_synthesised_no_finer_than_its_spread() {
     );
     assert!(error(&fine) <= 0.003 * mean && pieces(&fine) > pieces(&coarse));
     let report = fs::read_to_string(out.join("report.html")).unwrap();
-    assert!(report.contains("From step to step"));
+    assert!(report.contains("Step-to-step variability"));
     fs::remove_dir_all(folder).unwrap();
 }
 
