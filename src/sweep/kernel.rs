@@ -198,10 +198,10 @@ impl<'a> Kernel<'a> {
     /// Sets the row's numbers; false when one of them is for the scene's reader to judge.
     fn set_numbers(&self, batch: &Batch, row: usize, scene: &mut Scene) -> bool {
         for (key, column) in self.keys.iter().zip(&batch.columns) {
-            if let Column::Numbers(x) = column {
-                if !key.set(scene, x[row]) {
-                    return false;
-                }
+            if let Column::Numbers(x) = column
+                && !key.set(scene, x[row])
+            {
+                return false;
             }
         }
         true

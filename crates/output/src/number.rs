@@ -6,7 +6,7 @@
 pub fn append(out: &mut String, x: f64, decimals: u32) {
     let scale = 10u64.pow(decimals);
     let scaled = (x * scale as f64).round();
-    if !(scaled.abs() < 9e15) {
+    if scaled.is_nan() || scaled.abs() >= 9e15 {
         out.push_str(&format!("{x}"));
         return;
     }

@@ -10,6 +10,9 @@ use crate::synth::reason::quantity;
 use crate::synth::{sizing, verify};
 use crate::units::Quantity;
 
+/// Finds a law of one family.
+type Maker = fn(&Problem) -> Result<Found, NoLaw>;
+
 /// The harmonics in closed form, as the ladder names them.
 const INVERSE: &str = "the inverse by harmonics";
 
@@ -56,7 +59,7 @@ pub fn simplest(problem: &Problem) -> Result<Found, NoLaw> {
         && !problem.has_demands()
         && problem.objective() == Minimise::ForceError
     {
-        let simple: [(Family, fn(&Problem) -> Result<Found, NoLaw>); 2] = [
+        let simple: [(Family, Maker); 2] = [
             (Family::DoubleHarmonic, double_harmonic::found),
             (Family::Harmonic, spectral::found),
         ];

@@ -40,6 +40,7 @@ pub struct Found {
 }
 
 /// Why a problem has no law.
+#[allow(clippy::large_enum_variant)] // a fault ends the run
 pub enum NoLaw {
     /// The input is at fault.
     Fault(Error),

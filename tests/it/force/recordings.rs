@@ -529,7 +529,8 @@ fn every_landmark_the_readme_gives_as_a_range_lies_in_it(folder: &Path) {
 /// Runs every check on the recordings; says how many could not run where the folder is missing.
 #[test]
 fn recordings_are_as_their_readme_says() {
-    let checks: [(&str, fn(&Path)); 11] = [
+    type Check = fn(&Path);
+    let checks: [(&str, Check); 11] = [
         (
             "stances_mass_rate_and_peaks_are_those_of_the_readme",
             stances_mass_rate_and_peaks_are_those_of_the_readme,

@@ -58,7 +58,8 @@ fn the_power_of_an_eccentric_is_its_closed_form() {
     let check = power(&s);
     assert!((check.worst / most - 1.0).abs() < 1e-9, "{check:?} {most}");
     assert!(
-        (check.at - cos.acos()).abs() < 1e-6 || (check.at + cos.acos() - 6.283_185).abs() < 1e-5
+        (check.at - cos.acos()).abs() < 1e-6
+            || (check.at + cos.acos() - std::f64::consts::TAU).abs() < 1e-5
     );
     assert_eq!(check.pass, most <= 7.0);
     assert!(power(&design(text, &["limits.power=6.8 W"])).pass == (most <= 6.8));

@@ -18,6 +18,9 @@ use gaitcam::sweep::{Outcome, Results, differences};
 use gaitcam_output::folder::write_whole;
 use serde_json::{Value, json};
 
+/// Turns the finished table into another format: from, to.
+type Convert<'a> = &'a dyn Fn(&Path, &Path) -> Result<()>;
+
 /// An open and locked partial table.
 pub struct PartialTable {
     file: File,
@@ -268,11 +271,7 @@ impl PartialTable {
     }
 
     /// Puts the complete table in its place: as it is, or as `convert` writes it to the path it is given.
-    pub fn finish(
-        self,
-        sweep: &Value,
-        convert: Option<&dyn Fn(&Path, &Path) -> Result<()>>,
-    ) -> Result<Counts> {
+    pub fn finish(self, sweep: &Value, convert: Option<Convert>) -> Result<Counts> {
         let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
         write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
         let fault = |e: std::io::Error| {

@@ -29,7 +29,7 @@ use gaitcam_output::folder::Folder;
 pub fn write(quick: bool, out: &Path, say: &mut dyn FnMut(&str)) -> Result<()> {
     let folder = Folder::open(out)?;
     let start = Instant::now();
-    let watch = Watch { quick: quick };
+    let watch = Watch { quick };
     let mut charts = Vec::new();
     for measure in [
         force::smooth,
