@@ -33,7 +33,7 @@ impl Quadratic {
 
     /// Adds ½·mean over the law of weight(θ)·(w·svaj − wanted(θ))², with at least `nodes` quadrature
     /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative; `wanted`
-    /// fills in the values at the nodes of a piece given by its start and width ([`pointwise`] makes one
+    /// fills in the values at the nodes of a piece given by its start and width (`pointwise` makes one
     /// of a function of θ).
     pub fn add_distance(
         &mut self,
