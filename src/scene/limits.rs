@@ -35,7 +35,7 @@ pub struct Limits {
     pub torque_rate: Option<f64>,
     /// Largest line pressure between cam and follower, steel on steel over the plate's thickness, Pa.
     pub hertz_pressure: Option<f64>,
-    /// Largest amplitude with which the follower may ring on in a dwell, m.
+    /// Largest amplitude of the residual vibration of the follower in a dwell, m.
     pub residual: Option<f64>,
     /// What is not judged by the bound that is usual where the scene gives none.
     pub unjudged: Unjudged,

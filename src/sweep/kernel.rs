@@ -293,7 +293,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// A panic is our own fault, but it must not take the other rows with it.
+/// A panic is an internal error; it must not stop the other rows.
 fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|cause| {
         let words = cause.downcast_ref::<String>().map(String::as_str);

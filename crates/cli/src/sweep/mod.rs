@@ -101,7 +101,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         return tolerance::run(args);
     }
     let start = Instant::now();
-    // A row that fails by our own fault says so in the table; its trace would only hide the others.
+    // A row that fails by an internal error says so in the table; its trace would only hide the others.
     std::panic::set_hook(Box::new(|_| {}));
     let format = Format::of(&args.out)?;
     let sweep = arguments::plan(args)?;
