@@ -19,7 +19,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
+use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
 use gaitcam::synth::synthesise;
 use gaitcam_evidence::tiers::{Bound, Task, spectral};
 use rayon::prelude::*;
@@ -465,7 +465,7 @@ fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
             .iter()
             .map(|v| Axis::parse(v, true).expect("an axis"))
             .collect(),
-        design: Design::Sample {
+        sampling: Sampling::Sample {
             method: Method::Latin,
             count: rows,
             seed: 1,

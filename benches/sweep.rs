@@ -7,7 +7,7 @@ use divan::counter::ItemsCount;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Batch, Design, Kernel, Method, NamedScene, Plan};
+use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
 use rayon::prelude::*;
 
 fn main() {
@@ -33,7 +33,7 @@ fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {
             .iter()
             .map(|v| Axis::parse(v, sample.is_some()).expect("an axis"))
             .collect(),
-        design: sample.map_or(Design::Grid, |count| Design::Sample {
+        sampling: sample.map_or(Sampling::Grid, |count| Sampling::Sample {
             method: Method::Latin,
             count,
             seed: 1,

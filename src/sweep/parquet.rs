@@ -232,7 +232,7 @@ pub fn word_at(column: &ArrayRef, row: usize) -> &str {
 mod tests {
     use super::*;
     use crate::scene::{self, Scene};
-    use crate::sweep::{Axis, Design, NamedScene, Plan};
+    use crate::sweep::{Axis, NamedScene, Plan, Sampling};
 
     #[test]
     fn a_record_batch_of_parameters_gives_the_rows_of_the_plain_kernel() {
@@ -248,7 +248,7 @@ mod tests {
             ]
             .map(|t| Axis::parse(t, false).unwrap())
             .to_vec(),
-            design: Design::Grid,
+            sampling: Sampling::Grid,
         };
         let none = |_: usize, _: &Scene| Err(Error::new("none"));
         let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);

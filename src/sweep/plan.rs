@@ -35,7 +35,7 @@ impl List {
 
 /// How the axes are walked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Design {
+pub enum Sampling {
     /// Every combination; the last axis runs fastest.
     Grid,
     /// Points spread over all axes together.
@@ -59,7 +59,7 @@ pub struct Plan {
     /// Varied keys.
     pub axes: Vec<Axis>,
     /// How they are walked.
-    pub design: Design,
+    pub sampling: Sampling,
 }
 
 /// Keys that name or structure a scene and cannot be varied.
@@ -73,9 +73,9 @@ impl Plan {
     /// Number of rows; saturates far beyond what anyone can wait for.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
-        let design = match self.design {
-            Design::Sample { count, .. } => u128::from(count),
-            Design::Grid => self
+        let sampling = match self.sampling {
+            Sampling::Sample { count, .. } => u128::from(count),
+            Sampling::Grid => self
                 .axes
                 .iter()
                 .map(|a| u128::from(a.count().unwrap_or(1)))
@@ -83,7 +83,7 @@ impl Plan {
         };
         (self.scenes.len() as u128)
             .saturating_mul(list)
-            .saturating_mul(design)
+            .saturating_mul(sampling)
     }
 
     /// The varied keys in the order of their columns.
@@ -119,9 +119,9 @@ impl Plan {
             .iter()
             .map(|a| a.count().unwrap_or(1).max(1))
             .collect();
-        let inner = match self.design {
-            Design::Sample { count, .. } => count.max(1),
-            Design::Grid => counts.iter().product::<u64>().max(1),
+        let inner = match self.sampling {
+            Sampling::Sample { count, .. } => count.max(1),
+            Sampling::Grid => counts.iter().product::<u64>().max(1),
         };
         for row in first..first + count as u64 {
             let (outer, point) = (row / inner, row % inner);
@@ -132,15 +132,15 @@ impl Plan {
                 }
             }
             let columns = &mut batch.columns[listed..];
-            match self.design {
-                Design::Grid => {
+            match self.sampling {
+                Sampling::Grid => {
                     let mut rest = point;
                     for (k, axis) in self.axes.iter().enumerate().rev() {
                         columns[k].push(axis.value(rest % counts[k]));
                         rest /= counts[k];
                     }
                 }
-                Design::Sample {
+                Sampling::Sample {
                     method,
                     count,
                     seed,
@@ -172,7 +172,7 @@ impl Plan {
                 return Err(SweepError::KeyTwice { key }.into());
             }
         }
-        if let Design::Sample { method, .. } = self.design {
+        if let Sampling::Sample { method, .. } = self.sampling {
             if self.axes.is_empty() {
                 return Err(SweepError::NothingToSample.into());
             }
@@ -266,11 +266,11 @@ impl Plan {
             );
         }
         out.insert("vary".into(), Value::Object(vary));
-        if let Design::Sample {
+        if let Sampling::Sample {
             method,
             count,
             seed,
-        } = self.design
+        } = self.sampling
         {
             out.insert(
                 "sample".into(),

@@ -1,7 +1,7 @@
 //! Answers of many scenes as plain columns.
 
 use crate::cam::Verdict;
-use crate::synth::{Figures, Synthesis, Tier};
+use crate::synth::{Design, Figures, Tier};
 
 /// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
 pub const NUMBERS: [&str; 19] = [
@@ -141,7 +141,7 @@ impl Row {
     }
 
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
-    pub fn of(design: &Synthesis) -> Row {
+    pub fn of(design: &Design) -> Row {
         let joined = |names: &mut dyn Iterator<Item = &str>| {
             let mut list: Vec<&str> = Vec::new();
             for name in names {

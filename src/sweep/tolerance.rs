@@ -17,7 +17,7 @@ use super::sample::{Method, mixed, unit};
 use crate::drive::DriveKind;
 use crate::error::{Place, Result, SweepError};
 use crate::scene::keys::{self, Key};
-use crate::synth::Synthesis;
+use crate::synth::Design;
 use crate::units::{Dimension, parse};
 
 /// What is made with an error.
@@ -134,7 +134,7 @@ pub struct Made {
 
 /// A design ready to be scattered.
 pub struct Scatter<'a> {
-    design: &'a Synthesis,
+    design: &'a Design,
     mean: f64,
     /// Mean products of the fixed functions and the lobes.
     products: Vec<Vec<f64>>,
@@ -142,7 +142,7 @@ pub struct Scatter<'a> {
 
 impl<'a> Scatter<'a> {
     /// Takes the design apart. Fails where no force is wanted, so that there is no error to speak of.
-    pub fn new(design: &'a Synthesis) -> Result<Self> {
+    pub fn new(design: &'a Design) -> Result<Self> {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());
         };
@@ -270,7 +270,7 @@ mod tests {
     use crate::scene;
     use crate::synth::synthesise;
 
-    fn design() -> Synthesis {
+    fn design() -> Design {
         let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
         let target = crate::force::model("young", Some(1.85), 700.0, Feet::Both).unwrap();
         synthesise(&scene, Some(&target)).unwrap()

@@ -15,7 +15,7 @@ use crate::wording::Language;
 
 /// Everything known about a finished design.
 #[derive(Debug, Clone)]
-pub struct Synthesis {
+pub struct Design {
     /// The scene's name.
     pub name: String,
     /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
@@ -92,7 +92,7 @@ impl Infeasible {
     }
 }
 
-impl Synthesis {
+impl Design {
     /// The reasons for the verdict in English.
     pub fn reason(&self) -> String {
         sentences(&self.reasons, Language::En)

@@ -1,6 +1,6 @@
 //! The figures of a design: what a row of a table says of it.
 
-use super::{ForceReport, Synthesis};
+use super::{Design, ForceReport};
 
 /// Figures of one design, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ pub struct Figures {
 
 impl Figures {
     /// Of a finished design.
-    pub fn of(design: &Synthesis) -> Figures {
+    pub fn of(design: &Design) -> Figures {
         let (cam, speed) = (&design.cam, design.drive.speed);
         let (low, high) = design.pressure_angle_extremes();
         Figures {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Synthesis;
+use super::Design;
 use super::limits::{pressure, torque_curve};
 use crate::cam::{Cam, Measures};
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
@@ -30,7 +30,7 @@ pub struct MachineReport {
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
-impl Synthesis {
+impl Design {
     /// What the design asks of the machine.
     pub fn machine(&self) -> MachineReport {
         if self.is_idle() {

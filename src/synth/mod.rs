@@ -1,4 +1,4 @@
-//! Synthesis: from a wanted force to a law, a cam and its proof.
+//! Design: from a wanted force to a law, a cam and its proof.
 //!
 //! One law s(θ) is sought in a linear family, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in
 //! it, and so is every limit on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
@@ -76,7 +76,7 @@ mod verdict;
 mod verify;
 
 pub use design::{
-    Binding, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Synthesis, Tier,
+    Binding, Design, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Tier,
 };
 pub use figures::Figures;
 pub use infeasible::{in_units, relaxed};
@@ -101,7 +101,7 @@ use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 ///
 /// # Errors
 /// Faults of the input.
-pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Synthesis> {
+pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
     synthesise_with(scene, force, &SpanMemo::default())
 }
 
@@ -114,14 +114,14 @@ pub fn synthesise_with(
     scene: &Scene,
     force: Option<&ForceCurve>,
     spans: &SpanMemo,
-) -> Result<Synthesis> {
+) -> Result<Design> {
     let mut problem = Problem::settle(scene, force)?;
     problem.spans = spans.clone();
     designed(problem)
 }
 
 /// The design of a problem, complete even where it has none that keeps its limits.
-fn designed(problem: Problem) -> Result<Synthesis> {
+fn designed(problem: Problem) -> Result<Design> {
     let problem = phase::settled(problem)?;
     match shaped(&problem, &problem) {
         Ok(shape) => finished(problem, shape, None),
@@ -135,7 +135,7 @@ fn designed(problem: Problem) -> Result<Synthesis> {
 }
 
 /// The design of a problem that has one; otherwise no time is lost on why it has none.
-fn built(problem: Problem) -> std::result::Result<Synthesis, NoLaw> {
+fn built(problem: Problem) -> std::result::Result<Design, NoLaw> {
     let problem = phase::settled(problem)?;
     let shape = shaped(&problem, &problem)?;
     Ok(finished(problem, shape, None)?)
@@ -189,7 +189,7 @@ fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<
 }
 
 /// The shape with its checks, its verdict and all that is told of it.
-fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> Result<Synthesis> {
+fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> Result<Design> {
     let Shape { found, cam, end } = shape;
     let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
     let force = limits::force_report(&problem, pressing);
@@ -213,7 +213,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }
-    Ok(Synthesis {
+    Ok(Design {
         name: problem.name,
         phase: problem.phase,
         band: problem.band,

@@ -3,7 +3,7 @@
 //! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
 //! point of the front, and no point of the front is missed.
 
-use super::{Synthesis, designed};
+use super::{Design, designed};
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
@@ -30,7 +30,7 @@ pub struct Trade {
     /// The value that was allowed, SI.
     pub allowed: f64,
     /// The design of least force error under it.
-    pub design: Synthesis,
+    pub design: Design,
 }
 
 /// The front ends where the force error reaches this part of the mean force, or twice what it is at best.
@@ -95,7 +95,7 @@ impl Against {
     }
 
     /// Its value in a design, SI.
-    pub fn of(self, design: &Synthesis) -> f64 {
+    pub fn of(self, design: &Design) -> f64 {
         let peak = |order: usize| {
             let (low, high) = design.cam.law.extremes(order);
             high.value.max(-low.value) * design.drive.speed.powi(order as i32)
@@ -173,7 +173,7 @@ pub fn trade(
     // Demands may keep even the unlimited law farther away than that.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
-    let good = |design: &Synthesis| {
+    let good = |design: &Design| {
         let held = |c: &crate::cam::Check| c.pass || c.name == "rms_error";
         design.infeasible.is_none()
             && design.checks.iter().all(held)

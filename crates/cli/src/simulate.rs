@@ -20,7 +20,7 @@ use gaitcam::dynamics::hertz::STEEL;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
 use gaitcam::error::Result;
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{Synthesis, sentences, synthesise};
+use gaitcam::synth::{Design, sentences, synthesise};
 use gaitcam::units::Dimension;
 use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
@@ -126,7 +126,7 @@ fn contact_is_judged(scene: &Scene) -> bool {
 }
 
 /// Why a design has no cam that could run.
-fn no_cam(design: &Synthesis) -> Option<String> {
+fn no_cam(design: &Design) -> Option<String> {
     let language = crate::language::current();
     if let Some(infeasible) = &design.infeasible {
         return Some(sentences(&infeasible.reasons, language));
@@ -136,7 +136,7 @@ fn no_cam(design: &Synthesis) -> Option<String> {
 }
 
 /// The emitted profile of the design on the machine.
-fn prepared(args: &SimulateArgs, input: &Input, design: &Synthesis) -> Result<Run> {
+fn prepared(args: &SimulateArgs, input: &Input, design: &Design) -> Result<Run> {
     let mut machine = machine(args, &input.scene, &design.drive)?;
     machine.groove_floor = design.groove.as_ref().map(|groove| groove.depth().0);
     machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());

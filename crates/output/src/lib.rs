@@ -1,6 +1,6 @@
 //! What a design is handed over as: tables, drawings, pictures, a report, solids, a cutter path.
 //!
-//! Every emitter is pure: it takes a finished [`Synthesis`](gaitcam::synth::Synthesis) and returns text or
+//! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or
 //! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
 //! SI units with the unit in the column's name, pictures in millimetres and degrees.
 

@@ -3,7 +3,7 @@
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::{Law, Svaj};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Points per turn of a drawn curve: one per two pixels of a wide picture.
 const PER_LAW: f64 = 540.0;
@@ -112,7 +112,7 @@ pub fn motion(law: &Law) -> Vec<(f64, Svaj)> {
 }
 
 /// The unit lift is shown in: factor from SI, and its name.
-pub fn lift_unit(synthesis: &Synthesis) -> (f64, &'static str) {
+pub fn lift_unit(synthesis: &Design) -> (f64, &'static str) {
     let unit = synthesis.cam.follower.measures().lift(0);
     (unit.factor, unit.name)
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::error::Error;
-use crate::sweep::{Axis, Design, Method, NUMBERS, Outcome, Plan};
+use crate::sweep::{Axis, Method, NUMBERS, Outcome, Plan, Sampling};
 
 fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
     Err(Error::new("no recordings here"))
@@ -19,7 +19,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
         }],
         list: None,
         axes: vary.iter().map(|v| Axis::parse(v, true).unwrap()).collect(),
-        design: Design::Sample {
+        sampling: Sampling::Sample {
             method: Method::Latin,
             count,
             seed: 7,
@@ -193,7 +193,7 @@ fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
         }],
         list: None,
         axes: vec![Axis::parse(vary, false).unwrap()],
-        design: Design::Grid,
+        sampling: Sampling::Grid,
     };
     plan.validate().unwrap();
     let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);

@@ -11,7 +11,7 @@ fn plan(vary: &[&str]) -> Plan {
             .iter()
             .map(|v| Axis::parse(v, false).unwrap())
             .collect(),
-        design: Design::Grid,
+        sampling: Sampling::Grid,
     }
 }
 

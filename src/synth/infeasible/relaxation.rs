@@ -11,7 +11,7 @@ use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::design::{Relaxation, Synthesis, Tier};
+use crate::synth::design::{Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
 use crate::units::Quantity;
 
@@ -27,7 +27,7 @@ const BACK: f64 = 1e-3;
 
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
-pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Synthesis) -> Synthesis {
+pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Design) -> Design {
     // No limit changes the mean of the force: nothing to relax before the mass is right.
     let hopeless = matches!(design.reasons.first(), Some(Reason::MeanForce { .. }));
     match Problem::settle(scene, force) {
@@ -36,7 +36,7 @@ pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Synthesis) -> 
     }
 }
 
-fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
+fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
     let numbers = relaxables(problem);
     if numbers.is_empty() {
         return design;
@@ -107,12 +107,12 @@ fn with_relaxations(problem: &Problem, mut design: Synthesis) -> Synthesis {
     design
 }
 
-fn passes(design: &Synthesis) -> bool {
+fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
 }
 
 /// The whole design, where it passes.
-fn passing(problem: Problem) -> Option<Synthesis> {
+fn passing(problem: Problem) -> Option<Design> {
     let design = crate::synth::built(problem).ok()?;
     passes(&design).then_some(design)
 }
@@ -126,7 +126,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The design with one value changed, where it passes.
-    fn tried(&self, number: Relaxable, value: f64) -> Option<Synthesis> {
+    fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
         passing(number.with(self.problem, value))
     }
 

@@ -3,7 +3,7 @@
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use std::f64::consts::TAU;
 
 const SOFT: [&str; 2] = ["machine.natural_frequency=12 Hz", "law.degree=7"];
@@ -17,7 +17,7 @@ fn read(text: &str, changes: &[&str]) -> gaitcam::error::Result<scene::Scene> {
     scene::read(&table)
 }
 
-fn design(text: &str, changes: &[&str]) -> Synthesis {
+fn design(text: &str, changes: &[&str]) -> Design {
     let scene = read(text, changes).unwrap();
     let target: Option<ForceCurve> = scene
         .gait
@@ -28,7 +28,7 @@ fn design(text: &str, changes: &[&str]) -> Synthesis {
 
 /// RMS distance of the end's force from the one that law.csv states, N, by the follower's own transfer of
 /// every harmonic of the emitted lift: y = s (k₁ + i c₁ nω)/(k₁ − m n²ω² + i c₁ nω) (moving axis).
-fn miss(s: &Synthesis, stiffness: f64, damping: f64) -> f64 {
+fn miss(s: &Design, stiffness: f64, damping: f64) -> f64 {
     let (m, w) = (s.drive.mass, s.drive.speed);
     let lifts: Vec<f64> = (0..POINTS)
         .map(|i| s.cam.law.svaj(TAU * i as f64 / POINTS as f64).s)
@@ -69,7 +69,7 @@ fn miss(s: &Synthesis, stiffness: f64, damping: f64) -> f64 {
 }
 
 /// What `gaitcam simulate --model flexible` says of the emitted profile.
-fn run(s: &Synthesis, scene: &scene::Scene) -> f64 {
+fn run(s: &Design, scene: &scene::Scene) -> f64 {
     let target = s.target.as_ref().unwrap();
     let run = Run {
         profile: s.cam.profile(POINTS),

@@ -2,9 +2,9 @@
 
 use gaitcam::force::{Feet, model};
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 
-fn solved(changes: &[&str]) -> Synthesis {
+fn solved(changes: &[&str]) -> Design {
     let mut table: toml::Table =
         toml::from_str(include_str!("../../../scenes/footbridge.toml")).unwrap();
     for change in changes {

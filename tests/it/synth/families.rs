@@ -2,7 +2,7 @@
 
 use gaitcam::force::{Feet, model};
 use gaitcam::scene::{self, Family, Scene};
-use gaitcam::synth::{PassedOver, Synthesis, synthesise};
+use gaitcam::synth::{Design, PassedOver, synthesise};
 
 const SCENE: &str = r#"
 [gait]
@@ -20,7 +20,7 @@ fn read(more: &str) -> Scene {
     scene::read(&table).unwrap()
 }
 
-fn built(more: &str) -> Synthesis {
+fn built(more: &str) -> Design {
     let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
     synthesise(&read(more), Some(&target)).unwrap()
 }

@@ -4,7 +4,7 @@ use gaitcam::cam::Check;
 use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Synthesis, Tier, relaxed, synthesise};
+use gaitcam::synth::{Design, Tier, relaxed, synthesise};
 use std::f64::consts::TAU;
 
 fn scene_and_force(text: &str, changes: &[&str]) -> (Scene, Option<ForceCurve>) {
@@ -20,19 +20,19 @@ fn scene_and_force(text: &str, changes: &[&str]) -> (Scene, Option<ForceCurve>) 
     (scene, target)
 }
 
-fn design(text: &str, changes: &[&str]) -> Synthesis {
+fn design(text: &str, changes: &[&str]) -> Design {
     let (scene, force) = scene_and_force(text, changes);
     synthesise(&scene, force.as_ref()).unwrap()
 }
 
 /// The design with the changes that would let it pass.
-fn relaxed_design(text: &str, changes: &[&str]) -> Synthesis {
+fn relaxed_design(text: &str, changes: &[&str]) -> Design {
     let (scene, force) = scene_and_force(text, changes);
     let design = synthesise(&scene, force.as_ref()).unwrap();
     relaxed(&scene, force.as_ref(), design)
 }
 
-fn check<'a>(s: &'a Synthesis, name: &str) -> &'a Check {
+fn check<'a>(s: &'a Design, name: &str) -> &'a Check {
     s.checks.iter().find(|c| c.name == name).unwrap()
 }
 
@@ -43,7 +43,7 @@ fn angles() -> impl Iterator<Item = f64> {
 }
 
 /// Largest |T|, and largest |dT/dθ| by central differences of it.
-fn torques(s: &Synthesis) -> [f64; 2] {
+fn torques(s: &Design) -> [f64; 2] {
     let torque = |x: f64| {
         let at = s.cam.law.svaj(x);
         s.drive.force(at) * at.v
@@ -55,7 +55,7 @@ fn torques(s: &Synthesis) -> [f64; 2] {
     })
 }
 
-fn pressure(s: &Synthesis) -> f64 {
+fn pressure(s: &Design) -> f64 {
     let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
     angles()
         .map(|x| {
@@ -113,7 +113,7 @@ fn a_law_at_its_torque_limit_is_a_local_optimum() {
         .map(|b| b.multiplier)
         .sum();
     let more = at(0.801);
-    let half_square = |s: &Synthesis| 0.5 * s.force.rms_error_n.powi(2);
+    let half_square = |s: &Design| 0.5 * s.force.rms_error_n.powi(2);
     let found = (half_square(&s) - half_square(&more)) / (0.001 * most);
     assert!((found / gain - 1.0).abs() < 0.02, "{found} {gain}");
 }

@@ -5,10 +5,10 @@ use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::scene;
-use gaitcam::synth::{MachineReport, Synthesis, synthesise};
+use gaitcam::synth::{Design, MachineReport, synthesise};
 use std::f64::consts::TAU;
 
-fn design(text: &str, changes: &[&str]) -> Synthesis {
+fn design(text: &str, changes: &[&str]) -> Design {
     let mut table: toml::Table = text.parse().unwrap();
     for change in changes {
         scene::set(&mut table, change).unwrap();
@@ -27,11 +27,11 @@ fn fault(text: &str, change: &str) -> String {
     scene::read(&table).unwrap_err().to_string()
 }
 
-fn check<'a>(s: &'a Synthesis, name: &str) -> &'a gaitcam::cam::Check {
+fn check<'a>(s: &'a Design, name: &str) -> &'a gaitcam::cam::Check {
     s.checks.iter().find(|c| c.name == name).unwrap()
 }
 
-fn peak_torque(s: &Synthesis) -> f64 {
+fn peak_torque(s: &Design) -> f64 {
     (0..20_011)
         .map(|i| s.cam.law.svaj(TAU * f64::from(i) / 20_011.0))
         .map(|at| (s.drive.force(at) * at.v).abs())
@@ -67,7 +67,7 @@ fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
     let base = ["cam.base_radius=40 mm", "accuracy.rms=50 %", "law.spans=8"];
     let free = design(scene::DEFAULT, &base);
     let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
-    let worst = |s: &Synthesis| {
+    let worst = |s: &Design| {
         (0..7213)
             .map(|i| {
                 let at = s.cam.law.svaj(TAU * f64::from(i) / 7213.0);

@@ -3,7 +3,7 @@
 use gaitcam::cam::Check;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Synthesis, relaxed, synthesise};
+use gaitcam::synth::{Design, relaxed, synthesise};
 
 fn scene_of(text: &str, changes: &[&str]) -> Scene {
     let mut table: toml::Table = text.parse().unwrap();
@@ -13,14 +13,14 @@ fn scene_of(text: &str, changes: &[&str]) -> Scene {
     scene::read(&table).unwrap()
 }
 
-fn design(text: &str, changes: &[&str]) -> Synthesis {
+fn design(text: &str, changes: &[&str]) -> Design {
     let scene = scene_of(text, changes);
     let force: Option<ForceCurve> = (scene.gait.as_ref())
         .map(|g| model("young", Some(1.85), 700.0, g.feet).unwrap_or_else(|e| panic!("{e}")));
     synthesise(&scene, force.as_ref()).unwrap()
 }
 
-fn power(s: &Synthesis) -> &Check {
+fn power(s: &Design) -> &Check {
     s.checks.iter().find(|c| c.name == "power").unwrap()
 }
 
@@ -80,7 +80,7 @@ fn a_power_limit_shapes_the_law_as_the_same_torque_does() {
     assert!(by_power.infeasible.is_none() && check.pass, "{check:?}");
     assert!(check.worst > 0.999 * check.limit, "{check:?}");
     assert!(by_power.binding.iter().any(|b| b.limit == "power"));
-    let error = |s: &Synthesis| s.force.rms_error_n;
+    let error = |s: &Design| s.force.rms_error_n;
     assert!(error(&by_power) > error(&free));
     assert!((error(&by_power) / error(&by_torque) - 1.0).abs() < 1e-6);
     let largest = by_torque

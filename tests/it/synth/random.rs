@@ -3,7 +3,7 @@
 
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use std::f64::consts::TAU;
@@ -65,7 +65,7 @@ fn changes(wish: &Wish) -> Vec<String> {
     out
 }
 
-fn design(changes: &[String], target: &ForceCurve) -> Result<Synthesis, String> {
+fn design(changes: &[String], target: &ForceCurve) -> Result<Design, String> {
     let mut table: toml::Table = scene::DEFAULT.parse().map_err(|_| "default")?;
     for change in changes {
         scene::set(&mut table, change).map_err(|e| e.to_string())?;

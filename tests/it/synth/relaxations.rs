@@ -3,7 +3,7 @@
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::problem::Note;
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Reason, Synthesis, relaxed, synthesise};
+use gaitcam::synth::{Design, Reason, relaxed, synthesise};
 
 fn scene_of(text: &str, changes: &[&str]) -> Scene {
     let mut table: toml::Table = text.parse().unwrap();
@@ -42,7 +42,7 @@ follower = "flat-translating"
 base_radius = "20 mm"
 "#;
 
-fn good(design: &Synthesis) -> bool {
+fn good(design: &Design) -> bool {
     design.infeasible.is_none() && design.checks.iter().all(|c| c.pass)
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
-use gaitcam::synth::{Against, Synthesis, synthesise, trade};
+use gaitcam::synth::{Against, Design, synthesise, trade};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -19,12 +19,12 @@ fn read(changes: &[&str]) -> gaitcam::scene::Scene {
     scene::read(&table).unwrap()
 }
 
-fn solved(changes: &[&str], target: &ForceCurve) -> Synthesis {
+fn solved(changes: &[&str], target: &ForceCurve) -> Design {
     synthesise(&read(changes), Some(target)).unwrap()
 }
 
 /// Force less target at many angles, N.
-fn errors(design: &Synthesis) -> Vec<f64> {
+fn errors(design: &Design) -> Vec<f64> {
     let target = design.target.as_ref().unwrap();
     (0..100_000)
         .map(|i| TAU * f64::from(i) / 100_000.0)
@@ -36,7 +36,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0_f64, |m, v| m.max(v.abs()))
 }
 
-fn mean_square_jerk(design: &Synthesis) -> f64 {
+fn mean_square_jerk(design: &Design) -> f64 {
     (0..20_000)
         .map(|i| design.cam.law.svaj(TAU * f64::from(i) / 20_000.0).j.powi(2))
         .sum::<f64>()
@@ -125,7 +125,7 @@ fn the_least_largest_error_is_below_that_of_least_squares_and_touches_often() {
     for k in 0..20 {
         let other = solved(&["law.spans=10"], &target.begun_at(0.3 * f64::from(k)));
         let forces =
-            |d: &Synthesis, i: usize| d.drive.force(d.cam.law.svaj(TAU * i as f64 / 10_000.0));
+            |d: &Design, i: usize| d.drive.force(d.cam.law.svaj(TAU * i as f64 / 10_000.0));
         for step in [-0.02, -1e-3, 1e-3, 0.02] {
             let beside = (0..10_000).fold(0.0_f64, |m, i| {
                 m.max((b[10 * i] + step * (forces(&other, i) - forces(&peak, i))).abs())
@@ -144,9 +144,8 @@ fn the_least_largest_error_is_below_that_of_least_squares_and_touches_often() {
 #[test]
 fn a_heavier_phase_is_followed_more_closely() {
     let target = young();
-    let square = |d: &Synthesis, from: usize, to: usize| {
-        errors(d)[from..to].iter().map(|e| e * e).sum::<f64>()
-    };
+    let square =
+        |d: &Design, from: usize, to: usize| errors(d)[from..to].iter().map(|e| e * e).sum::<f64>();
     let plain = solved(&["law.spans=8"], &target);
     let weight = r#"gait.weight=[{from="0 deg", to="60 deg", weight=20.0}]"#;
     let heavy = solved(&["law.spans=8", weight], &target);
@@ -318,7 +317,7 @@ fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
 }
 
 /// (e/e₁)² + R/R₁ + (j/j₁)² of a finished design, jerk by a dense scan in time.
-fn price(design: &Synthesis, one: [Option<f64>; 3]) -> f64 {
+fn price(design: &Design, one: [Option<f64>; 3]) -> f64 {
     let force = design.force.rms_error_n / design.force.target_mean_n;
     let jerk = mean_square_jerk(design).sqrt() * design.drive.speed.powi(3);
     let radius = design.cam.follower.prime_radius();

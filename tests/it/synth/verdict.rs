@@ -4,7 +4,7 @@ use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::problem::{Note, Problem};
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, relaxed, synthesise};
+use gaitcam::synth::{Design, relaxed, synthesise};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -19,7 +19,7 @@ fn scene_of(text: &str, changes: &[&str]) -> gaitcam::scene::Scene {
 }
 
 /// A programme of two rises and a dwell under a follower.
-fn programme(motion: &str, cam: &str, changes: &[&str]) -> Synthesis {
+fn programme(motion: &str, cam: &str, changes: &[&str]) -> Design {
     let lift = if cam.contains("oscillating") {
         "10 deg"
     } else {
@@ -35,20 +35,20 @@ fn programme(motion: &str, cam: &str, changes: &[&str]) -> Synthesis {
     synthesise(&scene_of(&text, changes), None).unwrap()
 }
 
-fn walking(changes: &[&str]) -> Synthesis {
+fn walking(changes: &[&str]) -> Design {
     let target = young();
     synthesise(&scene_of(scene::DEFAULT, changes), Some(&target)).unwrap()
 }
 
-fn codes(design: &Synthesis) -> Vec<String> {
+fn codes(design: &Design) -> Vec<String> {
     design.reasons.iter().map(|r| r.code()).collect()
 }
 
-fn has(design: &Synthesis, code: &str) -> bool {
+fn has(design: &Design, code: &str) -> bool {
     codes(design).iter().any(|c| c == code)
 }
 
-fn judged(design: &Synthesis, verdict: Verdict, code: &str) {
+fn judged(design: &Design, verdict: Verdict, code: &str) {
     assert_eq!(design.verdict, verdict, "{:?}", design.reasons);
     assert!(has(design, code), "{code}: {:?}", design.reasons);
 }

@@ -13,7 +13,7 @@ use crate::input::{self, SceneArgs};
 use gaitcam::error::{Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
-use gaitcam::sweep::{Axis, Design, Key, List, NamedScene, Plan, Values};
+use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
 
 /// A plan with the folders that the paths of its scenes are relative to.
 pub struct Sweep {
@@ -67,9 +67,9 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     for text in &args.vary {
         axes.push(Axis::parse(text, args.sample.is_some()).map_err(input::at_flag("--vary"))?);
     }
-    let design = match args.sample {
-        None => Design::Grid,
-        Some(count) => Design::Sample {
+    let sampling = match args.sample {
+        None => Sampling::Grid,
+        Some(count) => Sampling::Sample {
             method: args.method(),
             count,
             seed: args.seed,
@@ -84,7 +84,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
             scenes,
             list,
             axes,
-            design,
+            sampling,
         },
         folders,
         skipped,

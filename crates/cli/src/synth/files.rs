@@ -7,7 +7,7 @@ use crate::input::Input;
 use crate::language;
 use crate::result_folder::ResultFolder;
 use gaitcam::error::Result;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam_output::{self as output, Timing};
 
 /// The scene as it was settled.
@@ -18,7 +18,7 @@ const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 /// Tables, drawings, pictures and the report; of an infeasible design, which has no profile, the report only.
 pub fn write(
     folder: &ResultFolder,
-    design: &Synthesis,
+    design: &Design,
     points: usize,
     png: bool,
     time: Timing,
@@ -37,7 +37,7 @@ pub fn write(
     folder.write("report.html", report.as_bytes())
 }
 
-fn tables(folder: &ResultFolder, design: &Synthesis, points: usize) -> Result<()> {
+fn tables(folder: &ResultFolder, design: &Design, points: usize) -> Result<()> {
     folder.write("law.csv", output::csv::law(design, points).as_bytes())?;
     let profile = output::csv::profile(design, points);
     folder.write("profile.csv", profile.as_bytes())?;
@@ -48,7 +48,7 @@ fn tables(folder: &ResultFolder, design: &Synthesis, points: usize) -> Result<()
     Ok(())
 }
 
-fn pictures(folder: &ResultFolder, design: &Synthesis, png: bool) -> Result<()> {
+fn pictures(folder: &ResultFolder, design: &Design, png: bool) -> Result<()> {
     let language = language::current();
     for (name, picture) in [
         ("svaj", output::plots::svaj(design, language)),

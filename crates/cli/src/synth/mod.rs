@@ -22,7 +22,7 @@ use crate::terminal::{print, print_json};
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
-use gaitcam::synth::{Synthesis, relaxed, synthesise};
+use gaitcam::synth::{Design, relaxed, synthesise};
 use gaitcam::units::Dimension;
 use gaitcam_output::{self as output, Timing};
 
@@ -84,7 +84,7 @@ struct Request {
 /// A design with the problem that it answers.
 struct Answer {
     target: Option<ForceCurve>,
-    design: Synthesis,
+    design: Design,
     solve_s: f64,
     start: Instant,
 }

@@ -1,13 +1,13 @@
 //! `synth --verbose`: the sequence of convex programs, step by step.
 
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use serde_json::json;
 
 use super::summary::row;
 use crate::{language, words};
 
 /// One line per step.
-pub fn text(design: &Synthesis) -> String {
+pub fn text(design: &Design) -> String {
     let solver = &design.solver;
     if solver.steps.is_empty() {
         return row("sequence", &words::text("synth-no-sequence"));

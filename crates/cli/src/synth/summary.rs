@@ -1,7 +1,7 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
 use gaitcam::cam::{Check, Measures};
-use gaitcam::synth::{Binding, SolverReport, Synthesis, in_units, sentences};
+use gaitcam::synth::{Binding, Design, SolverReport, in_units, sentences};
 use gaitcam_output::Timing;
 use serde_json::json;
 
@@ -16,7 +16,7 @@ const SENSITIVITIES: usize = 2;
 const NOTES: usize = 2;
 
 /// The summary for people.
-pub fn text(design: &Synthesis, time: Timing) -> String {
+pub fn text(design: &Design, time: Timing) -> String {
     let language = language::current();
     let mut out = vec![
         format!("{}: {}", design.name, words::name(design.verdict.name())),
@@ -80,14 +80,14 @@ fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
     )
 }
 
-fn failed_checks(design: &Synthesis) -> Vec<String> {
+fn failed_checks(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let failed = design.checks.iter().filter(|c| !c.pass);
     let lines = failed.map(|c| check_line("failed", c, measures)).collect();
     at_most(FAILED_CHECKS, lines, "more-failed")
 }
 
-fn passed_checks(design: &Synthesis) -> Vec<String> {
+fn passed_checks(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let passed = design.checks.iter().filter(|c| c.pass);
     let lines: Vec<String> = passed.map(|c| check_line("ok", c, measures)).collect();
@@ -100,7 +100,7 @@ fn without_negative_zero(newtons: f64) -> f64 {
     if newtons.abs() < 0.005 { 0.0 } else { newtons }
 }
 
-fn force(design: &Synthesis) -> Vec<String> {
+fn force(design: &Design) -> Vec<String> {
     if design.target.is_none() {
         return Vec::new();
     }
@@ -125,7 +125,7 @@ fn force(design: &Synthesis) -> Vec<String> {
     ]
 }
 
-fn law(design: &Synthesis) -> String {
+fn law(design: &Design) -> String {
     let lift = design.cam.follower.measures().lift(0);
     let decimals = if lift.name == "°" { 4 } else { 3 };
     let stroke = fixed(lift.factor * design.cam.law.stroke(), decimals);
@@ -146,7 +146,7 @@ fn law(design: &Synthesis) -> String {
     )
 }
 
-fn drive(design: &Synthesis) -> String {
+fn drive(design: &Design) -> String {
     let measures = design.cam.follower.measures();
     let mass = match design.drive.mass {
         0.0 => String::new(),
@@ -159,7 +159,7 @@ fn drive(design: &Synthesis) -> String {
     )
 }
 
-fn cam(design: &Synthesis) -> String {
+fn cam(design: &Design) -> String {
     let mm = |x: f64| fixed(1e3 * x, 3);
     let follower = &design.cam.follower;
     row(
@@ -173,7 +173,7 @@ fn cam(design: &Synthesis) -> String {
 }
 
 /// Torque, power, lift-off and pressure, where they are defined.
-fn machine(design: &Synthesis) -> Option<String> {
+fn machine(design: &Design) -> Option<String> {
     let m = design.machine();
     let measures = design.cam.follower.measures();
     let torque = m.torque_max_n_m.zip(m.torque_rms_n_m);
@@ -207,7 +207,7 @@ struct ActiveLimit<'a> {
 }
 
 /// One line per active limit, the largest multiplier first.
-fn active_limits(design: &Synthesis) -> Vec<String> {
+fn active_limits(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let mut limits: Vec<ActiveLimit> = Vec::new();
     for binding in &design.binding {
@@ -237,7 +237,7 @@ fn active_limits(design: &Synthesis) -> Vec<String> {
     at_most(ACTIVE_LIMITS, lines.collect(), "more-active")
 }
 
-fn sensitivities(design: &Synthesis) -> Vec<String> {
+fn sensitivities(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let lines = design.easing.iter().map(|easing| {
         let (name, unit, factor) = easing.in_words(measures);
@@ -262,7 +262,7 @@ fn status(solver: &SolverReport) -> String {
     all.collect::<Vec<_>>().join("; ")
 }
 
-fn solver(design: &Synthesis, time: Timing) -> Vec<String> {
+fn solver(design: &Design, time: Timing) -> Vec<String> {
     let solver = &design.solver;
     let mut out = vec![row(
         "solved",

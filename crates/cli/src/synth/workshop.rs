@@ -6,7 +6,7 @@ use crate::result_folder::ResultFolder;
 use crate::{language, words};
 use gaitcam::cam::{Measures, Wall};
 use gaitcam::error::{Error, Result};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam_output::{self as output, Timing, cutter::Gouge};
 
 /// Vertices of a solid's profile and of the polylines beside the arcs.
@@ -19,7 +19,7 @@ const THROUGH: usize = 8;
 
 /// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
 /// Returns what could not be written, and why.
-pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<Vec<String>> {
+pub fn write(folder: &ResultFolder, design: &Design, time: Timing) -> Result<Vec<String>> {
     let mut remarks = Vec::new();
     folder.write("profile.xlsx", &output::xlsx::workbook(design, time)?)?;
     if let Some(groove) = &design.groove {
@@ -67,7 +67,7 @@ pub fn write(folder: &ResultFolder, design: &Synthesis, time: Timing) -> Result<
 /// Writes cutter.csv and says where the cutter would gouge.
 pub fn cutter(
     folder: &ResultFolder,
-    design: &Synthesis,
+    design: &Design,
     radius: f64,
     points: usize,
 ) -> Result<Vec<String>> {

@@ -8,7 +8,7 @@ use std::process::Command;
 use gaitcam::cam::Verdict;
 use gaitcam::force;
 use gaitcam::scene::{self, Scene, Source};
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 
 fn here() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
@@ -24,7 +24,7 @@ fn all() -> Vec<PathBuf> {
     paths
 }
 
-fn designed(path: &Path) -> (Scene, Synthesis) {
+fn designed(path: &Path) -> (Scene, Design) {
     let mut table: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
     name_recording(&mut table);
     let scene = scene::read(&table).unwrap_or_else(|e| panic!("{}: {e}", path.display()));

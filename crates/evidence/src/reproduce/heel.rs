@@ -7,7 +7,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
 use gaitcam::poly::{PiecewisePoly, bernstein};
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use gaitcam::units::LBF;
 use gaitcam_output::overlay;
 use gaitcam_output::picture::Picture;
@@ -228,7 +228,7 @@ pub(super) fn rows() -> Result<Vec<Row>> {
 }
 
 /// The piecewise quintic that is level at the critical points, for another objective.
-fn level(objective: &str) -> Result<Synthesis> {
+fn level(objective: &str) -> Result<Design> {
     let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
     let mut table: toml::Table = text
         .parse()

@@ -9,7 +9,7 @@ use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::{PiecewisePoly, SplineSpace, gauss_legendre};
 use gaitcam::scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use gaitcam_evidence::tiers::{Between, Bound, Settings, Task};
 use nalgebra::DMatrix;
 use std::f64::consts::{PI, TAU};
@@ -181,7 +181,7 @@ fn differences_of_a_noisy_force_drown_and_the_fit_does_not() {
 
 // ---------------------------------------------------------------- programs
 
-fn design(changes: &[&str]) -> Result<Synthesis, String> {
+fn design(changes: &[&str]) -> Result<Design, String> {
     let mut table: toml::Table = scene::DEFAULT.parse().unwrap();
     for change in changes {
         scene::set(&mut table, change).map_err(|e| e.to_string())?;
@@ -192,7 +192,7 @@ fn design(changes: &[&str]) -> Result<Synthesis, String> {
     synthesise(&scene, Some(&target)).map_err(|e| e.to_string())
 }
 
-fn finite(design: &Synthesis) {
+fn finite(design: &Design) {
     let law = &design.cam.law;
     for i in 0..720 {
         let at = law.svaj(TAU * f64::from(i) / 720.0);

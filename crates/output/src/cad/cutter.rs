@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use gaitcam::error::{Error, Result};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Depth below which touching is not gouging, m: rounding of the profile.
 const TOUCH: f64 = 1e-9;
@@ -59,7 +59,7 @@ pub struct CutterPath {
 ///
 /// Fails on a tool radius that is not positive. Gouging is looked for in the hollows by the exact
 /// curvature, and elsewhere on the `points` of the profile.
-pub fn path(synthesis: &Synthesis, tool: f64, points: usize) -> Result<CutterPath> {
+pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
     if !(tool.is_finite() && tool > 0.0) {
         return Err(Error::new(format!("invalid cutter radius {tool} m"))
             .help("give a positive tool radius"));

@@ -6,7 +6,7 @@ use stl_io::{Normal, Triangle, Vertex};
 
 use super::threemf;
 use gaitcam::error::{Error, Result};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 
@@ -36,7 +36,7 @@ pub struct Mesh {
 /// so the faces fall into wedges that cannot overlap. That needs a profile which every ray from the
 /// centre meets once; fails otherwise, and on a bore that does not fit, a thickness or number of points
 /// that makes no plate, an undercut profile, an open law.
-pub fn plate(synthesis: &Synthesis, plate: Plate) -> Result<Mesh> {
+pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * plate.thickness;
     if !(thickness.is_finite() && thickness > 0.0) {
@@ -170,7 +170,7 @@ fn bored(outline: &[[f64; 2]], radius: f64, thickness: f64) -> Mesh {
 }
 
 /// The plate as binary STL, mm. Fails as [`plate`] does.
-pub fn stl(synthesis: &Synthesis, form: Plate) -> Result<Vec<u8>> {
+pub fn stl(synthesis: &Design, form: Plate) -> Result<Vec<u8>> {
     binary_stl(&plate(synthesis, form)?)
 }
 
@@ -207,6 +207,6 @@ fn facing([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
 }
 
 /// The plate as 3MF, mm. Fails as [`plate`] does.
-pub fn threemf(synthesis: &Synthesis, form: Plate) -> Result<Vec<u8>> {
+pub fn threemf(synthesis: &Design, form: Plate) -> Result<Vec<u8>> {
     threemf::package(&plate(synthesis, form)?, &synthesis.name)
 }

@@ -5,7 +5,7 @@
 //! drawing is wrapped.
 
 use gaitcam::cam::{Cam, Wall};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// One edge to cut.
 #[derive(Debug, Clone, Copy)]
@@ -51,7 +51,7 @@ impl<'a> Edge<'a> {
     }
 
     /// Every edge of a design; the first is the profile (a barrel's lower wall).
-    pub fn all(synthesis: &'a Synthesis) -> Vec<Self> {
+    pub fn all(synthesis: &'a Design) -> Vec<Self> {
         let cam = &synthesis.cam;
         let mut edges = vec![Edge::of(cam)];
         if let Some(groove) = &synthesis.groove {
@@ -77,7 +77,7 @@ impl<'a> Edge<'a> {
     }
 
     /// The curves on which the centres of rollers run, each as the edge that its pitch points belong to.
-    pub fn pitch_curves(synthesis: &'a Synthesis) -> Vec<Self> {
+    pub fn pitch_curves(synthesis: &'a Design) -> Vec<Self> {
         if synthesis.cam.follower.roller_radius() == 0.0 {
             return Vec::new();
         }
@@ -160,7 +160,7 @@ pub fn id(layer: &str) -> String {
 
 /// Straight lines that say where the drawing lies, with their layers, m: the centre of a disc, the foot of
 /// a sliding cam, the seams at which an unrolled barrel begins each turn.
-pub fn marks(synthesis: &Synthesis) -> Vec<(&'static str, [[f64; 2]; 2])> {
+pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;
     let (start, length) = synthesis.cam.law.extent();
     if !follower.is_unrolled() {

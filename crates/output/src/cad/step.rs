@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::outline::Edge;
 use gaitcam::error::{Error, Result};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 /// Largest distance of the spline from the true profile, m.
@@ -23,7 +23,7 @@ const EDGES: usize = 4;
 ///
 /// On a law that does not close, an undercut profile, a thickness that is not positive, and a profile that no
 /// spline of so many spans follows.
-pub fn plate(synthesis: &Synthesis, thickness: f64) -> Result<Vec<u8>> {
+pub fn plate(synthesis: &Design, thickness: f64) -> Result<Vec<u8>> {
     let cam = &synthesis.cam;
     if !(thickness.is_finite() && thickness > 0.0) {
         return Err(

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::cad::outline::{Arrow, Edge, EdgePoint, id, marks, zero_mark};
 use crate::escape::escaped;
 use crate::number::append;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 /// Blank edge around the drawing, mm.
@@ -15,7 +15,7 @@ const MARGIN: f64 = 5.0;
 /// the cam.
 ///
 /// `points` vertices at equal steps of the cam angle; width and height are in mm, the cam's y points up.
-pub fn profile(synthesis: &Synthesis, points: usize) -> String {
+pub fn profile(synthesis: &Design, points: usize) -> String {
     let follower = &synthesis.cam.follower;
     let edges: Vec<(Edge, Vec<EdgePoint>)> = Edge::all(synthesis)
         .into_iter()
@@ -83,7 +83,7 @@ pub fn profile(synthesis: &Synthesis, points: usize) -> String {
 }
 
 /// Base and prime circle and bore of a cam that turns, the mark of θ = 0 and the arrow; radii in mm.
-fn circles(out: &mut String, synthesis: &Synthesis, base: f64, prime: f64) {
+fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     let _ = writeln!(
         out,
         "<circle id=\"base-circle\" r=\"{base:.6}\" stroke=\"#009E73\" stroke-dasharray=\"2 1\"/>"

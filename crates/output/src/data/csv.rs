@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::pose::{angles, oscillates, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Columns of `law.csv` for a translating follower.
 const LAW_METRES: &str = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n";
@@ -20,7 +20,7 @@ const WIDTH: usize = 24;
 /// The force is the one that is handed on: of a polydyne cam, that of the follower's end.
 /// Numbers are the shortest that read back to the same 64 bits. `target_n` stays empty for a classical
 /// programme, which has no target.
-pub fn law(synthesis: &Synthesis, points: usize) -> String {
+pub fn law(synthesis: &Design, points: usize) -> String {
     let cam = &synthesis.cam;
     let mut out = String::with_capacity((points + 1) * 7 * WIDTH);
     out.push_str(if oscillates(&cam.follower) {
@@ -47,7 +47,7 @@ pub fn law(synthesis: &Synthesis, points: usize) -> String {
 /// Row i is the contact at its angle; the curve of a closed law closes on row 0. A flat spot of the
 /// profile has `rho_m` = `inf`. Of a barrel it is the lower wall with the centre of the roller that
 /// touches it, which a stud with two rollers holds below its own height.
-pub fn profile(synthesis: &Synthesis, rows: usize) -> String {
+pub fn profile(synthesis: &Design, rows: usize) -> String {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {
         let up = groove.axis_offset(Wall::Lower);

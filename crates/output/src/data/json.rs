@@ -5,14 +5,14 @@ use serde_json::{Map, Value};
 
 use crate::Timing;
 use gaitcam::cam::Continuity;
-use gaitcam::synth::{End, ForceReport, Infeasible, MachineReport, Reason, Relaxation, Synthesis};
+use gaitcam::synth::{Design, End, ForceReport, Infeasible, MachineReport, Reason, Relaxation};
 use gaitcam::wording::Language;
 
 /// The summary of a design.
 ///
 /// Extremes are those of the continuous law. An infeasible outcome also says which limits conflict and
 /// what the smallest change of each would be (`to` is null where none helps).
-pub fn summary(synthesis: &Synthesis, time: Timing) -> Value {
+pub fn summary(synthesis: &Design, time: Timing) -> Value {
     // Plain structs of numbers and strings with string keys: this cannot fail.
     serde_json::to_value(Summary::new(synthesis, time)).unwrap_or(Value::Null)
 }
@@ -81,7 +81,7 @@ struct VerdictText {
 }
 
 impl VerdictText {
-    fn new(synthesis: &Synthesis) -> Self {
+    fn new(synthesis: &Design) -> Self {
         VerdictText {
             en: synthesis.reasons_in(Language::En),
             es: synthesis.reasons_in(Language::Es),
@@ -257,7 +257,7 @@ struct Total {
 }
 
 impl<'a> Summary<'a> {
-    fn new(synthesis: &'a Synthesis, time: Timing) -> Self {
+    fn new(synthesis: &'a Design, time: Timing) -> Self {
         let solver = &synthesis.solver;
         Summary {
             name: &synthesis.name,
@@ -360,7 +360,7 @@ impl Force {
 }
 
 impl<'a> LawSummary<'a> {
-    fn new(synthesis: &'a Synthesis) -> Self {
+    fn new(synthesis: &'a Design) -> Self {
         let law = &synthesis.cam.law;
         let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] =
             [1, 2, 3].map(|k| synthesis.cam.derivative_extremes(k));
@@ -383,7 +383,7 @@ impl<'a> LawSummary<'a> {
 }
 
 impl CamSummary {
-    fn new(synthesis: &Synthesis) -> Self {
+    fn new(synthesis: &Design) -> Self {
         let cam = &synthesis.cam;
         let curvature = cam.curvature();
         let (phi_min, phi_max) = synthesis.pressure_angle_extremes();

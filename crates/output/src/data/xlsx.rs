@@ -9,7 +9,7 @@ use crate::pose::lift_unit;
 use crate::pose::oscillates;
 use gaitcam::cam::{Measures, ProfilePoint};
 use gaitcam::error::{Error, Result};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 /// Row of the headings (row 10 of the sheet) and of the first angle.
@@ -20,12 +20,12 @@ const FIRST: u32 = 10;
 ///
 /// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
 /// be put together.
-pub fn workbook(synthesis: &Synthesis, time: Timing) -> Result<Vec<u8>> {
+pub fn workbook(synthesis: &Design, time: Timing) -> Result<Vec<u8>> {
     build(synthesis, time)
         .map_err(|e| Error::new(format!("the workbook could not be written: {e}")))
 }
 
-fn build(synthesis: &Synthesis, time: Timing) -> std::result::Result<Vec<u8>, XlsxError> {
+fn build(synthesis: &Design, time: Timing) -> std::result::Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // No clock: the same design gives the same bytes.
     let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
@@ -44,7 +44,7 @@ fn build(synthesis: &Synthesis, time: Timing) -> std::result::Result<Vec<u8>, Xl
     book.save_to_buffer()
 }
 
-fn cam_sheet(sheet: &mut Worksheet, synthesis: &Synthesis) -> std::result::Result<(), XlsxError> {
+fn cam_sheet(sheet: &mut Worksheet, synthesis: &Design) -> std::result::Result<(), XlsxError> {
     let cam = &synthesis.cam;
     let follower = &cam.follower;
     let bold = Format::new().set_bold();
@@ -121,14 +121,14 @@ struct Row {
 struct Column {
     at: u16,
     name: String,
-    value: fn(&Synthesis, &Row) -> f64,
+    value: fn(&Design, &Row) -> f64,
 }
 
 /// The columns of the kind of cam, with the letters CAM-DAS gives them.
-fn columns(synthesis: &Synthesis) -> Vec<Column> {
+fn columns(synthesis: &Design) -> Vec<Column> {
     let (_, unit) = lift_unit(synthesis);
     let mut out: Vec<Column> = Vec::new();
-    let mut add = |letter: u8, name: String, value: fn(&Synthesis, &Row) -> f64| {
+    let mut add = |letter: u8, name: String, value: fn(&Design, &Row) -> f64| {
         let at = u16::from(letter - b'A');
         out.push(Column { at, name, value });
     };

@@ -9,13 +9,13 @@ use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
 use crate::words::Words;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
 const CAP: f64 = 2.2;
 
 /// Radius of curvature and pressure angle (a flat face: the contact's wandering) over the cam angle.
-pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
+pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let cam = &synthesis.cam;
         let e = layout.letters;
@@ -106,7 +106,7 @@ pub(crate) fn geometry_in(synthesis: &Synthesis, layout: Layout, words: &Words) 
 
 /// Largest radius of curvature drawn, mm. Beside a disc's own size everything larger is straight; what is
 /// unrolled has no such size, and shows three quarters of its radii.
-fn cap(synthesis: &Synthesis, rho: &[(f64, f64)]) -> f64 {
+fn cap(synthesis: &Design, rho: &[(f64, f64)]) -> f64 {
     let cam = &synthesis.cam;
     let size = 1000.0 * CAP * cam.follower.prime_radius().max(cam.law.stroke());
     if !cam.follower.is_unrolled() {

@@ -13,18 +13,18 @@ use crate::pose::{angles, target_at};
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::force::ForceCurve;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 /// Points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
 /// Achieved force on the target with the error below; the step-to-step spread as a band.
-pub fn force(synthesis: &Synthesis, language: Language) -> Picture {
+pub fn force(synthesis: &Design, language: Language) -> Picture {
     force_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn force_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
+pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let e = layout.letters;
         let names = Names::new(synthesis, words);
@@ -93,7 +93,7 @@ struct Achieved {
 }
 
 impl Achieved {
-    fn new(synthesis: &Synthesis) -> Self {
+    fn new(synthesis: &Design) -> Self {
         let law = synthesis.pressing();
         let factor = synthesis.cam.follower.measures().angle().factor;
         let mut drive = synthesis.drive;
@@ -116,7 +116,7 @@ impl Achieved {
     fn panel<'a, 'c>(
         &self,
         canvas: &'c Canvas<'a>,
-        synthesis: &Synthesis,
+        synthesis: &Design,
         frame: Frame,
         others: impl Iterator<Item = f64>,
         e: f64,
@@ -138,7 +138,7 @@ impl Achieved {
 }
 
 /// The target over the angle.
-fn wanted(synthesis: &Synthesis, target: &ForceCurve) -> Vec<(f64, f64)> {
+fn wanted(synthesis: &Design, target: &ForceCurve) -> Vec<(f64, f64)> {
     let law = synthesis.pressing();
     let factor = synthesis.cam.follower.measures().angle().factor;
     let mut curve: Vec<(f64, f64)> = ends_of(synthesis)
@@ -153,7 +153,7 @@ fn wanted(synthesis: &Synthesis, target: &ForceCurve) -> Vec<(f64, f64)> {
 /// The error below the force, between the edges of the `held` band about the target, or ± its RMS.
 fn difference(
     canvas: &Canvas,
-    synthesis: &Synthesis,
+    synthesis: &Design,
     target: &ForceCurve,
     (frame, e): (Frame, f64),
     held: Option<(&Band, &[(f64, f64)])>,
@@ -203,7 +203,7 @@ struct Names {
 }
 
 impl Names {
-    fn new(synthesis: &Synthesis, words: &Words) -> Self {
+    fn new(synthesis: &Design, words: &Words) -> Self {
         let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
         let (head, curve) = match (synthesis.is_idle(), swings) {
             (true, true) => ("figure-inertia", "figure-moment-of-unit"),
@@ -234,7 +234,7 @@ pub(crate) fn force_frame(layout: Layout) -> Frame {
 type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
 
 /// Upper and lower edge of the band that was asked for, at the angles of what is wanted.
-fn asked_band(synthesis: &Synthesis, wanted: &[(f64, f64)]) -> Option<Band> {
+fn asked_band(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
     let [low, high] = synthesis.band.as_ref()?;
     let cam = &synthesis.cam;
     let factor = cam.follower.measures().angle().factor;
@@ -252,7 +252,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Upper and lower edge of the step-to-step spread about the wanted force.
-fn spread(synthesis: &Synthesis, wanted: &[(f64, f64)]) -> Option<Band> {
+fn spread(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
     let target = synthesis.target.as_ref()?;
     let sd = target.spread_n.as_ref()?;
     let n = sd.len();

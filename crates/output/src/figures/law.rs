@@ -8,15 +8,15 @@ use crate::pose::motion;
 use crate::words::Words;
 use gaitcam::cam::Unit;
 use gaitcam::law::Svaj;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 /// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
-pub fn svaj(synthesis: &Synthesis, language: Language) -> Picture {
+pub fn svaj(synthesis: &Design, language: Language) -> Picture {
     svaj_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn svaj_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
+pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         let law = &synthesis.cam.law;
         let measures = synthesis.cam.follower.measures();

@@ -11,11 +11,11 @@ use crate::pose::target_at;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::outcome::{Model, Outcome};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Force with target and rigid force behind it, torque, and the gap where there is one.
 pub(crate) fn run_in(
-    synthesis: &Synthesis,
+    synthesis: &Design,
     outcome: &Outcome,
     layout: Layout,
     words: &Words,

@@ -8,7 +8,7 @@ use super::palette::{INK, QUIET};
 use super::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
 use gaitcam::cam::Measures;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Size of the pictures that stand alone, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
@@ -61,7 +61,7 @@ pub const FIGURE_WIDTH: u32 = 820;
 /// A diagram over the whole law: degrees, or mm of travel.
 pub fn over_the_law<'a, 'c>(
     canvas: &'c Canvas<'a>,
-    synthesis: &Synthesis,
+    synthesis: &Design,
     frame: Frame,
     y: [f64; 2],
     size: f64,
@@ -74,7 +74,7 @@ pub fn over_the_law<'a, 'c>(
     }
 }
 
-pub fn ends_of(synthesis: &Synthesis) -> [f64; 2] {
+pub fn ends_of(synthesis: &Design) -> [f64; 2] {
     let (start, length) = synthesis.cam.law.extent();
     [start, start + length]
 }

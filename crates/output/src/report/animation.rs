@@ -10,7 +10,7 @@ use crate::pose::{Pose, angles, face_reach, pose};
 use crate::words::Words;
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::contact::two_cams::shifted;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 /// Vertices of the outline.
@@ -34,7 +34,7 @@ impl Room {
 }
 
 /// The drawing, its controls and the live values; of a run where there is one.
-pub fn stage(out: &mut String, synthesis: &Synthesis, running: Option<&Running>, words: &Words) {
+pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
     let slides = slide(cam) > 0.0;
@@ -136,7 +136,7 @@ struct Drawn<'a> {
     id: &'static str,
 }
 
-fn followers(synthesis: &Synthesis) -> Vec<Drawn<'_>> {
+fn followers(synthesis: &Design) -> Vec<Drawn<'_>> {
     let mut all = vec![Drawn {
         cam: &synthesis.cam,
         sign: 1.0,
@@ -166,7 +166,7 @@ fn reach(cam: &Cam, rows: &[ProfilePoint]) -> f64 {
 
 fn turning_body(
     out: &mut String,
-    synthesis: &Synthesis,
+    synthesis: &Design,
     running: Option<&Running>,
     rows: &[ProfilePoint],
 ) {
@@ -347,7 +347,7 @@ fn arm(follower: &Follower) -> f64 {
     }
 }
 
-fn controls(out: &mut String, synthesis: &Synthesis, running: Option<&Running>, words: &Words) {
+fn controls(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
     let (per, _) = angle_unit(cam);

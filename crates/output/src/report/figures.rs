@@ -14,10 +14,10 @@ use crate::plot::layout::Layout;
 use crate::plot::picture::Picture;
 use crate::words::Words;
 use gaitcam::cam::Measures;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// The diagrams.
-pub fn section(out: &mut String, synthesis: &Synthesis, words: &Words) {
+pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     force(out, synthesis, words);
     let taller = Layout::figure(660);
     heading(out, &words.text("report-law-section"));
@@ -74,7 +74,7 @@ pub fn framed(out: &mut String, drawing: &str, words: &Words) {
     );
 }
 
-fn force(out: &mut String, synthesis: &Synthesis, words: &Words) {
+fn force(out: &mut String, synthesis: &Design, words: &Words) {
     let swings = synthesis.cam.follower.measures() == Measures::Oscillating;
     heading(
         out,
@@ -101,7 +101,7 @@ fn force(out: &mut String, synthesis: &Synthesis, words: &Words) {
     figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
 }
 
-fn force_words(synthesis: &Synthesis, words: &Words) -> String {
+fn force_words(synthesis: &Design, words: &Words) -> String {
     let force = &synthesis.force;
     let unit = synthesis.cam.follower.measures().force().name;
     let shown = |x: f64, digits| format!("{} {unit}", number(x, digits));
@@ -114,7 +114,7 @@ fn force_words(synthesis: &Synthesis, words: &Words) -> String {
     words.fill("report-alt-force", &[ends[0], ends[1], ("rms", &rms)])
 }
 
-fn law_words(synthesis: &Synthesis, words: &Words) -> String {
+fn law_words(synthesis: &Design, words: &Words) -> String {
     let law = &synthesis.cam.law;
     let measures = synthesis.cam.follower.measures();
     let lift = measures.lift(0);
@@ -129,7 +129,7 @@ fn law_words(synthesis: &Synthesis, words: &Words) -> String {
     )
 }
 
-fn cam_words(synthesis: &Synthesis, words: &Words) -> String {
+fn cam_words(synthesis: &Design, words: &Words) -> String {
     let cam = &synthesis.cam;
     let name = words.text(super::tables::base_key(&cam.follower));
     let base = format!("{name} {}", millimetres(cam.follower.base_radius(), 4));
@@ -138,7 +138,7 @@ fn cam_words(synthesis: &Synthesis, words: &Words) -> String {
 }
 
 /// The force error, beside the walker's own variation where that is known.
-fn comparison(out: &mut String, synthesis: &Synthesis, words: &Words) {
+fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(target) = &synthesis.target else {
         return;
     };

@@ -15,7 +15,7 @@ use crate::number::{millimetres, number, range};
 use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const STYLE: &str = include_str!("page.css");
@@ -25,7 +25,7 @@ const SCRIPT: &str = include_str!("page.js");
 ///
 /// An infeasible answer gets the conflict and the changes that would resolve it, and no pictures of a cam
 /// that does not do what was asked.
-pub fn html(synthesis: &Synthesis, time: Timing, language: Language) -> String {
+pub fn html(synthesis: &Design, time: Timing, language: Language) -> String {
     page(synthesis, time, None, language)
 }
 
@@ -40,7 +40,7 @@ pub struct Running<'a> {
 
 /// The report of a design that was run: the cam moves as it did in the run.
 pub fn html_of_run(
-    synthesis: &Synthesis,
+    synthesis: &Design,
     time: Timing,
     running: &Running,
     language: Language,
@@ -48,12 +48,7 @@ pub fn html_of_run(
     page(synthesis, time, Some(running), language)
 }
 
-fn page(
-    synthesis: &Synthesis,
-    time: Timing,
-    running: Option<&Running>,
-    language: Language,
-) -> String {
+fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: Language) -> String {
     let words = Words::new(language);
     let mut out = String::with_capacity(1 << 18);
     let title = words.fill("report-title", &[("name", &synthesis.name)]);
@@ -114,7 +109,7 @@ fn paragraph(out: &mut String, text: &str) {
 }
 
 /// Traffic light, name, verdict and its reason.
-fn headline(out: &mut String, synthesis: &Synthesis, words: &Words) {
+fn headline(out: &mut String, synthesis: &Design, words: &Words) {
     let (light, verdict) = match (&synthesis.infeasible, synthesis.verdict) {
         (Some(_), _) => ("bad", "report-infeasible"),
         (None, Verdict::Acceptable) => ("good", "report-acceptable"),
@@ -136,7 +131,7 @@ fn headline(out: &mut String, synthesis: &Synthesis, words: &Words) {
 }
 
 /// The limits that cannot hold together and what would resolve it.
-fn conflict(out: &mut String, synthesis: &Synthesis, words: &Words) {
+fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(answer) = &synthesis.infeasible else {
         return;
     };
@@ -191,7 +186,7 @@ fn cards(out: &mut String, all: &[Card]) {
     out.push_str("</dl>\n");
 }
 
-fn cards_of(synthesis: &Synthesis, words: &Words) -> Vec<Card> {
+fn cards_of(synthesis: &Design, words: &Words) -> Vec<Card> {
     let cam = &synthesis.cam;
     let measures = cam.follower.measures();
     let mut all = force_cards(synthesis, words);
@@ -232,7 +227,7 @@ fn cards_of(synthesis: &Synthesis, words: &Words) -> Vec<Card> {
     all
 }
 
-fn force_cards(synthesis: &Synthesis, words: &Words) -> Vec<Card> {
+fn force_cards(synthesis: &Design, words: &Words) -> Vec<Card> {
     let force = &synthesis.force;
     let measures = synthesis.cam.follower.measures();
     let unit = measures.force().name;

@@ -9,7 +9,7 @@ use gaitcam::cam::{Cam, Follower};
 use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::dynamics::outcome::Row;
 use gaitcam::law::Svaj;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 /// Steps of one turn; the script goes straight from one to the next.
@@ -129,7 +129,7 @@ pub fn placed(cam: &Cam, theta: f64) -> ([f64; 2], f64) {
 }
 
 /// The motion of a design (its law and rigid force) or, where it was run, of the run.
-pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
+pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
     let cam = &synthesis.cam;
     let (start, length) = cam.law.extent();
     let (factor, unit) = lift_unit(synthesis);
@@ -203,7 +203,7 @@ pub fn motion(synthesis: &Synthesis, running: Option<&Running>) -> Motion {
 }
 
 /// The rigid machine at one point of the law.
-fn still(synthesis: &Synthesis, theta: f64, at: Svaj) -> Row {
+fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
     let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
     Row {
         contact_force: force,

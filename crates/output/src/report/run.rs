@@ -11,13 +11,13 @@ use crate::plot::layout::Layout;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::outcome::Outcome;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// Impacts listed; a bounce that dies out has dozens.
 const LISTED: usize = 12;
 
 /// The section of a run.
-pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running, words: &Words) {
+pub fn section(out: &mut String, synthesis: &Design, running: &Running, words: &Words) {
     let outcome = running.outcome;
     heading(out, &words.text("report-simulation"));
     let why = outcome.why.sentence(words.language());
@@ -43,7 +43,7 @@ pub fn section(out: &mut String, synthesis: &Synthesis, running: &Running, words
     remarks(out, outcome, words);
 }
 
-fn cards_of(synthesis: &Synthesis, outcome: &Outcome, words: &Words) -> Vec<Card> {
+fn cards_of(synthesis: &Design, outcome: &Outcome, words: &Words) -> Vec<Card> {
     let measures = synthesis.cam.follower.measures();
     let unit = measures.force().name;
     let straight = measures == Measures::Straight;
@@ -86,7 +86,7 @@ fn cards_of(synthesis: &Synthesis, outcome: &Outcome, words: &Words) -> Vec<Card
     ]
 }
 
-fn liftoff(synthesis: &Synthesis, outcome: &Outcome, words: &Words) -> (String, String) {
+fn liftoff(synthesis: &Design, outcome: &Outcome, words: &Words) -> (String, String) {
     let measures = synthesis.cam.follower.measures();
     let speed = |w: f64| measures.speed().after(&number(w, 5));
     match outcome.liftoff_speed {

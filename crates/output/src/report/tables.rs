@@ -8,7 +8,7 @@ use crate::escape::escaped;
 use crate::number::{degrees, millimetres, number, range};
 use crate::words::Words;
 use gaitcam::cam::{Check, Follower, Measures, Unit};
-use gaitcam::synth::{Synthesis, Tier, unit};
+use gaitcam::synth::{Design, Tier, unit};
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;
@@ -62,7 +62,7 @@ fn cells(out: &mut String, values: &[&str]) {
 }
 
 /// Every check with its light.
-pub fn checks(out: &mut String, synthesis: &Synthesis, words: &Words) {
+pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.checks.is_empty() {
         return;
     }
@@ -114,7 +114,7 @@ struct Active<'a> {
 }
 
 /// The limits that shape the law, each once.
-fn gathered(synthesis: &Synthesis) -> Vec<Active<'_>> {
+fn gathered(synthesis: &Design) -> Vec<Active<'_>> {
     let mut all: Vec<Active> = Vec::new();
     for b in &synthesis.binding {
         let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
@@ -135,7 +135,7 @@ fn gathered(synthesis: &Synthesis) -> Vec<Active<'_>> {
 }
 
 /// The limits that shape the law.
-pub fn active(out: &mut String, synthesis: &Synthesis, words: &Words) {
+pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-active-limits"));
     if synthesis.binding.is_empty() {
         super::paragraph(out, &words.text("report-no-active-limits"));
@@ -164,7 +164,7 @@ fn note(out: &mut String, text: &str) {
 }
 
 /// What one per cent more of each active limit would buy.
-fn easing(out: &mut String, synthesis: &Synthesis, words: &Words) {
+fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     if synthesis.easing.is_empty() {
         return;
     }
@@ -196,7 +196,7 @@ fn easing(out: &mut String, synthesis: &Synthesis, words: &Words) {
 }
 
 /// Drive, law and cam in numbers.
-pub fn numbers(out: &mut String, synthesis: &Synthesis, words: &Words) {
+pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     heading(out, &words.text("report-data"));
     out.push_str("<div class=\"columns\">\n");
     table(out, words, "report-drive", &drive(synthesis, words));
@@ -222,7 +222,7 @@ fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
     out.push_str("</table></div>\n");
 }
 
-fn drive(synthesis: &Synthesis, words: &Words) -> Rows {
+fn drive(synthesis: &Design, words: &Words) -> Rows {
     let d = &synthesis.drive;
     let measures = synthesis.cam.follower.measures();
     let shown = |unit: Unit, x: f64| unit.after(&number(unit.factor * x, 5));
@@ -257,7 +257,7 @@ fn drive(synthesis: &Synthesis, words: &Words) -> Rows {
     rows
 }
 
-fn law(synthesis: &Synthesis, words: &Words) -> Rows {
+fn law(synthesis: &Design, words: &Words) -> Rows {
     let law = &synthesis.cam.law;
     let mut rows = vec![("report-family", words.name(&synthesis.family))];
     // A harmonic law is one piece of no degree.
@@ -287,7 +287,7 @@ fn law(synthesis: &Synthesis, words: &Words) -> Rows {
     rows
 }
 
-fn cam(synthesis: &Synthesis, words: &Words) -> Rows {
+fn cam(synthesis: &Design, words: &Words) -> Rows {
     let cam = &synthesis.cam;
     let mm = |x: f64| millimetres(x, 5);
     let follower = &cam.follower;
@@ -322,7 +322,7 @@ fn cam(synthesis: &Synthesis, words: &Words) -> Rows {
 }
 
 /// Torque, power, lift-off and pressure, where they are defined.
-fn machine(synthesis: &Synthesis) -> Rows {
+fn machine(synthesis: &Design) -> Rows {
     let m = synthesis.machine();
     let measures = synthesis.cam.follower.measures();
     let speed = measures.speed();
@@ -366,7 +366,7 @@ pub fn base_key(follower: &Follower) -> &'static str {
 }
 
 /// How the answer was found, and what was remarked on the way.
-pub fn solution(out: &mut String, synthesis: &Synthesis, time: Timing, words: &Words) {
+pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
     let solver = &synthesis.solver;
     let how = match solver.tier {
         Tier::Spectral => "report-spectral",

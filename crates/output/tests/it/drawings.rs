@@ -4,13 +4,13 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use gaitcam::cam::Wall;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use gaitcam_output::dxf::Content;
 
 use crate::designs::{footbridge, heel_tester};
 use crate::drawing::{Drawing, read};
 
-fn designed(scene: &str) -> Synthesis {
+fn designed(scene: &str) -> Design {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
         .join("scenes")
         .join(scene);
@@ -19,7 +19,7 @@ fn designed(scene: &str) -> Synthesis {
     synthesise(&scene, None).unwrap()
 }
 
-fn drawn(s: &Synthesis) -> Drawing {
+fn drawn(s: &Design) -> Drawing {
     read(&gaitcam_output::dxf::profile(s, 720, Content::All))
 }
 

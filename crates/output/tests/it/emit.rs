@@ -10,7 +10,7 @@ use calamine::{Data, Reader, Xlsx};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam_output::dxf::{Content, Options, Version};
 use gaitcam_output::solid::{Mesh, Plate};
 use gaitcam_output::{self, Language, Timing, biarc, cutter, solid};
@@ -499,7 +499,7 @@ fn closed_volume(mesh: &Mesh) -> f64 {
     volume / 6.0
 }
 
-fn polygon_area(s: &Synthesis, points: usize) -> f64 {
+fn polygon_area(s: &Design, points: usize) -> f64 {
     let rows = s.cam.profile(points);
     let n = rows.len();
     let twice: f64 = (0..n)
@@ -606,7 +606,7 @@ fn a_plate_that_cannot_be_is_refused_with_the_reason() {
         bore: Some(0.02),
         points: 360,
     };
-    let refuse = |s: &Synthesis, form: Plate, word: &str| {
+    let refuse = |s: &Design, form: Plate, word: &str| {
         let fault = solid::stl(s, form).unwrap_err().to_string();
         assert!(fault.contains(word), "{fault}");
     };
@@ -759,7 +759,7 @@ fn the_same_design_gives_the_same_bytes() {
 }
 
 /// Designs at the edge of what there is: no lift at all, a knife edge, an open law, no target.
-fn odd_ones() -> Vec<Synthesis> {
+fn odd_ones() -> Vec<Design> {
     let mut still = footbridge();
     still.cam.law = Law::harmonic(0.0, &[]);
     let mut knife = heel_tester();

@@ -13,7 +13,7 @@ use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 use gaitcam::scene::{Family, Scene};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 /// One choice of model.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +34,7 @@ pub struct Choice {
 const ANGLES: usize = 4001;
 
 /// Family, size and rung of a design.
-pub fn choices(scene: &Scene, design: &Synthesis) -> Vec<Choice> {
+pub fn choices(scene: &Scene, design: &Design) -> Vec<Choice> {
     let mut out = vec![family(scene, design)];
     out.extend(size(scene, design));
     out.push(tier(design));
@@ -42,7 +42,7 @@ pub fn choices(scene: &Scene, design: &Synthesis) -> Vec<Choice> {
 }
 
 /// How well the force is met, against what is asked.
-fn accuracy(scene: &Scene, design: &Synthesis) -> String {
+fn accuracy(scene: &Scene, design: &Design) -> String {
     let missed = format!(
         "force error {:.4} % RMS of the mean",
         design.force.rms_error_percent_of_mean
@@ -54,7 +54,7 @@ fn accuracy(scene: &Scene, design: &Synthesis) -> String {
     }
 }
 
-fn family(scene: &Scene, design: &Synthesis) -> Choice {
+fn family(scene: &Scene, design: &Design) -> Choice {
     let asked = scene.law.family;
     let status = design.solver.status();
     let because = match asked {
@@ -81,7 +81,7 @@ fn family(scene: &Scene, design: &Synthesis) -> Choice {
 }
 
 /// Spans or harmonics, doubled: the richer law contains the chosen one.
-fn size(scene: &Scene, design: &Synthesis) -> Option<Choice> {
+fn size(scene: &Scene, design: &Design) -> Option<Choice> {
     let (subject, count): (_, usize) = match design.family.as_str() {
         "spline" => (
             "spans",
@@ -113,7 +113,7 @@ fn size(scene: &Scene, design: &Synthesis) -> Option<Choice> {
     })
 }
 
-fn tier(design: &Synthesis) -> Choice {
+fn tier(design: &Design) -> Choice {
     let solver = &design.solver;
     let next = match (solver.tier.name(), design.binding.len()) {
         ("spectral" | "equality", _) => {
@@ -146,11 +146,11 @@ fn with(scene: &Scene, change: impl FnOnce(&mut Scene)) -> Scene {
 }
 
 /// RMS difference of the forces of two designs over a turn, N.
-pub fn force_change(one: &Synthesis, other: &Synthesis) -> f64 {
+pub fn force_change(one: &Design, other: &Design) -> f64 {
     rms_difference(one, one.pressing(), other.pressing())
 }
 
-fn rms_difference(design: &Synthesis, one: &Law, other: &Law) -> f64 {
+fn rms_difference(design: &Design, one: &Law, other: &Law) -> f64 {
     let drive = &design.drive;
     let square: f64 = (0..ANGLES)
         .map(|i| TAU * (i as f64 + 0.5) / ANGLES as f64)
@@ -186,13 +186,13 @@ pub fn chord_error(cam: &Cam, n: usize) -> f64 {
 /// RMS distance, N, between the force of the law and that of the curve through `n` emitted points.
 ///
 /// Fails where the follower cannot be put back on the points ([`recover`]).
-pub fn force_of_points(design: &Synthesis, n: usize) -> Result<f64> {
+pub fn force_of_points(design: &Design, n: usize) -> Result<f64> {
     let emitted = recover(&design.cam.follower, &design.cam.profile(n))?;
     Ok(rms_difference(design, &design.cam.law, &emitted.law))
 }
 
 /// The emitted cam on a machine without spring or slack, to be run.
-pub fn run(design: &Synthesis, points: usize) -> Run {
+pub fn run(design: &Design, points: usize) -> Run {
     Run {
         profile: design.cam.profile(points),
         target: None,

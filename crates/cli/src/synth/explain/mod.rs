@@ -11,7 +11,7 @@ use gaitcam::dynamics::{Model, simulate};
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
-use gaitcam::synth::{Synthesis, synthesise};
+use gaitcam::synth::{Design, synthesise};
 use gaitcam::wording::Language;
 
 /// Runs of which the quickest counts.
@@ -29,7 +29,7 @@ pub struct Line {
 pub fn lines(
     scene: &Scene,
     target: Option<&ForceCurve>,
-    design: &Synthesis,
+    design: &Design,
     points: usize,
 ) -> Result<Vec<Line>> {
     let mut out = Vec::new();
@@ -59,7 +59,7 @@ pub fn lines(
     Ok(out)
 }
 
-fn changed(design: &Synthesis, other: &Synthesis) -> String {
+fn changed(design: &Design, other: &Design) -> String {
     let change = force_change(design, other);
     let mean = design.force.mean_n.abs();
     let part = if mean > 0.0 {
@@ -73,7 +73,7 @@ fn changed(design: &Synthesis, other: &Synthesis) -> String {
     )
 }
 
-fn dynamics(design: &Synthesis, points: usize) -> Option<Line> {
+fn dynamics(design: &Design, points: usize) -> Option<Line> {
     let run = run(design, points);
     let chosen = simulate(&run, Model::Auto).ok()?;
     let own = quickest(|| simulate(&run, chosen.model)).1;
@@ -104,7 +104,7 @@ fn dynamics(design: &Synthesis, points: usize) -> Option<Line> {
     })
 }
 
-fn output(design: &Synthesis, points: usize) -> Line {
+fn output(design: &Design, points: usize) -> Line {
     let distance = |n: usize| {
         let chord = 1e6 * chord_error(&design.cam, n);
         match force_of_points(design, n) {

@@ -5,7 +5,7 @@ mod file;
 use self::file::{Drawing, Shape};
 use super::biarc;
 use super::outline::{Arrow, Edge, marks, zero_mark};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 
@@ -72,7 +72,7 @@ pub const FAITHFUL: f64 = 1e-7;
 /// The plain hand-over: R12, the profile in arcs that stay within [`FAITHFUL`] of it, the bore that the
 /// scene gives. A profile that no arcs follow, and the pitch curve, are polylines of `points` vertices at
 /// equal steps of the cam angle.
-pub fn profile(synthesis: &Synthesis, points: usize, content: Content) -> Vec<u8> {
+pub fn profile(synthesis: &Design, points: usize, content: Content) -> Vec<u8> {
     let options = Options {
         points,
         version: Version::R12,
@@ -87,7 +87,7 @@ pub fn profile(synthesis: &Synthesis, points: usize, content: Content) -> Vec<u8
 
 /// Every edge that is cut (a disc's profile, both cams of a pair, both walls of an unrolled groove) as
 /// chords, with pitch curve, base and prime circle, bore and centre mark.
-pub fn drawing(synthesis: &Synthesis, options: Options) -> Vec<u8> {
+pub fn drawing(synthesis: &Design, options: Options) -> Vec<u8> {
     let mut sheet = Sheet::new(options);
     for edge in Edge::all(synthesis) {
         let points = edge.points(options.points);
@@ -117,7 +117,7 @@ pub struct ArcDrawing {
 /// As [`drawing`], with the edges as polylines of circular arcs (bulges) within `tolerance` m of the
 /// true ones; `options.points` counts for the pitch curve only. `None` where no arcs can follow one
 /// ([`biarc::fit`]).
-pub fn arcs(synthesis: &Synthesis, tolerance: f64, options: Options) -> Option<ArcDrawing> {
+pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcDrawing> {
     let mut sheet = Sheet::new(options);
     let (mut arcs, mut deviation) = (0, 0.0_f64);
     for edge in Edge::all(synthesis) {
@@ -186,7 +186,7 @@ impl Sheet {
     }
 
     /// Everything but the edges.
-    fn construction(&mut self, synthesis: &Synthesis) {
+    fn construction(&mut self, synthesis: &Design) {
         let follower = &synthesis.cam.follower;
         let round = !follower.is_unrolled();
         if let Some(bore) = self.options.bore.filter(|_| round) {

@@ -14,7 +14,7 @@ use crate::plot::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
 use crate::pose::{Pose, face_reach, pose, turned};
 use crate::words::Words;
 use gaitcam::cam::{Follower, ProfilePoint};
-use gaitcam::synth::Synthesis;
+use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
@@ -28,11 +28,11 @@ const PITCH: [f64; 2] = [4.0, 4.0];
 const MARGIN: f64 = 0.04;
 
 /// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
-pub fn cam(synthesis: &Synthesis, language: Language) -> Picture {
+pub fn cam(synthesis: &Design, language: Language) -> Picture {
     cam_in(synthesis, Layout::ALONE, &Words::new(language))
 }
 
-pub(crate) fn cam_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Picture {
+pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
     Picture::drawn(layout.size.0, layout.size.1, |canvas| {
         title(canvas, layout, &synthesis.name, &words.text("figure-cam"))?;
         let e = layout.letters;
@@ -50,7 +50,7 @@ pub(crate) fn cam_in(synthesis: &Synthesis, layout: Layout, words: &Words) -> Pi
 
 /// What is drawn, mm.
 struct Scene<'a> {
-    synthesis: &'a Synthesis,
+    synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
     /// What is cut beside the profile: a groove's upper wall, or the second cam of a pair; m.
     others: Vec<Vec<[f64; 2]>>,
@@ -63,7 +63,7 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    fn new(synthesis: &'a Synthesis) -> Self {
+    fn new(synthesis: &'a Design) -> Self {
         let cam = &synthesis.cam;
         let (start, length) = cam.law.extent();
         let rows = if cam.follower.is_unrolled() {

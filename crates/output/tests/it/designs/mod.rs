@@ -7,7 +7,7 @@ use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
 use gaitcam::problem::Note;
 use gaitcam::synth::{
-    Binding, ForceReport, Infeasible, Method, Reason, Relaxation, SolverReport, Synthesis, Tier,
+    Binding, Design, ForceReport, Infeasible, Method, Reason, Relaxation, SolverReport, Tier,
 };
 use gaitcam::units::{G, LBF, Quantity};
 
@@ -28,7 +28,7 @@ fn spectral() -> SolverReport {
 
 /// Both feet at 1.85 Hz by four harmonics, a flat face, moving axis: the law is the spectral inverse
 /// plus a third of a per cent in the fourth harmonic, so that there is an error to show.
-pub fn footbridge() -> Synthesis {
+pub fn footbridge() -> Design {
     let (weight, speed) = (700.0, TAU * 1.85);
     let mass = weight / G;
     let factors = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
@@ -68,7 +68,7 @@ pub fn footbridge() -> Synthesis {
         follower: Follower::FlatTranslating { base_radius },
     };
     let sharpest = cam.curvature().convex;
-    Synthesis {
+    Design {
         name: "footbridge".into(),
         target: Some(target),
         drive,
@@ -129,7 +129,7 @@ pub fn footbridge() -> Synthesis {
 }
 
 /// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
-pub fn heel_tester() -> Synthesis {
+pub fn heel_tester() -> Design {
     let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
     let c = [
         0.0, 0.0, 0.0, 612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
@@ -175,7 +175,7 @@ pub fn heel_tester() -> Synthesis {
         at: phi_low.at,
         value: -phi_low.value,
     };
-    Synthesis {
+    Design {
         name: "heel_tester".into(),
         target: Some(target),
         drive,
@@ -228,7 +228,7 @@ pub fn heel_tester() -> Synthesis {
 
 /// A scene that cannot be: the footbridge with far too little stroke.
 #[allow(dead_code)] // not every user of these designs needs it
-pub fn impossible() -> Synthesis {
+pub fn impossible() -> Design {
     let mut s = footbridge();
     s.name = "footbridge <stroke & limit>".into();
     s.infeasible = Some(Infeasible {
