@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::Criterion;
 use crate::poly::Extreme;
 
 /// Where the finished profile is sharpest.
@@ -19,8 +20,8 @@ pub struct Curvature {
 /// One limit held against what the cam does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
-    /// Name of the limit, as users know it: `stroke`, `curvature`, `pressure_angle_rise` …
-    pub name: String,
+    /// What is checked.
+    pub name: Criterion,
     /// Worst value anywhere on the continuous law, SI.
     pub worst: f64,
     /// What is allowed, SI.
@@ -33,10 +34,10 @@ pub struct Check {
 
 impl Check {
     /// A value that must not exceed its limit by more than `slack` of it.
-    pub fn at_most(name: &str, worst: Extreme, limit: f64, slack: f64) -> Self {
+    pub fn at_most(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let pass = worst.value <= limit + slack * limit.abs();
         Check {
-            name: name.to_string(),
+            name: name.into(),
             worst: worst.value,
             limit,
             at: worst.at,
@@ -45,10 +46,10 @@ impl Check {
     }
 
     /// A value that must not fall below its limit by more than `slack` of it.
-    pub fn at_least(name: &str, worst: Extreme, limit: f64, slack: f64) -> Self {
+    pub fn at_least(name: impl Into<Criterion>, worst: Extreme, limit: f64, slack: f64) -> Self {
         let pass = worst.value >= limit - slack * limit.abs();
         Check {
-            name: name.to_string(),
+            name: name.into(),
             worst: worst.value,
             limit,
             at: worst.at,

@@ -18,12 +18,13 @@ mod schema;
 mod set;
 mod write;
 
+pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in};
 pub use cam::{CamSpec, ConjugateSpec};
 pub use drive::DriveSpec;
 pub use gait::{Band, Gait, Phase, PhaseWeight, Source};
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
-pub use limits::{LimitKind, Limits};
+pub use limits::Limits;
 pub use machine::MachineSpec;
 pub use notes::SceneNote;
 pub use read::{read, read_keys};

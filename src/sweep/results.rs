@@ -142,22 +142,13 @@ impl Row {
 
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Design) -> Row {
-        let joined = |names: &mut dyn Iterator<Item = &str>| {
-            let mut list: Vec<&str> = Vec::new();
-            for name in names {
-                if !list.contains(&name) {
-                    list.push(name);
-                }
-            }
-            list.join("+")
-        };
         let mut row = Row::error(String::new());
         if let Some(infeasible) = &design.infeasible {
             row.numbers[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
             row.numbers[7] = design.drive.mass;
             row.numbers[8] = design.drive.speed;
             row.outcome = Outcome::Infeasible;
-            row.binding = joined(&mut infeasible.conflict.iter().map(String::as_str));
+            row.binding = joined(infeasible.names().into_iter());
             row.verdict = Some(Verdict::Unacceptable);
             return row;
         }
@@ -171,11 +162,22 @@ impl Row {
         row.outcome = Outcome::Built;
         row.verdict = Some(design.verdict);
         row.tier = Some(design.solver.tier);
-        row.binding = joined(&mut design.binding.iter().map(|b| b.limit.as_str()));
+        row.binding = joined(design.binding.iter().map(|b| b.limit.name().to_string()));
         let failed = design.checks.iter().filter(|c| !c.pass);
-        row.failed = joined(&mut failed.map(|c| c.name.as_str()));
+        row.failed = joined(failed.map(|c| c.name.name().to_string()));
         row
     }
+}
+
+/// Names joined by `+`, each once.
+fn joined(names: impl Iterator<Item = String>) -> String {
+    let mut list: Vec<String> = Vec::new();
+    for name in names {
+        if !list.contains(&name) {
+            list.push(name);
+        }
+    }
+    list.join("+")
 }
 
 /// Figures in the order of [`NUMBERS`].

@@ -1,9 +1,11 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
+use serde::{Serialize, Serializer};
+
 use super::method::{Ended, Method, PassedOver};
-use super::qp::Certificate;
+use super::qp::{Certificate, Demand};
 use super::reason::{Reason, sentences};
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Measures, Unit, Verdict};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
@@ -11,7 +13,7 @@ use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Note;
 use crate::units::{Dimension, Quantity};
-use crate::wording::Language;
+use crate::wording::{self, Language};
 
 /// Everything known about a finished design.
 #[derive(Debug, Clone)]
@@ -86,6 +88,11 @@ pub struct End {
 }
 
 impl Infeasible {
+    /// The names of what conflicts, as in `summary.json`.
+    pub fn names(&self) -> Vec<String> {
+        self.conflict.iter().map(|c| c.name()).collect()
+    }
+
     /// Conflict and cure in English.
     pub fn words(&self) -> String {
         sentences(&self.reasons, Language::En)
@@ -142,7 +149,7 @@ impl Design {
 }
 
 /// Force of the cam against the target, N; all values belong to the continuous law.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ForceReport {
     /// Root mean square over the cycle.
     pub rms_error_n: f64,
@@ -161,48 +168,118 @@ pub struct ForceReport {
 }
 
 /// A limit that holds with equality and pushes on the law.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Binding {
-    /// Name of the limit.
-    pub limit: String,
+    /// The limit.
+    pub limit: Criterion,
     /// Multiplier: gain of the objective per unit of the limit (SI).
     pub multiplier: f64,
     /// Where it binds, rad.
+    #[serde(rename = "at_rad")]
     pub at: f64,
 }
 
 /// What easing one limit by 1 % would buy, to first order.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Easing {
-    /// Name of the limit, or key of the scene where that is another.
-    pub limit: String,
+    /// The limit, or the scene's own number where that is another.
+    pub limit: Criterion,
     /// Its value, SI.
     pub from: f64,
     /// The value eased, SI.
     pub to: f64,
-    /// What is minimised: `rms_error_n`, `max_error_n`, `radius_m`, `rms_derivative_3` (m/rad³), `peak_derivative_2` …
-    pub objective: String,
+    /// What is minimised.
+    pub objective: Minimised,
     /// Its value.
     pub before: f64,
     /// Its value with the limit eased.
     pub after: f64,
 }
 
+/// The quantity that a scene minimises.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Minimised {
+    /// RMS force error, N.
+    RmsError,
+    /// The same with phases weighed.
+    WeightedRmsError,
+    /// Largest force error, N.
+    MaxError,
+    /// Base or prime radius, m.
+    Radius,
+    /// RMS of a derivative by cam angle, m/radᵏ.
+    RmsDerivative(usize),
+    /// Largest value of a derivative by cam angle, m/radᵏ.
+    PeakDerivative(usize),
+    /// Force error, radius and jerk weighed against each other.
+    Weighed,
+}
+
+impl Minimised {
+    /// Its name in `summary.json`.
+    pub fn name(self) -> String {
+        match self {
+            Minimised::RmsError => "rms_error_n".to_string(),
+            Minimised::WeightedRmsError => "weighted_rms_error_n".to_string(),
+            Minimised::MaxError => "max_error_n".to_string(),
+            Minimised::Radius => "radius_m".to_string(),
+            Minimised::RmsDerivative(order) => format!("rms_derivative_{order}"),
+            Minimised::PeakDerivative(order) => format!("peak_derivative_{order}"),
+            Minimised::Weighed => "weighed".to_string(),
+        }
+    }
+}
+
+impl Serialize for Minimised {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+/// A member of an irreducible infeasible set.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Conflicting {
+    /// A limit.
+    Limit(Criterion),
+    /// A demand on the law.
+    Demand(Demand),
+}
+
+impl Conflicting {
+    /// Its name in `summary.json`.
+    pub fn name(self) -> String {
+        match self {
+            Conflicting::Limit(limit) => limit.name().to_string(),
+            Conflicting::Demand(demand) => demand.name(),
+        }
+    }
+
+    /// What it is called in text.
+    pub fn sentence(self, language: Language) -> String {
+        match self {
+            Conflicting::Limit(limit) => wording::catalogue(language).name(limit.name()),
+            Conflicting::Demand(demand) => wording::sentence(language, "demand", &demand),
+        }
+    }
+}
+
 impl Easing {
     /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
     pub fn in_words(&self, measures: Measures) -> (&'static str, &'static str, f64) {
         let (force, lift) = (measures.force(), |order| measures.lift(order));
-        let (name, unit) = match self.objective.as_str() {
-            "rms_error_n" => ("force error (RMS)", force),
-            "weighted_rms_error_n" => ("weighted force error (RMS)", force),
-            "max_error_n" => ("force error (largest)", force),
-            "radius_m" => ("radius", Unit::of(Dimension::Length)),
-            "rms_derivative_2" => ("acceleration (RMS)", lift(2)),
-            "rms_derivative_3" => ("jerk (RMS)", lift(3)),
-            "rms_derivative_4" => ("snap (RMS)", lift(4)),
-            "peak_derivative_2" => ("peak acceleration", lift(2)),
-            "peak_derivative_3" => ("peak jerk", lift(3)),
-            "peak_derivative_4" => ("peak snap", lift(4)),
+        let (name, unit) = match self.objective {
+            Minimised::RmsError => ("force error (RMS)", force),
+            Minimised::WeightedRmsError => ("weighted force error (RMS)", force),
+            Minimised::MaxError => ("force error (largest)", force),
+            Minimised::Radius => ("radius", Unit::of(Dimension::Length)),
+            Minimised::RmsDerivative(2) => ("acceleration (RMS)", lift(2)),
+            Minimised::RmsDerivative(3) => ("jerk (RMS)", lift(3)),
+            Minimised::RmsDerivative(4) => ("snap (RMS)", lift(4)),
+            Minimised::PeakDerivative(2) => ("peak acceleration", lift(2)),
+            Minimised::PeakDerivative(3) => ("peak jerk", lift(3)),
+            Minimised::PeakDerivative(4) => ("peak snap", lift(4)),
             _ => ("objective", Unit::of(Dimension::Ratio)),
         };
         (name, unit.name, unit.factor)
@@ -291,8 +368,8 @@ impl SolverReport {
 /// Why no such cam exists.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Infeasible {
-    /// Names of limits that cannot hold together.
-    pub conflict: Vec<String>,
+    /// Limits or demands that cannot hold together.
+    pub conflict: Vec<Conflicting>,
     /// For each of them: the smallest change that makes the rest possible.
     pub relaxations: Vec<Relaxation>,
     /// The same as reasons, with what would help.
@@ -300,10 +377,10 @@ pub struct Infeasible {
 }
 
 /// The smallest change of one limit that lets the others hold.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Relaxation {
-    /// Name of the limit.
-    pub limit: String,
+    /// The limit.
+    pub limit: Criterion,
     /// Its key, as typed after `--set`.
     pub key: &'static str,
     /// Its present value, SI.

@@ -1,6 +1,6 @@
 //! What relaxing each active limit would buy, in the quantity that a scene minimises.
 
-use super::Easing;
+use super::design::{Easing, Minimised};
 use super::qp::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Solution, sensitivities};
 use crate::scene::Minimise;
 
@@ -12,7 +12,7 @@ pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> V
         .map(|s| {
             let (objective, before, after) = measured(program, solution, minimised, s.gain);
             Easing {
-                limit: s.limit.to_string(),
+                limit: s.limit,
                 from: s.from,
                 to: s.to,
                 objective,
@@ -29,32 +29,31 @@ fn measured(
     solution: &Solution,
     minimised: Minimise,
     gain: f64,
-) -> (String, f64, f64) {
-    let root = |name: &str, before: f64| {
+) -> (Minimised, f64, f64) {
+    let root = |name: Minimised, before: f64| {
         let after = (before * before - 2.0 * gain).max(0.0).sqrt();
-        (name.to_string(), before, after)
+        (name, before, after)
     };
     let mean_square = 2.0 * (program.objective(&solution.x) + program.constant);
     match minimised {
-        Minimise::ForceError => root("rms_error_n", mean_square.max(0.0).sqrt()),
-        Minimise::Energy(order) => root(
-            &format!("rms_derivative_{order}"),
-            mean_square.max(0.0).sqrt(),
-        ),
+        Minimise::ForceError => root(Minimised::RmsError, mean_square.max(0.0).sqrt()),
+        Minimise::Energy(order) => {
+            root(Minimised::RmsDerivative(order), mean_square.max(0.0).sqrt())
+        }
         Minimise::Peak(order) => {
             let peak = solution.extra[PEAK];
-            (format!("peak_derivative_{order}"), peak, peak - gain)
+            (Minimised::PeakDerivative(order), peak, peak - gain)
         }
         Minimise::PeakForceError => {
             let peak = solution.extra[PEAK];
-            ("max_error_n".to_string(), peak, peak - gain)
+            (Minimised::MaxError, peak, peak - gain)
         }
         Minimise::Weighed(_) => {
             let sizes: f64 = (1..EXTRAS)
                 .map(|k| program.cost[k] * solution.extra[k])
                 .sum();
             let before = 0.5 * mean_square + sizes;
-            ("weighed".to_string(), before, before - gain)
+            (Minimised::Weighed, before, before - gain)
         }
         Minimise::Size => {
             let radius = if program.cone {
@@ -64,7 +63,7 @@ fn measured(
             } else {
                 solution.extra[RADIUS]
             };
-            ("radius_m".to_string(), radius, radius - gain)
+            (Minimised::Radius, radius, radius - gain)
         }
     }
 }

@@ -4,6 +4,8 @@
 use serde::Serialize;
 use strum::VariantNames;
 
+use super::design::Conflicting;
+use crate::cam::Criterion;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
@@ -77,14 +79,14 @@ pub enum PassedOver {
     /// A limit of the finished cam.
     Check {
         family: &'static str,
-        check: String,
+        check: Criterion,
         value: Quantity,
         limit: Quantity,
     },
     /// Limits that leave it no law.
     Limits {
         family: &'static str,
-        limits: Vec<String>,
+        limits: Vec<Conflicting>,
     },
     /// It cannot be had at all.
     Fault { family: &'static str, fault: String },

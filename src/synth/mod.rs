@@ -76,7 +76,8 @@ mod verdict;
 mod verify;
 
 pub use design::{
-    Binding, Design, Easing, End, ForceReport, Infeasible, Relaxation, SolverReport, Step, Tier,
+    Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, Minimised, Relaxation,
+    SolverReport, Step, Tier,
 };
 pub use figures::Figures;
 pub use infeasible::{in_units, relaxed};
@@ -84,10 +85,10 @@ pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use named::unit;
 pub use pareto::{Against, Trade, trade};
-pub use qp::Certificate;
+pub use qp::{Certificate, Demand, Given};
 pub use reason::{Change, Reason, sentences};
 
-use crate::cam::{Cam, Check, Verdict};
+use crate::cam::{Cam, Check, LimitKind, Verdict};
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem, SpanMemo};
@@ -198,7 +199,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     let mut checks = verify::checks(&problem, &cam, pressing, &force);
     checks.extend(verify::second_cam(&problem, conjugate.as_ref()));
     checks.extend(verify::groove(&problem, groove.as_ref()));
-    let too_large = |c: &Check| c.name == "prime_radius" && !c.pass;
+    let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let infeasible = infeasible.or_else(|| {
         let too_large = checks.iter().any(too_large);
         infeasible::bore_against_size(&problem).filter(|_| too_large)

@@ -1,87 +1,66 @@
-//! What the name of a limit or of a check stands for: its key in the scene, its dimension, its unit.
+//! What a criterion stands for: its key in the scene, its dimension, its unit.
 
-use crate::cam::{Measures, Unit};
-use crate::scene::LimitKind;
+use crate::cam::{Criterion, LimitKind, Measures, Unit};
 use crate::scene::keys::{self, Key};
 use crate::units::Dimension;
 
-/// Checks of the second cam of a pair have its first cam's names behind this.
-const SECOND: &str = "second_";
-
-/// A check or row that is no limit of the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::EnumString)]
-#[strum(serialize_all = "snake_case")]
-enum Beside {
-    RmsError,
-    Band,
-    BaseCircle,
-    Bore,
-    Concave,
-    Interference,
-    UpperWall,
-    LowerWall,
-}
-
-impl Beside {
-    fn dimension(self, measures: Measures) -> Dimension {
-        let oscillating = measures == Measures::Oscillating;
-        match self {
-            Beside::RmsError | Beside::Band if oscillating => Dimension::Torque,
-            Beside::RmsError | Beside::Band => Dimension::Force,
-            Beside::BaseCircle if oscillating => Dimension::Angle,
-            Beside::BaseCircle
-            | Beside::Bore
-            | Beside::Concave
-            | Beside::Interference
-            | Beside::UpperWall
-            | Beside::LowerWall => Dimension::Length,
-        }
-    }
-}
-
-/// The row behind the name of a limit, or behind a key.
-fn row(name: &str) -> Option<&'static Key> {
-    LimitKind::named(name)
-        .and_then(keys::of_limit)
-        .or_else(|| keys::find(key_of(name)))
-}
+/// Criteria that are no limit with the keys that set them.
+const KEYS: [(Criterion, &str); 6] = [
+    (Criterion::Bore, "cam.bore"),
+    (Criterion::BaseRadius, "cam.base_radius"),
+    (Criterion::GivenPrimeRadius, "cam.prime_radius"),
+    (Criterion::Accuracy, "accuracy.rms"),
+    (Criterion::RmsError, "accuracy.rms"),
+    (Criterion::Band, "gait.band"),
+];
 
 /// The key that sets what a row or a relaxation is named after, as typed after `--set`; empty where none does.
-pub fn key_of(name: &str) -> &'static str {
-    if let Some(key) = LimitKind::named(name).and_then(keys::of_limit) {
+pub fn key_of(criterion: Criterion) -> &'static str {
+    if let Some(key) = criterion.limit().and_then(keys::of_limit) {
         return key.path;
     }
-    match name {
-        "bore" => "cam.bore",
-        "band" => "gait.band",
-        "rms_error" => "accuracy.rms",
-        path => keys::find(path).map_or("", |key| key.path),
-    }
+    let found = KEYS.iter().find(|k| k.0 == criterion);
+    found.map_or("", |k| k.1)
 }
 
-/// The name of a key among conflicts and relaxations: that of its limit where it sets one.
-pub fn name_of(key: &Key) -> &'static str {
-    match (key.limit, key.path) {
-        (Some(kind), _) => kind.name(),
-        (None, "cam.bore") => "bore",
-        (None, path) => path,
-    }
+/// What a key that may be relaxed is named after among conflicts and relaxations.
+pub fn criterion_of(key: &Key) -> Option<Criterion> {
+    let beside = || KEYS.iter().find(|k| k.1 == key.path).map(|k| k.0);
+    key.limit.map(Criterion::Limit).or_else(beside)
 }
 
-/// What a limit or check measures, by its name in `summary.json`; a plain number where the name is not known.
-pub fn dimension(measures: Measures, name: &str) -> Dimension {
-    let name = name.strip_prefix(SECOND).unwrap_or(name);
-    if let Ok(beside) = name.parse::<Beside>() {
-        return beside.dimension(measures);
+/// What a limit or check measures.
+pub fn dimension(measures: Measures, criterion: Criterion) -> Dimension {
+    let oscillating = measures == Measures::Oscillating;
+    let of_limit = |kind: LimitKind| {
+        let measure = keys::of_limit(kind).and_then(Key::measure);
+        measure.map_or(Dimension::Ratio, |m| m.of(measures))
+    };
+    match criterion {
+        Criterion::Limit(kind) => of_limit(kind),
+        Criterion::SecondCurvature => of_limit(LimitKind::Curvature),
+        Criterion::SecondPressureAngleRise | Criterion::SecondPressureAngleFall => Dimension::Angle,
+        Criterion::RmsError | Criterion::Band if oscillating => Dimension::Torque,
+        Criterion::RmsError | Criterion::Band => Dimension::Force,
+        Criterion::BaseCircle if oscillating => Dimension::Angle,
+        Criterion::BaseCircle
+        | Criterion::Bore
+        | Criterion::BaseRadius
+        | Criterion::GivenPrimeRadius
+        | Criterion::Concave
+        | Criterion::SecondConcave
+        | Criterion::Interference
+        | Criterion::SecondInterference
+        | Criterion::UpperWall
+        | Criterion::LowerWall => Dimension::Length,
+        Criterion::Accuracy => Dimension::Percent,
+        Criterion::Monotone | Criterion::Peak => Dimension::Ratio,
     }
-    row(name)
-        .and_then(Key::measure)
-        .map_or(Dimension::Ratio, |m| m.of(measures))
 }
 
 /// The unit in which people give a limit or check.
-pub fn unit(measures: Measures, name: &str) -> Unit {
-    Unit::of(dimension(measures, name))
+pub fn unit(measures: Measures, criterion: Criterion) -> Unit {
+    Unit::of(dimension(measures, criterion))
 }
 
 #[cfg(test)]
@@ -93,39 +72,47 @@ mod tests {
         for &kind in LimitKind::ALL {
             let key = keys::of_limit(kind).unwrap_or_else(|| panic!("{kind:?} has no row"));
             assert_eq!(key.name(), kind.name());
-            assert_eq!(key_of(kind.name()), key.path);
+            assert_eq!(key_of(kind.into()), key.path);
             assert!(key.relax.is_some(), "{kind:?} has no direction");
             assert_eq!(LimitKind::named(kind.name()), Some(kind));
-            assert_ne!(
-                unit(Measures::Translating, kind.name()).name,
-                "",
-                "{kind:?}"
-            );
+            let unit = unit(Measures::Translating, kind.into());
+            assert_ne!(unit.name, "", "{kind:?}");
         }
         let limits = keys::KEYS.iter().filter(|k| k.limit.is_some()).count();
         assert_eq!(limits, LimitKind::ALL.len());
     }
 
     #[test]
+    fn every_key_that_may_be_relaxed_has_a_criterion() {
+        for key in keys::relaxable() {
+            let criterion = criterion_of(key).unwrap_or_else(|| panic!("{} has none", key.path));
+            assert_eq!(key_of(criterion), key.path);
+        }
+    }
+
+    #[test]
     fn an_arm_has_angles_and_moments() {
-        let shown = |m: Measures, name: &str, x: f64| {
-            let u = unit(m, name);
+        let shown = |m: Measures, criterion: Criterion, x: f64| {
+            let u = unit(m, criterion);
             u.after(&format!("{:.4}", u.factor * x))
         };
         let ten = 10_f64.to_radians();
         let (arm, slide) = (Measures::Oscillating, Measures::Translating);
-        assert_eq!(shown(arm, "stroke", ten), "10.0000°");
-        assert_eq!(shown(slide, "stroke", 0.01), "10.0000 mm");
-        assert_eq!(shown(arm, "jerk", 9.0), "9.0000 rad/s³");
-        assert_eq!(shown(Measures::Straight, "jerk", 9.0), "9.0000 m/s³");
-        assert_eq!(shown(arm, "force_min", 2.0), "2.0000 N·m");
-        assert_eq!(shown(arm, "rms_error", 2.0), "2.0000 N·m");
-        assert_eq!(shown(arm, "second_curvature", 2e-3), "2.0000 mm");
-        assert_eq!(shown(arm, "cam.prime_radius", 2e-3), "2.0000 mm");
-        assert_eq!(shown(slide, "bore", 2e-3), "2.0000 mm");
-        assert_eq!(shown(slide, "accuracy.rms", 0.05), "5.0000 %");
-        assert_eq!(shown(slide, "hertz_pressure", 5e8), "500.0000 MPa");
-        assert_eq!(shown(slide, "pressure_angle_rise", ten), "10.0000°");
-        assert_eq!(shown(slide, "spans", 8.0), "8.0000");
+        let limit = Criterion::Limit;
+        assert_eq!(shown(arm, limit(LimitKind::Stroke), ten), "10.0000°");
+        assert_eq!(shown(slide, limit(LimitKind::Stroke), 0.01), "10.0000 mm");
+        assert_eq!(shown(arm, limit(LimitKind::Jerk), 9.0), "9.0000 rad/s³");
+        let straight = shown(Measures::Straight, limit(LimitKind::Jerk), 9.0);
+        assert_eq!(straight, "9.0000 m/s³");
+        assert_eq!(shown(arm, limit(LimitKind::ForceMin), 2.0), "2.0000 N·m");
+        assert_eq!(shown(arm, Criterion::RmsError, 2.0), "2.0000 N·m");
+        assert_eq!(shown(arm, Criterion::SecondCurvature, 2e-3), "2.0000 mm");
+        assert_eq!(shown(arm, Criterion::GivenPrimeRadius, 2e-3), "2.0000 mm");
+        assert_eq!(shown(slide, Criterion::Bore, 2e-3), "2.0000 mm");
+        assert_eq!(shown(slide, Criterion::Accuracy, 0.05), "5.0000 %");
+        let pressure = shown(slide, limit(LimitKind::HertzPressure), 5e8);
+        assert_eq!(pressure, "500.0000 MPa");
+        let angle = shown(slide, limit(LimitKind::PressureAngleRise), ten);
+        assert_eq!(angle, "10.0000°");
     }
 }

@@ -4,6 +4,7 @@
 //! point of the front, and no point of the front is missed.
 
 use super::{Design, designed};
+use crate::cam::Criterion;
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
@@ -174,7 +175,7 @@ pub fn trade(
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
     let good = |design: &Design| {
-        let held = |c: &crate::cam::Check| c.pass || c.name == "rms_error";
+        let held = |c: &crate::cam::Check| c.pass || c.name == Criterion::RmsError;
         design.infeasible.is_none()
             && design.checks.iter().all(held)
             && design.force.rms_error_n <= worst

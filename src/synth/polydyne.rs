@@ -5,13 +5,13 @@ use super::design::End;
 use super::families::{Found, NoLaw, find_law, on_base_circle};
 use super::limits::force_report;
 use super::{sizing, verify};
-use crate::cam::{Cam, Check};
+use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
 use crate::error::{Place, Result};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
-use crate::scene::{LimitKind, Limits};
+use crate::scene::Limits;
 use crate::units::{Dimension, Quantity};
 
 /// Times that the end's limits are moved so that the cam keeps its own.
@@ -94,11 +94,15 @@ impl Round {
             if check.pass && !idle {
                 continue;
             }
-            let Some(limit) = own_limit(limits, &check.name) else {
+            let Some(limit) = own_limit(limits, check.name) else {
                 continue;
             };
             // A radius has to be large enough, all others small enough.
-            let inside = if check.name == "curvature" { 1.0 } else { -1.0 };
+            let inside = if check.name == LimitKind::Curvature {
+                1.0
+            } else {
+                -1.0
+            };
             let next = *limit - apart + inside * AIM * check.limit.abs();
             if next.is_finite() && next > 0.0 {
                 *limit = next;
@@ -130,8 +134,8 @@ const OTHERS: [LimitKind; 4] = [
 ];
 
 /// The scene's number behind a check, where rows of the program can hold it.
-fn own_limit<'a>(limits: &'a mut Limits, check: &str) -> Option<&'a mut f64> {
-    let kind = LimitKind::named(check).filter(|kind| !OTHERS.contains(kind))?;
+fn own_limit<'a>(limits: &'a mut Limits, check: Criterion) -> Option<&'a mut f64> {
+    let kind = check.limit().filter(|kind| !OTHERS.contains(kind))?;
     limits.slot(kind).as_mut()
 }
 

@@ -4,8 +4,8 @@ use serde::Serialize;
 use strum::VariantNames;
 
 use super::named::dimension;
-use super::qp::Stop;
-use crate::cam::Measures;
+use super::qp::{Demand, Stop};
+use crate::cam::{Criterion, Measures};
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
@@ -98,19 +98,19 @@ pub enum Reason {
     OutsideBand { at: Quantity, excess: Quantity },
     /// Any other limit is broken.
     LimitBroken {
-        limit: String,
+        limit: Criterion,
         at: Quantity,
         value: Quantity,
         allowed: Quantity,
     },
     /// Demands that contradict each other as equations.
-    DemandsContradict { demands: Vec<String> },
+    DemandsContradict { demands: Vec<Demand> },
     /// Demands that no law on or above the base circle meets together.
-    DemandsInfeasible { demands: Vec<String> },
+    DemandsInfeasible { demands: Vec<Demand> },
     /// One limit that no law keeps beside the demands.
-    LimitInfeasible { limit: String },
+    LimitInfeasible { limit: Criterion },
     /// Limits that no law keeps together.
-    LimitsInfeasible { limits: Vec<String> },
+    LimitsInfeasible { limits: Vec<Criterion> },
     /// The solver stopped, which proves nothing.
     SolverStopped { stop: Stop },
     /// One limit whose change is enough.
@@ -131,7 +131,7 @@ pub enum Reason {
 pub enum Change {
     /// Its value and the one that works.
     Change {
-        limit: String,
+        limit: Criterion,
         from: Quantity,
         to: Quantity,
     },
@@ -164,6 +164,6 @@ pub fn place(measures: Measures, at: f64) -> Quantity {
 }
 
 /// A limit's value with its unit, on a cam of these measures.
-pub fn quantity(measures: Measures, limit: &str, value: f64) -> Quantity {
+pub fn quantity(measures: Measures, limit: Criterion, value: f64) -> Quantity {
     Quantity::new(value, dimension(measures, limit))
 }

@@ -16,6 +16,7 @@ use super::design::Step;
 use super::limits::{NonconvexLimits, ProfileSize, clearance, relative};
 use super::method::Ended;
 use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
+use crate::cam::LimitKind;
 use crate::poly::{Peak, PiecewisePoly};
 
 /// Steps before the sequence is called finished as it is.
@@ -289,7 +290,7 @@ fn row(
     all[..weights.len()].copy_from_slice(weights);
     Row {
         limit: None,
-        name: "curvature",
+        name: LimitKind::Curvature.into(),
         peak,
         weights: all,
         entries,

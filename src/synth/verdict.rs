@@ -4,7 +4,7 @@ use super::design::ForceReport;
 use super::limits::{GEOMETRY, usual_pressure_angle};
 use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
-use crate::cam::{Cam, Check, Follower, Verdict};
+use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
@@ -19,7 +19,7 @@ pub fn verdict(
     let mut bad: Vec<Reason> = mean_force(problem, force).into_iter().collect();
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
-    failed.sort_by_key(|c| severity(&c.name));
+    failed.sort_by_key(|c| severity(c.name));
     bad.extend(failed.iter().flat_map(|c| broken(problem, cam, force, c)));
     let mut slow: Vec<Reason> = jump(cam, 2).into_iter().collect();
     slow.extend(cusp(problem, cam, checks));
@@ -56,14 +56,18 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
 }
 
 /// What makes a cam useless comes before what makes it wrong.
-fn severity(check: &str) -> usize {
+fn severity(check: Criterion) -> usize {
     match check {
-        "curvature" | "second_curvature" | "concave" | "second_concave" | "upper_wall"
-        | "lower_wall" => 0,
-        "interference" | "second_interference" | "base_circle" => 1,
-        "force_min" => 2,
-        _ if check.contains("pressure_angle") => 3,
-        "rms_error" | "band" => 4,
+        Criterion::Limit(LimitKind::Curvature)
+        | Criterion::SecondCurvature
+        | Criterion::Concave
+        | Criterion::SecondConcave
+        | Criterion::UpperWall
+        | Criterion::LowerWall => 0,
+        Criterion::Interference | Criterion::SecondInterference | Criterion::BaseCircle => 1,
+        Criterion::Limit(LimitKind::ForceMin) => 2,
+        angle if angle.is_pressure_angle() => 3,
+        Criterion::RmsError | Criterion::Band => 4,
         _ => 5,
     }
 }
@@ -74,7 +78,7 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     let measures = cam.follower.measures();
     let (at, pull) = (
         place(measures, low.at),
-        quantity(measures, "force_min", -low.worst),
+        quantity(measures, LimitKind::ForceMin.into(), -low.worst),
     );
     if drive.kind != DriveKind::MovingAxis || force.min_n >= drive.rest_force {
         return Reason::ContactLost { at, pull };
@@ -93,7 +97,7 @@ fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let [usual, _] = usual_pressure_angle(problem)?;
     let angles = checks
         .iter()
-        .filter(|c| c.name.contains("pressure_angle") && c.pass);
+        .filter(|c| c.name.is_pressure_angle() && c.pass);
     let worst = angles.max_by(|a, b| a.worst.total_cmp(&b.worst))?;
     (worst.worst > usual * (1.0 + GEOMETRY)).then(|| Reason::LargePressureAngle {
         at: place(cam.follower.measures(), worst.at),
@@ -104,7 +108,7 @@ fn steep(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
 
 /// A profile without a limit on its curvature may end in an edge.
 fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
-    let convex = checks.iter().find(|c| c.name == "curvature")?;
+    let convex = checks.iter().find(|c| c.name == LimitKind::Curvature)?;
     let prime = cam.follower.prime_radius();
     let sharp = convex.worst.abs() <= GEOMETRY * prime;
     let round = problem.limits.curvature.is_some_and(|rho| rho > 0.0);
@@ -134,10 +138,10 @@ fn larger(problem: &Problem, cam: &Cam) -> Reason {
 fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> Vec<Reason> {
     let measures = cam.follower.measures();
     let at = place(measures, check.at);
-    let value = quantity(measures, &check.name, check.worst);
-    let allowed = quantity(measures, &check.name, check.limit);
-    let reason = match check.name.as_str() {
-        "curvature" => {
+    let value = quantity(measures, check.name, check.worst);
+    let allowed = quantity(measures, check.name, check.limit);
+    let reason = match check.name {
+        Criterion::Limit(LimitKind::Curvature) => {
             let radius = value;
             let reason = if check.worst < 0.0 {
                 Reason::Undercut { at, radius }
@@ -150,43 +154,47 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
             };
             return vec![reason, larger(problem, cam)];
         }
-        "second_curvature" => Reason::SecondTooSharp {
+        Criterion::SecondCurvature => Reason::SecondTooSharp {
             at,
             radius: value,
             allowed,
         },
-        "interference" | "second_interference" => Reason::Interference { at, depth: value },
-        "upper_wall" | "lower_wall" => Reason::SharpWall {
+        Criterion::Interference | Criterion::SecondInterference => {
+            Reason::Interference { at, depth: value }
+        }
+        Criterion::UpperWall | Criterion::LowerWall => Reason::SharpWall {
             at,
             radius: value,
             allowed,
         },
-        "concave" | "second_concave" => Reason::RollerTooLarge {
+        Criterion::Concave | Criterion::SecondConcave => Reason::RollerTooLarge {
             at,
             roller: allowed,
             hollow: value,
         },
-        name if name.contains("pressure_angle") => Reason::PressureAngle {
+        angle if angle.is_pressure_angle() => Reason::PressureAngle {
             at,
             angle: value,
             allowed,
         },
-        "force_min" if problem.limits.force_min.is_none() => lifts_off(problem, cam, force, check),
-        "rms_error" => Reason::ForceError {
+        Criterion::Limit(LimitKind::ForceMin) if problem.limits.force_min.is_none() => {
+            lifts_off(problem, cam, force, check)
+        }
+        Criterion::RmsError => Reason::ForceError {
             error: value,
             allowed,
         },
-        "base_circle" => Reason::BelowBaseCircle {
+        Criterion::BaseCircle => Reason::BelowBaseCircle {
             at,
-            depth: quantity(measures, &check.name, -check.worst),
+            depth: quantity(measures, check.name, -check.worst),
         },
-        "prime_radius" => Reason::PrimeRadius {
+        Criterion::Limit(LimitKind::PrimeRadius) => Reason::PrimeRadius {
             needed: value,
             allowed,
         },
-        "band" => Reason::OutsideBand { at, excess: value },
-        name => Reason::LimitBroken {
-            limit: name.to_string(),
+        Criterion::Band => Reason::OutsideBand { at, excess: value },
+        limit => Reason::LimitBroken {
+            limit,
             at,
             value,
             allowed,

@@ -2,7 +2,7 @@
 
 use super::design::ForceReport;
 use super::limits::{Finished, curvature_checks, interference, pressure_angle_checks, wall_check};
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Wall};
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Wall};
 use crate::law::Law;
 use crate::problem::Problem;
 
@@ -22,9 +22,12 @@ pub fn checks(problem: &Problem, cam: &Cam, pressing: &Law, force: &ForceReport)
 pub fn second_cam(problem: &Problem, pair: Option<&Conjugate>) -> Vec<Check> {
     let Some(pair) = pair else { return Vec::new() };
     let cam = &pair.second;
-    let mut out = pressure_angle_checks(problem, cam.pressure_angle_extremes(), "second_");
-    out.extend(curvature_checks(problem, cam, "second_"));
-    out.extend(interference("second_interference", cam));
+    let mut out = pressure_angle_checks(problem, cam.pressure_angle_extremes());
+    out.extend(curvature_checks(problem, cam));
+    out.extend(interference(cam));
+    for check in &mut out {
+        check.name = check.name.of_second_cam();
+    }
     out
 }
 
@@ -34,8 +37,11 @@ pub fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
         return Vec::new();
     };
     let floor = groove.depth().0;
-    let mut out = pressure_angle_checks(problem, groove.pressure_angle_extremes(floor), "");
-    for (name, wall) in [("upper_wall", Wall::Upper), ("lower_wall", Wall::Lower)] {
+    let mut out = pressure_angle_checks(problem, groove.pressure_angle_extremes(floor));
+    for (name, wall) in [
+        (Criterion::UpperWall, Wall::Upper),
+        (Criterion::LowerWall, Wall::Lower),
+    ] {
         let radius = groove.smallest_bulge(floor, wall);
         out.push(wall_check(problem, name, radius));
     }

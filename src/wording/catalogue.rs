@@ -10,6 +10,9 @@ use unic_langid::LanguageIdentifier;
 use super::Language;
 use super::number::{number, quantity};
 
+/// Areas whose messages stand inside those of others.
+const SHARED: &[&str] = &["demand"];
+
 /// Arguments that repeat what users type, or choose a variant of a sentence: they are never translated.
 const AS_TYPED: &[&str] = &[
     "catalogue",
@@ -135,7 +138,8 @@ impl Catalogue {
         let Some((variant, fields)) = parts(data) else {
             return missing();
         };
-        let found = self.bundle.get_message(&format!("{area}-{variant}"));
+        let message = |area: &str| self.bundle.get_message(&format!("{area}-{variant}"));
+        let found = message(area).or_else(|| SHARED.iter().find_map(|area| message(area)));
         match found.and_then(|m| m.value()) {
             Some(pattern) => self.format(pattern, area, fields),
             None => missing(),

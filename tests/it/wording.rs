@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
     CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
@@ -13,7 +14,7 @@ use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, Reject
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
-use gaitcam::synth::{Change, Ended, Method, PassedOver, Reason};
+use gaitcam::synth::{Change, Demand, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
@@ -46,6 +47,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("scene", SceneError::VARIANTS),
         ("reason", Reason::VARIANTS),
         ("reason", Change::VARIANTS),
+        ("demand", Demand::VARIANTS),
         ("design", problem::Note::VARIANTS),
         ("method", Method::VARIANTS),
         ("ended", Ended::VARIANTS),
@@ -100,7 +102,7 @@ fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
 #[test]
 fn spanish_sentences_have_spanish_names_and_a_decimal_comma() {
     let reason = Reason::LimitBroken {
-        limit: "stroke".to_string(),
+        limit: LimitKind::Stroke.into(),
         at: Quantity::angle(0.0),
         value: Quantity::length(0.0305),
         allowed: Quantity::length(0.03),

@@ -106,8 +106,8 @@ fn missed_by(
     let broken = checks.into_iter().find(|c| !c.pass);
     Ok(broken.map(|c| PassedOver::Check {
         family,
-        value: quantity(measures, &c.name, c.worst),
-        limit: quantity(measures, &c.name, c.limit),
+        value: quantity(measures, c.name, c.worst),
+        limit: quantity(measures, c.name, c.limit),
         check: c.name,
     }))
 }

@@ -6,7 +6,8 @@ use crate::error::{Error, Result};
 use crate::poly::SplineSpace;
 use crate::problem::Problem;
 use crate::scene::Dwell;
-use crate::synth::qp::{Basis, Entries, Equality};
+use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
+use crate::units::Quantity;
 
 /// Periodic splines over the turn with `spans` spans outside the dwells, with `smooth` continuous
 /// derivatives at the dwells' ends.
@@ -120,19 +121,23 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
             )
             .help("angles run from 0 to 360 deg"));
         }
-        let mut push = |what: &str, weights: &[f64], value: f64| {
-            let name = format!("{key} at {:.2}°: {what}", p.angle.to_degrees());
+        let mut push = |given: Given, weights: &[f64], value: f64| {
+            let name = Demand::AtPoint {
+                point: i + 1,
+                at: Quantity::angle(p.angle),
+                given,
+            };
             out.push(Equality {
                 name,
                 entries: basis.row(p.angle, weights),
                 value,
             });
         };
-        for (order, (what, value)) in [
-            ("lift", p.lift),
-            ("velocity", p.velocity),
-            ("acceleration", p.acceleration),
-            ("jerk", p.jerk),
+        for (order, (given, value)) in [
+            (Given::Lift, p.lift),
+            (Given::Velocity, p.velocity),
+            (Given::Acceleration, p.acceleration),
+            (Given::Jerk, p.jerk),
         ]
         .into_iter()
         .enumerate()
@@ -140,11 +145,11 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
             if let Some(value) = value {
                 let mut weights = [0.0; 4];
                 weights[order] = 1.0;
-                push(what, &weights, value);
+                push(given, &weights, value);
             }
         }
         if let Some(force) = p.force {
-            push("force", &w, force - problem.drive.rest_force);
+            push(Given::Force, &w, force - problem.drive.rest_force);
         }
     }
     Ok(out)
@@ -157,7 +162,7 @@ pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     };
     let mut out: Vec<Equality> = Vec::new();
     for (d, dwell) in dwells.iter().enumerate() {
-        let name = format!("law.dwell[{}]", d + 1);
+        let name = Demand::InDwell { dwell: d + 1 };
         let mut resting: Vec<usize> = Vec::new();
         for (i, span) in space.spans().iter().enumerate() {
             let mid = span.start + 0.5 * span.width;
@@ -183,7 +188,7 @@ pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
                 .collect(),
         };
         out.extend(rows.into_iter().map(|(entries, value)| Equality {
-            name: name.clone(),
+            name,
             entries,
             value,
         }));

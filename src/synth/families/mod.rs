@@ -105,8 +105,8 @@ fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Bindin
     let mut out: Vec<Binding> = Vec::new();
     let mut rows: Vec<&Row> = solution.active.iter().collect();
     rows.sort_by(|a, b| {
-        (a.limit, a.name, a.peak.at)
-            .partial_cmp(&(b.limit, b.name, b.peak.at))
+        (a.limit, a.name.name(), a.peak.at)
+            .partial_cmp(&(b.limit, b.name.name(), b.peak.at))
             .unwrap_or(std::cmp::Ordering::Equal)
     });
     let near = std::f64::consts::PI / pieces as f64;
@@ -121,7 +121,7 @@ fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Bindin
                 last.multiplier = both;
             }
             _ => out.push(Binding {
-                limit: name.to_string(),
+                limit: name,
                 multiplier,
                 at: row.peak.at,
             }),

@@ -4,10 +4,11 @@ use super::spline_program::{force_distance, unlimited_program};
 use super::{Found, NoLaw, Stuck, gathered, report};
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
+use crate::synth::design::Minimised;
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
-use crate::synth::qp::{Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
+use crate::synth::qp::{Demand, Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
 use crate::synth::{easing, limits, qp, scp};
 use crate::units::Quantity;
 
@@ -272,8 +273,11 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
 fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
     let mut out = easing::easings(&fitted.program, &fitted.solution, problem.objective());
     if problem.is_weighed() {
-        for e in out.iter_mut().filter(|e| e.objective == "rms_error_n") {
-            e.objective = "weighted_rms_error_n".to_string();
+        for e in out
+            .iter_mut()
+            .filter(|e| e.objective == Minimised::RmsError)
+        {
+            e.objective = Minimised::WeightedRmsError;
         }
     }
     out
@@ -302,7 +306,7 @@ pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
 /// The law stands on the base circle at an angle.
 pub fn base_circle_at(program: &Program, angle: f64) -> Equality {
     Equality {
-        name: "base circle".to_string(),
+        name: Demand::OnBaseCircle,
         entries: program.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]),
         value: 0.0,
     }

@@ -2,13 +2,13 @@
 //! dropped to let the others hold.
 
 use super::reasons::{conflicting, smallest_relaxations};
-use crate::cam::Measures;
+use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
-use crate::synth::design::{Infeasible, Relaxation};
+use crate::synth::design::{Conflicting, Infeasible, Relaxation};
 use crate::synth::families::Stuck;
 use crate::synth::limits::{Loads, NonconvexLimits};
 use crate::synth::named::key_of;
-use crate::synth::qp::{EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
+use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
 use crate::synth::reason::Reason;
 use crate::synth::scp;
 
@@ -20,7 +20,7 @@ const BROKEN: f64 = 1e-6;
 
 /// Explains a program without solution.
 pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
-    let because = |reason: Reason, conflict: Vec<String>| Infeasible {
+    let because = |reason: Reason, conflict: Vec<Conflicting>| Infeasible {
         conflict,
         relaxations: Vec::new(),
         reasons: vec![reason],
@@ -28,36 +28,34 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
     match &stuck.failure {
         Failure::Inconsistent { equalities } => {
             let demands = equalities.clone();
-            because(Reason::DemandsContradict { demands }, equalities.clone())
+            because(Reason::DemandsContradict { demands }, members(equalities))
         }
         Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
             let limits = conflicting_limits(stuck);
             if limits.is_empty() {
                 let demands = conflicting_demands(&stuck.program);
-                let reason = Reason::DemandsInfeasible {
-                    demands: demands.clone(),
-                };
-                return because(reason, demands);
+                let conflict = members(&demands);
+                return because(Reason::DemandsInfeasible { demands }, conflict);
             }
             let relaxations = limits
                 .iter()
                 .filter(|_| stuck.nonconvex.is_none())
-                .filter_map(|name| elastic(&stuck.program, name))
+                .filter_map(|&name| elastic(&stuck.program, name))
                 .collect();
             in_conflict(&limits, relaxations, problem.cam.measures())
         }
     }
 }
 
+fn members(demands: &[Demand]) -> Vec<Conflicting> {
+    demands.iter().copied().map(Conflicting::Demand).collect()
+}
+
 /// Limits in conflict with what would help.
-fn in_conflict(
-    kept: &[&'static str],
-    relaxations: Vec<Relaxation>,
-    measures: Measures,
-) -> Infeasible {
-    let conflict: Vec<String> = kept.iter().map(|n| (*n).to_string()).collect();
-    let mut reasons = vec![conflicting(&conflict)];
+fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
+    let conflict: Vec<Conflicting> = kept.iter().copied().map(Conflicting::Limit).collect();
+    let mut reasons = vec![conflicting(kept)];
     // Without a first relaxation nothing is known yet of what would help.
     if !relaxations.is_empty() {
         reasons.push(smallest_relaxations(&relaxations, measures));
@@ -84,19 +82,19 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
 
 /// The limits that were asked for and cannot hold together beside the demands; empty where the demands
 /// alone leave nothing.
-fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
+fn conflicting_limits(stuck: &Stuck) -> Vec<Criterion> {
     let loads = stuck.nonconvex.and_then(|b| b.loads);
     let rows = stuck.program.limits.iter().filter(|l| is_asked(l));
-    let mut names: Vec<&'static str> = Vec::new();
+    let mut names: Vec<Criterion> = Vec::new();
     for name in rows
         .map(|l| l.name)
-        .chain(loads.iter().flat_map(Loads::named).map(|l| l.0))
+        .chain(loads.iter().flat_map(Loads::named).map(|l| l.0.into()))
     {
         if !names.contains(&name) {
             names.push(name);
         }
     }
-    let holds = |kept: &[&'static str]| {
+    let holds = |kept: &[Criterion]| {
         let mut program = stuck.program.clone();
         program
             .limits
@@ -111,11 +109,11 @@ fn conflicting_limits(stuck: &Stuck) -> Vec<&'static str> {
 }
 
 /// The points and dwells that cannot hold together on or above the base circle.
-fn conflicting_demands(program: &Program) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
+fn conflicting_demands(program: &Program) -> Vec<Demand> {
+    let mut names: Vec<Demand> = Vec::new();
     for demand in &program.equalities {
         if !names.contains(&demand.name) {
-            names.push(demand.name.clone());
+            names.push(demand.name);
         }
     }
     if names.len() > MOST_DEMANDS {
@@ -146,12 +144,12 @@ fn can_hold(program: &Program, nonconvex: Option<NonconvexLimits>) -> Option<boo
     }
 }
 
-fn only_loads(limits: NonconvexLimits, names: &[&'static str]) -> NonconvexLimits {
+fn only_loads(limits: NonconvexLimits, names: &[Criterion]) -> NonconvexLimits {
     let left_out = |loads: Loads| {
         loads
             .named()
             .into_iter()
-            .filter(|l| !names.contains(&l.0))
+            .filter(|l| !names.contains(&l.0.into()))
             .fold(loads, |loads, (name, _)| loads.with(name, None))
     };
     NonconvexLimits {
@@ -170,20 +168,20 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
     let smaller = bore - 2.0 * (least - limit);
     let relaxations = vec![
         Relaxation {
-            limit: "bore".to_string(),
-            key: key_of("bore"),
+            limit: Criterion::Bore,
+            key: key_of(Criterion::Bore),
             from: bore,
             to: (smaller > 0.0).then_some(smaller),
         },
         Relaxation {
-            limit: "prime_radius".to_string(),
-            key: key_of("prime_radius"),
+            limit: LimitKind::PrimeRadius.into(),
+            key: key_of(LimitKind::PrimeRadius.into()),
             from: limit,
             to: Some(least),
         },
     ];
     Some(in_conflict(
-        &["bore", "prime_radius"],
+        &[Criterion::Bore, LimitKind::PrimeRadius.into()],
         relaxations,
         problem.cam.measures(),
     ))
@@ -191,7 +189,7 @@ pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
 
 /// The smallest bound of one limit that lets the others hold: the same program with that bound minimised.
 /// `None` for what is no number of the scene. The whole design may ask for more: `relaxation` begins here.
-fn elastic(program: &Program, name: &str) -> Option<Relaxation> {
+fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let mut elastic = program.clone();
     let nothing = Quadratic::zero(&elastic.basis);
     elastic.hessian = nothing.hessian;
@@ -213,7 +211,7 @@ fn elastic(program: &Program, name: &str) -> Option<Relaxation> {
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
     let limit = first.meaning.key(first.name);
     Some(Relaxation {
-        limit: limit.to_string(),
+        limit,
         key: key_of(limit),
         from,
         to,

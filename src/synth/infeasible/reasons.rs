@@ -1,20 +1,22 @@
 //! Conflicts and relaxations as reasons, and values of limits in the units people use.
 
-use crate::cam::Measures;
+use crate::cam::{Criterion, Measures};
 use crate::synth::design::Relaxation;
 use crate::synth::named::unit;
 use crate::synth::reason::{Change, Reason, quantity};
 
 /// Which limits cannot hold together.
-pub fn conflicting(conflict: &[String]) -> Reason {
-    let mut limits: Vec<String> = conflict.to_vec();
+pub fn conflicting(conflict: &[Criterion]) -> Reason {
+    let mut limits = conflict.to_vec();
     match limits.pop() {
         Some(limit) if limits.is_empty() => Reason::LimitInfeasible { limit },
         Some(last) => {
             limits.push(last);
             Reason::LimitsInfeasible { limits }
         }
-        None => Reason::DemandsInfeasible { demands: limits },
+        None => Reason::DemandsInfeasible {
+            demands: Vec::new(),
+        },
     }
 }
 
@@ -24,9 +26,9 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
         .iter()
         .filter_map(|r| {
             Some(Change::Change {
-                limit: r.limit.clone(),
-                from: quantity(measures, &r.limit, r.from),
-                to: quantity(measures, &r.limit, r.to?),
+                limit: r.limit,
+                from: quantity(measures, r.limit, r.from),
+                to: quantity(measures, r.limit, r.to?),
             })
         })
         .collect();
@@ -38,7 +40,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
 }
 
 /// A limit's value in the units people use for it on a cam of these measures.
-pub fn in_units(measures: Measures, limit: &str, value: f64) -> String {
+pub fn in_units(measures: Measures, limit: Criterion, value: f64) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
     if value.is_infinite() {

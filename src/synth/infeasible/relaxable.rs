@@ -1,9 +1,10 @@
 //! How far a key that may be relaxed is moved, and in which steps its value is told. Which keys those are, and
 //! which way they ask for less, stands in their rows of the key table.
 
+use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
-use crate::synth::named::name_of;
+use crate::synth::named::criterion_of;
 
 /// A limit is first lifted by this factor, to see whether it is what stands in the way …
 pub const AWAY: f64 = 1e4;
@@ -18,13 +19,19 @@ pub struct Relaxable {
     /// Its row.
     pub key: &'static Key,
     relax: Relax,
+    criterion: Criterion,
 }
 
 /// The numbers of a problem that may be relaxed, with their values, in the order in which they are told.
 pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
     let of = |key: &'static Key| {
         let relax = key.relax?;
-        let knob = Relaxable { key, relax };
+        let criterion = criterion_of(key)?;
+        let knob = Relaxable {
+            key,
+            relax,
+            criterion,
+        };
         // The usual accuracy is judged too, so it may be relaxed by being written.
         let usual = || {
             let allowed = problem.allowed_error().filter(|_| knob.is_accuracy())?;
@@ -37,9 +44,9 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
 }
 
 impl Relaxable {
-    /// Its name in `summary.json`.
-    pub fn name(self) -> &'static str {
-        name_of(self.key)
+    /// What it is called among conflicts and relaxations.
+    pub fn criterion(self) -> Criterion {
+        self.criterion
     }
 
     /// Whether it is the accuracy, a part of the mean force that a check has in newtons.
@@ -48,10 +55,10 @@ impl Relaxable {
     }
 
     /// Whether a check measures it.
-    pub fn is_measured_by(self, check: &str) -> bool {
+    pub fn is_measured_by(self, check: Criterion) -> bool {
         match self.key.limit {
             Some(kind) => kind.is_measured_by(check),
-            None => self.is_accuracy() && check == "rms_error",
+            None => self.is_accuracy() && check == Criterion::RmsError,
         }
     }
 

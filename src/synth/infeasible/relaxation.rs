@@ -11,7 +11,7 @@ use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::problem::Problem;
 use crate::scene::Scene;
-use crate::synth::design::{Design, Relaxation, Tier};
+use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
 use crate::units::Quantity;
 
@@ -61,11 +61,11 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
     for &(number, from) in &numbers {
         let hint = known
             .iter()
-            .find(|r| r.limit == number.name())
+            .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
         if let Some(to) = search.smallest(number, from, hint) {
             found.push(Relaxation {
-                limit: number.name().to_string(),
+                limit: number.criterion(),
                 key: number.key.path,
                 from,
                 to: Some(to),
@@ -87,7 +87,8 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
         Some(infeasible) => {
             // What is in the conflict and helps no more is told as such.
             let helpless = known.iter().filter(|k| {
-                !found.iter().any(|f| f.limit == k.limit) && infeasible.conflict.contains(&k.limit)
+                !found.iter().any(|f| f.limit == k.limit)
+                    && infeasible.conflict.contains(&Conflicting::Limit(k.limit))
             });
             let helpless: Vec<Relaxation> = helpless
                 .map(|k| Relaxation {
@@ -151,7 +152,7 @@ impl Search<'_> {
         let needed = design
             .checks
             .iter()
-            .filter(|c| number.is_measured_by(&c.name))
+            .filter(|c| number.is_measured_by(c.name))
             .map(|c| {
                 if number.is_accuracy() {
                     c.worst / self.force_mean()
@@ -230,7 +231,7 @@ impl Search<'_> {
             .into_iter()
             .zip(numbers)
             .map(|((k, to), &(_, from))| Relaxation {
-                limit: k.name().to_string(),
+                limit: k.criterion(),
                 key: k.key.path,
                 from,
                 to: Some(to),

@@ -2,7 +2,7 @@
 
 use super::nonconvex::{Profile, ProfileSize, Slack};
 use super::row::{self, GEOMETRY};
-use crate::cam::{Body, Cam, Check, Follower, FollowerKind};
+use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;
 use crate::problem::{Problem, Size};
@@ -26,7 +26,7 @@ pub fn row(problem: &Problem) -> Option<Limit> {
         offset: base,
     };
     let is_flat = problem.cam.follower == FollowerKind::FlatTranslating;
-    is_flat.then(|| row::row("curvature", BEND, base - rho, base, meaning))
+    is_flat.then(|| row::row(LimitKind::Curvature, BEND, base - rho, base, meaning))
 }
 
 /// The same with the base radius among the variables.
@@ -36,7 +36,7 @@ pub fn row_with_size(problem: &Problem) -> Limit {
         factor: -1.0,
         offset: 0.0,
     };
-    let mut limit = row::row("curvature", BEND, -rho, problem.length, meaning);
+    let mut limit = row::row(LimitKind::Curvature, BEND, -rho, problem.length, meaning);
     limit.extra[RADIUS] = -1.0;
     limit
 }
@@ -107,7 +107,7 @@ pub fn roller_slack(at: Svaj, size: ProfileSize) -> Slack {
         by_velocity: by_y - y,
         by_acceleration: x,
         by_offset: -by_y,
-        ..Slack::none("curvature")
+        ..Slack::none(LimitKind::Curvature)
     }
 }
 
@@ -129,7 +129,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, rho: f64) -> Slack {
         by_velocity: by_w * (2.0 * arm * arm * q - 2.0 * c * p)
             - (3.0 * arm * arm * q * q - c * p * (1.0 + 2.0 * q)),
         by_acceleration: c * s,
-        ..Slack::none("curvature")
+        ..Slack::none(LimitKind::Curvature)
     }
 }
 
@@ -146,17 +146,16 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
         by_lift: c * cos * twice * q - c * sin * at.a,
         by_velocity: c * sin * (4.0 * q - 1.0) + 3.0 * room * q * q,
         by_acceleration: c * cos,
-        ..Slack::none("curvature")
+        ..Slack::none(LimitKind::Curvature)
     }
 }
 
 /// Convex and concave radii of a profile. Asked for or not, a negative convex radius is a cam that cuts
 /// itself.
-pub fn checks(problem: &Problem, cam: &Cam, prefix: &str) -> Vec<Check> {
+pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
     let wanted = problem.limits.curvature.unwrap_or(0.0);
-    let name = format!("{prefix}curvature");
-    let mut convex = Check::at_least(&name, curvature.convex, wanted, GEOMETRY);
+    let mut convex = Check::at_least(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
     // The smallest cam that may come to a point does so to rounding of its own size.
     let rounding = GEOMETRY * cam.follower.prime_radius();
     convex.pass |= wanted == 0.0 && curvature.convex.value.abs() <= rounding;
@@ -169,15 +168,14 @@ pub fn checks(problem: &Problem, cam: &Cam, prefix: &str) -> Vec<Check> {
             at: concave.at,
             value: -concave.value,
         };
-        let name = format!("{prefix}concave");
-        out.push(Check::at_least(&name, worst, roller, GEOMETRY));
+        out.push(Check::at_least(Criterion::Concave, worst, roller, GEOMETRY));
     }
     out
 }
 
 /// Roller or face against other parts of the profile; `None` where nothing can interfere: a flat
 /// translating face on a convex cam touches it once.
-pub fn interference(name: &str, cam: &Cam) -> Option<Check> {
+pub fn interference(cam: &Cam) -> Option<Check> {
     match cam.follower {
         Follower::FlatTranslating { .. } | Follower::Barrel { .. } => return None,
         _ if cam.curvature().undercut => return None,
@@ -199,13 +197,13 @@ pub fn interference(name: &str, cam: &Cam) -> Option<Check> {
             value: i.depth,
         },
     );
-    let mut check = Check::at_most(name, worst, tolerance, 0.0);
+    let mut check = Check::at_most(Criterion::Interference, worst, tolerance, 0.0);
     check.pass = deepest.is_none();
     Some(check)
 }
 
 /// A wall of a barrel's groove against the smallest convex radius.
-pub fn wall_check(problem: &Problem, name: &str, radius: Extreme) -> Check {
+pub fn wall_check(problem: &Problem, name: Criterion, radius: Extreme) -> Check {
     let wanted = problem.limits.curvature.unwrap_or(0.0);
     Check::at_least(name, radius, wanted, GEOMETRY)
 }

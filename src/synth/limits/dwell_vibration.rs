@@ -6,13 +6,14 @@
 use std::f64::consts::TAU;
 
 use super::Finished;
-use crate::cam::Check;
+use crate::cam::{Check, LimitKind};
 use crate::dynamics::flexible::linear::gauss_points;
 use crate::dynamics::flexible::polydyne::end_error;
 use crate::law::Law;
 use crate::poly::Extreme;
 use crate::problem::Problem;
-use crate::synth::qp::{Basis, Entries, Equality};
+use crate::synth::qp::{Basis, Demand, Entries, Equality};
+use crate::units::Quantity;
 
 /// A limit counts as kept within this part of it.
 const SLACK: f64 = 1e-6;
@@ -35,7 +36,7 @@ pub fn check(design: &Finished) -> Option<Check> {
         }
         _ => left_over(problem, &design.cam.law),
     };
-    Some(Check::at_most("residual", worst?, limit, SLACK))
+    Some(Check::at_most(LimitKind::Residual, worst?, limit, SLACK))
 }
 
 /// Motions from the end of one rest to the begin of the next, as angles counted on over the turn.
@@ -120,7 +121,9 @@ pub fn silence(problem: &Problem, basis: &Basis) -> Vec<Equality> {
                 .filter(|e| e.1 != 0.0)
                 .collect();
             out.push(Equality {
-                name: format!("no vibration after {:.2}°", motion.1.to_degrees()),
+                name: Demand::NoVibration {
+                    after: Quantity::angle(motion.1),
+                },
                 entries,
                 value: 0.0,
             });

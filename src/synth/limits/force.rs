@@ -2,7 +2,7 @@
 
 use super::Finished;
 use super::row::{SLACK, row};
-use crate::cam::Check;
+use crate::cam::{Check, Criterion, LimitKind};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly, distance};
@@ -26,11 +26,23 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     if let Some(low) = problem.limits.force_min {
         let weights = [-s, -v, -a, 0.0, 0.0];
-        out.push(row("force_min", weights, rest - low, scale, meaning(-1.0)));
+        out.push(row(
+            LimitKind::ForceMin,
+            weights,
+            rest - low,
+            scale,
+            meaning(-1.0),
+        ));
     }
     if let Some(high) = problem.limits.force_max {
         let weights = [s, v, a, 0.0, 0.0];
-        out.push(row("force_max", weights, high - rest, scale, meaning(1.0)));
+        out.push(row(
+            LimitKind::ForceMax,
+            weights,
+            high - rest,
+            scale,
+            meaning(1.0),
+        ));
     }
     out
 }
@@ -46,7 +58,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     let scale = target.mean_n().abs().max(f64::MIN_POSITIVE);
     let mut out = Vec::new();
     // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
-    let mut side = |name: &'static str, sign: f64, edge: &ForceCurve, meaning: Meaning| {
+    let mut side = |name: Criterion, sign: f64, edge: &ForceCurve, meaning: Meaning| {
         program.shapes.push(PiecewisePoly::combine(
             &[(sign, &edge.curve())],
             -sign * rest,
@@ -63,12 +75,12 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
             factor: 1.0,
             offset: 0.5 * (high.mean_n() - low.mean_n()),
         };
-        out.push(side("band", 1.0, high, half_width));
-        out.push(side("band", -1.0, low, half_width));
+        out.push(side(Criterion::Band, 1.0, high, half_width));
+        out.push(side(Criterion::Band, -1.0, low, half_width));
     }
     if problem.objective() == Minimise::PeakForceError {
         for sign in [1.0, -1.0] {
-            out.push(side("peak", sign, &target.curve, Meaning::Structure).minimised());
+            out.push(side(Criterion::Peak, sign, &target.curve, Meaning::Structure).minimised());
         }
         program.cost[PEAK] = 1.0;
     }
@@ -106,16 +118,16 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let (low, high) = design.problem.drive.force_curve(design.pressing).extremes();
     let mut out = Vec::new();
     if let Some(limit) = limits.force_min {
-        let mut check = Check::at_least("force_min", low, limit, SLACK);
+        let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);
         check.pass = low.value >= limit - slack(design);
         out.push(check);
     } else if let Some(limit) = design.problem.usual_force_min() {
-        let mut check = Check::at_least("force_min", low, limit, 0.0);
+        let mut check = Check::at_least(LimitKind::ForceMin, low, limit, 0.0);
         check.pass = low.value >= limit - TOUCHES * high.value.abs().max(low.value.abs());
         out.push(check);
     }
     if let Some(limit) = limits.force_max {
-        out.push(Check::at_most("force_max", high, limit, SLACK));
+        out.push(Check::at_most(LimitKind::ForceMax, high, limit, SLACK));
     }
     out
 }
@@ -132,7 +144,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         } else {
             above
         };
-        let mut check = Check::at_most("band", worst, 0.0, 0.0);
+        let mut check = Check::at_most(Criterion::Band, worst, 0.0, 0.0);
         check.pass = worst.value <= slack(design);
         return Some(check);
     }
@@ -141,7 +153,7 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
         at: 0.0,
         value: force.rms_error_n,
     };
-    Some(Check::at_most("rms_error", worst, limit, TOLERANCE))
+    Some(Check::at_most(Criterion::RmsError, worst, limit, TOLERANCE))
 }
 
 /// Rounding of a force, N.

@@ -1,7 +1,7 @@
 //! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
 
 use super::row::{SLACK, only, own_scale, range, row, same};
-use crate::cam::{Cam, Check};
+use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::synth::qp::{LOWEST, Limit, Meaning};
@@ -17,7 +17,7 @@ pub fn base_circle(problem: &Problem, level: bool) -> Vec<Limit> {
     }
     let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
     vec![row(
-        "base_circle",
+        Criterion::BaseCircle,
         only(0, -1.0),
         0.0,
         scale,
@@ -29,7 +29,7 @@ pub fn base_circle(problem: &Problem, level: bool) -> Vec<Limit> {
 pub fn base_circle_below_size(problem: &Problem) -> Option<Limit> {
     let length = problem.length;
     let limit = row(
-        "base_circle",
+        Criterion::BaseCircle,
         only(0, -1.0),
         0.0,
         length,
@@ -42,7 +42,7 @@ pub fn base_circle_below_size(problem: &Problem) -> Option<Limit> {
 pub fn base_circle_check(cam: &Cam) -> Option<Check> {
     let lowest = cam.law.extremes(0).0;
     let dips = lowest.value < -DIP * cam.law.stroke();
-    dips.then(|| Check::at_least("base_circle", lowest, 0.0, 0.0))
+    dips.then(|| Check::at_least(Criterion::BaseCircle, lowest, 0.0, 0.0))
 }
 
 /// Lift within the stroke, counted from the base circle, or from the lowest lift where the level is known.
@@ -51,16 +51,16 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
         return Vec::new();
     };
     let window = problem.level_is_known().then_some(LOWEST);
-    range("stroke", 0, h, problem.length, window)
+    range(LimitKind::Stroke, 0, h, problem.length, window)
 }
 
 /// The derivatives by time that are limited.
-fn limited(problem: &Problem) -> Vec<(&'static str, usize, f64)> {
+fn limited(problem: &Problem) -> Vec<(LimitKind, usize, f64)> {
     let limits = &problem.limits;
     [
-        ("velocity", 1, limits.velocity),
-        ("acceleration", 2, limits.acceleration),
-        ("jerk", 3, limits.jerk),
+        (LimitKind::Velocity, 1, limits.velocity),
+        (LimitKind::Acceleration, 2, limits.acceleration),
+        (LimitKind::Jerk, 3, limits.jerk),
     ]
     .into_iter()
     .filter_map(|(name, order, limit)| Some((name, order, limit?)))
@@ -90,7 +90,7 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
             at: top.at,
             value: top.value - bottom.value,
         };
-        out.push(Check::at_most("stroke", stroke, h, SLACK));
+        out.push(Check::at_most(LimitKind::Stroke, stroke, h, SLACK));
     }
     for (name, order, limit) in limited(problem) {
         let (low, high) = cam.derivative_extremes(order);
@@ -126,7 +126,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         Limit {
             domain: (from, to),
             ..row(
-                "monotone",
+                Criterion::Monotone,
                 only(1, sign),
                 0.0,
                 problem.length,
@@ -143,5 +143,6 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
 
 /// The largest absolute value of a derivative, as the quantity to minimise.
 pub fn peak(problem: &Problem, order: usize) -> [Limit; 2] {
-    [1.0, -1.0].map(|sign| Limit::new("peak", only(order, sign), 0.0, problem.length).minimised())
+    [1.0, -1.0]
+        .map(|sign| Limit::new(Criterion::Peak, only(order, sign), 0.0, problem.length).minimised())
 }

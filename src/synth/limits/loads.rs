@@ -9,7 +9,7 @@ use super::Finished;
 use super::nonconvex::{Profile, ProfileSize, Slack};
 use super::power;
 use super::row::row as limit_row;
-use crate::cam::{Cam, Check, FollowerKind};
+use crate::cam::{Cam, Check, FollowerKind, LimitKind};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
 use crate::dynamics::rigid::touch::touch;
@@ -70,7 +70,7 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
     let scale = bound.abs().max(problem.drive.rest_force.abs());
     let weights = [s, v, a, j, 0.0];
     Some(limit_row(
-        "hertz_pressure",
+        LimitKind::HertzPressure,
         weights,
         bound,
         scale,
@@ -116,21 +116,21 @@ impl Loads {
     }
 
     /// The lesser of the limits on the torque: the other one follows from it.
-    fn shaft(&self) -> Option<(&'static str, f64)> {
+    fn shaft(&self) -> Option<(LimitKind, f64)> {
         match (self.torque, self.power) {
-            (Some(torque), Some(power)) if power < torque => Some(("power", power)),
-            (None, power) => Some(("power", power?)),
-            (Some(torque), _) => Some(("torque", torque)),
+            (Some(torque), Some(power)) if power < torque => Some((LimitKind::Power, power)),
+            (None, power) => Some((LimitKind::Power, power?)),
+            (Some(torque), _) => Some((LimitKind::Torque, torque)),
         }
     }
 
     /// The limits there are, with their values.
-    pub fn named(&self) -> Vec<(&'static str, f64)> {
+    pub fn named(&self) -> Vec<(LimitKind, f64)> {
         [
-            ("torque", self.torque),
-            ("power", self.power),
-            ("torque_rate", self.torque_rate),
-            ("hertz_pressure", self.pressure.map(|p| p.most)),
+            (LimitKind::Torque, self.torque),
+            (LimitKind::Power, self.power),
+            (LimitKind::TorqueRate, self.torque_rate),
+            (LimitKind::HertzPressure, self.pressure.map(|p| p.most)),
         ]
         .into_iter()
         .filter_map(|(name, value)| Some((name, value?)))
@@ -138,12 +138,12 @@ impl Loads {
     }
 
     /// The same with one limit at another value, or left out.
-    pub fn with(&self, name: &str, value: Option<f64>) -> Loads {
+    pub fn with(&self, name: LimitKind, value: Option<f64>) -> Loads {
         let mut out = *self;
         match name {
-            "torque" => out.torque = value,
-            "power" => out.power = value,
-            "torque_rate" => out.torque_rate = value,
+            LimitKind::Torque => out.torque = value,
+            LimitKind::Power => out.power = value,
+            LimitKind::TorqueRate => out.torque_rate = value,
             _ => {
                 out.pressure = out
                     .pressure
@@ -154,7 +154,7 @@ impl Loads {
     }
 
     /// T − (±F v).
-    fn torque_slack(&self, name: &'static str, at: Svaj, most: f64, side: f64) -> Slack {
+    fn torque_slack(&self, name: LimitKind, at: Svaj, most: f64, side: f64) -> Slack {
         let [k, c, m, _] = self.drive.weights();
         let force = self.drive.force(at);
         Slack {
@@ -181,7 +181,7 @@ impl Loads {
             by_velocity: -side * (k * at.v + rate + c * at.a),
             by_acceleration: -side * (c * at.v + force + m * at.a),
             by_jerk: -side * m * at.v,
-            ..Slack::none("torque_rate")
+            ..Slack::none(LimitKind::TorqueRate)
         }
     }
 
@@ -214,7 +214,7 @@ impl Loads {
             by_velocity: by_y + by_v - c * w * w,
             by_acceleration: by_a - m * w * w,
             by_offset: -by_y,
-            ..Slack::none("hertz_pressure")
+            ..Slack::none(LimitKind::HertzPressure)
         }
     }
 }
@@ -225,17 +225,27 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
     let mut out = Vec::new();
     if let Some(limit) = limits.torque {
-        out.push(Check::at_most("torque", largest(&torque()), limit, SLACK));
+        out.push(Check::at_most(
+            LimitKind::Torque,
+            largest(&torque()),
+            limit,
+            SLACK,
+        ));
     }
     if let Some(limit) = limits.torque_rate {
         let worst = largest(&torque().derivative());
-        out.push(Check::at_most("torque_rate", worst, limit, SLACK));
+        out.push(Check::at_most(LimitKind::TorqueRate, worst, limit, SLACK));
     }
     if let Some(limit) = limits.hertz_pressure {
         let problem = design.problem;
         let thickness = problem.cam.thickness;
         let worst = pressure(&problem.drive, thickness, design.cam, design.pressing);
-        out.push(Check::at_most("hertz_pressure", worst, limit, SLACK));
+        out.push(Check::at_most(
+            LimitKind::HertzPressure,
+            worst,
+            limit,
+            SLACK,
+        ));
     }
     out
 }

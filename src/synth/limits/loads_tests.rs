@@ -2,7 +2,7 @@
 
 use super::loads::{Loads, Pressure};
 use super::nonconvex::{ProfileSize, Slack};
-use crate::cam::Follower;
+use crate::cam::{Follower, LimitKind};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, line, modulus};
 use crate::dynamics::rigid::touch::touch;
@@ -118,7 +118,7 @@ fn the_pressure_is_the_contact_s_own() {
         let here = touch(&follower, 20.0, 0.0, at, force);
         let steel = modulus(STEEL, STEEL);
         let pressure = line(here.normal, THICK, here.curvature, steel).pressure;
-        let at_limit = loads().with("hertz_pressure", Some(pressure));
+        let at_limit = loads().with(LimitKind::HertzPressure, Some(pressure));
         let mut out = Vec::new();
         at_limit.slacks(at, SIZE, &mut out);
         let slack = out.last().unwrap();

@@ -29,7 +29,7 @@ pub use row::GEOMETRY;
 
 use super::design::ForceReport;
 use super::qp::{Limit, Program};
-use crate::cam::{Cam, Check, Follower, FollowerKind};
+use crate::cam::{Cam, Check, Criterion, Follower, FollowerKind};
 use crate::law::Law;
 use crate::problem::Problem;
 
@@ -54,7 +54,7 @@ pub fn rows(problem: &Problem, level: bool) -> Vec<Limit> {
 /// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
 /// The radius is what is minimised, or it stays below its limit while something else is.
 pub fn with_size(problem: &Problem, program: &mut Program) {
-    program.limits.retain(|l| l.name != "base_circle");
+    program.limits.retain(|l| l.name != Criterion::BaseCircle);
     program
         .limits
         .extend(kinematic::base_circle_below_size(problem));
@@ -108,12 +108,11 @@ impl Finished<'_> {
             out.extend(pressure_angle::checks(
                 problem,
                 cam.pressure_angle_extremes(),
-                "",
             ));
         }
-        out.extend(curvature::checks(problem, cam, ""));
+        out.extend(curvature::checks(problem, cam));
         out.extend(size::checks(problem, cam));
-        out.extend(curvature::interference("interference", cam));
+        out.extend(curvature::interference(cam));
         out.extend(kinematic::base_circle_check(cam));
         out
     }

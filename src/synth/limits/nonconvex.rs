@@ -3,6 +3,7 @@
 
 use super::loads::Loads;
 use super::{curvature, pressure_angle};
+use crate::cam::Criterion;
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_in};
 
@@ -101,7 +102,7 @@ impl ProfileSize {
 /// h and its derivatives by s, v, a, j, D, e.
 pub struct Slack {
     /// Name of the limit.
-    pub name: &'static str,
+    pub name: Criterion,
     pub h: f64,
     /// ProfileSize of which h is a part: what the clearance is counted in.
     pub w: f64,
@@ -117,9 +118,9 @@ pub struct Slack {
 
 impl Slack {
     /// A limit that nothing enters, to be filled in.
-    pub fn none(name: &'static str) -> Self {
+    pub fn none(name: impl Into<Criterion>) -> Self {
         Slack {
-            name,
+            name: name.into(),
             h: 0.0,
             w: 1.0,
             largest: 1.0,
@@ -221,11 +222,11 @@ pub fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
 
 /// The same of the loads alone; ∞ where there are none.
 pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
-    let names: Vec<&str> = limits
+    let names: Vec<Criterion> = limits
         .loads
         .iter()
         .flat_map(|l| l.named())
-        .map(|n| n.0)
+        .map(|n| n.0.into())
         .collect();
     let first = limits.slacks(law.svaj_on(0, 0.0));
     relative(law, limits)

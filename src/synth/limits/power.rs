@@ -2,7 +2,7 @@
 
 use super::Finished;
 use super::loads::{SLACK, largest, torque_curve};
-use crate::cam::Check;
+use crate::cam::{Check, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 
@@ -20,5 +20,5 @@ pub fn check(design: &Finished) -> Option<Check> {
         value: torque.value * drive.speed,
         ..torque
     };
-    Some(Check::at_most("power", worst, limit, SLACK))
+    Some(Check::at_most(LimitKind::Power, worst, limit, SLACK))
 }

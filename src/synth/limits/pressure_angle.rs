@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::nonconvex::Slack;
 use super::row::{GEOMETRY, row};
-use crate::cam::{Check, FollowerKind};
+use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;
 use crate::problem::Problem;
@@ -13,8 +13,8 @@ use crate::synth::qp::{Limit, Meaning, OFFSET, RISE};
 /// A pressure angle that is no limit, where its tangent must be a number.
 pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
-const RISING: &str = "pressure_angle_rise";
-const FALLING: &str = "pressure_angle_fall";
+const RISING: LimitKind = LimitKind::PressureAngleRise;
+const FALLING: LimitKind = LimitKind::PressureAngleFall;
 
 /// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -94,7 +94,7 @@ pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
 }
 
 /// Both sides of the finished cam's pressure angle against its limits, or against what is usual.
-pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme), prefix: &str) -> Vec<Check> {
+pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme)) -> Vec<Check> {
     let limits = &problem.limits;
     let usual = usual_pressure_angle(problem).map(|[_, slow]| slow);
     let falling = Extreme {
@@ -106,9 +106,6 @@ pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme), prefix: &str) 
         (FALLING, falling, limits.pressure_angle_fall.or(usual)),
     ]
     .into_iter()
-    .filter_map(|(name, worst, limit)| {
-        let name = format!("{prefix}{name}");
-        Some(Check::at_most(&name, worst, limit?, GEOMETRY))
-    })
+    .filter_map(|(name, worst, limit)| Some(Check::at_most(name, worst, limit?, GEOMETRY)))
     .collect()
 }

@@ -1,5 +1,6 @@
 //! Rows of a convex program, as the limits write them.
 
+use crate::cam::Criterion;
 use crate::synth::qp::{Limit, Meaning};
 
 /// Relative rounding of a limit that the program holds: twice its own tolerance.
@@ -10,7 +11,7 @@ pub const GEOMETRY: f64 = 1e-8;
 
 /// Σ weights·svaj ≤ bound, a violation counted as a part of `scale`.
 pub fn row(
-    name: &'static str,
+    name: impl Into<Criterion>,
     weights: [f64; 5],
     bound: f64,
     scale: f64,
@@ -44,12 +45,13 @@ pub fn same(factor: f64) -> Meaning {
 
 /// A derivative within a range of the given width, from 0 on or from where a variable says.
 pub fn range(
-    name: &'static str,
+    name: impl Into<Criterion>,
     order: usize,
     width: f64,
     length: f64,
     window: Option<usize>,
 ) -> Vec<Limit> {
+    let name = name.into();
     let mut top = row(
         name,
         only(order, 1.0),

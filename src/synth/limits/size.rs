@@ -1,7 +1,7 @@
 //! Prime radius, bore and face width.
 
 use super::row::{GEOMETRY, SLACK, range, same};
-use crate::cam::{Cam, Check, FollowerKind};
+use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
@@ -11,9 +11,13 @@ use crate::synth::scp::ENLARGED;
 /// The contact on a flat face moves by v (theory §6): its range is the face's width.
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
     match (problem.limits.face_width, problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => {
-            range("face_width", 1, width, problem.length, Some(FACE_END))
-        }
+        (Some(width), FollowerKind::FlatTranslating) => range(
+            LimitKind::FaceWidth,
+            1,
+            width,
+            problem.length,
+            Some(FACE_END),
+        ),
         _ => Vec::new(),
     }
 }
@@ -55,7 +59,12 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     } else {
         1.0
     };
-    let mut limit = Limit::new("prime_radius", [0.0; 5], radius * kept, problem.length);
+    let mut limit = Limit::new(
+        LimitKind::PrimeRadius,
+        [0.0; 5],
+        radius * kept,
+        problem.length,
+    );
     limit.extra[variable] = 1.0;
     limit.domain = (0.0, 0.0);
     limit.meaning = same(1.0);
@@ -71,15 +80,25 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
             at: cam.law.extremes(1).1.at,
             value: width,
         };
-        out.push(Check::at_most("face_width", worst, limit, SLACK));
+        out.push(Check::at_most(LimitKind::FaceWidth, worst, limit, SLACK));
     }
     if let Some(limit) = problem.limits.prime_radius {
         let worst = size(cam.follower.prime_radius());
-        out.push(Check::at_most("prime_radius", worst, limit, GEOMETRY));
+        out.push(Check::at_most(
+            LimitKind::PrimeRadius,
+            worst,
+            limit,
+            GEOMETRY,
+        ));
     }
     if let Some(bore) = problem.cam.bore {
         let worst = size(cam.follower.base_radius());
-        out.push(Check::at_least("bore", worst, 0.5 * bore, GEOMETRY));
+        out.push(Check::at_least(
+            Criterion::Bore,
+            worst,
+            0.5 * bore,
+            GEOMETRY,
+        ));
     }
     out
 }

@@ -12,9 +12,12 @@
 
 use super::basis::apply;
 use super::program::{EXTRAS, Meaning, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution};
+use serde::Serialize;
+
+use crate::cam::Criterion;
 
 /// How near to the optimum a law is proved to be.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
     /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a
     /// force error's half mean square).
@@ -31,7 +34,7 @@ pub struct Certificate {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sensitivity {
     /// Name of the limit, or key of the scene where that is another.
-    pub limit: &'static str,
+    pub limit: Criterion,
     /// Its value, SI.
     pub from: f64,
     /// The value relaxed, SI.

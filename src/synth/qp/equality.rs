@@ -2,6 +2,7 @@
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
+use super::demand::Demand;
 use super::program::{Equality, Failure, Program, Stop};
 
 /// The optimum without limits and the factorisation that gave it.
@@ -198,14 +199,14 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
             }
         }
     }
-    let missed: Vec<String> = order[rank..]
+    let missed: Vec<Demand> = order[rank..]
         .iter()
         .map(|&i| &demands[i])
         .filter(|e| {
             let size = e.entries.iter().fold(0.0_f64, |m, e| m.max(e.1.abs())) * program.length;
             (apply(&e.entries, &x) - e.value).abs() > settings.consistent * size.max(e.value.abs())
         })
-        .map(|e| e.name.clone())
+        .map(|e| e.name)
         .collect();
     if missed.is_empty() {
         Ok(x)

@@ -31,6 +31,7 @@ mod band;
 mod basis;
 mod certificate;
 mod clarabel;
+mod demand;
 mod equality;
 mod exchange;
 mod lifted;
@@ -45,6 +46,7 @@ mod tests;
 
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, Sensitivity, certificate, sensitivities};
+pub use demand::{Demand, Given};
 pub use equality::solve as solve_equalities;
 pub use objective::Quadratic;
 pub use program::{

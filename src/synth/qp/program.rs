@@ -7,9 +7,11 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
+use super::demand::Demand;
 use super::lifted::Lifted;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
+use crate::cam::Criterion;
 use crate::poly::{Peak, PiecewisePoly};
 use serde::Serialize;
 
@@ -34,7 +36,7 @@ pub const SIZES: [usize; 3] = [RADIUS, RISE, OFFSET];
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limit {
     /// Name as users know it; both signs of a two-sided limit share it.
-    pub name: &'static str,
+    pub name: Criterion,
     /// Weights of s, v, a, j and the fourth derivative, by cam angle.
     pub weights: [f64; 5],
     /// Σ weights·svaj + Σ extra·y ≤ bound + shape(θ).
@@ -53,9 +55,9 @@ pub struct Limit {
 
 impl Limit {
     /// Σ weights·svaj ≤ bound over one turn.
-    pub fn new(name: &'static str, weights: [f64; 5], bound: f64, scale: f64) -> Self {
+    pub fn new(name: impl Into<Criterion>, weights: [f64; 5], bound: f64, scale: f64) -> Self {
         Limit {
-            name,
+            name: name.into(),
             weights,
             bound,
             extra: [0.0; EXTRAS],
@@ -152,9 +154,9 @@ impl Meaning {
     }
 
     /// The scene's own name for the value, where it is not the limit's.
-    pub fn key(self, limit: &'static str) -> &'static str {
+    pub fn key(self, limit: Criterion) -> Criterion {
         match self {
-            Meaning::PrimeRadius { .. } => "cam.prime_radius",
+            Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
             _ => limit,
         }
     }
@@ -163,8 +165,8 @@ impl Meaning {
 /// An exact demand on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equality {
-    /// What it says, for messages: "point 2 (56.88°): lift".
-    pub name: String,
+    /// What it demands.
+    pub name: Demand,
     /// The row.
     pub entries: Entries,
     /// Its value.
@@ -210,7 +212,7 @@ pub struct Row {
     /// Index of the limit; `None` for a fixed row.
     pub limit: Option<usize>,
     /// Name of the limit as users know it.
-    pub name: &'static str,
+    pub name: Criterion,
     /// Where on the law.
     pub peak: Peak,
     /// Weights of s, v, a, j and the fourth derivative there.
@@ -253,7 +255,7 @@ pub enum Failure {
     /// The equalities contradict each other.
     Inconsistent {
         /// Names of those that do not follow from the others.
-        equalities: Vec<String>,
+        equalities: Vec<Demand>,
     },
     /// The limits leave nothing.
     Infeasible,

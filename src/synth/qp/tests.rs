@@ -1,8 +1,10 @@
 //! Optima with known closed forms, limits that hold between samples, demands that contradict.
 
 use super::basis::Basis;
+use super::demand::Demand;
 use super::objective::{Quadratic, pointwise};
 use super::program::{Equality, Failure, Limit, Meaning, PEAK, Program};
+use crate::cam::{Criterion, LimitKind};
 use crate::poly::SplineSpace;
 use std::f64::consts::PI;
 
@@ -20,7 +22,7 @@ fn rest_to_rest(n: usize, degree: usize, breaks: &[f64]) -> Program {
         w[order] = 1.0;
         let last = breaks.len() - 2;
         let demand = |piece, u, value| Equality {
-            name: format!("order {order}"),
+            name: Demand::InDwell { dwell: order },
             entries: basis.row_on(piece, u, &w),
             value,
         };
@@ -50,7 +52,7 @@ fn two_sided(order: usize, bound: f64) -> Vec<Limit> {
             weights[order] = sign;
             Limit {
                 domain: (0.0, 1.0),
-                ..Limit::new("peak", weights, bound, 1.0)
+                ..Limit::new(Criterion::Peak, weights, bound, 1.0)
             }
         })
         .to_vec()
@@ -121,7 +123,7 @@ fn rise_and_return(n: usize, degree: usize, breaks: &[f64]) -> Program {
     }
     let entries = program.basis.row(0.5, &[1.0]);
     program.equalities.push(Equality {
-        name: "top".to_string(),
+        name: Demand::OnBaseCircle,
         entries,
         value: 1.0,
     });
@@ -177,13 +179,13 @@ fn a_jerk_limit_on_quintics_holds_between_samples() {
 fn contradicting_demands_are_named() {
     let mut program = with_energy(rest_to_rest(3, 5, &uniform(4)), 3);
     let mut again = program.equalities[1].clone();
-    again.name = "the second end".to_string();
+    again.name = Demand::OnBaseCircle;
     again.value = 2.0;
     program.equalities.push(again.clone());
     assert_eq!(
         program.solve().unwrap_err(),
         Failure::Inconsistent {
-            equalities: vec!["the second end".to_string()]
+            equalities: vec![Demand::OnBaseCircle]
         }
     );
     again.value = 1.0;
@@ -303,7 +305,7 @@ fn a_crest_on_a_break_is_held_like_any_other() {
             None,
         );
         let mut program = Program::new(basis, q, Vec::new(), 1.0);
-        let mut limit = Limit::new("stroke", [1.0, 0.0, 0.0, 0.0, 0.0], 0.7, 0.7);
+        let mut limit = Limit::new(LimitKind::Stroke, [1.0, 0.0, 0.0, 0.0, 0.0], 0.7, 0.7);
         limit.domain = (0.0, 2.0 * PI);
         program.limits.push(limit);
         let solution = program.solve().unwrap();

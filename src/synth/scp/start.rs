@@ -1,6 +1,7 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
 use super::{NEARLY, ROOM, SHORTEST, blend, contacts, each_place, linearised, row};
+use crate::cam::LimitKind;
 use crate::synth::limits::{NonconvexLimits, Profile, ProfileSize, clearance};
 use crate::synth::qp::{EXTRAS, Program, RISE, Row, Solution};
 
@@ -37,7 +38,7 @@ pub fn feasible(
             Some(Profile::Roller(size)) => {
                 // What is sufficient for the curvature says nothing of the loads.
                 let mut rows = linearised(program, &current, &here, &program.present(), room);
-                rows.retain(|r| r.name != "curvature");
+                rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
                 rows
             }

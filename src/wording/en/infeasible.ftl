@@ -9,3 +9,9 @@ reason-relaxations = Smallest sufficient changes, any one of them: { $changes }.
 reason-no-relaxation = Relaxing a single one of these limits is not sufficient.
 reason-all-together = Relaxing a single one of these limits is not sufficient; relaxing all of them by { $share } is.
 reason-change = { $limit } { $to } instead of { $from }
+
+# Demands on the law in a conflict.
+demand-at-point = { $given } at point { $point } ({ $at })
+demand-in-dwell = dwell { $dwell }
+demand-on-base-circle = contact with the base circle
+demand-no-vibration = no vibration after { $after }

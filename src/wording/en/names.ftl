@@ -20,6 +20,7 @@ name-hydraulic = hydraulic
 
 # Limits and checks.
 name-stroke = stroke
+name-lift = lift
 name-velocity = velocity
 name-acceleration = acceleration
 name-jerk = jerk

@@ -9,3 +9,9 @@ reason-relaxations = Menores cambios suficientes, basta uno de ellos: { $changes
 reason-no-relaxation = No basta con ampliar uno solo de estos límites.
 reason-all-together = No basta con ampliar uno solo de estos límites; basta con ampliarlos todos un { $share }.
 reason-change = { $limit } { $to } en lugar de { $from }
+
+# Condiciones de la ley en un conflicto.
+demand-at-point = { $given } en el punto { $point } ({ $at })
+demand-in-dwell = detenimiento { $dwell }
+demand-on-base-circle = contacto con el círculo base
+demand-no-vibration = sin vibración después de { $after }

@@ -20,6 +20,7 @@ name-hydraulic = hidráulico
 
 # Límites y comprobaciones.
 name-stroke = carrera
+name-lift = elevación
 name-velocity = velocidad
 name-acceleration = aceleración
 name-jerk = sobreaceleración

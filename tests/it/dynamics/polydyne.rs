@@ -155,7 +155,7 @@ fn limits_are_those_of_the_cam_not_of_the_end() {
             scene::DEFAULT,
             &[base.as_slice(), &[change.as_str()]].concat(),
         );
-        let check = s.checks.iter().find(|c| c.name == key).unwrap();
+        let check = s.checks.iter().find(|c| c.name.name() == key).unwrap();
         assert!(check.pass, "{check:?}");
         assert!(check.worst > 0.999 * check.limit, "{check:?}");
         // The emitted law, sampled, keeps it; the end's differs from it.

@@ -34,7 +34,7 @@ fn easing_a_limit_buys_what_the_multipliers_promise() {
         let easing = first
             .easing
             .iter()
-            .find(|e| e.limit == name)
+            .find(|e| e.limit.name() == name)
             .unwrap_or_else(|| panic!("{name} binds: {:?}", first.binding));
         assert!(
             (easing.before - first.force.rms_error_n).abs() < 1e-4,

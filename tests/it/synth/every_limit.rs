@@ -55,8 +55,8 @@ fn every_limit_that_is_too_tight_has_a_check_that_fails() {
         };
         key.set(&mut scene, 0, Value::Number(tight)).unwrap();
         let design = synthesise(&scene, None).unwrap();
-        let measured = |name: &str| kind.is_measured_by(name);
-        let found = design.checks.iter().filter(|c| measured(&c.name));
+        let measured = |name| kind.is_measured_by(name);
+        let found = design.checks.iter().filter(|c| measured(c.name));
         let failed: Vec<bool> = found.map(|c| c.pass).collect();
         assert!(!failed.is_empty(), "{kind:?} has no check");
         assert!(!failed.contains(&true), "{kind:?}: {:?}", design.checks);

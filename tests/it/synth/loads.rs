@@ -33,7 +33,7 @@ fn relaxed_design(text: &str, changes: &[&str]) -> Design {
 }
 
 fn check<'a>(s: &'a Design, name: &str) -> &'a Check {
-    s.checks.iter().find(|c| c.name == name).unwrap()
+    s.checks.iter().find(|c| c.name.name() == name).unwrap()
 }
 
 const ANGLES: usize = 20_011;
@@ -85,7 +85,7 @@ fn the_rate_of_the_torque_is_held_and_costs_accuracy() {
         );
         assert!(held > rate.limit * (1.0 - 1e-3), "{share}: {held} {rate:?}");
         assert!(s.force.rms_error_n > last);
-        assert!(s.binding.iter().any(|b| b.limit == "torque_rate"));
+        assert!(s.binding.iter().any(|b| b.limit.name() == "torque_rate"));
         assert_eq!(s.solver.tier, Tier::Scp);
         last = s.force.rms_error_n;
     }
@@ -109,7 +109,7 @@ fn a_law_at_its_torque_limit_is_a_local_optimum() {
     let gain: f64 = s
         .binding
         .iter()
-        .filter(|b| b.limit == "torque")
+        .filter(|b| b.limit.name() == "torque")
         .map(|b| b.multiplier)
         .sum();
     let more = at(0.801);
@@ -154,7 +154,7 @@ fn limits_that_leave_no_law_say_so_with_the_smallest_relaxation() {
             .infeasible
             .as_ref()
             .unwrap_or_else(|| panic!("{name}: {:?}", s.checks));
-        assert_eq!(why.conflict, [name]);
+        assert_eq!(why.names(), [name]);
         let to = why.relaxations[0].to.unwrap();
         assert!(to > asked, "{}", why.words());
         // What it says works, and a little less does not.
@@ -183,9 +183,13 @@ fn a_band_that_fights_the_torque_is_named_beside_it() {
     let limit = format!("limits.torque={} N m", 0.5 * most);
     let s = relaxed_design(scene::DEFAULT, &[changes[0], changes[1], &limit]);
     let why = s.infeasible.unwrap();
-    assert_eq!(why.conflict, ["band", "torque"], "{}", why.words());
+    assert_eq!(why.names(), ["band", "torque"], "{}", why.words());
     let to = |name: &str| {
-        let one = why.relaxations.iter().find(|r| r.limit == name).unwrap();
+        let one = why
+            .relaxations
+            .iter()
+            .find(|r| r.limit.name() == name)
+            .unwrap();
         one.to.unwrap()
     };
     let torque = format!("limits.torque={} N m", to("torque"));
@@ -217,7 +221,7 @@ fn pressure_under_a_roller_is_held_by_the_sequence() {
             worst <= held.limit * (1.0 + 1e-6) && worst > 0.999 * held.limit,
             "{worst} {held:?}"
         );
-        assert!(s.binding.iter().any(|b| b.limit == "hertz_pressure"));
+        assert!(s.binding.iter().any(|b| b.limit.name() == "hertz_pressure"));
         assert!(s.force.rms_error_n > last);
         last = s.force.rms_error_n;
     }

@@ -28,7 +28,7 @@ fn fault(text: &str, change: &str) -> String {
 }
 
 fn check<'a>(s: &'a Design, name: &str) -> &'a gaitcam::cam::Check {
-    s.checks.iter().find(|c| c.name == name).unwrap()
+    s.checks.iter().find(|c| c.name.name() == name).unwrap()
 }
 
 fn peak_torque(s: &Design) -> f64 {
@@ -55,7 +55,7 @@ fn a_torque_limit_shapes_the_law_and_costs_accuracy() {
         assert!(peak_torque(&s) > limit * (1.0 - 2e-3), "{share}");
         assert!(s.force.rms_error_n > last);
         last = s.force.rms_error_n;
-        assert!(s.binding.iter().any(|b| b.limit == "torque"));
+        assert!(s.binding.iter().any(|b| b.limit.name() == "torque"));
     }
     // A limit that is not reached changes nothing.
     let wide = design(scene::DEFAULT, &["limits.torque=1000 N m"]);
@@ -89,7 +89,7 @@ fn a_pressure_limit_under_a_flat_face_is_a_row_of_the_program() {
         held <= limit * (1.0 + 1e-6) && held > 0.999 * limit,
         "{held} {limit}"
     );
-    assert!(s.binding.iter().any(|b| b.limit == "hertz_pressure"));
+    assert!(s.binding.iter().any(|b| b.limit.name() == "hertz_pressure"));
     assert!(s.force.rms_error_n > free.force.rms_error_n);
 }
 

@@ -85,7 +85,7 @@ fn demands_below_the_base_circle_are_an_infeasible_answer_that_names_them() {
         why.words()
     );
     assert!(
-        why.conflict.len() == 2 && why.conflict.iter().all(|n| n.starts_with("law.point[1]")),
+        why.conflict.len() == 2 && why.names().iter().all(|n| n.starts_with("law.point[1]")),
         "{:?}",
         why.conflict
     );

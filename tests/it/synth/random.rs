@@ -1,6 +1,7 @@
 //! Whatever a scene asks for: words, a cam that keeps every limit on a dense scan, or a conflict whose
 //! smallest relaxation does build.
 
+use gaitcam::cam::Criterion;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
@@ -104,7 +105,7 @@ fn holds(wish: &Wish) -> Result<(), TestCaseError> {
         // The accuracy may be out of reach of the spans given; every other limit is held or in conflict.
         None if !built => {
             let broken: Vec<_> = (answer.checks.iter())
-                .filter(|c| !c.pass && c.name != "rms_error")
+                .filter(|c| !c.pass && c.name != Criterion::RmsError)
                 .collect();
             prop_assert!(broken.is_empty(), "neither held nor refused: {broken:?}");
         }
@@ -127,7 +128,7 @@ fn holds(wish: &Wish) -> Result<(), TestCaseError> {
             for relaxation in &conflict.relaxations {
                 let Some(to) = relaxation.to else { continue };
                 let mut relaxed = asked.clone();
-                let unit = match relaxation.limit.as_str() {
+                let unit = match relaxation.limit.name() {
                     "stroke" => "m",
                     "acceleration" => "m/s^2",
                     "jerk" => "m/s^3",
@@ -140,7 +141,11 @@ fn holds(wish: &Wish) -> Result<(), TestCaseError> {
                 } else {
                     1e-6 * to
                 };
-                relaxed.push(format!("limits.{}={} {unit}", relaxation.limit, to + room));
+                relaxed.push(format!(
+                    "limits.{}={} {unit}",
+                    relaxation.limit.name(),
+                    to + room
+                ));
                 let again = design(&relaxed, &target).map_err(TestCaseError::fail)?;
                 prop_assert!(
                     again.infeasible.is_none(),

@@ -59,7 +59,7 @@ fn inside_a_band_the_law_is_smoother_than_the_nearest_one() {
         "the band binds and holds: {worst}"
     );
     assert!(mean_square_jerk(&inside) < 0.95 * mean_square_jerk(&near));
-    assert!(inside.binding.iter().any(|b| b.limit == "band"));
+    assert!(inside.binding.iter().any(|b| b.limit.name() == "band"));
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn a_band_too_narrow_says_how_much_wider() {
     let wider = conflict
         .relaxations
         .iter()
-        .find(|r| r.limit == "band")
+        .find(|r| r.limit.name() == "band")
         .unwrap();
     assert!((wider.from - 0.5).abs() < 1e-9, "{wider:?}");
     let to = wider.to.unwrap();

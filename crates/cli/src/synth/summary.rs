@@ -69,12 +69,12 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
 }
 
 fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
-    let value = |x: f64| in_units(measures, &check.name, x);
+    let value = |x: f64| in_units(measures, check.name, x);
     row(
         mark,
         &words::fill(
             "synth-check",
-            &json!({"name": words::name(&check.name), "value": value(check.worst), "limit": value(check.limit),
+            &json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
                 "at": measures.place(check.at, 2)}),
         ),
     )
@@ -231,7 +231,8 @@ fn active_limits(design: &Design) -> Vec<String> {
     limits.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let lines = limits.iter().map(|a| {
         let at = measures.place(a.strongest.at, 2);
-        let said = json!({"limit": words::name(&a.strongest.limit), "points": a.points, "at": at});
+        let said =
+            json!({"limit": words::name(a.strongest.limit.name()), "points": a.points, "at": at});
         row("active", &words::fill("synth-active", &said))
     });
     at_most(ACTIVE_LIMITS, lines.collect(), "more-active")
@@ -245,7 +246,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
             "relaxing",
             &words::fill(
                 "synth-relaxing",
-                &json!({"limit": words::name(&easing.limit), "to": in_units(measures, &easing.limit, easing.to),
+                &json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to),
                     "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
                     "before": fixed(factor * easing.before, 5)}),
             ),

@@ -139,7 +139,12 @@ impl Task<'_> {
                         factor: 1.0,
                         offset: 0.0,
                     },
-                    ..Limit::new("derivative", weights, bound.most, bound.most)
+                    ..Limit::new(
+                        gaitcam::cam::Criterion::Peak,
+                        weights,
+                        bound.most,
+                        bound.most,
+                    )
                 });
             }
         }

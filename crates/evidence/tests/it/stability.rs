@@ -229,7 +229,7 @@ fn equal_demands_are_taken_once_and_contradictions_are_named() {
         Ok(answer) => assert!(
             answer
                 .infeasible
-                .is_some_and(|i| i.conflict[0].contains("point"))
+                .is_some_and(|i| i.conflict[0].name().contains("point"))
         ),
     }
 }

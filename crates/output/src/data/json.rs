@@ -4,8 +4,11 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Timing;
-use gaitcam::cam::Continuity;
-use gaitcam::synth::{Design, End, ForceReport, Infeasible, MachineReport, Reason, Relaxation};
+use gaitcam::cam::{Continuity, Criterion};
+use gaitcam::synth::{
+    Binding, Certificate, Design, Easing, End, ForceReport, Infeasible, MachineReport, Reason,
+    Relaxation,
+};
 use gaitcam::wording::Language;
 
 /// The summary of a design.
@@ -54,20 +57,20 @@ struct Summary<'a> {
     verdict_text: VerdictText,
     continuity: Continuity,
     cam_das: &'static str,
-    force: Force,
+    force: &'a ForceReport,
     drive: DriveSummary,
     law: LawSummary<'a>,
     cam: CamSummary,
     machine: MachineSummary,
-    checks: Vec<CheckSummary<'a>>,
-    binding: Vec<BindingSummary<'a>>,
-    easing: Vec<EasingSummary<'a>>,
+    checks: Vec<CheckSummary>,
+    binding: &'a [Binding],
+    easing: &'a [Easing],
     #[serde(skip_serializing_if = "Option::is_none")]
     infeasible: Option<InfeasibleSummary<'a>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    relaxations: Vec<RelaxationSummary<'a>>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    relaxed_together: Vec<RelaxationSummary<'a>>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    relaxations: &'a [Relaxation],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    relaxed_together: &'a [Relaxation],
     remarks: Vec<String>,
     solver: Solver,
     time: Total,
@@ -87,17 +90,6 @@ impl VerdictText {
             es: synthesis.reasons_in(Language::Es),
         }
     }
-}
-
-#[derive(Serialize)]
-struct Force {
-    rms_error_n: f64,
-    max_error_n: f64,
-    rms_error_percent_of_mean: f64,
-    target_mean_n: f64,
-    mean_n: f64,
-    min_n: f64,
-    max_n: f64,
 }
 
 #[derive(Serialize)]
@@ -192,8 +184,8 @@ impl MachineSummary {
 }
 
 #[derive(Serialize)]
-struct CheckSummary<'a> {
-    name: &'a str,
+struct CheckSummary {
+    name: Criterion,
     worst: Real,
     limit: Real,
     at_rad: f64,
@@ -201,44 +193,10 @@ struct CheckSummary<'a> {
 }
 
 #[derive(Serialize)]
-struct BindingSummary<'a> {
-    limit: &'a str,
-    multiplier: f64,
-    at_rad: f64,
-}
-
-/// What easing a limit by 1 % buys; `objective` names `before` and `after` with their unit.
-#[derive(Serialize)]
-struct EasingSummary<'a> {
-    limit: &'a str,
-    from: f64,
-    to: f64,
-    objective: &'a str,
-    before: f64,
-    after: f64,
-}
-
-#[derive(Serialize)]
-struct CertificateSummary {
-    duality_gap: f64,
-    relative_gap: f64,
-    stationarity: f64,
-    violation: f64,
-}
-
-#[derive(Serialize)]
 struct InfeasibleSummary<'a> {
-    conflict: &'a [String],
-    relaxations: Vec<RelaxationSummary<'a>>,
+    conflict: Vec<String>,
+    relaxations: &'a [Relaxation],
     words: String,
-}
-
-#[derive(Serialize)]
-struct RelaxationSummary<'a> {
-    limit: &'a str,
-    key: &'static str,
-    from: f64,
-    to: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -248,7 +206,7 @@ struct Solver {
     iterations: usize,
     solve_s: f64,
     certified: bool,
-    certificate: Option<CertificateSummary>,
+    certificate: Option<Certificate>,
 }
 
 #[derive(Serialize)]
@@ -272,7 +230,7 @@ impl<'a> Summary<'a> {
             verdict_text: VerdictText::new(synthesis),
             continuity: Continuity::of(&synthesis.cam),
             cam_das: synthesis.cam.cam_das_class().name(),
-            force: Force::new(&synthesis.force),
+            force: &synthesis.force,
             drive: DriveSummary {
                 kind: synthesis.drive.kind.name(),
                 mass_kg: synthesis.drive.mass,
@@ -285,45 +243,18 @@ impl<'a> Summary<'a> {
                 .checks
                 .iter()
                 .map(|c| CheckSummary {
-                    name: &c.name,
+                    name: c.name,
                     worst: Real(c.worst),
                     limit: Real(c.limit),
                     at_rad: c.at,
                     pass: c.pass,
                 })
                 .collect(),
-            binding: synthesis
-                .binding
-                .iter()
-                .map(|b| BindingSummary {
-                    limit: &b.limit,
-                    multiplier: b.multiplier,
-                    at_rad: b.at,
-                })
-                .collect(),
-            easing: synthesis
-                .easing
-                .iter()
-                .map(|e| EasingSummary {
-                    limit: &e.limit,
-                    from: e.from,
-                    to: e.to,
-                    objective: &e.objective,
-                    before: e.before,
-                    after: e.after,
-                })
-                .collect(),
+            binding: &synthesis.binding,
+            easing: &synthesis.easing,
             infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
-            relaxations: synthesis
-                .relaxations
-                .iter()
-                .map(RelaxationSummary::new)
-                .collect(),
-            relaxed_together: synthesis
-                .together
-                .iter()
-                .map(RelaxationSummary::new)
-                .collect(),
+            relaxations: &synthesis.relaxations,
+            relaxed_together: &synthesis.together,
             remarks: synthesis.remarks(),
             solver: Solver {
                 tier: solver.tier.name(),
@@ -331,30 +262,11 @@ impl<'a> Summary<'a> {
                 iterations: solver.iterations,
                 solve_s: time.solve_s,
                 certified: solver.certified,
-                certificate: solver.certificate.map(|c| CertificateSummary {
-                    duality_gap: c.duality_gap,
-                    relative_gap: c.relative_gap,
-                    stationarity: c.stationarity,
-                    violation: c.violation,
-                }),
+                certificate: solver.certificate,
             },
             time: Total {
                 total_s: time.total_s,
             },
-        }
-    }
-}
-
-impl Force {
-    fn new(f: &ForceReport) -> Self {
-        Force {
-            rms_error_n: f.rms_error_n,
-            max_error_n: f.max_error_n,
-            rms_error_percent_of_mean: f.rms_error_percent_of_mean,
-            target_mean_n: f.target_mean_n,
-            mean_n: f.mean_n,
-            min_n: f.min_n,
-            max_n: f.max_n,
         }
     }
 }
@@ -401,26 +313,11 @@ impl CamSummary {
     }
 }
 
-impl<'a> RelaxationSummary<'a> {
-    fn new(r: &'a Relaxation) -> Self {
-        RelaxationSummary {
-            limit: &r.limit,
-            key: r.key,
-            from: r.from,
-            to: r.to,
-        }
-    }
-}
-
 impl<'a> InfeasibleSummary<'a> {
     fn new(answer: &'a Infeasible) -> Self {
         InfeasibleSummary {
-            conflict: &answer.conflict,
-            relaxations: answer
-                .relaxations
-                .iter()
-                .map(RelaxationSummary::new)
-                .collect(),
+            conflict: answer.names(),
+            relaxations: &answer.relaxations,
             words: answer.words(),
         }
     }

@@ -9,6 +9,7 @@ use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
 use crate::words::Words;
+use gaitcam::cam::LimitKind;
 use gaitcam::synth::Design;
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
@@ -48,7 +49,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         }
         // A limit of 0 is the undercut's own bound: the axis.
         let limits = synthesis.checks.iter();
-        for check in limits.filter(|c| c.name == "curvature" && c.limit > 0.0) {
+        for check in limits.filter(|c| c.name == LimitKind::Curvature && c.limit > 0.0) {
             let value = millimetres(check.limit, 3);
             let name = words.fill("figure-limit", &[("value", &value)]);
             panel.level(1000.0 * check.limit, Some((&name, VPos::Bottom)), RED)?;
@@ -120,10 +121,10 @@ fn cap(synthesis: &Design, rho: &[(f64, f64)]) -> f64 {
 
 /// The signed level of a pressure-angle limit, degrees.
 fn pressure_limit(check: &gaitcam::cam::Check) -> Option<f64> {
-    if !check.name.starts_with("pressure_angle") {
-        return None;
-    }
-    let falling = check.name.ends_with("fall");
     let limit = check.limit.abs().to_degrees();
-    Some(if falling { -limit } else { limit })
+    match check.name.limit()? {
+        LimitKind::PressureAngle | LimitKind::PressureAngleRise => Some(limit),
+        LimitKind::PressureAngleFall => Some(-limit),
+        _ => None,
+    }
 }

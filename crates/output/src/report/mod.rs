@@ -15,7 +15,7 @@ use crate::number::{millimetres, number, range};
 use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
-use gaitcam::synth::Design;
+use gaitcam::synth::{Conflicting, Design};
 use gaitcam::wording::Language;
 
 const STYLE: &str = include_str!("page.css");
@@ -140,8 +140,12 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
         "<div class=\"alert\">\n<h2>{}</h2>\n<ul>\n",
         escaped(&words.text("report-conflict"))
     );
-    for limit in &answer.conflict {
-        let _ = writeln!(out, "<li>{}</li>", escaped(&words.name(limit)));
+    for member in &answer.conflict {
+        let member = match member {
+            Conflicting::Limit(limit) => words.name(limit.name()),
+            Conflicting::Demand(_) => member.sentence(words.language()),
+        };
+        let _ = writeln!(out, "<li>{}</li>", escaped(&member));
     }
     let measures = synthesis.cam.follower.measures();
     let helps = answer.relaxations.iter().any(|r| r.to.is_some());
@@ -152,11 +156,11 @@ fn conflict(out: &mut String, synthesis: &Design, words: &Words) {
     });
     let _ = write!(out, "</ul>\n<h2>{}</h2>\n<ul>\n", escaped(&head));
     for r in &answer.relaxations {
-        let name = words.name(&r.limit);
-        let from = tables::shown(measures, &r.limit, r.from);
+        let name = words.name(r.limit.name());
+        let from = tables::shown(measures, r.limit, r.from);
         let _ = match r.to {
             Some(to) => {
-                let to = tables::shown(measures, &r.limit, to);
+                let to = tables::shown(measures, r.limit, to);
                 let change = words.fill("report-relaxation", &[("from", &from)]);
                 let (name, change) = (escaped(&name), escaped(&change));
                 writeln!(out, "<li>{name}: {change} <strong>{to}</strong></li>")

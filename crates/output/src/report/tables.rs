@@ -7,14 +7,14 @@ use crate::Timing;
 use crate::escape::escaped;
 use crate::number::{degrees, millimetres, number, range};
 use crate::words::Words;
-use gaitcam::cam::{Check, Follower, Measures, Unit};
+use gaitcam::cam::{Check, Criterion, Follower, Measures, Unit};
 use gaitcam::synth::{Design, Tier, unit};
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;
 
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
-pub fn shown(measures: Measures, limit: &str, value: f64) -> String {
+pub fn shown(measures: Measures, limit: Criterion, value: f64) -> String {
     let unit = unit(measures, limit);
     unit.after(&number(unit.factor * value, 4))
 }
@@ -91,14 +91,14 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
         } else {
             "—".into()
         };
-        row(out, &words.name(&check.name));
+        row(out, &words.name(check.name.name()));
         let _ = write!(
             out,
             "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
             escaped(&words.text(state))
         );
-        let worst = shown(measures, &check.name, check.worst);
-        let limit = shown(measures, &check.name, check.limit);
+        let worst = shown(measures, check.name, check.worst);
+        let limit = shown(measures, check.name, check.limit);
         let place = measures.place(check.at, 1);
         cells(out, &[&worst, &limit, &margin, &place]);
     }
@@ -106,20 +106,20 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
 }
 
 /// An active limit: its name, its largest multiplier and where that is, how many points it holds at.
-struct Active<'a> {
-    limit: &'a str,
+struct Active {
+    limit: Criterion,
     multiplier: f64,
     at: f64,
     points: usize,
 }
 
 /// The limits that shape the law, each once.
-fn gathered(synthesis: &Design) -> Vec<Active<'_>> {
+fn gathered(synthesis: &Design) -> Vec<Active> {
     let mut all: Vec<Active> = Vec::new();
     for b in &synthesis.binding {
         let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
             all.push(Active {
-                limit: &b.limit,
+                limit: b.limit,
                 multiplier: b.multiplier,
                 at: b.at,
                 points: 1,
@@ -150,7 +150,7 @@ pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
     open(out, words, &columns, 1..4);
     let measures = synthesis.cam.follower.measures();
     for a in gathered(synthesis) {
-        row(out, &words.name(a.limit));
+        row(out, &words.name(a.limit.name()));
         let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
         cells(out, &[&points, &number(a.multiplier, 4), &place]);
     }
@@ -185,9 +185,9 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     let measures = synthesis.cam.follower.measures();
     for e in &synthesis.easing {
         let (name, unit, factor) = e.in_words(measures);
-        row(out, &words.name(&e.limit));
-        let from = shown(measures, &e.limit, e.from);
-        let to = shown(measures, &e.limit, e.to);
+        row(out, &words.name(e.limit.name()));
+        let from = shown(measures, e.limit, e.from);
+        let to = shown(measures, e.limit, e.to);
         let [before, after] =
             [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
         cells(out, &[&from, &to, name, &before, &after]);

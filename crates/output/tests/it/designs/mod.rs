@@ -1,13 +1,14 @@
 //! Designs with known answers, built from the public types.
 
-use gaitcam::cam::{Cam, Check, Follower, Verdict, smallest_base_radius};
+use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict, smallest_base_radius};
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
 use gaitcam::problem::Note;
 use gaitcam::synth::{
-    Binding, Design, ForceReport, Infeasible, Method, Reason, Relaxation, SolverReport, Tier,
+    Binding, Conflicting, Design, ForceReport, Infeasible, Method, Reason, Relaxation,
+    SolverReport, Tier,
 };
 use gaitcam::units::{G, LBF, Quantity};
 
@@ -99,7 +100,7 @@ pub fn footbridge() -> Design {
         reasons: vec![Reason::AllHold],
         checks: vec![
             Check::at_most(
-                "stroke",
+                LimitKind::Stroke,
                 Extreme {
                     at: 0.0,
                     value: stroke,
@@ -107,11 +108,11 @@ pub fn footbridge() -> Design {
                 0.06,
                 1e-9,
             ),
-            Check::at_least("curvature", sharpest, rho, 1e-9),
-            Check::at_least("force_min", low, 0.0, 1e-9),
+            Check::at_least(LimitKind::Curvature, sharpest, rho, 1e-9),
+            Check::at_least(LimitKind::ForceMin, low, 0.0, 1e-9),
         ],
         binding: vec![Binding {
-            limit: "curvature".into(),
+            limit: LimitKind::Curvature.into(),
             multiplier: 1.0,
             at: sharpest.at,
         }],
@@ -207,9 +208,9 @@ pub fn heel_tester() -> Design {
             at: Quantity::angle(0.0),
         }],
         checks: vec![
-            Check::at_most("pressure_angle_rise", phi_high, limit, 1e-9),
-            Check::at_most("pressure_angle_fall", falling, limit, 1e-9),
-            Check::at_least("curvature", cam.curvature().convex, 0.005, 1e-9),
+            Check::at_most(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
+            Check::at_most(LimitKind::PressureAngleFall, falling, limit, 1e-9),
+            Check::at_least(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
         ],
         binding: Vec::new(),
         solver: SolverReport {
@@ -232,23 +233,26 @@ pub fn impossible() -> Design {
     let mut s = footbridge();
     s.name = "footbridge <stroke & limit>".into();
     s.infeasible = Some(Infeasible {
-        conflict: vec!["stroke".into(), "rms".into()],
+        conflict: vec![
+            Conflicting::Limit(LimitKind::Stroke.into()),
+            Conflicting::Limit(Criterion::Accuracy),
+        ],
         relaxations: vec![
             Relaxation {
-                limit: "stroke".into(),
+                limit: LimitKind::Stroke.into(),
                 key: "limits.stroke",
                 from: 0.03,
                 to: Some(0.0483),
             },
             Relaxation {
-                limit: "rms".into(),
+                limit: Criterion::Accuracy,
                 key: "accuracy.rms",
                 from: 0.005,
                 to: None,
             },
         ],
         reasons: vec![Reason::LimitInfeasible {
-            limit: "stroke".into(),
+            limit: LimitKind::Stroke.into(),
         }],
     });
     s.verdict = Verdict::Unacceptable;

@@ -1,0 +1,144 @@
+//! What is checked on a cam, binds its law or may be relaxed.
+
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+use super::LimitKind;
+
+/// What a check, an active limit or a relaxation is about.
+///
+/// ```
+/// use gaitcam::cam::{Criterion, LimitKind};
+///
+/// assert_eq!(Criterion::from(LimitKind::PressureAngleRise).name(), "pressure_angle_rise");
+/// assert_eq!(Criterion::Limit(LimitKind::Curvature).of_second_cam().name(), "second_curvature");
+/// assert!(Criterion::Concave != LimitKind::Curvature);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Criterion {
+    /// A limit that a scene may set.
+    Limit(LimitKind),
+    /// The RMS force error.
+    RmsError,
+    /// The accuracy as a part of the mean force, as a scene has it.
+    Accuracy,
+    /// The band that the force stays in.
+    Band,
+    /// The law stays on or above its base circle.
+    BaseCircle,
+    /// The bore fits into the base circle.
+    Bore,
+    /// The base radius that a scene gives.
+    BaseRadius,
+    /// The prime radius that a scene gives.
+    GivenPrimeRadius,
+    /// The roller fits into the concave profile.
+    Concave,
+    /// The follower touches no other part of the cam.
+    Interference,
+    /// The convex radius of the upper wall of a groove.
+    UpperWall,
+    /// The convex radius of the lower wall of a groove.
+    LowerWall,
+    /// A flank that rises or falls steadily.
+    Monotone,
+    /// The largest value of what is minimised.
+    Peak,
+    /// Smallest convex radius of the second cam of a pair.
+    SecondCurvature,
+    /// The roller fits into the second cam.
+    SecondConcave,
+    /// The follower touches no other part of the second cam.
+    SecondInterference,
+    /// Pressure angle of the second cam on the positive side.
+    SecondPressureAngleRise,
+    /// Pressure angle of the second cam on the negative side.
+    SecondPressureAngleFall,
+}
+
+impl Criterion {
+    /// Its name in `summary.json`; what a scene alone gives is named after its key.
+    pub fn name(self) -> &'static str {
+        match self {
+            Criterion::Limit(kind) => kind.name(),
+            Criterion::RmsError => "rms_error",
+            Criterion::Accuracy => "accuracy.rms",
+            Criterion::Band => "band",
+            Criterion::BaseCircle => "base_circle",
+            Criterion::Bore => "bore",
+            Criterion::BaseRadius => "cam.base_radius",
+            Criterion::GivenPrimeRadius => "cam.prime_radius",
+            Criterion::Concave => "concave",
+            Criterion::Interference => "interference",
+            Criterion::UpperWall => "upper_wall",
+            Criterion::LowerWall => "lower_wall",
+            Criterion::Monotone => "monotone",
+            Criterion::Peak => "peak",
+            Criterion::SecondCurvature => "second_curvature",
+            Criterion::SecondConcave => "second_concave",
+            Criterion::SecondInterference => "second_interference",
+            Criterion::SecondPressureAngleRise => "second_pressure_angle_rise",
+            Criterion::SecondPressureAngleFall => "second_pressure_angle_fall",
+        }
+    }
+
+    /// The same check on the second cam of a pair; what is not checked there stays.
+    #[must_use]
+    pub fn of_second_cam(self) -> Criterion {
+        match self {
+            Criterion::Limit(LimitKind::Curvature) => Criterion::SecondCurvature,
+            Criterion::Limit(LimitKind::PressureAngleRise) => Criterion::SecondPressureAngleRise,
+            Criterion::Limit(LimitKind::PressureAngleFall) => Criterion::SecondPressureAngleFall,
+            Criterion::Concave => Criterion::SecondConcave,
+            Criterion::Interference => Criterion::SecondInterference,
+            other => other,
+        }
+    }
+
+    /// Whether it is about the pressure angle of either cam.
+    pub fn is_pressure_angle(self) -> bool {
+        matches!(
+            self,
+            Criterion::Limit(
+                LimitKind::PressureAngle
+                    | LimitKind::PressureAngleRise
+                    | LimitKind::PressureAngleFall
+            ) | Criterion::SecondPressureAngleRise
+                | Criterion::SecondPressureAngleFall
+        )
+    }
+
+    /// The limit of the scene, where it is one.
+    pub fn limit(self) -> Option<LimitKind> {
+        match self {
+            Criterion::Limit(kind) => Some(kind),
+            _ => None,
+        }
+    }
+}
+
+impl From<LimitKind> for Criterion {
+    fn from(kind: LimitKind) -> Criterion {
+        Criterion::Limit(kind)
+    }
+}
+
+impl PartialEq<LimitKind> for Criterion {
+    fn eq(&self, kind: &LimitKind) -> bool {
+        self.limit() == Some(*kind)
+    }
+}
+
+impl fmt::Display for Criterion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl Serialize for Criterion {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}

@@ -1,0 +1,78 @@
+//! What an equality of a program demands of the law.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::units::Quantity;
+
+/// One demand on the law, as its scene writes it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Demand {
+    /// A value at a point of the law.
+    AtPoint {
+        /// Its place in the scene, counted from 1.
+        point: usize,
+        /// Its cam angle.
+        at: Quantity,
+        /// What is given there.
+        given: Given,
+    },
+    /// A dwell.
+    InDwell {
+        /// Its place in the scene, counted from 1.
+        dwell: usize,
+    },
+    /// The law stands on its base circle somewhere.
+    OnBaseCircle,
+    /// No vibration is left after a motion.
+    NoVibration {
+        /// Cam angle at which the motion ends.
+        after: Quantity,
+    },
+}
+
+/// What a point of a law gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[allow(missing_docs)]
+pub enum Given {
+    Lift,
+    Velocity,
+    Acceleration,
+    Jerk,
+    Force,
+}
+
+impl Given {
+    fn name(self) -> &'static str {
+        match self {
+            Given::Lift => "lift",
+            Given::Velocity => "velocity",
+            Given::Acceleration => "acceleration",
+            Given::Jerk => "jerk",
+            Given::Force => "force",
+        }
+    }
+}
+
+impl Demand {
+    /// Its name in `summary.json`: where it stands in the scene.
+    pub fn name(self) -> String {
+        let degrees = |angle: Quantity| angle.value.to_degrees();
+        match self {
+            Demand::AtPoint { point, at, given } => {
+                let at = degrees(at);
+                format!("law.point[{point}] at {at:.2}°: {}", given.name())
+            }
+            Demand::InDwell { dwell } => format!("law.dwell[{dwell}]"),
+            Demand::OnBaseCircle => "base circle".to_string(),
+            Demand::NoVibration { after } => {
+                format!("no vibration after {:.2}°", degrees(after))
+            }
+        }
+    }
+}
