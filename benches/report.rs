@@ -17,6 +17,7 @@ use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::{Error, Result};
 use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances};
+use gaitcam::halt::Halt;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
@@ -471,7 +472,7 @@ fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
             seed: 1,
         },
     };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
     let blocks: Vec<Batch> = (0..16)
         .map(|b| {
             let (from, to) = (b * rows / 16, (b + 1) * rows / 16);

@@ -6,6 +6,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use gaitcam::error::{Error, Result};
 use gaitcam::force::ForceCurve;
+use gaitcam::halt::Halt;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
 use rayon::prelude::*;
@@ -43,7 +44,7 @@ fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {
 
 fn rate(bencher: Bencher, plan: &Plan, threads: usize) {
     let rows = plan.rows() as usize;
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
     let blocks: Vec<Batch> = (0..16)
         .map(|b| {
             let (from, to) = (b * rows / 16, (b + 1) * rows / 16);

@@ -27,6 +27,7 @@ pub enum SweepError {
         typed: String,
     },
     NoRows,
+    OutOfTime,
     Fixed {
         key: String,
         known: String,

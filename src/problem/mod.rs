@@ -13,7 +13,7 @@ mod target;
 pub(crate) use machine::drive_of;
 pub use notes::Note;
 pub(crate) use spans::Key as SpanKey;
-pub use spans::SpanMemo;
+pub use spans::{Shared, SpanMemo};
 pub use target::Target;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -23,6 +23,7 @@ use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Error, Result};
 use crate::force::{ForceCurve, implausible, spread_rms_n};
+use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
     Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
@@ -76,6 +77,8 @@ pub struct Problem {
     pub above_base_circle: bool,
     /// Numbers of spans already found for this force and law.
     pub spans: SpanMemo,
+    /// When searches are to end.
+    pub halt: Halt,
     weights: Vec<PhaseWeight>,
     given: Given,
 }
@@ -146,6 +149,7 @@ impl Problem {
             accuracy: scene.rms,
             above_base_circle: true,
             spans: SpanMemo::default(),
+            halt: Halt::never(),
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             given: Given {
                 force,
@@ -186,11 +190,13 @@ impl Problem {
         Ok(self)
     }
 
-    /// The same with its force and demands, but without a limit and without a band.
+    /// The same with its force and demands, but without a limit and without a band, and with all the time it
+    /// takes: such laws are quickly found.
     pub fn without_limits(&self) -> Problem {
         Problem {
             limits: Limits::default(),
             band: None,
+            halt: Halt::never(),
             ..self.clone()
         }
     }
@@ -362,6 +368,11 @@ impl Problem {
     /// Weight of the force error at a cam angle.
     pub fn weight(&self, theta: f64) -> f64 {
         weight_at(&self.weights, theta + self.phase)
+    }
+
+    /// The lowest weight of any part of the cycle.
+    pub fn least_weight(&self) -> f64 {
+        (self.weights.iter()).fold(1.0, |least, w| least.min(w.weight))
     }
 
     /// Whether points or dwells are asked of the law.

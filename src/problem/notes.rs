@@ -54,6 +54,8 @@ pub enum Note {
     Phase { phase: Quantity },
     /// The size of the law stops where it would follow noise.
     Noise { size: &'static str, error: Quantity },
+    /// The caller ended the search.
+    OutOfTime,
     /// The smallest base circle has no radius.
     NoBaseCircle,
     /// The size keeps the usual pressure angle.

@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use crate::drive::Drive;
+use crate::halt::Halt;
 
 /// The fewest spans that reach an accuracy without limits, for one force and one law.
 ///
@@ -26,6 +27,15 @@ pub(crate) struct Key {
     pub drive: Drive,
     /// Degree of the splines.
     pub degree: usize,
+}
+
+/// What designs made one after another share, and when their searches are to end.
+#[derive(Debug, Clone, Default)]
+pub struct Shared {
+    /// Numbers of spans already found; between problems of the same force and the same demands only.
+    pub spans: SpanMemo,
+    /// When searches are to end.
+    pub halt: Halt,
 }
 
 impl SpanMemo {

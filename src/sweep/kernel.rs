@@ -13,9 +13,10 @@ use super::batch::{Batch, Column};
 use super::key::Key;
 use super::plan::NamedScene;
 use super::results::{Results, Row};
-use crate::error::{Place, Result, SweepError};
+use crate::error::{Error, Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
-use crate::problem::SpanMemo;
+use crate::halt::Halt;
+use crate::problem::{Shared, SpanMemo};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::synthesise_with;
@@ -25,6 +26,8 @@ pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
 
 /// Seconds on any clock; a caller without one gives 0 always.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
+/// When the searches of a row that begins now are to end.
+pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
 /// Targets kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
 const KEPT_TARGETS: usize = 1024;
@@ -35,6 +38,7 @@ pub struct Kernel<'a> {
     keys: Vec<Key>,
     targets: Targets<'a>,
     clock: Clock<'a>,
+    halts: Halts<'a>,
     harmonics: RwLock<HashMap<TargetName, Option<Arc<HarmonicTarget>>>>,
 }
 
@@ -65,18 +69,21 @@ struct Before {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for base scenes and varied keys. `targets` gives the force curves of recordings.
+    /// A kernel for base scenes and varied keys. `targets` gives the force curves of recordings, `halts` when
+    /// the searches of a row that begins are to end.
     pub fn new(
         scenes: &'a [NamedScene],
         keys: Vec<Key>,
         targets: Targets<'a>,
         clock: Clock<'a>,
+        halts: Halts<'a>,
     ) -> Self {
         Kernel {
             scenes,
             keys,
             targets,
             clock,
+            halts,
             harmonics: RwLock::new(HashMap::new()),
         }
     }
@@ -223,11 +230,19 @@ impl<'a> Kernel<'a> {
             Some((law, spans)) if *law == scene.law => spans.clone(),
             _ => SpanMemo::default(),
         };
-        let design = synthesise_with(scene, before.force.as_ref().map(|k| &k.1), &spans);
+        let shared = Shared {
+            spans: spans.clone(),
+            halt: (self.halts)(),
+        };
+        let design = synthesise_with(scene, before.force.as_ref().map(|k| &k.1), &shared);
         if before.law.as_ref().is_none_or(|l| l.0 != scene.law) {
             before.law = Some((scene.law.clone(), spans));
         }
         match design {
+            // What a clock cut short is no answer that another run would give.
+            Ok(design) if design.out_of_time => {
+                Row::error(Error::from(SweepError::OutOfTime).to_string())
+            }
             Ok(design) => Row::of(&design),
             Err(e) => Row::error(e.to_string()),
         }

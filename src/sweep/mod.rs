@@ -21,7 +21,7 @@ mod tolerance;
 pub use axis::{Axis, AxisValue, Values};
 pub use batch::{Batch, Column};
 pub use front::{Front, Point, objective};
-pub use kernel::{Clock, Kernel, Targets};
+pub use kernel::{Clock, Halts, Kernel, Targets};
 pub use key::Key;
 pub use plan::{List, NamedScene, Plan, Sampling, differences};
 pub use results::{NUMBERS, Outcome, Results, Row, TIME, WORDS};

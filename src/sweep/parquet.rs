@@ -231,6 +231,7 @@ pub fn word_at(column: &ArrayRef, row: usize) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::halt::Halt;
     use crate::scene::{self, Scene};
     use crate::sweep::{Axis, NamedScene, Plan, Sampling};
 
@@ -251,7 +252,7 @@ mod tests {
             sampling: Sampling::Grid,
         };
         let none = |_: usize, _: &Scene| Err(Error::new("none"));
-        let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0);
+        let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
         let batch = plan.batch(0, 6);
         let results = kernel.run(&batch);
         let full = schema(&plan.keys(), false);

@@ -3,6 +3,7 @@
 use serde::{Serialize, Serializer};
 
 use super::method::{Ended, Method, PassedOver};
+use super::proof::Doubt;
 use super::qp::{Certificate, Demand};
 use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
@@ -67,6 +68,8 @@ pub struct Design {
     pub easing: Vec<Easing>,
     /// How it was solved.
     pub solver: SolverReport,
+    /// A search was ended from outside: this is the best it had.
+    pub out_of_time: bool,
     /// What to know beside the verdict.
     pub notes: Vec<Note>,
 }
@@ -338,8 +341,10 @@ pub struct SolverReport {
     pub passed_over: Vec<PassedOver>,
     /// Iterations over all solves.
     pub iterations: usize,
-    /// Every limit was confirmed on the continuous law.
+    /// Limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
     pub certified: bool,
+    /// Why it is not certified.
+    pub doubt: Option<Doubt>,
     /// How near to the optimum the law is proved to be; `None` where nothing was minimised.
     pub certificate: Option<Certificate>,
     /// The sequence of convex programs, where one was needed.

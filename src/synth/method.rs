@@ -54,6 +54,8 @@ pub enum Method {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Ended {
+    /// The caller ended it.
+    OutOfTime,
     /// As many steps as are allowed were taken.
     MostSteps,
     /// The linearised program has no solution beside the last law.

@@ -67,6 +67,7 @@ mod named;
 mod pareto;
 mod phase;
 mod polydyne;
+mod proof;
 pub mod qp;
 mod reason;
 mod scp;
@@ -80,18 +81,19 @@ pub use design::{
     SolverReport, Step, Tier,
 };
 pub use figures::Figures;
-pub use infeasible::{in_units, relaxed};
+pub use infeasible::{in_units, relaxed, relaxed_with};
 pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use named::unit;
 pub use pareto::{Against, Trade, trade};
+pub use proof::Doubt;
 pub use qp::{Certificate, Demand, Given};
 pub use reason::{Change, Reason, sentences};
 
 use crate::cam::{Cam, Check, LimitKind, Verdict};
 use crate::error::{Error, Result};
 use crate::force::ForceCurve;
-use crate::problem::{Note, Problem, SpanMemo};
+use crate::problem::{Note, Problem, Shared};
 use crate::scene::{Family, Scene};
 use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 
@@ -103,21 +105,22 @@ use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 /// # Errors
 /// Faults of the input.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
-    synthesise_with(scene, force, &SpanMemo::default())
+    synthesise_with(scene, force, &Shared::default())
 }
 
-/// The same for one of many scenes with the same force and the same demands on the law: what one finds of
-/// the number of spans the next need not seek again.
+/// The same for one of many scenes with the same force and the same demands on the law, which need not seek
+/// again what one has found, and with an end to every search.
 ///
 /// # Errors
 /// Faults of the input.
 pub fn synthesise_with(
     scene: &Scene,
     force: Option<&ForceCurve>,
-    spans: &SpanMemo,
+    shared: &Shared,
 ) -> Result<Design> {
     let mut problem = Problem::settle(scene, force)?;
-    problem.spans = spans.clone();
+    problem.spans = shared.spans.clone();
+    problem.halt = shared.halt.clone();
     designed(problem)
 }
 
@@ -239,6 +242,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         binding: found.binding,
         easing: found.easing,
         solver: found.solver,
+        out_of_time: problem.halt.is_asked(),
         notes,
     })
 }
@@ -246,6 +250,9 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
 /// What a user should know of problem, law and size.
 fn notes(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Vec<Note> {
     let mut out = problem.notes();
+    if problem.halt.is_asked() {
+        out.push(Note::OutOfTime);
+    }
     out.extend(families::stopped_at_noise(problem, found.family));
     out.extend(sizing::chosen_size(problem, cam));
     let splines = if found.family == Family::Spline {

@@ -71,6 +71,10 @@ pub fn refine(
     let mut steps = Vec::new();
     let mut ended = Ended::MostSteps;
     for _ in 0..MOST_STEPS {
+        if program.halt.is_asked() {
+            ended = Ended::OutOfTime;
+            break;
+        }
         let here = sized(&current.extra);
         let mut next = program.clone();
         next.fixed = linearised(program, &current, &here, &present, 2.0 * ROOM);
@@ -294,6 +298,7 @@ fn row(
         peak,
         weights: all,
         entries,
+        touching: Vec::new(),
         extra,
         bound,
         scale,

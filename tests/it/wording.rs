@@ -14,7 +14,7 @@ use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, Reject
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
-use gaitcam::synth::{Change, Demand, Ended, Method, PassedOver, Reason};
+use gaitcam::synth::{Change, Demand, Doubt, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{Language, catalogue};
 use strum::VariantNames;
@@ -49,6 +49,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("reason", Change::VARIANTS),
         ("demand", Demand::VARIANTS),
         ("design", problem::Note::VARIANTS),
+        ("doubt", Doubt::VARIANTS),
         ("method", Method::VARIANTS),
         ("ended", Ended::VARIANTS),
         ("passed-over", PassedOver::VARIANTS),

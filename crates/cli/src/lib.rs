@@ -17,6 +17,7 @@ mod language;
 mod laws;
 mod reproduce;
 mod result_folder;
+mod searching;
 mod simulate;
 mod sweep;
 pub mod synth;

@@ -11,6 +11,7 @@ use crate::error::CliError;
 use crate::exit_code::{self, NO_SUCH_CAM};
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
+use crate::searching;
 use crate::synth::files_in;
 use crate::terminal::{print, print_json, report};
 use crate::words;
@@ -20,7 +21,7 @@ use gaitcam::dynamics::hertz::STEEL;
 use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
 use gaitcam::error::Result;
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{Design, sentences, synthesise};
+use gaitcam::synth::{Design, sentences, synthesise_with};
 use gaitcam::units::Dimension;
 use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
@@ -77,7 +78,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let folder = ResultFolder::open(&input.result_folder(args.out.as_deref(), "")?)?;
     let target = input.target()?;
     let solving = Instant::now();
-    let mut design = synthesise(&input.scene, target.as_ref())?;
+    let mut design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = no_cam(&design) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));

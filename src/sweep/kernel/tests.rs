@@ -1,5 +1,6 @@
 use super::*;
 use crate::error::Error;
+use crate::halt::Halt;
 use crate::sweep::{Axis, Method, NUMBERS, Outcome, Plan, Sampling};
 
 fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
@@ -25,7 +26,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
             seed: 7,
         },
     };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
     let batch = plan.batch(0, count as usize);
     let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
     (0..count as usize)
@@ -196,7 +197,7 @@ fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
         sampling: Sampling::Grid,
     };
     plan.validate().unwrap();
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
     let batch = plan.batch(0, 1);
     let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
     scene::set(&mut table, vary).unwrap();

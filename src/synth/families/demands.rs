@@ -122,13 +122,8 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
             .help("angles run from 0 to 360 deg"));
         }
         let mut push = |given: Given, weights: &[f64], value: f64| {
-            let name = Demand::AtPoint {
-                point: i + 1,
-                at: Quantity::angle(p.angle),
-                given,
-            };
             out.push(Equality {
-                name,
+                name: named(i, p.angle, given),
                 entries: basis.row(p.angle, weights),
                 value,
             });
@@ -153,6 +148,44 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
         }
     }
     Ok(out)
+}
+
+/// A lift within this part of the stroke of where no law may go beyond touches it.
+const TOUCHES: f64 = 1e-12;
+
+/// What demands imply: where a point stands on the base circle, or at the other end of a stroke that the
+/// demands fill, the law touches its bound, and its velocity is zero there. Written down, the touching point
+/// is one equality; otherwise limits would close in on it from both sides without an end.
+pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
+    let law = &problem.law;
+    let dwelt = law.dwells.iter().filter_map(|d| d.lift);
+    let lifts = || (law.points.iter().filter_map(|p| p.lift)).chain(dwelt.clone());
+    let (least, most) = lifts().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), lift| {
+        (a.min(lift), b.max(lift))
+    });
+    let near = TOUCHES * (most - least).abs();
+    let filled = (problem.limits.stroke).is_some_and(|h| (most - least - h).abs() <= near);
+    let touches = |lift: f64| {
+        let base = problem.above_base_circle && lift.abs() <= near;
+        base || filled && (lift - least <= near || most - lift <= near)
+    };
+    (law.points.iter().enumerate())
+        .filter(|(_, p)| p.velocity.is_none() && p.lift.is_some_and(touches))
+        .map(|(i, p)| Equality {
+            name: named(i, p.angle, Given::Lift),
+            entries: basis.row(p.angle, &[0.0, 1.0]),
+            value: 0.0,
+        })
+        .collect()
+}
+
+/// A demand at a point.
+fn named(index: usize, angle: f64, given: Given) -> Demand {
+    Demand::AtPoint {
+        point: index + 1,
+        at: Quantity::angle(angle),
+        given,
+    }
 }
 
 /// On a span at rest every coefficient that lives there is the same.

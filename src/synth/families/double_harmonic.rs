@@ -17,8 +17,9 @@ use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
 use crate::scene::Family;
-use crate::synth::design::Tier;
+use crate::synth::design::{SolverReport, Tier};
 use crate::synth::method::Method;
+use crate::synth::proof::Doubt;
 use crate::units::Quantity;
 
 /// A placed hump.
@@ -62,7 +63,11 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
         coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Equality, method, hump.evaluations, true),
+        solver: SolverReport {
+            certified: false,
+            doubt: Some(Doubt::Local),
+            ..report(Tier::Equality, method, hump.evaluations)
+        },
     })
 }
 

@@ -8,13 +8,15 @@ mod program;
 mod spectral;
 mod spline;
 mod spline_program;
+mod touching;
 
 pub use spline::stopped_at_noise;
 
 use super::design::{Binding, Easing, SolverReport, Tier};
 use super::limits::NonconvexLimits;
 use super::method::Method;
-use super::qp::{Failure, Program, Row, Solution};
+use super::proof::{self, Doubt};
+use super::qp::{Certificate, Failure, Program, Row, Solution};
 use crate::error::Error;
 use crate::law::Law;
 use crate::problem::Problem;
@@ -88,15 +90,27 @@ pub fn on_base_circle(problem: &Problem, law: Law) -> Law {
     law.raised(-lowest)
 }
 
-fn report(tier: Tier, method: Method, iterations: usize, certified: bool) -> SolverReport {
+fn report(tier: Tier, method: Method, iterations: usize) -> SolverReport {
     SolverReport {
         tier,
         method,
         passed_over: Vec::new(),
         iterations,
-        certified,
+        certified: true,
+        doubt: None,
         certificate: None,
         steps: Vec::new(),
+    }
+}
+
+/// The report with its evidence, certified where that is a proof and nothing else is in doubt.
+fn proved(report: SolverReport, certificate: Certificate, doubt: Option<Doubt>) -> SolverReport {
+    let doubt = doubt.or_else(|| proof::doubt(&certificate));
+    SolverReport {
+        certified: doubt.is_none(),
+        doubt,
+        certificate: Some(certificate),
+        ..report
     }
 }
 

@@ -25,7 +25,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         coefficients: p.monomials,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Equality, Method::Interpolation, 0, true),
+        solver: report(Tier::Equality, Method::Interpolation, 0),
     })
 }
 

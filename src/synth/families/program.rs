@@ -32,7 +32,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         family: Family::Program,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Equality, Method::Programme, 0, true),
+        solver: report(Tier::Equality, Method::Programme, 0),
     })
 }
 

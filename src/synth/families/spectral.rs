@@ -1,17 +1,17 @@
 //! The harmonic family: the spectral inverse (theory §1), or a program where it violates a limit.
 
-use super::spline::base_circle_at;
 use super::spline_program::force_distance;
-use super::{Found, NoLaw, Stuck, gathered, report};
+use super::touching::{self, Touched};
+use super::{Found, NoLaw, Stuck, gathered, proved, report};
 use crate::error::{Error, Result};
 use crate::law::Law;
-use crate::problem::{Problem, Size};
+use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
-use crate::synth::qp::{Basis, Program, TOLERANCE};
+use crate::synth::qp::{Basis, Program};
 use crate::synth::spectral::invert;
-use crate::synth::{easing, limits, qp};
+use crate::synth::{easing, limits};
 use crate::units::Quantity;
 
 /// The force's harmonics inverted, without a look at the limits, and what lies in the rest, N RMS: `count`
@@ -28,7 +28,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
         degree: 0,
         binding: Vec::new(),
         easing: Vec::new(),
-        solver: report(Tier::Spectral, method, 0, true),
+        solver: report(Tier::Spectral, method, 0),
         law: spectral.law(),
         coefficients: spectral.x,
     };
@@ -45,9 +45,9 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
     if program.limits.is_empty() || !breaks_a_limit(&program, &found) {
         return Ok(found);
     }
-    let solution = match program.solve() {
-        Ok(solution) => solution,
-        Err(failure) => {
+    let touched = match touching::solve(problem, program) {
+        Ok(touched) => touched,
+        Err((program, failure)) => {
             return Err(NoLaw::Stuck(Box::new(Stuck {
                 family: Family::Harmonic,
                 program,
@@ -56,6 +56,10 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
             })));
         }
     };
+    let (certificate, doubt) = touched.evidence();
+    let Touched {
+        program, solution, ..
+    } = touched;
     found.law = program.basis.law(&solution.x);
     found.binding = gathered(&program, &solution, 2 * count);
     let method = Method::Harmonics {
@@ -63,9 +67,8 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
         rounds: solution.rounds,
         violation: solution.violation,
     };
-    let certified = solution.violation <= TOLERANCE * 1.000_001;
-    found.solver = report(Tier::Qp, method, solution.iterations, certified);
-    found.solver.certificate = Some(qp::certificate(&program, &solution));
+    let report = report(Tier::Qp, method, solution.iterations);
+    found.solver = proved(report, certificate, doubt);
     found.easing = easing::easings(&program, &solution, Minimise::ForceError);
     found.coefficients = solution.x;
     Ok(found)
@@ -81,17 +84,15 @@ fn breaks_a_limit(program: &Program, found: &Found) -> bool {
 }
 
 /// The force fit in a given number of harmonics with the scene's limits. `unlimited` is the law without
-/// them: where nothing fixes the lift, its lowest angle is taken for the base circle's.
+/// them: where nothing fixes the lift, it touches the base circle where it is lowest.
 fn harmonic_program(problem: &Problem, count: usize, unlimited: &Law) -> Program {
     let basis = Basis::Harmonic { count };
     let force = force_distance(problem, &basis);
     let mut program = Program::new(basis, force, Vec::new(), problem.length);
-    let level = problem.level_is_known();
-    let on_the_cam = matches!(problem.size(), Size::Given { .. });
-    program.limits = limits::rows(problem, level || on_the_cam);
-    if !level && on_the_cam {
-        let lowest = unlimited.extremes(0).0.at;
-        program.equalities.push(base_circle_at(&program, lowest));
+    program.halt = problem.halt.clone();
+    program.limits = limits::rows(problem);
+    if !problem.level_is_known() {
+        program.touch_at(unlimited.extremes(0).0.at);
     }
     program
 }

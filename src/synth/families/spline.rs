@@ -1,14 +1,16 @@
 //! The spline family: least squares in force space under demands and limits.
 
 use super::spline_program::{force_distance, unlimited_program};
-use super::{Found, NoLaw, Stuck, gathered, report};
+use super::touching::{self, Touched};
+use super::{Found, NoLaw, Stuck, gathered, proved, report};
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
-use crate::synth::qp::{Demand, Equality, Failure, PEAK, Program, Quadratic, Solution, TOLERANCE};
+use crate::synth::proof::Doubt;
+use crate::synth::qp::{Certificate, Failure, PEAK, Program, Quadratic, Stop};
 use crate::synth::{easing, limits, qp, scp};
 use crate::units::Quantity;
 
@@ -27,8 +29,10 @@ const WORTHWHILE: f64 = 0.02;
 
 /// A law of the family, as solved.
 struct Fitted {
-    program: Program,
-    solution: Solution,
+    /// The optimum of what is convex, or what the sequence made of it.
+    touched: Touched,
+    /// What no law that keeps the convex limits betters, where a sequence went on from there.
+    least: f64,
     /// The sequence of convex programs, where one was needed, and why it ended.
     sequence: Option<(Vec<Step>, Ended)>,
     spans: usize,
@@ -39,18 +43,31 @@ pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
     let mut fitted = fit(problem)?;
     with_profile(problem, &mut fitted);
     let sequence = fitted.sequence.take();
-    let solution = &fitted.solution;
-    let mut solver = solver_report(&fitted, sequence);
-    solver.certificate = Some(qp::certificate(&fitted.program, solution));
+    let (certificate, doubt) = evidence(&fitted, sequence.is_some());
+    let solver = proved(solver_report(&fitted, sequence), certificate, doubt);
+    let (program, solution) = (&fitted.touched.program, &fitted.touched.solution);
     Ok(Found {
-        law: fitted.program.basis.law(&solution.x),
+        law: program.basis.law(&solution.x),
         family: Family::Spline,
         degree: problem.degree(),
         coefficients: solution.x.clone(),
-        binding: gathered(&fitted.program, solution, fitted.spans),
+        binding: gathered(program, solution, fitted.spans),
         easing: easing(problem, &fitted),
         solver,
     })
+}
+
+/// How near to the optimum the law is, and what is in doubt of that.
+fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
+    let Touched {
+        program, solution, ..
+    } = &fitted.touched;
+    if !local {
+        return fitted.touched.evidence();
+    }
+    let mut evidence = qp::certificate(program, solution);
+    evidence.bounded_by(touching::value(program, solution) - fitted.least);
+    (evidence, Some(Doubt::Local))
 }
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
@@ -110,7 +127,7 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
             Some(earlier) if earlier.0 <= error => earlier,
             _ => (error, fitted),
         };
-        if reached || hopeless || spans >= MOST_AUTO_SPANS {
+        if reached || hopeless || spans >= MOST_AUTO_SPANS || problem.halt.is_asked() {
             return Ok(better.1);
         }
         best = Some(better);
@@ -123,7 +140,7 @@ fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
     let mut spans = FEWEST_IN_BAND;
     loop {
         match solve(problem, spans) {
-            Err(NoLaw::Stuck(_)) if spans < MOST_IN_BAND => {
+            Err(NoLaw::Stuck(_)) if spans < MOST_IN_BAND && !problem.halt.is_asked() => {
                 spans = ((spans as f64 * GROWTH) as usize).min(MOST_IN_BAND);
             }
             outcome => return outcome,
@@ -142,68 +159,75 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
             nonconvex,
         }))
     };
-    let solution = match program.solve() {
-        Ok(solution) => solution,
-        Err(failure) => return Err(stuck(program, failure, None)),
+    let touched = match touching::solve(problem, program) {
+        Ok(touched) => touched,
+        Err((program, failure)) => return Err(stuck(program, failure, None)),
     };
     let mut fitted = Fitted {
-        program,
-        solution,
+        touched,
+        least: f64::NEG_INFINITY,
         sequence: None,
         spans,
     };
     without_vibration(problem, &mut fitted);
     match with_loads(problem, &mut fitted) {
         None => Ok(fitted),
-        Some(limits) => Err(stuck(fitted.program, Failure::Infeasible, Some(limits))),
+        Some(limits) => {
+            let failure = if problem.halt.is_asked() {
+                Stop::OutOfTime.into()
+            } else {
+                Failure::Infeasible
+            };
+            Err(stuck(fitted.touched.program, failure, Some(limits)))
+        }
     }
 }
 
 /// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.
 fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
-    if !limits::rings(problem, &fitted.program.basis.law(&fitted.solution.x)) {
+    if !limits::rings(problem, &fitted.touched.law()) {
         return;
     }
-    let mut program = fitted.program.clone();
+    let mut program = fitted.touched.program.clone();
     let basis = &program.basis;
     program.equalities.extend(limits::silence(problem, basis));
     // Without a solution the check says what is left over.
-    if let Ok(solution) = program.solve() {
-        (fitted.program, fitted.solution) = (program, solution);
+    if let Ok(silent) = touching::solve(problem, program) {
+        fitted.touched = silent;
     }
 }
 
 /// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
 fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits> {
     let limits = limits::nonconvex(problem)?;
-    let (program, solution) = (&fitted.program, &fitted.solution);
-    let law = program.basis.law(&solution.x);
+    limits.loads?;
+    let (program, solution) = fitted.touched.pinned(problem);
     let here = scp::sized(&limits, &program.present(), limits.size(), &solution.extra);
-    if limits.loads.is_none() || limits::loaded(&law, &here) >= 0.0 {
+    if limits::loaded(&program.basis.law(&solution.x), &here) >= 0.0 {
         return None;
     }
-    let Some((solution, steps, ended)) = scp::refine(program, solution, limits) else {
-        return Some(limits);
+    (!in_sequence(problem, fitted, limits)).then_some(limits)
+}
+
+/// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
+fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
+    let (program, solution) = fitted.touched.pinned(problem);
+    let Some((refined, steps, ended)) = scp::refine(&program, &solution, limits) else {
+        return false;
     };
-    fitted.solution = solution;
+    if steps.is_empty() && refined.x == solution.x {
+        return true;
+    }
+    fitted.least = fitted.touched.least();
+    fitted.touched = Touched::known(program, refined);
     fitted.sequence = Some((steps, ended));
-    None
+    true
 }
 
 /// The program with every limit that is convex.
 fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Program> {
     let (mut program, _) = unlimited_program(problem, spans)?;
-    let mut level = problem.level_is_known();
-    if !level && problem.size() != Size::AfterLaw {
-        // The base circle is where the law is lowest, and a size counts from there. Which angle that is
-        // comes from the law without limits.
-        if let Ok(unlimited) = qp::solve_equalities(&program) {
-            let lowest = program.basis.law(&unlimited.x).extremes(0).0.at;
-            program.equalities.push(base_circle_at(&program, lowest));
-            level = true;
-        }
-    }
-    let mut rows = limits::rows(problem, level);
+    let mut rows = limits::rows(problem);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
     }
@@ -225,24 +249,15 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
     if fitted.sequence.is_some() {
         return;
     }
-    let refined = limits::nonconvex(problem)
-        .filter(|limits| limits.profile.is_some())
-        .and_then(|limits| scp::refine(&fitted.program, &fitted.solution, limits));
-    let Some((solution, steps, ended)) = refined else {
-        return;
-    };
-    if steps.is_empty() && solution.x == fitted.solution.x {
-        return;
+    if let Some(limits) = limits::nonconvex(problem).filter(|l| l.profile.is_some()) {
+        in_sequence(problem, fitted, limits);
     }
-    fitted.solution = solution;
-    fitted.sequence = Some((steps, ended));
 }
 
 /// Which tier answered, and how.
 fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> SolverReport {
-    let solution = &fitted.solution;
+    let solution = &fitted.touched.solution;
     let violation = solution.violation;
-    let certified = violation <= TOLERANCE * 1.000_001;
     if let Some((steps, ended)) = sequence {
         let method = Method::Sequence {
             programs: steps.len() + 1,
@@ -251,13 +266,13 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
         };
         return SolverReport {
             steps,
-            ..report(Tier::Scp, method, solution.iterations, certified)
+            ..report(Tier::Scp, method, solution.iterations)
         };
     }
     if !solution.used_rows {
-        return report(Tier::Equality, Method::NoLimitActive, 0, certified);
+        return report(Tier::Equality, Method::NoLimitActive, 0);
     }
-    let tier = if fitted.program.cone {
+    let tier = if fitted.touched.program.cone {
         Tier::Socp
     } else {
         Tier::Qp
@@ -266,12 +281,15 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
         rounds: solution.rounds,
         violation,
     };
-    report(tier, method, solution.iterations, certified)
+    report(tier, method, solution.iterations)
 }
 
 /// What relaxing each active limit would buy; where phases are weighed, of the weighted error.
 fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
-    let mut out = easing::easings(&fitted.program, &fitted.solution, problem.objective());
+    let Touched {
+        program, solution, ..
+    } = &fitted.touched;
+    let mut out = easing::easings(program, solution, problem.objective());
     if problem.is_weighed() {
         for e in out
             .iter_mut()
@@ -303,20 +321,11 @@ pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
     })
 }
 
-/// The law stands on the base circle at an angle.
-pub fn base_circle_at(program: &Program, angle: f64) -> Equality {
-    Equality {
-        name: Demand::OnBaseCircle,
-        entries: program.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]),
-        value: 0.0,
-    }
-}
-
 fn rms(force: &Quadratic, x: &[f64]) -> f64 {
     (2.0 * force.value(x)).max(0.0).sqrt()
 }
 
 fn force_error(problem: &Problem, fitted: &Fitted) -> f64 {
-    let force = force_distance(problem, &fitted.program.basis);
-    rms(&force, &fitted.solution.x)
+    let force = force_distance(problem, &fitted.touched.program.basis);
+    rms(&force, &fitted.touched.solution.x)
 }

@@ -1,6 +1,6 @@
 //! The spline program before any limit: demands, and what is minimised.
 
-use super::demands::{dwell_demands, point_demands, spline_basis};
+use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
 use crate::error::Result;
 use crate::problem::Problem;
 use crate::scene::{Minimise, Weigh};
@@ -19,6 +19,7 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
     let corners = if problem.law.polydyne { degree - 1 } else { 2 };
     let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
     let mut equalities = point_demands(problem, &basis)?;
+    equalities.extend(implied_by_limits(problem, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
     let force = force_distance(problem, &basis);
     let mut quadratic = match problem.objective() {
@@ -44,7 +45,8 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
             }
         }
     }
-    let program = Program::new(basis, quadratic, equalities, problem.length);
+    let mut program = Program::new(basis, quadratic, equalities, problem.length);
+    program.halt = problem.halt.clone();
     Ok((program, force))
 }
 

@@ -11,4 +11,4 @@ mod relaxation;
 
 pub use iis::{bore_against_size, explain};
 pub use reasons::in_units;
-pub use relaxation::relaxed;
+pub use relaxation::{relaxed, relaxed_with};

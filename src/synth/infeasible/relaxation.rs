@@ -9,7 +9,8 @@ use super::reasons::smallest_relaxations;
 use super::relaxable::{AWAY, Relaxable, relaxables};
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
-use crate::problem::Problem;
+use crate::halt::Halt;
+use crate::problem::{Note, Problem};
 use crate::scene::Scene;
 use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
@@ -28,10 +29,23 @@ const BACK: f64 = 1e-3;
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
 pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Design) -> Design {
+    relaxed_with(scene, force, design, &Halt::never())
+}
+
+/// The same with an end to the search: what it has found by then is told.
+pub fn relaxed_with(
+    scene: &Scene,
+    force: Option<&ForceCurve>,
+    design: Design,
+    halt: &Halt,
+) -> Design {
     // No limit changes the mean of the force: nothing to relax before the mass is right.
     let hopeless = matches!(design.reasons.first(), Some(Reason::MeanForce { .. }));
     match Problem::settle(scene, force) {
-        Ok(problem) if !hopeless && !passes(&design) => with_relaxations(&problem, design),
+        Ok(mut problem) if !hopeless && !passes(&design) => {
+            problem.halt = halt.clone();
+            with_relaxations(&problem, design)
+        }
         _ => design,
     }
 }
@@ -59,6 +73,9 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
     };
     let mut found: Vec<Relaxation> = Vec::new();
     for &(number, from) in &numbers {
+        if problem.halt.is_asked() {
+            break;
+        }
         let hint = known
             .iter()
             .find(|r| r.limit == number.criterion())
@@ -104,6 +121,10 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
         None => design.reasons.push(cure),
     }
     design.relaxations = found;
+    if problem.halt.is_asked() && !design.out_of_time {
+        design.out_of_time = true;
+        design.notes.push(Note::OutOfTime);
+    }
     design.together = together.map_or_else(Vec::new, |(_, all)| all);
     design
 }
@@ -169,7 +190,9 @@ impl Search<'_> {
         }
         let mut fails = from;
         let size = from.abs().max(1e-3 * works.abs());
-        while (works - fails).abs() > self.precision * works.abs().max(size) {
+        while !self.problem.halt.is_asked()
+            && (works - fails).abs() > self.precision * works.abs().max(size)
+        {
             // Far apart the middle is sought by ratio.
             let apart = if fails > 0.0 { works / fails } else { 1.0 };
             let middle = if apart > 4.0 {
@@ -214,7 +237,7 @@ impl Search<'_> {
         let mut works = 0.01;
         while !holds(works) {
             works *= 2.0;
-            if works > AWAY {
+            if works > AWAY || self.problem.halt.is_asked() {
                 return None;
             }
         }

@@ -10,9 +10,9 @@ use crate::synth::qp::{LOWEST, Limit, Meaning};
 const DIP: f64 = 1e-7;
 
 /// The law stays above its base circle.
-pub fn base_circle(problem: &Problem, level: bool) -> Vec<Limit> {
+pub fn base_circle(problem: &Problem) -> Vec<Limit> {
     let stroke = problem.limits.stroke;
-    if !problem.above_base_circle || !(level || stroke.is_some()) {
+    if !problem.above_base_circle || !(problem.level_is_known() || stroke.is_some()) {
         return Vec::new();
     }
     let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
@@ -26,7 +26,7 @@ pub fn base_circle(problem: &Problem, level: bool) -> Vec<Limit> {
 }
 
 /// The same with the size of the cam among the variables.
-pub fn base_circle_below_size(problem: &Problem) -> Option<Limit> {
+pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
     let length = problem.length;
     let limit = row(
         Criterion::BaseCircle,

@@ -20,7 +20,7 @@ mod size;
 pub use curvature::{checks as curvature_checks, interference, wall_check};
 pub use dwell_vibration::{rings, silence};
 pub use force::{about_the_target, report as force_report};
-pub use kinematic::{monotone, peak};
+pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::Loads;
 pub use loads::{bearable_on_some_size, pressure, smallest_base_radius, torque_curve};
 pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearance, loaded, relative};
@@ -35,37 +35,46 @@ use crate::problem::Problem;
 
 /// Limits over the whole turn that are linear in the law.
 ///
-/// `level` says that the law's zero is the base circle: either the drive or a demand fixes the lift, or
-/// the caller pins the lowest point. Limits on the distance to the base circle are added only then.
-pub fn rows(problem: &Problem, level: bool) -> Vec<Limit> {
-    let mut out = kinematic::base_circle(problem, level);
+/// Where nothing fixes the level of the law, limits on the distance to the base circle count from the angle at
+/// which the law touches it.
+pub fn rows(problem: &Problem) -> Vec<Limit> {
+    let mut out = kinematic::base_circle(problem);
     out.extend(kinematic::stroke(problem));
     out.extend(size::face_width(problem));
     out.extend(kinematic::timed(problem));
     out.extend(force::rows(problem));
-    if level {
-        out.extend(curvature::row(problem));
-        out.extend(pressure_angle::rows(problem));
-    }
-    out.extend(loads::row(problem));
+    out.extend(on_the_cam(problem, curvature::row(problem)));
+    out.extend(on_the_cam(problem, pressure_angle::rows(problem)));
+    out.extend(on_the_cam(problem, loads::row(problem)));
     out
+}
+
+/// Limits whose lift is a distance from the base circle.
+fn on_the_cam(problem: &Problem, limits: impl IntoIterator<Item = Limit>) -> Vec<Limit> {
+    let from_base_circle = !problem.level_is_known();
+    let counted = |limit: Limit| Limit {
+        from_base_circle: from_base_circle && limit.weights[0] != 0.0,
+        ..limit
+    };
+    limits.into_iter().map(counted).collect()
 }
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
 /// The radius is what is minimised, or it stays below its limit while something else is.
 pub fn with_size(problem: &Problem, program: &mut Program) {
-    program.limits.retain(|l| l.name != Criterion::BaseCircle);
-    program
-        .limits
-        .extend(kinematic::base_circle_below_size(problem));
-    if problem.cam.follower == FollowerKind::FlatTranslating {
-        program.limits.push(curvature::row_with_size(problem));
-        program.limits.extend(loads::row_with_size(problem));
-    } else {
-        program
-            .limits
-            .extend(pressure_angle::rows_with_size(problem));
+    if problem.level_is_known() {
+        program.limits.retain(|l| l.name != Criterion::BaseCircle);
+        let above = kinematic::above_base_circle(problem);
+        program.limits.extend(above);
     }
+    let sized = if problem.cam.follower == FollowerKind::FlatTranslating {
+        let mut rows = vec![curvature::row_with_size(problem)];
+        rows.extend(loads::row_with_size(problem));
+        on_the_cam(problem, rows)
+    } else {
+        on_the_cam(problem, pressure_angle::rows_with_size(problem))
+    };
+    program.limits.extend(sized);
     size::priced(problem, program);
 }
 

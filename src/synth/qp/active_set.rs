@@ -35,6 +35,9 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
     let mut since_best = 0;
     let mut attempts = 0;
     for round in 1..=settings.rounds {
+        if program.halt.is_asked() {
+            break;
+        }
         if set.settle(program, &mut rows).is_err() {
             return best
                 .filter(|b| b.violation < settings.resolved_at_last)
@@ -346,6 +349,9 @@ impl<'a> ActiveSet<'a> {
                 self.refresh();
                 return Ok(());
             };
+            if program.halt.is_asked() {
+                return Err(Stuck);
+            }
             self.bring_in(i, &rows[i])?;
             if self.members.len() > self.settings.rows {
                 return Err(Stuck);

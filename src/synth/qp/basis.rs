@@ -79,6 +79,15 @@ impl Basis {
         }
     }
 
+    /// The law with its lift changed by a constant.
+    pub fn raised(&self, mut x: Vec<f64>, by: f64) -> Vec<f64> {
+        match self {
+            Basis::Spline { .. } => x.iter_mut().for_each(|c| *c += by),
+            Basis::Harmonic { .. } => x[0] += by,
+        }
+        x
+    }
+
     /// Row of w₀s + w₁v + w₂a + w₃j (a fourth derivative follows if `weights` has five entries), on
     /// piece `i` of [`Basis::breaks`] at u ∈ [0, 1].
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
@@ -142,13 +151,16 @@ impl Basis {
 /// Few spans let one coefficient appear twice on a span of a periodic spline: its weights add.
 fn merge(entries: impl Iterator<Item = (usize, f64)>, degree: usize) -> Entries {
     let mut out: Entries = Vec::with_capacity(degree + 1);
-    for (index, value) in entries {
-        match out.iter_mut().find(|e| e.0 == index) {
-            Some(e) => e.1 += value,
-            None => out.push((index, value)),
-        }
-    }
+    entries.for_each(|entry| add(&mut out, entry));
     out
+}
+
+/// Adds one entry to a row.
+pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
+    match to.iter_mut().find(|e| e.0 == index) {
+        Some(e) => e.1 += value,
+        None => to.push((index, value)),
+    }
 }
 
 /// Value of a row on coefficients.

@@ -24,10 +24,29 @@ pub struct Certificate {
     pub duality_gap: f64,
     /// The same as a part of the objective's size.
     pub relative_gap: f64,
+    /// Objective less the best lower bound known, as a part of the objective's size: larger than the relative gap
+    /// where a sequence of convex programs proves a local optimum only.
+    pub global_gap: f64,
+    /// Size of the objective: its value, or its fall from the law at rest if that is larger.
+    pub size: f64,
     /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
     pub stationarity: f64,
     /// Largest violation of any limit on the continuum, as a part of its scale.
     pub violation: f64,
+}
+
+impl Certificate {
+    /// The same where only a larger gap is proved.
+    pub fn widen(&mut self, gap: f64) {
+        self.duality_gap = self.duality_gap.max(gap);
+        self.relative_gap = self.duality_gap / self.size;
+        self.global_gap = self.relative_gap;
+    }
+
+    /// A local optimum with this distance to a lower bound of all.
+    pub fn bounded_by(&mut self, gap: f64) {
+        self.global_gap = self.relative_gap.max(gap / self.size);
+    }
 }
 
 /// What relaxing one limit by 1 % would do to the objective, to first order.
@@ -66,6 +85,7 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         .as_ref()
         .map(|l| (l, l.pull(&l.derivatives(x))));
     let mut beside = program.cost;
+    let mut pushed_beside = program.cost.map(f64::abs);
     let mut slack = 0.0;
     let mut pushed = size;
     for row in &solution.active {
@@ -76,12 +96,14 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             pushed = pushed.max((row.multiplier * a).abs());
         }
         if let Some((l, pull)) = &mut lifted {
-            for (i, a) in l.row(row.peak.piece, row.peak.u, &row.weights) {
+            let own = l.row(row.peak.piece, row.peak.u, &row.weights);
+            for (i, a) in own.into_iter().chain(row.touching.iter().copied()) {
                 pull[i] += row.multiplier * a;
             }
         }
-        for (b, e) in beside.iter_mut().zip(&row.extra) {
-            *b += row.multiplier * e;
+        for (k, e) in row.extra.iter().enumerate() {
+            beside[k] += row.multiplier * e;
+            pushed_beside[k] += (row.multiplier * e).abs();
         }
     }
     if let Some((l, pull)) = lifted {
@@ -98,8 +120,8 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         .map(|(r, x)| r * x)
         .sum::<f64>()
         .abs();
-    let cost = program.cost.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
     if program.cone {
+        let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(pushed_beside[k]));
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
         // orthogonal to the sizes.
         let z = [RADIUS, RISE, OFFSET].map(|k| beside[k]);
@@ -114,13 +136,16 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     }
     for k in 0..EXTRAS {
         if present[k] && !(program.cone && SIZES.contains(&k)) {
-            left = left.max(beside[k].abs() / cost.max(f64::MIN_POSITIVE));
+            left = left.max(beside[k].abs() / pushed_beside[k].max(f64::MIN_POSITIVE));
             gap += (beside[k] * solution.extra[k]).abs();
         }
     }
+    let size = scale(program, solution);
     Certificate {
         duality_gap: gap,
-        relative_gap: gap / scale(program, solution),
+        relative_gap: gap / size,
+        global_gap: gap / size,
+        size,
         stationarity: left,
         violation: solution.violation,
     }

@@ -101,6 +101,8 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         .map_err(|_| Stop::Refused)?;
     let mut solver =
         DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(|_| Stop::Refused)?;
+    let halt = program.halt.clone();
+    solver.set_termination_callback(move |_| halt.is_asked());
     solver.solve();
     let answer = &solver.solution;
     accepted(answer.status)?;
@@ -135,9 +137,8 @@ fn accepted(status: SolverStatus) -> Result<(), Failure> {
         }
         SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Stop::Unbounded.into(),
         SolverStatus::MaxIterations | SolverStatus::MaxTime => Stop::IterationLimit.into(),
-        SolverStatus::Unsolved
-        | SolverStatus::NumericalError
-        | SolverStatus::CallbackTerminated => Stop::NumericalError.into(),
+        SolverStatus::CallbackTerminated => Stop::OutOfTime.into(),
+        SolverStatus::Unsolved | SolverStatus::NumericalError => Stop::NumericalError.into(),
     })
 }
 
@@ -207,7 +208,11 @@ impl<'a> Unknowns<'a> {
 
     fn entries<'r>(&self, row: &'r Row) -> Cow<'r, Entries> {
         match self.lifted {
-            Some(lifted) => Cow::Owned(lifted.row(row.peak.piece, row.peak.u, &row.weights)),
+            Some(lifted) => {
+                let mut entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
+                entries.extend(&row.touching);
+                Cow::Owned(entries)
+            }
             None => Cow::Borrowed(&row.entries),
         }
     }

@@ -127,6 +127,9 @@ impl Program {
             settings.largest_margin
         };
         for round in 1..=settings.rounds {
+            if self.halt.is_asked() {
+                return best.ok_or(Stop::OutOfTime.into());
+            }
             let point = match (super::clarabel::solve(self, &mut rows, margin), &best) {
                 (Ok(point), _) => point,
                 // The room kept free is ours, not the user's: without it there is a solution.

@@ -61,7 +61,7 @@ fn gathered(program: &Program, solution: &Solution) -> Vec<Row> {
     let extra = [0.0; EXTRAS];
     let mut peaks: Vec<(usize, Peak)> = Vec::new();
     let near = |l: &Limit| {
-        let bound = l.room(&extra);
+        let bound = program.room(l, &solution.x, &extra);
         bound - program.settings.local_reduction.below * l.scale.max(bound.abs())
     };
     program.each_peak_above(&solution.x, near, |index, peak| peaks.push((index, peak)));

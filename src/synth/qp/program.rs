@@ -6,12 +6,13 @@
 //! peaks beside them.
 
 use super::band::ArrowMatrix;
-use super::basis::{Basis, Entries};
+use super::basis::{Basis, Entries, apply};
 use super::demand::Demand;
 use super::lifted::Lifted;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
 use crate::cam::Criterion;
+use crate::halt::Halt;
 use crate::poly::{Peak, PiecewisePoly};
 use serde::Serialize;
 
@@ -45,6 +46,8 @@ pub struct Limit {
     pub extra: [f64; EXTRAS],
     /// Index into the program's shapes of the part of the bound that varies with θ.
     pub shape: Option<usize>,
+    /// The lift counts from the base circle, which the law touches at the program's `touching`.
+    pub from_base_circle: bool,
     /// First and last cam angle at which it is asked for, rad.
     pub domain: (f64, f64),
     /// Size against which a violation counts: |bound| unless that is 0.
@@ -62,6 +65,7 @@ impl Limit {
             bound,
             extra: [0.0; EXTRAS],
             shape: None,
+            from_base_circle: false,
             domain: (0.0, std::f64::consts::TAU),
             scale,
             meaning: Meaning::Structure,
@@ -103,7 +107,7 @@ impl Limit {
     }
 
     /// The bound less what the variables beside the law take of it.
-    pub fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
+    fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }
 }
@@ -192,6 +196,8 @@ pub struct Program {
     pub limits: Vec<Limit>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
+    /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
+    pub touching: Option<Entries>,
     /// Rows that stand for themselves (linearised curvature).
     pub fixed: Vec<Row>,
     /// Rows to begin the exchange with: the contacts of a neighbouring program.
@@ -204,6 +210,8 @@ pub struct Program {
     pub length: f64,
     /// Settings of its solution.
     pub settings: Settings,
+    /// When its solution is to end.
+    pub halt: Halt,
 }
 
 /// A row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
@@ -219,6 +227,8 @@ pub struct Row {
     pub weights: [f64; 5],
     /// The row.
     pub entries: Entries,
+    /// The part of it that stands at the touching angle.
+    pub touching: Entries,
     /// Weights of the variables beside the law.
     pub extra: [f64; EXTRAS],
     /// Its bound.
@@ -274,6 +284,8 @@ pub enum Stop {
     SingularObjective,
     /// The equalities' matrix has no factor.
     SingularEqualities,
+    /// The caller ended it.
+    OutOfTime,
     /// As many iterations as are allowed were taken.
     IterationLimit,
     /// Rounds of exchange no longer came nearer.
@@ -304,13 +316,32 @@ impl Program {
             equalities,
             limits: Vec::new(),
             shapes: Vec::new(),
+            touching: None,
             fixed: Vec::new(),
             seeds: Vec::new(),
             cost: [0.0; EXTRAS],
             cone: false,
             length,
             settings: Settings::default(),
+            halt: Halt::never(),
         }
+    }
+
+    /// What a limit leaves for its left side on a law: the bound less what the variables beside the law take,
+    /// and what a lift counted from the touching angle gains.
+    pub fn room(&self, limit: &Limit, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+        let lowest = self.reference(limit).map_or(0.0, |at| apply(at, x));
+        limit.room(extra) + limit.weights[0] * lowest
+    }
+
+    /// Has the law touch its base circle at an angle, rad.
+    pub fn touch_at(&mut self, angle: f64) {
+        self.touching = Some(self.basis.row(angle, &[1.0, 0.0, 0.0, 0.0]));
+    }
+
+    /// The lift from which a limit counts, where that is not the law's zero.
+    pub fn reference(&self, limit: &Limit) -> Option<&Entries> {
+        self.touching.as_ref().filter(|_| limit.from_base_circle)
     }
 
     /// Which of the variables beside the law take part.
@@ -416,16 +447,12 @@ impl Program {
     }
 
     /// Where nothing fixes the level, the law with its lowest point at zero: a stroke counts from there.
-    pub fn on_base_circle(&self, mut x: Vec<f64>) -> Vec<f64> {
+    pub fn on_base_circle(&self, x: Vec<f64>) -> Vec<f64> {
         if !self.level_is_open() {
             return x;
         }
         let lowest = self.basis.law(&x).extremes(0).0.value;
-        match self.basis {
-            Basis::Spline { .. } => x.iter_mut().for_each(|c| *c -= lowest),
-            Basis::Harmonic { .. } => x[0] -= lowest,
-        }
-        x
+        self.basis.raised(x, -lowest)
     }
 
     /// Width of a piece of the basis, rad.

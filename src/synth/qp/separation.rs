@@ -1,6 +1,6 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
-use super::basis::Basis;
+use super::basis::{Basis, Entries, add};
 use super::program::{EXTRAS, Limit, Meaning, Program, Row};
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
@@ -13,7 +13,7 @@ impl Program {
     pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
         let allowed = |limit: &Limit| {
-            let bound = limit.room(extra);
+            let bound = self.room(limit, x, extra);
             bound + self.settings.tolerance * limit.size(bound)
         };
         self.each_peak_above(x, allowed, |index, peak| out.push((index, peak)));
@@ -25,10 +25,10 @@ impl Program {
         let mut worst = 0.0_f64;
         self.each_peak_above(
             x,
-            |limit| limit.room(extra),
+            |limit| self.room(limit, x, extra),
             |index, peak| {
                 let limit = &self.limits[index];
-                let bound = limit.room(extra);
+                let bound = self.room(limit, x, extra);
                 worst = worst.max((peak.value - bound) / limit.size(bound));
             },
         );
@@ -72,11 +72,16 @@ impl Program {
     pub fn row(&self, index: usize, peak: Peak) -> Row {
         let limit = &self.limits[index];
         let by_piece = matches!(self.basis, Basis::Spline { .. });
-        let entries = if by_piece {
+        let mut entries = if by_piece {
             self.basis.row_on(peak.piece, peak.u, &limit.weights)
         } else {
             self.basis.row(peak.at, &limit.weights)
         };
+        let touching = self.reference(limit).map_or_else(Entries::new, |lowest| {
+            let weight = -limit.weights[0];
+            lowest.iter().map(|&(i, b)| (i, weight * b)).collect()
+        });
+        touching.iter().for_each(|&entry| add(&mut entries, entry));
         let shape = limit.shape.map_or(0.0, |i| self.shapes[i].eval(peak.at));
         Row {
             limit: Some(index),
@@ -84,6 +89,7 @@ impl Program {
             peak,
             weights: limit.weights,
             entries,
+            touching,
             extra: limit.extra,
             bound: limit.bound + shape,
             // A law at rest lies on the base circle and on the edge of steadiness: no room can be kept there.
@@ -118,7 +124,7 @@ impl Program {
                 let at = law.svaj_on(peak.piece, peak.u);
                 let w = limit.weights;
                 let value = w[0] * at.s + w[1] * at.v + w[2] * at.a + w[3] * at.j;
-                if value > limit.bound {
+                if value > self.room(limit, x, &[0.0; EXTRAS]) {
                     rows.push(self.row(index, peak));
                 }
             });

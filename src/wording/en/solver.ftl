@@ -16,15 +16,23 @@ method-sequence = { $programs ->
         [one] one convex program
        *[other] { $programs } convex programs in sequence
     } for the nonconvex limits; stopped: { $ended ->
+        [out-of-time] { ended-out-of-time }
         [most-steps] { ended-most-steps }
         [no-solution] { ended-no-solution }
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; constraint violation { $violation }
+ended-out-of-time = the time limit
 ended-most-steps = maximum number of steps reached
 ended-no-solution = the linearised program is infeasible near the last law
 ended-no-improvement = no part of the last step improves the objective
 ended-small-gain = the last step improved the objective by less than one part in ten million
+
+# Why a law is not certified to be the optimum.
+doubt-limits = a limit is exceeded by more than the solver's tolerance
+doubt-gap = the duality gap could not be closed to one part in a million
+doubt-touching-angle = the angle at which the law touches the base circle was searched for, not proved to be the best
+doubt-local = with nonconvex limits only a local optimum is found; the gap is to the best lower bound known
 
 # Why a simpler family was rejected.
 passed-over-accuracy = { $family } exceeds the allowed force error by { $excess }
@@ -35,6 +43,7 @@ passed-over-fault = { $family } is not possible: { $fault }
 # Why a solver of convex programs stopped without a result.
 name-singular-objective = singular objective matrix
 name-singular-equalities = singular matrix of the equality constraints
+name-out-of-time = time limit reached
 name-iteration-limit = iteration limit reached
 name-no-progress = no further progress
 name-unbounded = objective unbounded below

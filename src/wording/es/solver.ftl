@@ -16,15 +16,23 @@ method-sequence = { $programs ->
         [one] un programa convexo
        *[other] { $programs } programas convexos sucesivos
     } para los límites no convexos; parada: { $ended ->
+        [out-of-time] { ended-out-of-time }
         [most-steps] { ended-most-steps }
         [no-solution] { ended-no-solution }
         [no-improvement] { ended-no-improvement }
        *[small-gain] { ended-small-gain }
     }; violación de restricciones { $violation }
+ended-out-of-time = el límite de tiempo
 ended-most-steps = se alcanzó el número máximo de pasos
 ended-no-solution = el programa linealizado no tiene solución cerca de la última ley
 ended-no-improvement = ninguna fracción del último paso mejora el objetivo
 ended-small-gain = el último paso mejoró el objetivo en menos de una parte en diez millones
+
+# Por qué no se certifica que la ley sea el óptimo.
+doubt-limits = un límite se supera en más de la tolerancia del método
+doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
+doubt-touching-angle = el ángulo en que la ley toca la circunferencia base se buscó, sin demostrar que sea el mejor
+doubt-local = con límites no convexos solo se obtiene un óptimo local; la brecha es respecto a la mejor cota inferior conocida
 
 # Por qué se descartó una familia más sencilla.
 passed-over-accuracy = { $family }: supera el error de fuerza admitido en { $excess }
@@ -35,6 +43,7 @@ passed-over-fault = { $family }: no es posible: { $fault }
 # Por qué se detuvo sin resultado un algoritmo de programas convexos.
 name-singular-objective = matriz del objetivo singular
 name-singular-equalities = matriz de las restricciones de igualdad singular
+name-out-of-time = límite de tiempo alcanzado
 name-iteration-limit = se alcanzó el límite de iteraciones
 name-no-progress = no hay más progreso
 name-unbounded = objetivo no acotado inferiormente

@@ -36,6 +36,7 @@ design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acc
        *[other] {""}
     }.
 design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de menor error de fuerza.
+design-out-of-time = La búsqueda terminó en su límite de tiempo: el resultado es el mejor hallado hasta entonces, y las relajaciones que no figuran no se probaron. Permita más con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
 design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.

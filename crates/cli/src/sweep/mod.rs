@@ -15,6 +15,7 @@ use serde_json::json;
 use crate::error::CliError;
 use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
 use crate::input;
+use crate::searching::TimeLimit;
 use crate::terminal::{self, print, print_json};
 use crate::words;
 use format::Format;
@@ -68,6 +69,8 @@ pub struct SweepArgs {
     /// Continue an interrupted sweep
     #[arg(long)]
     pub resume: bool,
+    #[command(flatten)]
+    pub time: TimeLimit,
     /// Threads; without it, one per core
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub jobs: Option<u16>,
@@ -136,7 +139,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     }
     let clock = || start.elapsed().as_secs_f64();
     let targets = arguments::targets(&sweep.folders);
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &targets, &clock);
+    let halts = || args.time.of_row();
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &targets, &clock, &halts);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(args.jobs.map_or(0, usize::from))
         .build()

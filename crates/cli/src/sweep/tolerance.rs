@@ -13,7 +13,7 @@ use crate::terminal::{self, print, print_json};
 use crate::words::{self, fixed};
 use gaitcam::error::Result;
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
-use gaitcam::synth::{sentences, synthesise};
+use gaitcam::synth::{sentences, synthesise_with};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
@@ -56,7 +56,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         set: args.set.clone(),
     })?;
     let target = input.target()?;
-    let design = synthesise(&input.scene, target.as_ref())?;
+    let design = synthesise_with(&input.scene, target.as_ref(), &crate::searching::shared())?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, crate::language::current());
         let why = serde_json::json!({"why": why});

@@ -18,11 +18,13 @@ use crate::error::CliError;
 use crate::exit_code;
 use crate::input::{self, Input, SceneArgs};
 use crate::result_folder::ResultFolder;
+use crate::searching::TimeLimit;
 use crate::terminal::{print, print_json};
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
-use gaitcam::synth::{Design, relaxed, synthesise};
+use gaitcam::problem::Shared;
+use gaitcam::synth::{Design, relaxed_with, synthesise_with};
 use gaitcam::units::Dimension;
 use gaitcam_output::{self as output, Timing};
 
@@ -40,6 +42,8 @@ const EXAMPLES: &str = "Examples:
 pub struct SynthArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
+    #[command(flatten)]
+    pub time: TimeLimit,
     /// Folder for the files (default out/NAME)
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -105,9 +109,15 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     };
     let target = input.target()?;
     let solving = Instant::now();
-    let design = synthesise(&input.scene, target.as_ref())?;
+    let shown = args.time.shown();
+    let shared = Shared {
+        halt: args.time.of_design(),
+        ..Shared::default()
+    };
+    let design = synthesise_with(&input.scene, target.as_ref(), &shared)?;
     let solve_s = solving.elapsed().as_secs_f64();
-    let design = relaxed(&input.scene, target.as_ref(), design);
+    let design = relaxed_with(&input.scene, target.as_ref(), design, &shared.halt);
+    drop(shown);
     let answer = Answer {
         target,
         design,
@@ -116,7 +126,11 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     };
     hand_over(args, &input, request, &answer)?;
     let design = &answer.design;
-    Ok(exit_code::of(design.verdict))
+    Ok(if design.out_of_time {
+        exit_code::NO_SUCH_CAM
+    } else {
+        exit_code::of(design.verdict)
+    })
 }
 
 fn rows(args: &SynthArgs) -> Result<usize> {

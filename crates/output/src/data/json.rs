@@ -6,8 +6,8 @@ use serde_json::{Map, Value};
 use crate::Timing;
 use gaitcam::cam::{Continuity, Criterion};
 use gaitcam::synth::{
-    Binding, Certificate, Design, Easing, End, ForceReport, Infeasible, MachineReport, Reason,
-    Relaxation,
+    Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Infeasible, MachineReport,
+    Reason, Relaxation,
 };
 use gaitcam::wording::Language;
 
@@ -71,6 +71,7 @@ struct Summary<'a> {
     relaxations: &'a [Relaxation],
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     relaxed_together: &'a [Relaxation],
+    out_of_time: bool,
     remarks: Vec<String>,
     solver: Solver,
     time: Total,
@@ -206,6 +207,8 @@ struct Solver {
     iterations: usize,
     solve_s: f64,
     certified: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    doubt: Option<Doubt>,
     certificate: Option<Certificate>,
 }
 
@@ -255,6 +258,7 @@ impl<'a> Summary<'a> {
             infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
             relaxations: &synthesis.relaxations,
             relaxed_together: &synthesis.together,
+            out_of_time: synthesis.out_of_time,
             remarks: synthesis.remarks(),
             solver: Solver {
                 tier: solver.tier.name(),
@@ -262,6 +266,7 @@ impl<'a> Summary<'a> {
                 iterations: solver.iterations,
                 solve_s: time.solve_s,
                 certified: solver.certified,
+                doubt: solver.doubt,
                 certificate: solver.certificate,
             },
             time: Total {

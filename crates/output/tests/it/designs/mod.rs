@@ -22,6 +22,7 @@ fn spectral() -> SolverReport {
         passed_over: Vec::new(),
         iterations: 0,
         certified: true,
+        doubt: None,
         certificate: None,
         steps: Vec::new(),
     }
@@ -117,6 +118,7 @@ pub fn footbridge() -> Design {
             at: sharpest.at,
         }],
         solver: spectral(),
+        out_of_time: false,
         notes: vec![
             Note::Said {
                 text: "mean(F) = M g, so the mass is 71.36 kg".into(),
@@ -219,9 +221,11 @@ pub fn heel_tester() -> Design {
             passed_over: Vec::new(),
             iterations: 1,
             certified: true,
+            doubt: None,
             certificate: None,
             steps: Vec::new(),
         },
+        out_of_time: false,
         notes: Vec::new(),
         cam,
     }

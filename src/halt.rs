@@ -1,0 +1,45 @@
+//! How a caller ends a search: the library has no clock and asks.
+
+use std::fmt;
+use std::sync::Arc;
+
+/// Asked by every search between its steps; once it says yes the search returns the best it has.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use std::time::{Duration, Instant};
+///
+/// let end = Instant::now() + Duration::from_secs(5);
+/// let halt = Halt::when(move || Instant::now() >= end);
+/// assert!(!halt.is_asked());
+/// assert!(!Halt::never().is_asked());
+/// ```
+#[derive(Clone, Default)]
+pub struct Halt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
+
+impl Halt {
+    /// Searches run to their end.
+    pub fn never() -> Self {
+        Halt(None)
+    }
+
+    /// Searches end once `asked` says so; it is called often, from any thread.
+    pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Halt(Some(Arc::new(asked)))
+    }
+
+    /// Whether the search is to end.
+    pub fn is_asked(&self) -> bool {
+        self.0.as_ref().is_some_and(|asked| asked())
+    }
+}
+
+impl fmt::Debug for Halt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.0.is_some() {
+            "Halt::when"
+        } else {
+            "Halt::never"
+        })
+    }
+}

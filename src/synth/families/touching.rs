@@ -1,0 +1,366 @@
+//! The angle at which a law of open level touches its base circle.
+//!
+//! On a moving axis the force does not see the level of the law: its lowest point stands on the base circle.
+//! Limits on curvature, pressure angle and contact pressure count the lift from there, so for a touching angle φ
+//! they read Σ wₖ s⁽ᵏ⁾(θ) − w₀ s(φ) ≤ bound with w₀ ≤ 0. Each φ gives a convex program with the optimum f(φ);
+//! a law that is lower elsewhere only gains room, so what is sought is the least f(φ) over the turn.
+//!
+//! A solution at the angle c with multipliers λ bounds the optimum at *every* other angle: with ν = −Σ λ w₀
+//! the Lagrangian changes by ν (s(φ) − s(c)), hence
+//!
+//! ```text
+//! f(φ) ≥ f(c) + ν (s_c(φ) − s_c(c)) − ½ ν² Q(φ − c)
+//! Q(t) = 4/α Σ (1 − cos nt)/n⁴ = 4/α (π²t²/12 − π|t|³/12 + t⁴/48)
+//! ```
+//!
+//! where α mean(s″²) is no more than the objective's square part: Q bounds the square length of the functional
+//! s(φ) − s(c) in the objective's dual norm. The bound has the value and the slope of f at c, so a few programs
+//! bound f from below to 1e-6 all round (branch and bound over φ).
+
+use std::f64::consts::{PI, TAU};
+
+use crate::cam::Criterion;
+use crate::law::Law;
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::limits;
+use crate::synth::proof::Doubt;
+use crate::synth::qp::{
+    self, Certificate, Demand, EXTRAS, Equality, Failure, Program, Row, Solution, apply,
+};
+
+/// Part of the objective's size to which the least over all angles is proved.
+const GAP: f64 = 4e-7;
+/// Programs after which the proof is given up.
+const MOST_PROGRAMS: usize = 48;
+/// The touching angle follows its law's lowest point at most this often in one go …
+const MOST_DESCENTS: usize = 8;
+/// … and no further when it moved by less, rad.
+const SETTLED: f64 = 1e-7;
+/// Parts of the turn with which the search begins.
+const PARTS: usize = 16;
+/// Parts narrower than this are not cut again, rad.
+const NARROWEST: f64 = TAU / 65536.0;
+/// Angles tried where the first leaves no law.
+const TRIED: usize = 12;
+
+/// A law at the best touching angle.
+pub struct Touched {
+    /// The program at that angle.
+    pub program: Program,
+    /// Its solution.
+    pub solution: Solution,
+    /// The angle, where there was one to choose.
+    pub at: Option<f64>,
+    /// No angle gives an objective below this; `None` where none was to choose or nothing is proved.
+    pub bound: Option<f64>,
+}
+
+impl Touched {
+    /// A law whose level is known.
+    pub fn known(program: Program, solution: Solution) -> Touched {
+        Touched {
+            program,
+            solution,
+            at: None,
+            bound: None,
+        }
+    }
+
+    /// The law.
+    pub fn law(&self) -> Law {
+        self.program.basis.law(&self.solution.x)
+    }
+
+    /// How near to the optimum over all touching angles the law is, and what is in doubt of that.
+    pub fn evidence(&self) -> (Certificate, Option<Doubt>) {
+        let mut evidence = qp::certificate(&self.program, &self.solution);
+        let Some(bound) = self.bound else {
+            return (evidence, self.at.map(|_| Doubt::TouchingAngle));
+        };
+        evidence.widen(value(&self.program, &self.solution) - bound);
+        (evidence, None)
+    }
+
+    /// A lower bound of the objective over all laws that keep the limits.
+    pub fn least(&self) -> f64 {
+        let value = value(&self.program, &self.solution);
+        value - self.evidence().0.duality_gap
+    }
+
+    /// The same law as one of known level: it stands on the base circle where it is lowest.
+    pub fn pinned(&self, problem: &Problem) -> (Program, Solution) {
+        let (mut program, mut solution) = (self.program.clone(), self.solution.clone());
+        if program.level_is_open() {
+            let at = self.at.unwrap_or_else(|| self.law().extremes(0).0.at);
+            let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
+            let lowest = apply(&entries, &solution.x);
+            solution.x = program.basis.raised(solution.x, -lowest);
+            program.equalities.push(Equality {
+                name: Demand::OnBaseCircle,
+                entries,
+                value: 0.0,
+            });
+            program.limits.retain(|l| l.name != Criterion::BaseCircle);
+            program.limits.extend(limits::above_base_circle(problem));
+        }
+        (program, solution)
+    }
+}
+
+/// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
+/// it is.
+pub fn solve(problem: &Problem, program: Program) -> Result<Touched, (Program, Failure)> {
+    if !program.limits.iter().any(|l| l.from_base_circle) {
+        return match program.solve() {
+            Ok(solution) => Ok(Touched::known(program, solution)),
+            Err(failure) => Err((program, failure)),
+        };
+    }
+    // Where the law is lowest without limits is a fair guess.
+    let first = match qp::solve_equalities(&program) {
+        Ok(unlimited) => program.basis.law(&unlimited.x).extremes(0).0.at,
+        Err(_) => 0.0,
+    };
+    let mut search = Search {
+        program,
+        nodes: Vec::new(),
+        programs: 0,
+    };
+    search.begin(first)?;
+    let bound = stiffness(problem).and_then(|alpha| search.proved(alpha));
+    Ok(search.finished(bound))
+}
+
+/// A solved touching angle.
+struct Node {
+    at: f64,
+    solution: Solution,
+    law: Law,
+    /// Objective with its constant.
+    value: f64,
+    /// What the multipliers prove at this angle.
+    dual: f64,
+    /// ν.
+    pull: f64,
+    /// s_c(c).
+    level: f64,
+    /// Local minima of the law, by angle.
+    lows: Vec<(f64, f64)>,
+}
+
+impl Node {
+    /// A lower bound of f on [a, b].
+    fn least(&self, a: f64, b: f64, alpha: f64) -> f64 {
+        let ends = self.law.svaj(a).s.min(self.law.svaj(b).s);
+        let inside = self.lows.iter().filter(|low| low.0 > a && low.0 < b);
+        let lowest = inside.fold(ends, |least, low| least.min(low.1));
+        let apart = |x: f64| {
+            let t = (x - self.at).rem_euclid(TAU);
+            t.min(TAU - t)
+        };
+        let opposite = (self.at + PI).rem_euclid(TAU);
+        let farthest = if opposite > a && opposite < b {
+            PI
+        } else {
+            apart(a).max(apart(b))
+        };
+        let length = distance(farthest) / alpha;
+        self.dual + self.pull * (lowest - self.level) - 0.5 * self.pull * self.pull * length
+    }
+}
+
+/// α Q(t).
+fn distance(t: f64) -> f64 {
+    4.0 * t * t * (PI * PI / 12.0 - PI * t / 12.0 + t * t / 48.0)
+}
+
+/// α: the objective's square part is at least ½ α mean(s″²); `None` where it has none.
+fn stiffness(problem: &Problem) -> Option<f64> {
+    let inertia = problem.drive.weights()[2];
+    let force = problem.least_weight() * inertia * inertia;
+    let alpha = match problem.objective() {
+        Minimise::ForceError => force,
+        Minimise::Weighed(weigh) => {
+            let by_force = weigh.force_error.map_or(0.0, |part| {
+                2.0 * force / (part * problem.target_mean()).powi(2)
+            });
+            // |n|⁶ ≥ |n|⁴ on every harmonic of the turn.
+            let by_jerk = weigh
+                .jerk
+                .map_or(0.0, |one| 2.0 / (one / problem.drive.speed.powi(3)).powi(2));
+            by_force + by_jerk
+        }
+        Minimise::Energy(order) if order >= 2 => 1.0,
+        Minimise::Energy(_) | Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Size => 0.0,
+    };
+    (alpha > 0.0).then_some(alpha)
+}
+
+struct Search {
+    program: Program,
+    nodes: Vec<Node>,
+    programs: usize,
+}
+
+impl Search {
+    /// The first law: at the given angle, or where something ties the law to its angles at another.
+    fn begin(&mut self, first: f64) -> Result<(), (Program, Failure)> {
+        let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
+        let angles = if tied { TRIED } else { 1 };
+        let mut refused = None;
+        for k in 0..angles {
+            match self.visit(first + TAU * k as f64 / angles as f64) {
+                Ok(_) => {
+                    self.descend();
+                    return Ok(());
+                }
+                Err(failure) => refused = refused.or(Some(failure)),
+            }
+        }
+        let failure = refused.unwrap_or(Failure::Infeasible);
+        Err((self.touching(first), failure))
+    }
+
+    /// The program with this touching angle.
+    fn touching(&self, at: f64) -> Program {
+        let mut program = self.program.clone();
+        program.touch_at(at);
+        program
+    }
+
+    /// Solves at an angle, beginning with the contacts of the nearest one; its index.
+    fn visit(&mut self, at: f64) -> Result<usize, Failure> {
+        let at = at.rem_euclid(TAU);
+        let mut program = self.touching(at);
+        let apart = |n: &&Node| {
+            let t = (n.at - at).rem_euclid(TAU);
+            t.min(TAU - t)
+        };
+        if let Some(near) = (self.nodes.iter()).min_by(|a, b| apart(a).total_cmp(&apart(b))) {
+            let contacts = near.solution.active.iter();
+            program.seeds = contacts
+                .filter_map(|row| Some(program.row(row.limit?, row.peak)))
+                .collect();
+        }
+        self.programs += 1;
+        let solution = program.solve()?;
+        let node = node(&program, at, solution);
+        self.nodes.push(node);
+        Ok(self.nodes.len() - 1)
+    }
+
+    fn best(&self) -> usize {
+        let by_value = |a: &usize, b: &usize| self.nodes[*a].value.total_cmp(&self.nodes[*b].value);
+        (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
+    }
+
+    /// Follows the best law's own lowest point while that gains.
+    fn descend(&mut self) {
+        for _ in 0..MOST_DESCENTS {
+            let best = &self.nodes[self.best()];
+            let (value, lowest) = (best.value, best.law.extremes(0).0);
+            let moved = (lowest.at - best.at).rem_euclid(TAU);
+            if moved.min(TAU - moved) < SETTLED || best.pull == 0.0 {
+                return;
+            }
+            let gained = match self.visit(lowest.at) {
+                Ok(node) => value - self.nodes[node].value,
+                Err(_) => return,
+            };
+            if gained <= 0.1 * GAP * value.abs() {
+                return;
+            }
+        }
+    }
+
+    /// Branch and bound over the turn: a lower bound of f at every angle.
+    fn proved(&mut self, alpha: f64) -> Option<f64> {
+        let cut = |k: usize| TAU * k as f64 / PARTS as f64;
+        let mut parts: Vec<(f64, f64, f64)> = (0..PARTS)
+            .map(|k| (cut(k), cut(k + 1), f64::NEG_INFINITY))
+            .collect();
+        let mut seen = 0;
+        loop {
+            if seen < self.nodes.len() {
+                for part in &mut parts {
+                    let new = self.nodes[seen..]
+                        .iter()
+                        .map(|n| n.least(part.0, part.1, alpha));
+                    part.2 = new.fold(part.2, f64::max);
+                }
+                seen = self.nodes.len();
+            }
+            let value = self.nodes[self.best()].value;
+            let allowed = value - GAP * value.abs();
+            let lowest = |a: &usize, b: &usize| parts[*a].2.total_cmp(&parts[*b].2);
+            let worst = (0..parts.len()).min_by(lowest)?;
+            let (a, b, least) = parts[worst];
+            if least >= allowed {
+                return Some(least.min(value));
+            }
+            if b - a < NARROWEST {
+                return Some(least);
+            }
+            let middle = 0.5 * (a + b);
+            let there = (self.nodes.iter())
+                .map(|n| n.least(middle, middle, alpha))
+                .fold(f64::NEG_INFINITY, f64::max);
+            let more = self.programs < MOST_PROGRAMS && !self.program.halt.is_asked();
+            if there < allowed && more && self.visit(middle).is_ok() {
+                self.descend();
+            }
+            let bound = |a: f64, b: f64| {
+                let all = self.nodes.iter().map(|n| n.least(a, b, alpha));
+                (a, b, all.fold(f64::NEG_INFINITY, f64::max))
+            };
+            parts[worst] = bound(a, middle);
+            parts.push(bound(middle, b));
+        }
+    }
+
+    fn finished(mut self, bound: Option<f64>) -> Touched {
+        let best = self.nodes.swap_remove(self.best());
+        let mut solution = best.solution;
+        solution.iterations += self
+            .nodes
+            .iter()
+            .map(|n| n.solution.iterations)
+            .sum::<usize>();
+        let mut program = self.program;
+        program.touch_at(best.at);
+        Touched {
+            program,
+            solution,
+            at: Some(best.at),
+            bound,
+        }
+    }
+}
+
+fn node(program: &Program, at: f64, solution: Solution) -> Node {
+    let law = program.basis.law(&solution.x);
+    let rows: &[Row] = &solution.active;
+    let counted = rows.iter().filter(|row| !row.touching.is_empty());
+    let pull = counted.map(|row| -row.multiplier * row.weights[0]).sum();
+    let value = value(program, &solution);
+    let dual = value - qp::certificate(program, &solution).duality_gap;
+    let rate = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
+    let lows = rate.roots().into_iter().map(|x| (x, law.svaj(x).s));
+    Node {
+        at,
+        value,
+        dual,
+        pull,
+        level: law.svaj(at).s,
+        lows: lows.collect(),
+        law,
+        solution,
+    }
+}
+
+/// The whole objective of a solution.
+pub fn value(program: &Program, solution: &Solution) -> f64 {
+    let beside = (0..EXTRAS).map(|k| program.cost[k] * solution.extra[k]);
+    program.objective(&solution.x) + program.constant + beside.sum::<f64>()
+}

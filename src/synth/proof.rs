@@ -1,0 +1,44 @@
+//! What is proved of a law: that nothing of its family is better, or why that is not known.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use super::qp::{Certificate, TOLERANCE};
+use crate::wording::{self, Language};
+
+/// Largest relative gap, and part of the gradient left over, of an optimum that is called certified.
+const PROVED: f64 = 1e-6;
+
+/// Why a law is not certified to be the optimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Doubt {
+    /// A limit is exceeded by more than the solver's tolerance.
+    Limits,
+    /// The duality gap, or what the multipliers leave of the gradient, is above 1e-6.
+    Gap,
+    /// Where the law touches its base circle was searched for, not proved.
+    TouchingAngle,
+    /// A sequence of convex programs ends at a local optimum.
+    Local,
+}
+
+impl Doubt {
+    /// The reason as a clause.
+    pub fn sentence(self, language: Language) -> String {
+        wording::sentence(language, "doubt", &self)
+    }
+}
+
+/// What stands between a certificate and a proof.
+pub fn doubt(certificate: &Certificate) -> Option<Doubt> {
+    if certificate.violation > TOLERANCE * 1.000_001 {
+        Some(Doubt::Limits)
+    } else if certificate.relative_gap <= PROVED && certificate.stationarity <= PROVED {
+        None
+    } else {
+        Some(Doubt::Gap)
+    }
+}
