@@ -447,7 +447,7 @@ fn dynamics(report: &mut Report) {
 }
 
 fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::new("no recordings"))
+    Err(Error::own("no-recordings", "no recordings"))
 }
 
 /// The kernel over so many rows.

@@ -16,7 +16,7 @@ fn main() {
 }
 
 fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::new("no recordings"))
+    Err(Error::own("no-recordings", "no recordings"))
 }
 
 fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {

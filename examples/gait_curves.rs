@@ -37,7 +37,8 @@ pub const CURVES: &[(&str, &str, Option<f64>, f64, Feet)] = &[
 pub fn text(name: &str, frequency: Option<f64>, load: f64, feet: Feet) -> Result<String> {
     let curve = model(name, frequency, load, feet)?;
     let found = catalogue().iter().find(|m| m.name == name);
-    let info = found.ok_or_else(|| Error::new(format!("{name} is not in the catalogue")))?;
+    let info =
+        found.ok_or_else(|| Error::own("no-model", format!("{name} is not in the catalogue")))?;
     let whose = if feet == Feet::Both {
         "both feet, one step"
     } else {

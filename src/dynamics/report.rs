@@ -4,9 +4,37 @@ use super::contact::Impact;
 use super::outcome::{Difference, Outcome, Pressure, Row};
 use super::reason::RunNote;
 use crate::cam::Measures;
-use crate::wording::Language;
+use crate::wording::{self, Language};
 use serde_json::{Value, json};
 use std::fmt::Write;
+
+/// Labels and values of the table: messages of the area `simulation`.
+pub const LABELS: &[&str] = &[
+    "model",
+    "why",
+    "contact",
+    "contact-kept",
+    "contact-lost",
+    "force",
+    "error",
+    "torque",
+    "push",
+    "torque-values",
+    "pressure",
+    "pressure-values",
+    "lift-off",
+    "never",
+    "settles",
+    "settled",
+    "unsettled",
+    "impacts",
+    "impact-values",
+    "next-model",
+    "next-failed",
+    "next-rms",
+    "next-changes",
+    "note",
+];
 
 /// Names of the columns of `dynamics.csv`, in order.
 pub const COLUMNS: [&str; 10] = [
@@ -86,82 +114,26 @@ impl Outcome {
     }
 
     /// The findings for people, in the units of the follower that ran.
-    pub fn table(&self, measures: Measures) -> String {
-        let (force, lift) = (measures.force().name, measures.lift(0));
-        let torque = match measures {
-            Measures::Straight => ["push", "N"],
-            _ => ["torque", "N·m"],
-        };
-        let mut lines: Vec<(&str, String)> = vec![
+    pub fn table(&self, measures: Measures, language: Language) -> String {
+        let say = Say { language, measures };
+        let mut lines = vec![
             ("model", self.model.name().to_string()),
-            ("why", self.why.sentence(Language::En)),
-            ("contact", self.contact_words()),
-            (
-                "force",
-                format!("{:.4} … {:.4} {force}", self.force.min, self.force.max),
-            ),
+            ("why", self.why.sentence(language)),
+            ("contact", self.contact_words(say)),
         ];
-        if let Some(error) = self.force.rms_error {
-            lines.push(("error to target", format!("{error:.4} {force} RMS")));
-        }
-        let t = &self.torque;
-        lines.push((
-            torque[0],
-            format!(
-                "{:.5} … {:.5} {}, mean {:.3e}, RMS {:.5}",
-                t.min, t.max, torque[1], t.mean, t.rms
-            ),
-        ));
-        let liftoff = match self.liftoff_speed {
-            Some(w) => measures.speed_words(w, 6),
-            None => "at no speed".to_string(),
-        };
-        lines.push(("lift-off", liftoff));
-        let settles = match self.settle_cycles {
-            Some(n) => format!(
-                "after {n} turns; repeats every {} turn(s)",
-                self.period_turns
-            ),
-            None => "not within the turns run".to_string(),
-        };
-        lines.push(("settles", settles));
-        let bounce = self.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height));
-        if let Some(hit) = self
-            .impacts
-            .iter()
-            .max_by(|a, b| a.speed.total_cmp(&b.speed))
-        {
-            lines.push((
-                "impacts",
-                format!(
-                    "{} in the run, fastest {:.4} {} at {}, highest bounce {}",
-                    self.impacts.len(),
-                    hit.speed,
-                    measures.by_time(1).name,
-                    measures.place(hit.at, 2),
-                    lift.after(&format!("{:.4}", lift.factor * bounce)),
-                ),
-            ));
-        }
-        if let Some(p) = &self.hertz {
-            lines.push((
-                "pressure",
-                format!(
-                    "{:.1} MPa at {}, half-width {:.4} mm, largest shear {:.4} mm deep",
-                    1e-6 * p.contact.pressure,
-                    measures.place(p.theta, 1),
-                    1e3 * p.contact.half_width,
-                    1e3 * p.contact.shear_depth
-                ),
-            ));
-        }
+        lines.extend(self.loads(say));
+        lines.extend(self.motion(say));
         if let Some(next) = &self.next {
-            lines.push(("next model", difference_words(next)));
+            lines.push(("next-model", next.sentence(language)));
         }
         for note in &self.notes {
-            lines.push(("note", said(note)));
+            lines.push(("note", note.sentence(language)));
         }
-        let width = lines.iter().map(|l| l.0.len()).max().unwrap_or(0);
+        let lines: Vec<(String, String)> = lines
+            .into_iter()
+            .map(|(label, value)| (say.fill(label, json!({})), value))
+            .collect();
+        let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0);
         lines.iter().fold(String::new(), |mut out, (name, value)| {
             // Writing to a String cannot fail.
             let _ = writeln!(out, "{name:width$}  {value}");
@@ -169,11 +141,99 @@ impl Outcome {
         })
     }
 
-    fn contact_words(&self) -> String {
+    fn contact_words(&self, say: Say) -> String {
         if self.contact_lost {
-            format!("lost for {:.3} % of the motion", 100.0 * self.lost_fraction)
+            let percent = say.number(format!("{:.3}", 100.0 * self.lost_fraction));
+            say.fill("contact-lost", json!({"percent": percent}))
         } else {
-            "kept all the way round".to_string()
+            say.fill("contact-kept", json!({}))
+        }
+    }
+
+    /// Force, its error, torque and pressure.
+    fn loads(&self, say: Say) -> Vec<(&'static str, String)> {
+        let force = say.measures.force().name;
+        let (low, high) = (self.force.min, self.force.max);
+        let mut lines = vec![("force", say.number(format!("{low:.4} … {high:.4} {force}")))];
+        if let Some(error) = self.force.rms_error {
+            lines.push(("error", say.number(format!("{error:.4} {force} RMS"))));
+        }
+        let t = &self.torque;
+        let (label, unit) = match say.measures {
+            Measures::Straight => ("push", "N"),
+            Measures::Translating | Measures::Oscillating => ("torque", "N·m"),
+        };
+        let torque = json!({
+            "least": say.number(format!("{:.5}", t.min)),
+            "most": say.number(format!("{:.5} {unit}", t.max)),
+            "mean": say.number(format!("{:.3e}", t.mean)),
+            "rms": say.number(format!("{:.5}", t.rms)),
+        });
+        lines.push((label, say.fill("torque-values", torque)));
+        if let Some(p) = &self.hertz {
+            let pressure = json!({
+                "pressure": say.number(format!("{:.1} MPa", 1e-6 * p.contact.pressure)),
+                "at": say.number(say.measures.place(p.theta, 1)),
+                "width": say.number(format!("{:.4} mm", 1e3 * p.contact.half_width)),
+                "depth": say.number(format!("{:.4} mm", 1e3 * p.contact.shear_depth)),
+            });
+            lines.push(("pressure", say.fill("pressure-values", pressure)));
+        }
+        lines
+    }
+
+    /// Lift-off, settling and impacts.
+    fn motion(&self, say: Say) -> Vec<(&'static str, String)> {
+        let measures = say.measures;
+        let liftoff = match self.liftoff_speed {
+            Some(w) => say.number(measures.speed_words(w, 6)),
+            None => say.fill("never", json!({})),
+        };
+        let settles = match self.settle_cycles {
+            Some(turns) => {
+                let values = json!({"turns": turns, "period": self.period_turns});
+                say.fill("settled", values)
+            }
+            None => say.fill("unsettled", json!({})),
+        };
+        let mut lines = vec![("lift-off", liftoff), ("settles", settles)];
+        let bounce = self.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height));
+        let fastest = self
+            .impacts
+            .iter()
+            .max_by(|a, b| a.speed.total_cmp(&b.speed));
+        if let Some(hit) = fastest {
+            let (lift, speed) = (measures.lift(0), measures.by_time(1).name);
+            let bounce = lift.after(&format!("{:.4}", lift.factor * bounce));
+            let impacts = json!({
+                "count": self.impacts.len(),
+                "speed": say.number(format!("{:.4} {speed}", hit.speed)),
+                "at": say.number(measures.place(hit.at, 2)),
+                "bounce": say.number(bounce),
+            });
+            lines.push(("impacts", say.fill("impact-values", impacts)));
+        }
+        lines
+    }
+}
+
+/// Language and units of a table.
+#[derive(Clone, Copy)]
+struct Say {
+    language: Language,
+    measures: Measures,
+}
+
+impl Say {
+    fn fill(self, message: &str, values: Value) -> String {
+        wording::sentence(self.language, "simulation", &json!({ message: values }))
+    }
+
+    /// A number that is written already, with the decimal sign of the language.
+    fn number(self, written: String) -> String {
+        match self.language {
+            Language::En => written,
+            Language::Es => written.replace('.', ","),
         }
     }
 }
@@ -215,19 +275,27 @@ fn difference_json(next: &Difference) -> Value {
     })
 }
 
-/// What the next model up would change, in words.
-pub fn difference_words(next: &Difference) -> String {
-    if let Some(reason) = &next.failed {
-        return format!("{} could not be run: {reason}", next.model.name());
+impl Difference {
+    /// What the next model up would change.
+    pub fn sentence(&self, language: Language) -> String {
+        let measures = Measures::Translating;
+        let say = Say { language, measures };
+        let model = self.model.name();
+        if let Some(fault) = &self.failed {
+            let fault = fault.sentence(language);
+            return say.fill("next-failed", json!({"model": model, "fault": fault}));
+        }
+        let written = |x: f64| say.number(format!("{x:+.3e}"));
+        let rms = self.rms_error.map_or(String::new(), |e| {
+            say.fill("next-rms", json!({"rms": written(e)}))
+        });
+        let values = json!({
+            "model": model,
+            "least": written(self.force_min),
+            "most": written(self.force_max),
+            "error": rms,
+            "lost": written(self.lost_fraction),
+        });
+        say.fill("next-changes", values)
     }
-    let rms = next
-        .rms_error
-        .map_or(String::new(), |e| format!(", RMS error {e:+.3e} N"));
-    format!(
-        "{} would change the smallest force by {:+.3e} N, the largest by {:+.3e} N{rms}, the lost part by {:+.3e}",
-        next.model.name(),
-        next.force_min,
-        next.force_max,
-        next.lost_fraction
-    )
 }

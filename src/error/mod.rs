@@ -11,10 +11,12 @@ mod law;
 mod read;
 mod scene;
 mod sweep;
+mod synth;
 mod units;
+mod write;
 
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::Serialize;
 
@@ -27,7 +29,9 @@ pub use law::{JoinCure, LawError, SegmentName};
 pub use read::{CycleColumn, FileKind, ReadError};
 pub use scene::SceneError;
 pub use sweep::SweepError;
+pub use synth::SynthError;
 pub use units::UnitsError;
+pub use write::WriteError;
 
 /// Where in the input a fault was found.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -67,13 +71,6 @@ impl fmt::Display for Place {
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ErrorKind {
-    /// A sentence of a caller's own.
-    Text {
-        /// What is wrong.
-        what: String,
-        /// What would be right; empty where nothing helpful can be said.
-        help: String,
-    },
     /// In a quantity with a unit.
     Units(UnitsError),
     /// In the lengths of a cam or its follower.
@@ -90,6 +87,10 @@ pub enum ErrorKind {
     Scene(SceneError),
     /// In a sweep.
     Sweep(SweepError),
+    /// In what a design is asked for.
+    Synth(SynthError),
+    /// In a file that is written.
+    Write(WriteError),
     /// Of a caller with sentences of its own.
     Own {
         /// The caller's code.
@@ -147,7 +148,6 @@ impl ErrorKind {
     /// What is wrong, in a language.
     pub fn sentence(&self, language: Language) -> String {
         match self {
-            ErrorKind::Text { what, .. } => what.clone(),
             ErrorKind::Units(e) => wording::sentence(language, "units", e),
             ErrorKind::Cam(e) => wording::sentence(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::sentence(language, "dynamics", e),
@@ -156,6 +156,8 @@ impl ErrorKind {
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
             ErrorKind::Scene(e) => wording::sentence(language, "scene", e),
             ErrorKind::Sweep(e) => wording::sentence(language, "sweep", e),
+            ErrorKind::Synth(e) => wording::sentence(language, "synth", e),
+            ErrorKind::Write(e) => wording::sentence(language, "write", e),
             ErrorKind::Own { what, .. } => what.clone(),
         }
     }
@@ -163,7 +165,6 @@ impl ErrorKind {
     /// What would be right, in a language.
     pub fn help(&self, language: Language) -> Option<String> {
         match self {
-            ErrorKind::Text { help, .. } => (!help.is_empty()).then(|| help.clone()),
             ErrorKind::Units(e) => wording::help(language, "units", e),
             ErrorKind::Cam(e) => wording::help(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::help(language, "dynamics", e),
@@ -172,6 +173,8 @@ impl ErrorKind {
             ErrorKind::Read(e) => wording::help(language, "read", e),
             ErrorKind::Scene(e) => wording::help(language, "scene", e),
             ErrorKind::Sweep(e) => wording::help(language, "sweep", e),
+            ErrorKind::Synth(e) => wording::help(language, "synth", e),
+            ErrorKind::Write(e) => wording::help(language, "write", e),
             ErrorKind::Own { help, .. } => help.clone(),
         }
     }
@@ -179,7 +182,6 @@ impl ErrorKind {
     /// The code: area and variant in kebab-case.
     pub fn code(&self) -> String {
         match self {
-            ErrorKind::Text { .. } => "text".to_string(),
             ErrorKind::Units(e) => wording::code("units", e),
             ErrorKind::Cam(e) => wording::code("cam", e),
             ErrorKind::Dynamics(e) => wording::code("dynamics", e),
@@ -188,6 +190,8 @@ impl ErrorKind {
             ErrorKind::Read(e) => wording::code("read", e),
             ErrorKind::Scene(e) => wording::code("scene", e),
             ErrorKind::Sweep(e) => wording::code("sweep", e),
+            ErrorKind::Synth(e) => wording::code("synth", e),
+            ErrorKind::Write(e) => wording::code("write", e),
             ErrorKind::Own { code, .. } => code.clone(),
         }
     }
@@ -217,47 +221,13 @@ impl From<ErrorKind> for Error {
 }
 
 impl Error {
-    /// A fault without a place; callers that know the place add it with [`Error::at`].
-    pub fn new(what: impl Into<String>) -> Self {
-        Error::from(ErrorKind::Text {
+    /// A fault with a code and a sentence of the caller's own.
+    pub fn own(code: impl Into<String>, what: impl Into<String>) -> Self {
+        Error::from(ErrorKind::Own {
+            code: code.into(),
             what: what.into(),
-            help: String::new(),
+            help: None,
         })
-    }
-
-    /// A fault in a whole file.
-    pub fn file(path: &Path, what: impl Into<String>) -> Self {
-        Error::new(what).at(Place::File(path.to_path_buf()))
-    }
-
-    /// A fault in one line (counted from 1) of a text file.
-    pub fn line(path: &Path, line: usize, what: impl Into<String>) -> Self {
-        Error::new(what).at(Place::Line(path.to_path_buf(), line))
-    }
-
-    /// A fault at a byte offset of a binary file.
-    pub fn byte(path: &Path, offset: usize, what: impl Into<String>) -> Self {
-        Error::new(what).at(Place::Byte(path.to_path_buf(), offset))
-    }
-
-    /// A fault in the value of a scene key.
-    pub fn key(key: &str, what: impl Into<String>) -> Self {
-        Error::new(what).at(Place::Key(key.to_string()))
-    }
-
-    /// A fault in a command-line argument.
-    pub fn argument(flag: &str, what: impl Into<String>) -> Self {
-        Error::new(what).at(Place::Argument(flag.to_string()))
-    }
-
-    /// Says what would be right, for a sentence of a caller's own.
-    #[must_use]
-    pub fn help(mut self, advice: impl Into<String>) -> Self {
-        let ErrorKind::Text { help, .. } = &mut self.kind else {
-            return self;
-        };
-        *help = advice.into();
-        self
     }
 
     /// Places the fault, unless a more exact place is already known.

@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use crate::drive::{Drive, DriveKind};
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::force::ForceCurve;
 use crate::scene::DriveSpec;
+use crate::units::Quantity;
 
 /// The drive with every number, and the force scaled to its mass where that is asked for.
 ///
@@ -33,10 +34,7 @@ pub(crate) fn drive_of(spec: &DriveSpec, force: Option<(f64, f64)>) -> Result<Dr
         (Some(w), _) => w,
         (None, Some((_, period_s))) => TAU / period_s,
         (None, None) => {
-            return Err(Error::key(
-                "drive.speed",
-                "needs a value where no force is given",
-            ));
+            return Err(SynthError::ValueMissing.at_key("drive.speed"));
         }
     };
     Ok(match spec.kind {
@@ -64,17 +62,13 @@ fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
         return Ok(mass);
     }
     let Some(mean) = mean else {
-        return Err(Error::key(
-            "drive.mass",
-            "needs a value where no force is given",
-        ));
+        return Err(SynthError::ValueMissing.at_key("drive.mass"));
     };
     if mean <= 0.0 {
-        return Err(Error::key(
-            "gait",
-            format!("the mean force is {mean:.3} N, so no mass can rest on the cam"),
-        )
-        .help("forces must press downwards: check the sign and the column"));
+        return Err(SynthError::MeanForceNegative {
+            mean: Quantity::force(mean),
+        }
+        .at_key("gait"));
     }
     Ok(mean / spec.gravity)
 }
@@ -82,10 +76,11 @@ fn moving_mass(spec: &DriveSpec, mean: Option<f64>) -> Result<f64> {
 fn scaled_to(curve: &ForceCurve, weight: f64) -> Result<ForceCurve> {
     let mean = curve.mean_n();
     if mean <= 0.0 {
-        return Err(Error::key(
-            "gait.scale",
-            format!("a mean force of {mean:.3} N cannot be scaled to {weight:.3} N"),
-        ));
+        return Err(SynthError::NotScalable {
+            mean: Quantity::force(mean),
+            weight: Quantity::force(weight),
+        }
+        .at_key("gait.scale"));
     }
     Ok(curve.scaled(weight / mean))
 }

@@ -21,7 +21,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::force::{ForceCurve, implausible, spread_rms_n};
 use crate::halt::Halt;
 use crate::law::Rise;
@@ -29,7 +29,6 @@ use crate::scene::{
     Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
     Scene,
 };
-use crate::wording::Language;
 use target::{band_about, weight_at};
 
 /// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
@@ -90,7 +89,7 @@ struct Given {
     band: Option<Band>,
     to_mass: bool,
     drive: DriveSpec,
-    remarks: Vec<String>,
+    remarks: Vec<Note>,
 }
 
 /// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
@@ -118,7 +117,7 @@ impl Problem {
     pub fn settle(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
         let gait = scene.gait.as_ref();
         let force = match (gait, force) {
-            (Some(_), None) => return Err(Error::key("gait", "the force curve was not read")),
+            (Some(_), None) => return Err(SynthError::ForceNotRead.at_key("gait")),
             (None, _) => None,
             (Some(_), Some(curve)) => Some(curve.clone()),
         };
@@ -127,12 +126,13 @@ impl Problem {
             _ => 0.0,
         };
         let notes = scene.notes();
-        let mut remarks: Vec<String> = notes.iter().map(|n| n.sentence(Language::En)).collect();
+        let mut remarks: Vec<Note> = notes.into_iter().map(|note| Note::Scene { note }).collect();
         if let (Some(gait), Some(force)) = (gait, &force)
             && gait.is_recording()
         {
-            remarks.extend(implausible(force, gait.feet).map(|note| note.to_string()));
-            remarks.extend(force.doubts().map(|note| note.to_string()));
+            let doubts = implausible(force, gait.feet).into_iter();
+            let doubts = doubts.chain(force.doubts().cloned());
+            remarks.extend(doubts.map(|note| Note::Recording { note }));
         }
         Problem {
             name: scene.name.clone(),
@@ -173,11 +173,7 @@ impl Problem {
         };
         let (drive, force) = machine::settled(&self.given.drive, self.given.to_mass, force)?;
         if force.is_some() && drive.weights() == [0.0; 4] {
-            return Err(Error::key(
-                "drive",
-                "no lift changes the force: spring rate, damping and mass are all zero",
-            )
-            .help("give at least one of spring_rate, damping, mass"));
+            return Err(SynthError::NoLiftChangesForce.at_key("drive"));
         }
         self.band = match (self.given.band, &force) {
             (Some(band), Some(target)) => Some(band_about(target, band)?),

@@ -8,6 +8,8 @@ use strum::VariantNames;
 
 use super::Problem;
 use crate::drive::DriveKind;
+use crate::force;
+use crate::scene::SceneNote;
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
@@ -25,8 +27,10 @@ const SAME_PERIOD: f64 = 1e-3;
 #[non_exhaustive]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Note {
-    /// Something said already, by the reader of the scene or of the recording.
-    Said { text: String },
+    /// On the scene.
+    Scene { note: SceneNote },
+    /// On the recording.
+    Recording { note: force::Note },
     /// The force cycle is stretched to the turn.
     Stretched { turn: Quantity, cycle: Quantity },
     /// The mean of the wanted force is not the weight of the moved mass.
@@ -74,15 +78,18 @@ pub enum Note {
 impl Note {
     /// The note as a sentence.
     pub fn sentence(&self, language: Language) -> String {
-        wording::sentence(language, "design", self)
+        match self {
+            Note::Scene { note } => note.sentence(language),
+            Note::Recording { note } => wording::sentence(language, "note", note),
+            own => wording::sentence(language, "design", own),
+        }
     }
 }
 
 impl Problem {
     /// Notes on the scene, the speed, the closure of a moving axis and the phase that was found.
     pub fn notes(&self) -> Vec<Note> {
-        let said = |text: &String| Note::Said { text: text.clone() };
-        let mut out: Vec<Note> = self.given.remarks.iter().map(said).collect();
+        let mut out: Vec<Note> = self.given.remarks.clone();
         let off = self.limits.unjudged.keys().into_iter();
         out.extend(off.map(|key| Note::NotJudged { key }));
         out.extend(self.stretched());

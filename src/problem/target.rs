@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::force::ForceCurve;
 use crate::scene::{Band, PhaseWeight};
 
@@ -74,10 +74,7 @@ pub fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
         (Band::Width(width), _) => vec![width; target.force_n.len()],
         (Band::Spread, Some(spread)) => spread.clone(),
         (Band::Spread, None) => {
-            return Err(
-                Error::key("gait.band", "the target is one cycle: nothing spreads")
-                    .help("give a recording of several steps, or a width: band = \"20 N\""),
-            );
+            return Err(SynthError::NoSpread.at_key("gait.band"));
         }
     };
     let edge = |sign: f64| {

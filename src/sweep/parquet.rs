@@ -251,7 +251,7 @@ mod tests {
             .to_vec(),
             sampling: Sampling::Grid,
         };
-        let none = |_: usize, _: &Scene| Err(Error::new("none"));
+        let none = |_: usize, _: &Scene| Err(SynthError::NoTarget.into());
         let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
         let batch = plan.batch(0, 6);
         let results = kernel.run(&batch);

@@ -9,6 +9,7 @@ use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
+use crate::error::SynthError;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
@@ -96,26 +97,27 @@ impl Infeasible {
         self.conflict.iter().map(|c| c.name()).collect()
     }
 
-    /// Conflict and cure in English.
-    pub fn words(&self) -> String {
-        sentences(&self.reasons, Language::En)
+    /// Conflict and cure as sentences.
+    pub fn sentence(&self, language: Language) -> String {
+        sentences(&self.reasons, language)
+    }
+
+    /// The same as the fault of a scene for which there is nothing to show.
+    pub(super) fn no_law(&self) -> SynthError {
+        let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
+        SynthError::NoLaw { reason }
     }
 }
 
 impl Design {
-    /// The reasons for the verdict in English.
-    pub fn reason(&self) -> String {
-        sentences(&self.reasons, Language::En)
-    }
-
     /// The reasons for the verdict as sentences.
-    pub fn reasons_in(&self, language: Language) -> String {
+    pub fn reason(&self, language: Language) -> String {
         sentences(&self.reasons, language)
     }
 
-    /// The notes in English.
-    pub fn remarks(&self) -> Vec<String> {
-        let said = |note: &Note| note.sentence(Language::En);
+    /// The notes as sentences.
+    pub fn remarks(&self, language: Language) -> Vec<String> {
+        let said = |note: &Note| note.sentence(language);
         self.notes.iter().map(said).collect()
     }
 
@@ -270,21 +272,18 @@ impl Conflicting {
 
 impl Easing {
     /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
-    pub fn in_words(&self, measures: Measures) -> (&'static str, &'static str, f64) {
-        let (force, lift) = (measures.force(), |order| measures.lift(order));
-        let (name, unit) = match self.objective {
-            Minimised::RmsError => ("force error (RMS)", force),
-            Minimised::WeightedRmsError => ("weighted force error (RMS)", force),
-            Minimised::MaxError => ("force error (largest)", force),
-            Minimised::Radius => ("radius", Unit::of(Dimension::Length)),
-            Minimised::RmsDerivative(2) => ("acceleration (RMS)", lift(2)),
-            Minimised::RmsDerivative(3) => ("jerk (RMS)", lift(3)),
-            Minimised::RmsDerivative(4) => ("snap (RMS)", lift(4)),
-            Minimised::PeakDerivative(2) => ("peak acceleration", lift(2)),
-            Minimised::PeakDerivative(3) => ("peak jerk", lift(3)),
-            Minimised::PeakDerivative(4) => ("peak snap", lift(4)),
-            _ => ("objective", Unit::of(Dimension::Ratio)),
+    pub fn in_words(&self, measures: Measures, language: Language) -> (String, &'static str, f64) {
+        let unit = match self.objective {
+            Minimised::RmsError | Minimised::WeightedRmsError | Minimised::MaxError => {
+                measures.force()
+            }
+            Minimised::Radius => Unit::of(Dimension::Length),
+            Minimised::RmsDerivative(order) | Minimised::PeakDerivative(order) => {
+                measures.lift(order)
+            }
+            Minimised::Weighed => Unit::of(Dimension::Ratio),
         };
+        let name = wording::catalogue(language).name(&self.objective.name());
         (name, unit.name, unit.factor)
     }
 }
@@ -352,10 +351,10 @@ pub struct SolverReport {
 }
 
 impl SolverReport {
-    /// How the law was found and what simpler families missed, in English.
-    pub fn status(&self) -> String {
-        let missed = self.passed_over.iter().map(|p| p.sentence(Language::En));
-        let all: Vec<String> = std::iter::once(self.method.sentence(Language::En))
+    /// How the law was found and what simpler families missed.
+    pub fn status(&self, language: Language) -> String {
+        let missed = self.passed_over.iter().map(|p| p.sentence(language));
+        let all: Vec<String> = std::iter::once(self.method.sentence(language))
             .chain(missed)
             .collect();
         all.join("; ")

@@ -91,7 +91,7 @@ pub use qp::{Certificate, Demand, Given};
 pub use reason::{Change, Reason, sentences};
 
 use crate::cam::{Cam, Check, LimitKind, Verdict};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem, Shared};
 use crate::scene::{Family, Scene};
@@ -188,7 +188,7 @@ fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<
             Ok(shape)
         }
         Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Stuck(_)) => Err(Error::key("law", why.words())),
+        Err(NoLaw::Stuck(_)) => Err(why.no_law().at_key("law")),
     }
 }
 

@@ -5,7 +5,7 @@
 
 use super::{Design, designed};
 use crate::cam::Criterion;
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise, Scene};
@@ -70,24 +70,25 @@ impl Against {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        let fault = |what: String| {
-            Error::new(what).help(format!(
-                "write force_error:prime_radius; in place of prime_radius also {}",
-                others()
-            ))
-        };
         let (a, b) = pair
             .split_once(':')
-            .ok_or_else(|| fault(format!("\"{pair}\" does not name two quantities")))?;
+            .ok_or_else(|| SynthError::PairIncomplete {
+                pair: pair.to_string(),
+                known: others(),
+            })?;
         let other = match (a, b) {
             ("force_error", other) | (other, "force_error") => other,
-            _ => return Err(fault("one of the two must be force_error".to_string())),
+            _ => return Err(SynthError::PairWithoutForceError { known: others() }.into()),
         };
         (Self::NAMES
             .iter()
             .find(|n| n.0 == other || (n.0 == "prime_radius" && other == "base_radius")))
         .map(|n| n.1)
-        .ok_or_else(|| fault(format!("invalid value \"{other}\"")))
+        .ok_or_else(|| {
+            let typed = other.to_string();
+            let known = others();
+            SynthError::PairUnknown { typed, known }.into()
+        })
     }
 
     /// Its column with the unit.
@@ -139,21 +140,14 @@ pub fn trade(
 ) -> Result<Vec<Trade>> {
     let mut problem = Problem::settle(scene, force)?;
     if problem.target.is_none() {
-        return Err(Error::key(
-            "gait",
-            "no target force: the trade-off is not available",
-        ));
+        return Err(SynthError::NoTarget.at_key("gait"));
     }
     if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
-        return Err(
-            Error::key("law.family", "only splines are traded point by point")
-                .help("use law.family = \"spline\", or gaitcam sweep and gaitcam front"),
-        );
+        return Err(SynthError::OnlySplines.at_key("law.family"));
     }
     let fixed = matches!(problem.size(), Size::Given { .. });
     if against == Against::PrimeRadius && fixed {
-        return Err(Error::key("cam", "the scene fixes the size of the cam")
-            .help("leave out base_radius and prime_radius"));
+        return Err(SynthError::SizeFixed.at_key("cam"));
     }
     problem.law.family = Family::Spline;
     let first = designed(problem.clone())?;
@@ -168,7 +162,7 @@ pub fn trade(
     }
     let free = designed(open.clone())?;
     if let Some(why) = &free.infeasible {
-        return Err(Error::key("limits", why.words()));
+        return Err(why.no_law().at_key("limits"));
     }
     let most = against.of(&free) * INSIDE;
     // Demands may keep even the unlimited law farther away than that.

@@ -11,7 +11,7 @@ use argmin::solver::brent::BrentOpt;
 
 use super::families::{NoLaw, find_law, on_base_circle};
 use super::limits::force_report;
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::problem::Problem;
 
 /// Phases looked at before the search.
@@ -54,7 +54,12 @@ pub fn settled(problem: Problem) -> Result<Problem> {
     )
     .configure(|state| state.max_iters(STEPS))
     .run()
-    .map_err(|e| Error::key("gait.phase", e.to_string()))?;
+    .map_err(|e| {
+        SynthError::SearchFailed {
+            fault: e.to_string(),
+        }
+        .at_key("gait.phase")
+    })?;
     let found = match done.state().get_best_param() {
         Some(&phase) if done.state().get_best_cost() < error => phase.rem_euclid(TAU),
         _ => near,

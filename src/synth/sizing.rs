@@ -5,7 +5,7 @@ use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
 };
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Place, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::units::Quantity;
@@ -121,26 +121,22 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
         .map(|theta| (theta, (sum(theta) - lift).abs()))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((at, miss)) = worst.filter(|w| w.1 > BREADTH * law.stroke()) {
-        return Err(key(Error::new(format!(
-            "the law does not keep a breadth: the lifts half a turn apart add to {:.4} mm at 0° but miss that by {:.4} mm at {:.2}°",
-            1e3 * lift,
-            1e3 * miss,
-            at.to_degrees()
-        ))
-        .help("give the segments of the first 180° only; the other half then follows")));
+        return Err(key(SynthError::NoConstantBreadth {
+            sum: Quantity::length(lift),
+            miss: Quantity::length(miss),
+            at: Quantity::angle(at),
+        }
+        .into()));
     }
     let spec = &problem.cam;
     let place = 0.5 * (breadth - lift);
     let offset = spec.offset.unwrap_or(0.0);
     if place <= 0.0 {
-        return Err(key(Error::new(format!(
-            "a breadth of {:.4} mm is too small for a lift of {:.4} mm",
-            1e3 * breadth,
-            1e3 * lift
-        ))
-        .help(
-            "the breadth is twice the base radius (roller: prime radius) plus the lift",
-        )));
+        return Err(key(SynthError::BreadthTooSmall {
+            breadth: Quantity::length(breadth),
+            lift: Quantity::length(lift),
+        }
+        .into()));
     }
     let follower = match spec.follower {
         FollowerKind::FlatTranslating => Follower::FlatTranslating { base_radius: place },
@@ -234,10 +230,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     while !holds(high) {
         high *= 1.5;
         if high > LARGEST_GROWTH * first.max(least) {
-            return Err(
-                Error::key("limits.curvature", "no prime circle is large enough for it")
-                    .help("a discontinuous velocity gives the profile a corner, which no base radius removes"),
-            );
+            return Err(SynthError::NoPrimeCircle.at_key("limits.curvature"));
         }
     }
     let mut low = lift;
@@ -308,7 +301,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
 fn other(problem: &Problem, base_radius: f64) -> Result<Follower> {
     let spec = &problem.cam;
     let prime_radius = base_radius + spec.roller_radius;
-    let missing = |key: &str| Error::key(&format!("cam.{key}"), "this follower needs it");
+    let missing = |key: &str| SynthError::FollowerNeeds.at_key(&format!("cam.{key}"));
     let pivot = || spec.pivot_distance.ok_or_else(|| missing("pivot_distance"));
     let arm = || spec.arm.ok_or_else(|| missing("arm"));
     Ok(match spec.follower {

@@ -11,7 +11,7 @@ use super::Language;
 use super::number::{number, quantity};
 
 /// Areas whose messages stand inside those of others.
-const SHARED: &[&str] = &["demand"];
+const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
 
 /// Arguments that repeat what users type, or choose a variant of a sentence: they are never translated.
 const AS_TYPED: &[&str] = &[
@@ -31,6 +31,7 @@ const AS_TYPED: &[&str] = &[
     "model",
     "motion",
     "name",
+    "pair",
     "near",
     "nearest",
     "text",

@@ -83,6 +83,7 @@ const ENGLISH: &[&str] = &[
     include_str!("en/keys.ftl"),
     include_str!("en/scene.ftl"),
     include_str!("en/sweep.ftl"),
+    include_str!("en/write.ftl"),
 ];
 
 /// The same in Spanish.
@@ -100,6 +101,7 @@ const SPANISH: &[&str] = &[
     include_str!("es/keys.ftl"),
     include_str!("es/scene.ftl"),
     include_str!("es/sweep.ftl"),
+    include_str!("es/write.ftl"),
 ];
 
 /// The library's messages in a language.

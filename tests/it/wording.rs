@@ -8,7 +8,7 @@ use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
     CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
-    SegmentName, SweepError, UnitsError,
+    SegmentName, SweepError, SynthError, UnitsError, WriteError,
 };
 use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
 use gaitcam::problem;
@@ -54,6 +54,9 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("ended", Ended::VARIANTS),
         ("passed-over", PassedOver::VARIANTS),
         ("sweep", SweepError::VARIANTS),
+        ("synth", SynthError::VARIANTS),
+        ("write", WriteError::VARIANTS),
+        ("simulation", gaitcam::dynamics::report::LABELS),
     ]
 }
 

@@ -112,9 +112,13 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     if args.json {
         print_json(&json);
     } else {
-        print(&format!("{}: {}", design.name, design.verdict.name()));
-        print(&format!("  {}", design.reason()));
-        print(&outcome.table(run.cam.follower.measures()));
+        print(&format!(
+            "{}: {}",
+            design.name,
+            words::name(design.verdict.name())
+        ));
+        print(&format!("  {}", design.reason(crate::language::current())));
+        print(&outcome.table(run.cam.follower.measures(), crate::language::current()));
         print(&files_in(&place, "report.html"));
     }
     Ok(exit_code::of(design.verdict))

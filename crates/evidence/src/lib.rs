@@ -12,3 +12,8 @@ pub mod measure;
 pub mod reproduce;
 pub mod thesis_run;
 pub mod tiers;
+
+/// A fault of this crate, which speaks to those who read its code.
+pub(crate) fn fault(what: impl Into<String>) -> gaitcam::error::Error {
+    gaitcam::error::Error::own("evidence", what)
+}

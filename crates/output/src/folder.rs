@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 
 /// A folder that is known to take files.
 pub struct Folder {
@@ -15,8 +15,10 @@ impl Folder {
     /// Creates the folder where needed and proves that it can be written, before any work is done.
     pub fn open(path: &Path) -> Result<Folder> {
         let fault = |e: std::io::Error| {
-            Error::file(path, format!("cannot write into this folder ({e})"))
-                .help("choose another with --out DIR")
+            WriteError::FolderRefuses {
+                fault: e.to_string(),
+            }
+            .file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
         let probe = path.join(format!(".gaitcam.{}.partial", std::process::id()));
@@ -40,7 +42,12 @@ impl Folder {
 
 /// Writes `bytes` to `path` through a neighbour that is renamed at the end.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    let fault = |e: std::io::Error| Error::file(path, format!("cannot be written ({e})"));
+    let fault = |e: std::io::Error| {
+        WriteError::FileRefuses {
+            fault: e.to_string(),
+        }
+        .file(path)
+    };
     let mut beside = path.as_os_str().to_owned();
     beside.push(format!(".{}.partial", std::process::id()));
     let beside = PathBuf::from(beside);

@@ -302,7 +302,10 @@ fn answers_have_the_keys_and_columns_that_were_promised() {
     let csv = out.csv();
     assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
     assert_eq!(csv.lines().count(), 1441);
-    assert!(out.table(Measures::Translating).contains("lift-off"));
+    assert!(
+        out.table(Measures::Translating, crate::wording::Language::En)
+            .contains("lift-off")
+    );
 }
 
 #[test]

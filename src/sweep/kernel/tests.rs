@@ -1,10 +1,10 @@
 use super::*;
-use crate::error::Error;
+use crate::error::SynthError;
 use crate::halt::Halt;
 use crate::sweep::{Axis, Method, NUMBERS, Outcome, Plan, Sampling};
 
 fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
-    Err(Error::new("no recordings here"))
+    Err(SynthError::ForceNotRead.into())
 }
 
 /// Rows of a plan from the kernel, beside single syntheses of the same scenes.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::poly::SplineSpace;
 use crate::problem::Problem;
 use crate::scene::Dwell;
@@ -76,15 +76,11 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
         let key = format!("law.dwell[{}]", i + 1);
         let inside = |x: f64| (-1e-9..=TAU + 1e-9).contains(&x);
         if !inside(d.from) || !inside(d.to) || d.from == d.to {
-            return Err(Error::key(
-                &key,
-                format!(
-                    "{:.3}° to {:.3}° is not a valid range within one turn",
-                    d.from.to_degrees(),
-                    d.to.to_degrees()
-                ),
-            )
-            .help("angles run from 0 to 360 deg"));
+            return Err(SynthError::NoRange {
+                start: Quantity::angle(d.from),
+                end: Quantity::angle(d.to),
+            }
+            .at_key(&key));
         }
         let (from, to) = (d.from.clamp(0.0, TAU), d.to.clamp(0.0, TAU));
         if from < to {
@@ -97,12 +93,10 @@ fn rests(dwells: &[Dwell]) -> Result<Vec<(f64, f64)>> {
     let mut sorted = out.clone();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
     if sorted.windows(2).any(|w| w[0].1 > w[1].0 + 1e-12) {
-        return Err(Error::key("law.dwell", "two dwells overlap").help("write them as one"));
+        return Err(SynthError::DwellsOverlap.at_key("law.dwell"));
     }
     if (sorted.iter().map(|r| r.1 - r.0).sum::<f64>() - TAU).abs() < 1e-9 {
-        return Err(
-            Error::key("law.dwell", "the dwells fill the whole turn").help("leave room for motion")
-        );
+        return Err(SynthError::DwellsFillTurn.at_key("law.dwell"));
     }
     out.retain(|r| r.1 > r.0);
     Ok(out)
@@ -115,11 +109,10 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
     for (i, p) in problem.law.points.iter().enumerate() {
         let key = format!("law.point[{}]", i + 1);
         if !(-1e-9..=TAU + 1e-9).contains(&p.angle) {
-            return Err(Error::key(
-                &key,
-                format!("{:.3}° lies outside the turn", p.angle.to_degrees()),
-            )
-            .help("angles run from 0 to 360 deg"));
+            return Err(SynthError::PointOutside {
+                at: Quantity::angle(p.angle),
+            }
+            .at_key(&key));
         }
         let mut push = |given: Given, weights: &[f64], value: f64| {
             out.push(Equality {

@@ -12,7 +12,7 @@ use argmin::solver::neldermead::NelderMead;
 use super::spectral::no_force;
 use super::{Found, NoLaw, report};
 use crate::drive::Drive;
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
@@ -100,11 +100,15 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
             ];
             let solver = NelderMead::new(simplex)
                 .with_sd_tolerance(1e-12)
-                .map_err(|e| Error::new(e.to_string()))?;
+                .map_err(|e| SynthError::SearchFailed {
+                    fault: e.to_string(),
+                })?;
             let done = Executor::new(search, solver)
                 .configure(|state| state.max_iters(ITERATIONS))
                 .run()
-                .map_err(|e| Error::new(e.to_string()))?;
+                .map_err(|e| SynthError::SearchFailed {
+                    fault: e.to_string(),
+                })?;
             evaluations += done.state().get_iter() as usize;
             let cost = done.state().get_best_cost();
             if let Some(p) = done.state().get_best_param()
@@ -114,16 +118,12 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
             }
         }
     }
-    let (cost, raw) = best.ok_or_else(|| Error::new("the search found no double harmonic law"))?;
+    let (cost, raw) = best.ok_or_else(|| SynthError::NoDoubleHarmonic)?;
     let angles = admissible(raw);
     let shape = shape(angles)?;
     let lift = search.lift(&shape);
     if lift == 0.0 {
-        return Err(Error::key(
-            "law.family",
-            "no double harmonic comes nearer to this force than rest",
-        )
-        .help("use family = \"spline\""));
+        return Err(SynthError::DoubleHarmonicUseless.at_key("law.family"));
     }
     let law = shape.scaled(lift);
     let lowest = law.extremes(0).0.value;

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::{Found, report};
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
+use crate::units::Quantity;
 
 /// The problem's polynomial with how it was found.
 ///
@@ -49,49 +50,42 @@ fn through_points(problem: &Problem) -> Result<Polynomial> {
     let start = angles.clone().fold(f64::INFINITY, f64::min);
     let end = angles.fold(f64::NEG_INFINITY, f64::max);
     if !(start >= -1e-9 && end <= TAU + 1e-9 && end > start) {
-        return Err(Error::key(
-            "law.point",
-            format!(
-                "{:.3}° to {:.3}° is not a valid range within one turn",
-                start.to_degrees(),
-                end.to_degrees()
-            ),
-        )
-        .help("angles run from 0 to 360 deg"));
+        return Err(SynthError::NoRange {
+            start: Quantity::angle(start),
+            end: Quantity::angle(end),
+        }
+        .at_key("law.point"));
     }
     let (start, end) = (start.max(0.0), end.min(TAU));
     let fixed = conditions.len() - 1;
     if let Some(degree) = problem.law.degree.filter(|d| *d != fixed) {
-        let advice = if degree < fixed {
-            format!("write degree = {fixed}, or drop {} of them", fixed - degree)
+        let conditions = fixed + 1;
+        let fault = if degree < fixed {
+            SynthError::DegreeTooLow {
+                conditions,
+                fixed,
+                degree,
+                excess: fixed - degree,
+            }
         } else {
-            format!(
-                "write degree = {fixed}, or add {} conditions",
-                degree - fixed
-            )
+            SynthError::DegreeTooHigh {
+                conditions,
+                fixed,
+                degree,
+                missing: degree - fixed,
+            }
         };
-        return Err(Error::key(
-            "law.degree",
-            format!(
-                "{} conditions fix a polynomial of degree {fixed}, not {degree}",
-                fixed + 1
-            ),
-        )
-        .help(advice));
+        return Err(fault.at_key("law.degree"));
     }
     let poly = hermite_birkhoff(&conditions, start, end)
         .map_err(|e| e.at(crate::error::Place::Key("law.point".to_string())))?;
     let piece = poly.piece(0).to_vec();
     let (first, last) = (piece[0], piece[fixed]);
     if (first - last).abs() > SAME_LIFT * problem.length {
-        return Err(Error::key(
-            "law.point",
-            format!(
-                "the law ends {:.6} m above its start and cannot close",
-                last - first
-            ),
-        )
-        .help("give the last point the lift of the first"));
+        return Err(SynthError::LawOpen {
+            rise: Quantity::length(last - first),
+        }
+        .at_key("law.point"));
     }
     let mut breaks = Vec::new();
     let mut coef = Vec::new();
@@ -119,11 +113,7 @@ fn conditions(problem: &Problem) -> Result<Vec<Condition>> {
         let lift = match (p.lift, p.force) {
             (Some(lift), _) => Some(lift),
             (None, Some(force)) => Some(problem.lift_of_force(force).ok_or_else(|| {
-                Error::key(
-                    &format!("law.point[{}].force", i + 1),
-                    "this drive does not turn a force into a lift",
-                )
-                .help("give the lift, or use a hydraulic drive")
+                SynthError::ForceGivesNoLift.at_key(&format!("law.point[{}].force", i + 1))
             })?),
             (None, None) => None,
         };
@@ -141,8 +131,7 @@ fn conditions(problem: &Problem) -> Result<Vec<Condition>> {
         }
     }
     if out.is_empty() {
-        return Err(Error::key("law.point", "the points ask for nothing")
-            .help("give lift, force, velocity, acceleration or jerk"));
+        return Err(SynthError::PointsEmpty.at_key("law.point"));
     }
     Ok(out)
 }

@@ -3,7 +3,7 @@
 use super::spline_program::force_distance;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, SynthError};
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
@@ -99,9 +99,5 @@ fn harmonic_program(problem: &Problem, count: usize, unlimited: &Law) -> Program
 
 /// The refusal of families that follow a force where there is none.
 pub fn no_force() -> Error {
-    Error::key(
-        "law.family",
-        "this family follows a force, and none is given",
-    )
-    .help("add [gait], or use spline, polynomial or program")
+    SynthError::FamilyNeedsForce.at_key("law.family")
 }

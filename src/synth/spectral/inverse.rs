@@ -2,7 +2,7 @@
 
 use super::MOST_AUTO;
 use crate::drive::Drive;
-use crate::error::{Error, Result};
+use crate::error::{Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::amplitudes;
@@ -44,10 +44,7 @@ pub fn invert(
     let n = target.force_n.len();
     let most = (n - 1) / 2;
     if count.is_some_and(|c| c > most) {
-        return Err(Error::key(
-            "law.harmonics",
-            format!("{n} samples hold no more than {most} harmonics"),
-        ));
+        return Err(SynthError::TooManyHarmonics { samples: n, most }.at_key("law.harmonics"));
     }
     let spectrum = amplitudes(&target.force_n);
     let power = |k: usize| 0.5 * (spectrum[k].0.powi(2) + spectrum[k].1.powi(2));
@@ -85,11 +82,7 @@ pub fn invert(
                 x.extend([0.0, 0.0]);
                 continue;
             }
-            return Err(Error::key(
-                "drive",
-                format!("harmonic {h} of the force is at the resonance of the drive, where spring and inertia forces cancel"),
-            )
-            .help("add damping, or change mass, spring rate or speed"));
+            return Err(SynthError::Resonance { harmonic: h }.at_key("drive"));
         }
         // F = a cos + b sin = Re((a − ib) e^{ihθ}); dividing by re + i·im.
         x.push((a * re - b * im) / square);

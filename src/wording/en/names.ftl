@@ -100,3 +100,19 @@ name-damping = damping
 name-power = power
 name-angular-rate = angular rate
 name-inertia = inertia
+
+# Objectives and verdicts.
+name-rms-error-n = force error (RMS)
+name-weighted-rms-error-n = weighted force error (RMS)
+name-max-error-n = force error (largest)
+name-radius-m = radius
+name-rms-derivative-2 = acceleration (RMS)
+name-rms-derivative-3 = jerk (RMS)
+name-rms-derivative-4 = snap (RMS)
+name-peak-derivative-2 = peak acceleration
+name-peak-derivative-3 = peak jerk
+name-peak-derivative-4 = peak snap
+name-weighed = objective
+name-acceptable = acceptable
+name-not-for-high-speed = not-for-high-speed
+name-unacceptable = unacceptable

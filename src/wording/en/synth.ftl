@@ -26,7 +26,8 @@ reason-outside-band = The force is outside its band by { $excess } at { $at }. W
 reason-limit-broken = The limit { $limit } is violated at { $at }: the value is { $value }, the limit { $allowed }.
 
 # Notes on problem and design beside the verdict.
-design-said = { $text }
+design-scene = { $note }
+design-recording = { $note }
 design-stretched = One turn takes { $turn } and the force cycle { $cycle }: the force curve is stretched to the turn.
 design-not-judged = { $key } = "none": the default bound is not judged.
 design-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
@@ -43,3 +44,60 @@ design-usual-pressure-angle = No limit on the pressure angle is given: the cam i
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits are those of the cam; the force is that of the output end.
 design-polydyne-miss = With its flexible follower this cam has a force error of { $own } RMS; a cam cut to the law itself would have { $plain } RMS.
 design-polydyne-degree = A higher law.degree compensates more of the follower's damping.
+
+# Faults in what a design is asked for.
+synth-force-not-read = the force curve was not read
+synth-no-lift-changes-force = no lift changes the force: spring rate, damping and mass are all zero
+    .help = give at least one of spring_rate, damping, mass
+synth-value-missing = needs a value where no force is given
+synth-mean-force-negative = the mean force is { $mean }, so no mass can rest on the cam
+    .help = forces must press downwards: check the sign and the column
+synth-not-scalable = a mean force of { $mean } cannot be scaled to { $weight }
+synth-no-spread = the target is one cycle and has no spread
+    .help = give a recording of several steps, or a width: band = "20 N"
+synth-pair-incomplete = "{ $pair }" does not name two quantities
+    .help = write force_error:prime_radius; in place of prime_radius also { $known }
+synth-pair-without-force-error = one of the two must be force_error
+    .help = write force_error:prime_radius; in place of prime_radius also { $known }
+synth-pair-unknown = invalid value "{ $typed }"
+    .help = write force_error:prime_radius; in place of prime_radius also { $known }
+synth-no-target = no target force: the trade-off is not available
+synth-only-splines = the trade-off is available for splines only
+    .help = use law.family = "spline", or gaitcam sweep and gaitcam front
+synth-size-fixed = the scene fixes the size of the cam
+    .help = leave out base_radius and prime_radius
+synth-no-law = { $reason }
+synth-search-failed = the search failed: { $fault }
+synth-too-many-harmonics = { $samples } samples hold no more than { $most } harmonics
+synth-resonance = harmonic { $harmonic } of the force is at the resonance of the drive, where spring and inertia forces cancel
+    .help = add damping, or change mass, spring rate or speed
+synth-no-constant-breadth = the law does not keep a breadth: the lifts half a turn apart add to { $sum } at 0° but differ from that by { $miss } at { $at }
+    .help = give the segments of the first 180° only; the other half then follows
+synth-breadth-too-small = a breadth of { $breadth } is too small for a lift of { $lift }
+    .help = the breadth is twice the base radius (roller: prime radius) plus the lift
+synth-no-prime-circle = no prime circle is large enough for it
+    .help = a discontinuous velocity gives the profile a corner, which no base radius removes
+synth-follower-needs = this follower needs it
+synth-no-range = { $start } to { $end } is not a valid range within one turn
+    .help = angles run from 0 to 360 deg
+synth-degree-too-low = { $conditions } conditions fix a polynomial of degree { $fixed }, not { $degree }
+    .help = write degree = { $fixed }, or remove { $excess } of them
+synth-degree-too-high = { $conditions } conditions fix a polynomial of degree { $fixed }, not { $degree }
+    .help = write degree = { $fixed }, or add { $missing } conditions
+synth-law-open = the law ends { $rise } above its start and cannot close
+    .help = give the last point the lift of the first
+synth-force-gives-no-lift = this drive does not turn a force into a lift
+    .help = give the lift, or use a hydraulic drive
+synth-points-empty = the points give no condition
+    .help = give lift, force, velocity, acceleration or jerk
+synth-family-needs-force = this family follows a force, and none is given
+    .help = add [gait], or use spline, polynomial or program
+synth-no-double-harmonic = the search found no double harmonic law
+synth-double-harmonic-useless = no double harmonic comes nearer to this force than rest
+    .help = use family = "spline"
+synth-dwells-overlap = two dwells overlap
+    .help = write them as one
+synth-dwells-fill-turn = the dwells fill the whole turn
+    .help = leave room for motion
+synth-point-outside = { $at } lies outside the turn
+    .help = angles run from 0 to 360 deg

@@ -100,3 +100,19 @@ name-damping = amortiguamiento
 name-power = potencia
 name-angular-rate = rigidez a torsión
 name-inertia = momento de inercia
+
+# Objetivos y veredictos.
+name-rms-error-n = error de fuerza (RMS)
+name-weighted-rms-error-n = error de fuerza ponderado (RMS)
+name-max-error-n = error de fuerza (máximo)
+name-radius-m = radio
+name-rms-derivative-2 = aceleración (RMS)
+name-rms-derivative-3 = sobreaceleración (RMS)
+name-rms-derivative-4 = cuarta derivada (RMS)
+name-peak-derivative-2 = aceleración máxima
+name-peak-derivative-3 = sobreaceleración máxima
+name-peak-derivative-4 = cuarta derivada máxima
+name-weighed = objetivo
+name-acceptable = aceptable
+name-not-for-high-speed = no apta para alta velocidad
+name-unacceptable = inaceptable

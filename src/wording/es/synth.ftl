@@ -26,7 +26,8 @@ reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at 
 reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value } y el límite { $allowed }.
 
 # Notas sobre el problema y el diseño, además del veredicto.
-design-said = { $text }
+design-scene = { $note }
+design-recording = { $note }
 design-stretched = Una vuelta dura { $turn } y el ciclo de fuerza { $cycle }: la curva de fuerza se adapta a la vuelta.
 design-not-judged = { $key } = "none": el límite habitual no se juzga.
 design-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
@@ -43,3 +44,60 @@ design-usual-pressure-angle = No se da límite para el ángulo de presión: la l
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.
 design-polydyne-miss = Con su seguidor flexible, esta leva tiene un error de fuerza de { $own } RMS; una leva tallada según la propia ley tendría { $plain } RMS.
 design-polydyne-degree = Un law.degree mayor compensa más del amortiguamiento del seguidor.
+
+# Errores en lo que se pide de un diseño.
+synth-force-not-read = no se leyó la curva de fuerza
+synth-no-lift-changes-force = ninguna elevación cambia la fuerza: la rigidez, el amortiguamiento y la masa son cero
+    .help = indique al menos spring_rate, damping o mass
+synth-value-missing = necesita un valor si no se da ninguna fuerza
+synth-mean-force-negative = la fuerza media es { $mean }, de modo que ninguna masa puede apoyarse en la leva
+    .help = las fuerzas deben presionar hacia abajo: compruebe el signo y la columna
+synth-not-scalable = una fuerza media de { $mean } no se puede escalar a { $weight }
+synth-no-spread = el objetivo es un solo ciclo y no tiene dispersión
+    .help = use un registro de varios pasos, o una anchura: band = "20 N"
+synth-pair-incomplete = «{ $pair }» no nombra dos magnitudes
+    .help = escriba force_error:prime_radius; en lugar de prime_radius también { $known }
+synth-pair-without-force-error = una de las dos debe ser force_error
+    .help = escriba force_error:prime_radius; en lugar de prime_radius también { $known }
+synth-pair-unknown = valor no válido «{ $typed }»
+    .help = escriba force_error:prime_radius; en lugar de prime_radius también { $known }
+synth-no-target = no hay fuerza objetivo: el compromiso no está disponible
+synth-only-splines = el compromiso solo está disponible para splines
+    .help = use law.family = "spline", o gaitcam sweep y gaitcam front
+synth-size-fixed = la escena fija el tamaño de la leva
+    .help = omita base_radius y prime_radius
+synth-no-law = { $reason }
+synth-search-failed = la búsqueda falló: { $fault }
+synth-too-many-harmonics = { $samples } muestras no contienen más de { $most } armónicos
+synth-resonance = el armónico { $harmonic } de la fuerza está en la resonancia del accionamiento, donde las fuerzas del muelle y de inercia se anulan
+    .help = añada amortiguamiento, o cambie la masa, la rigidez o la velocidad
+synth-no-constant-breadth = la ley no mantiene una anchura constante: las elevaciones separadas media vuelta suman { $sum } en 0°, pero difieren de ello en { $miss } en { $at }
+    .help = indique solo los tramos de los primeros 180°; la otra mitad resulta de ellos
+synth-breadth-too-small = una anchura de { $breadth } es demasiado pequeña para una elevación de { $lift }
+    .help = la anchura es el doble del radio base (rodillo: radio primario) más la elevación
+synth-no-prime-circle = ningún círculo primario es lo bastante grande
+    .help = una velocidad discontinua da al perfil una esquina, que ningún radio base elimina
+synth-follower-needs = este seguidor lo necesita
+synth-no-range = de { $start } a { $end } no es un intervalo válido dentro de una vuelta
+    .help = los ángulos van de 0 a 360 deg
+synth-degree-too-low = { $conditions } condiciones fijan un polinomio de grado { $fixed }, no { $degree }
+    .help = escriba degree = { $fixed }, o elimine { $excess } de ellas
+synth-degree-too-high = { $conditions } condiciones fijan un polinomio de grado { $fixed }, no { $degree }
+    .help = escriba degree = { $fixed }, o añada { $missing } condiciones
+synth-law-open = la ley termina { $rise } por encima de su inicio y no puede cerrarse
+    .help = dé al último punto la elevación del primero
+synth-force-gives-no-lift = este accionamiento no convierte una fuerza en una elevación
+    .help = indique la elevación, o use un accionamiento hidráulico
+synth-points-empty = los puntos no dan ninguna condición
+    .help = indique elevación, fuerza, velocidad, aceleración o sobreaceleración
+synth-family-needs-force = esta familia sigue una fuerza y no se da ninguna
+    .help = añada [gait], o use spline, polynomial o program
+synth-no-double-harmonic = la búsqueda no encontró ninguna ley armónica doble
+synth-double-harmonic-useless = ninguna ley armónica doble se acerca a esta fuerza más que el reposo
+    .help = use family = "spline"
+synth-dwells-overlap = dos detenimientos se solapan
+    .help = escríbalos como uno solo
+synth-dwells-fill-turn = los detenimientos ocupan toda la vuelta
+    .help = deje espacio para el movimiento
+synth-point-outside = { $at } está fuera de la vuelta
+    .help = los ángulos van de 0 a 360 deg

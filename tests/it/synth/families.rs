@@ -62,7 +62,7 @@ fn a_limit_that_harmonics_break_hands_over_to_a_spline_and_says_so() {
     assert!(
         matches!(&design.solver.passed_over[..], [PassedOver::Check { check, .. }] if *check == LimitKind::Jerk),
         "{}",
-        design.solver.status()
+        design.solver.status(gaitcam::wording::Language::En)
     );
     // Held where it does not bind, the limit changes nothing.
     let loose = built(&format!("[limits]\njerk = \"{} m/s^3\"\n", 1.01 * peak));

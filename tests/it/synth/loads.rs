@@ -156,7 +156,11 @@ fn limits_that_leave_no_law_say_so_with_the_smallest_relaxation() {
             .unwrap_or_else(|| panic!("{name}: {:?}", s.checks));
         assert_eq!(why.names(), [name]);
         let to = why.relaxations[0].to.unwrap();
-        assert!(to > asked, "{}", why.words());
+        assert!(
+            to > asked,
+            "{}",
+            why.sentence(gaitcam::wording::Language::En)
+        );
         // What it says works, and a little less does not.
         let eased = design(LIFT, &[&format!("limits.{name}={to} {unit}")]);
         assert!(
@@ -183,7 +187,12 @@ fn a_band_that_fights_the_torque_is_named_beside_it() {
     let limit = format!("limits.torque={} N m", 0.5 * most);
     let s = relaxed_design(scene::DEFAULT, &[changes[0], changes[1], &limit]);
     let why = s.infeasible.unwrap();
-    assert_eq!(why.names(), ["band", "torque"], "{}", why.words());
+    assert_eq!(
+        why.names(),
+        ["band", "torque"],
+        "{}",
+        why.sentence(gaitcam::wording::Language::En)
+    );
     let to = |name: &str| {
         let one = why
             .relaxations

@@ -82,7 +82,7 @@ fn demands_below_the_base_circle_are_an_infeasible_answer_that_names_them() {
     assert!(
         matches!(why.reasons[..], [Reason::DemandsInfeasible { .. }]),
         "{}",
-        why.words()
+        why.sentence(gaitcam::wording::Language::En)
     );
     assert!(
         why.conflict.len() == 2 && why.names().iter().all(|n| n.starts_with("law.point[1]")),

@@ -69,14 +69,18 @@ fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<Stri
     let design = synthesise(&scene, target).unwrap();
     assert!(!good(&design), "{changes:?} was built");
     let design = relaxed(&scene, target, design);
-    assert!(!design.relaxations.is_empty(), "{}", design.reason());
+    assert!(
+        !design.relaxations.is_empty(),
+        "{}",
+        design.reason(gaitcam::wording::Language::En)
+    );
     assert!(
         matches!(
             design.reasons.last(),
             Some(Reason::Relaxation { .. } | Reason::Relaxations { .. })
         ),
         "{}",
-        design.reason()
+        design.reason(gaitcam::wording::Language::En)
     );
     for r in &design.relaxations {
         let to = r.to.unwrap();
@@ -89,7 +93,7 @@ fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<Stri
             with(to),
             "{} = {to} does not work: {}",
             r.limit,
-            design.reason()
+            design.reason(gaitcam::wording::Language::En)
         );
         let less = to + 0.02 * to.abs() * (r.from - to).signum();
         let between = (less - r.from) * (to - less) > 0.0;
@@ -207,7 +211,11 @@ fn a_stroke_counts_from_the_lowest_lift() {
     assert!((wide.force.rms_error_n - free.force.rms_error_n).abs() < 1e-9);
     let narrow = with(1e3 * stroke * 0.99);
     let travelled = narrow.cam.law.stroke();
-    assert!(good(&narrow), "{}", narrow.reason());
+    assert!(
+        good(&narrow),
+        "{}",
+        narrow.reason(gaitcam::wording::Language::En)
+    );
     assert!(
         (travelled / (0.99 * stroke) - 1.0).abs() < 1e-6,
         "{travelled} {stroke}"
@@ -226,7 +234,11 @@ fn a_face_is_kept_within_its_width_by_the_law() {
     let free = synthesise(&scene_of(HUMP, &[]), None).unwrap();
     let width = free.cam.face_width().unwrap();
     let held = synthesise(&scene_of(HUMP, &["limits.face_width=19 mm"]), None).unwrap();
-    assert!(width > 0.0195 && good(&held), "{}", held.reason());
+    assert!(
+        width > 0.0195 && good(&held),
+        "{}",
+        held.reason(gaitcam::wording::Language::En)
+    );
     assert!((held.cam.face_width().unwrap() - 0.019).abs() < 1e-9);
 }
 
@@ -244,7 +256,11 @@ fn a_rollers_curvature_is_reached_whatever_it_is() {
             limit.as_str(),
         ];
         let design = synthesise(&scene_of(HUMP, &changes), None).unwrap();
-        assert!(good(&design), "{rho}: {}", design.reason());
+        assert!(
+            good(&design),
+            "{rho}: {}",
+            design.reason(gaitcam::wording::Language::En)
+        );
         assert!(design.cam.curvature().convex.value >= 1e-3 * rho * (1.0 - 1e-8));
     }
 }
@@ -294,7 +310,7 @@ fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
             .iter()
             .any(|n| matches!(n, Note::UsualPressureAngle { .. })),
         "{:?}",
-        design.remarks()
+        design.remarks(gaitcam::wording::Language::En)
     );
 }
 
@@ -324,11 +340,20 @@ fn a_cam_that_would_have_to_pull_is_for_lower_speeds() {
     assert_eq!(fast.verdict.name(), "unacceptable");
     // √(g/e) with e = 10 mm (theory §10).
     let Reason::LiftsOff { speed, .. } = fast.reasons[0] else {
-        panic!("{}", fast.reason());
+        panic!("{}", fast.reason(gaitcam::wording::Language::En));
     };
-    assert!((speed.value - 31.321).abs() < 1e-3, "{}", fast.reason());
+    assert!(
+        (speed.value - 31.321).abs() < 1e-3,
+        "{}",
+        fast.reason(gaitcam::wording::Language::En)
+    );
     let slow = synthesise(&scene_of(text, &["drive.speed=31.3 rad/s"]), None).unwrap();
-    assert_eq!(slow.verdict.name(), "acceptable", "{}", slow.reason());
+    assert_eq!(
+        slow.verdict.name(),
+        "acceptable",
+        "{}",
+        slow.reason(gaitcam::wording::Language::En)
+    );
 }
 
 #[test]
@@ -338,7 +363,7 @@ fn a_profile_that_comes_to_a_point_is_not_called_acceptable() {
     assert!(
         matches!(design.reasons[..], [Reason::Cusp { .. }]),
         "{}",
-        design.reason()
+        design.reason(gaitcam::wording::Language::En)
     );
     let round = ["cam.base_radius=auto", "limits.curvature=2 mm"];
     let design = synthesise(&scene_of(HUMP, &round), None).unwrap();
@@ -351,11 +376,15 @@ fn two_impossible_limits_are_relaxed_together() {
     let changes = ["limits.velocity=0.04 m/s", "limits.face_width=10 mm"];
     let scene = scene_of(HUMP, &changes);
     let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
-    assert!(design.relaxations.is_empty(), "{}", design.reason());
+    assert!(
+        design.relaxations.is_empty(),
+        "{}",
+        design.reason(gaitcam::wording::Language::En)
+    );
     assert!(
         matches!(design.reasons.last(), Some(Reason::AllTogether { .. })),
         "{}",
-        design.reason()
+        design.reason(gaitcam::wording::Language::En)
     );
     let infeasible = design.infeasible.unwrap();
     assert!(infeasible.relaxations.iter().all(|r| r.to.is_none()));

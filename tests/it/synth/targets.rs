@@ -287,7 +287,12 @@ fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
     let limit = 0.9 * high.value.max(-low.value);
     let limits = format!("pressure_angle = \"{limit} rad\"");
     let held = scene("roller-oscillating", &limits, arm);
-    assert_eq!(held.solver.tier.name(), "scp", "{}", held.solver.status());
+    assert_eq!(
+        held.solver.tier.name(),
+        "scp",
+        "{}",
+        held.solver.status(gaitcam::wording::Language::En)
+    );
     assert!(held.checks.iter().all(|c| c.pass), "{:?}", held.checks);
     let (low, high) = held.cam.pressure_angle_extremes();
     assert!(high.value.max(-low.value) <= limit * (1.0 + 1e-6));
@@ -343,7 +348,7 @@ fn a_weighed_objective_finds_the_cheapest_point_of_the_front() {
     assert!(
         weighed.checks.iter().all(|c| c.pass),
         "{}",
-        weighed.reason()
+        weighed.reason(gaitcam::wording::Language::En)
     );
     let found = price(&weighed, one);
     let radius = weighed.cam.follower.prime_radius();

@@ -241,7 +241,7 @@ fn active_limits(design: &Design) -> Vec<String> {
 fn sensitivities(design: &Design) -> Vec<String> {
     let measures = design.cam.follower.measures();
     let lines = design.easing.iter().map(|easing| {
-        let (name, unit, factor) = easing.in_words(measures);
+        let (name, unit, factor) = easing.in_words(measures, language::current());
         row(
             "relaxing",
             &words::fill(

@@ -74,7 +74,7 @@ fn every_scene_is_built_and_every_check_passes() {
             design.verdict,
             Verdict::Unacceptable,
             "{name}: {}",
-            design.reason()
+            design.reason(gaitcam::wording::Language::En)
         );
         assert_eq!(design.cam.follower.kind(), scene.cam.follower, "{name}");
     }

@@ -1,6 +1,6 @@
 //! The motor: how much torque, and the power–speed line of Campillo de Blas (2017).
 
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
@@ -35,7 +35,7 @@ pub fn demand(torque: &PiecewisePoly, speed: f64) -> Demand {
 /// Fails on fewer than two points or values that are not positive.
 pub fn power_law(table: &[(f64, f64)]) -> Result<(f64, f64)> {
     if table.len() < 2 || table.iter().any(|(x, t)| !(*x > 0.0 && *t > 0.0)) {
-        return Err(Error::new(
+        return Err(crate::fault(
             "a power law needs two or more pairs of positive numbers",
         ));
     }
@@ -46,7 +46,7 @@ pub fn power_law(table: &[(f64, f64)]) -> Result<(f64, f64)> {
     let xx: f64 = logs.iter().map(|p| (p.0 - mx).powi(2)).sum();
     let xt: f64 = logs.iter().map(|p| (p.0 - mx) * (p.1 - mt)).sum();
     if xx == 0.0 {
-        return Err(Error::new("a power law needs two different powers"));
+        return Err(crate::fault("a power law needs two different powers"));
     }
     let p = xt / xx;
     Ok(((mt - p * mx).exp(), p))

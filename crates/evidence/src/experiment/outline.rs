@@ -3,7 +3,7 @@
 use super::smoothing::fewest_harmonics;
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::dynamics::recover::recover;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::law::Law;
 use std::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ pub struct Outline {
 /// When there is no such curve, or when it is not convex.
 pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -> Result<Outline> {
     if outline.len() < 8 || outline.iter().flatten().any(|x| !x.is_finite()) {
-        return Err(Error::new("an outline needs at least 8 finite points"));
+        return Err(crate::fault("an outline needs at least 8 finite points"));
     }
     let angle = |i: usize| TAU * i as f64 / ANGLES as f64;
     let heights: Vec<f64> = (0..ANGLES)
@@ -41,11 +41,10 @@ pub fn recover_outline(outline: &[[f64; 2]], base_radius: f64, tolerance: f64) -
         .collect();
     let most = (outline.len() / 2).min(ANGLES / 4);
     let refused = || {
-        Error::new(format!(
+        crate::fault(format!(
             "the outline of {} points is no smooth convex cam within {tolerance:e} m",
             outline.len()
         ))
-        .help("allow a larger tolerance, or give the profile as emitted instead of a drawing")
     };
     let smooth = fewest_harmonics(&heights, tolerance, most).ok_or_else(refused)?;
     let (heights, slopes) = smooth.sample(ANGLES);

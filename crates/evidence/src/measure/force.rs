@@ -9,7 +9,7 @@ use crate::chart::{Across, Chart, Row};
 use crate::tiers::{Task, first_rung, spectral};
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::drive::Drive;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
 
@@ -78,7 +78,7 @@ pub fn heel(watch: &Watch) -> Result<Chart> {
         &[4, 8, 16, 32, 64, 128, 256],
     )?;
     let stance = reference::Stance::of(&target)
-        .ok_or_else(|| Error::new("the stance was not found in the reference curve"))?;
+        .ok_or_else(|| crate::fault("the stance was not found in the reference curve"))?;
     for extra in [0, 4, 8, 12, 20] {
         let conditions = stance.conditions(&target, extra);
         let name = if extra == 0 {

@@ -9,7 +9,7 @@ use super::{Watch, footbridge, force_error};
 use crate::chart::{self, Across, Chart, Row};
 use crate::tiers::{self, Bound, Task};
 use gaitcam::cam::smallest_prime_circle;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, ForceCurve, ReadOptions};
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene;
@@ -171,7 +171,7 @@ fn scenes(watch: &Watch) -> Result<Vec<Line>> {
     for (roller, changes) in cases {
         let mut table: toml::Table = text
             .parse()
-            .map_err(|e| Error::new(format!("heel_tester_fitted: {e}")))?;
+            .map_err(|e| crate::fault(format!("heel_tester_fitted: {e}")))?;
         for change in changes {
             scene::set(&mut table, change)?;
         }

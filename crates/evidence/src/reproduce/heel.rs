@@ -3,7 +3,7 @@
 use super::{Class, LAST_DIGITS, Row, Rows, strip};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::law::{Condition, Law, hermite_birkhoff};
 use gaitcam::poly::{PiecewisePoly, bernstein};
 use gaitcam::scene;
@@ -232,7 +232,7 @@ fn level(objective: &str) -> Result<Design> {
     let text = include_str!("../../../../scenes/heel_tester_fitted.toml");
     let mut table: toml::Table = text
         .parse()
-        .map_err(|e: toml::de::Error| Error::new(e.message().to_string()))?;
+        .map_err(|e: toml::de::Error| crate::fault(e.message().to_string()))?;
     // Force points need no curve on a hydraulic drive.
     table.remove("gait");
     table.remove("limits");

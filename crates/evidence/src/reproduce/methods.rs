@@ -8,7 +8,7 @@ use std::fmt::Write;
 use super::strip;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::thesis;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, ForceCurve};
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::PiecewisePoly;
@@ -169,7 +169,7 @@ fn optimum(stroke: &str, target: &ForceCurve) -> Result<Law> {
     let text = include_str!("../../../../scenes/footbridge_thesis_scale.toml");
     let mut table: toml::Table = text
         .parse()
-        .map_err(|e: toml::de::Error| Error::new(e.message().to_string()))?;
+        .map_err(|e: toml::de::Error| crate::fault(e.message().to_string()))?;
     scene::set(&mut table, &format!("limits.stroke=\"{stroke}\""))?;
     scene::set(&mut table, "cam.base_radius=\"auto\"")?;
     scene::set(

@@ -6,7 +6,7 @@ use clarabel::solver::{
 };
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
-use gaitcam::error::{Error, Result};
+use gaitcam::error::Result;
 use gaitcam::synth::qp::{Basis, Entries};
 use gaitcam::synth::qp::{Failure, Stop};
 
@@ -51,7 +51,7 @@ impl Task<'_> {
                 Between::Coefficients => conic.coefficients(bound, self.degree),
                 Between::Cone if self.degree == bound.order + 2 => conic.cones(bound),
                 Between::Cone => {
-                    return Err(Error::new(format!(
+                    return Err(crate::fault(format!(
                         "derivative {} of degree {} is not quadratic on a span",
                         bound.order, self.degree
                     )));
@@ -203,7 +203,7 @@ impl Conic {
         let a = CscMatrix::new_from_triplets(self.rows.len(), self.columns, i, j, v);
         let b: Vec<f64> = self.rows.iter().map(|r| r.1).collect();
         let q = self.linear(&self.gradient);
-        let fault = |e: String| Error::new(format!("the solver refused: {e}"));
+        let fault = |e: String| crate::fault(format!("the solver refused: {e}"));
         let settings = chosen(settings).map_err(fault)?;
         let solver = DefaultSolver::new(&p, &q, &a, &b, &self.cones, settings)
             .map_err(|e| fault(e.to_string()))?;
@@ -277,6 +277,6 @@ impl Prepared {
     pub fn update(&mut self, linear: &[f64]) -> Result<()> {
         self.solver
             .update_q(&linear.to_vec())
-            .map_err(|e| Error::new(format!("the solver refused: {e}")))
+            .map_err(|e| crate::fault(format!("the solver refused: {e}")))
     }
 }

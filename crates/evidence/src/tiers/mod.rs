@@ -194,7 +194,7 @@ pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law>
 }
 
 fn refused(failure: &Failure) -> Error {
-    Error::new(match failure {
+    crate::fault(match failure {
         Failure::Inconsistent { equalities } => {
             format!("contradicting equalities: {equalities:?}")
         }

@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
+use gaitcam::units::Quantity;
 
 /// Depth below which touching is not gouging, m: rounding of the profile.
 const TOUCH: f64 = 1e-9;
@@ -61,8 +62,10 @@ pub struct CutterPath {
 /// curvature, and elsewhere on the `points` of the profile.
 pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> {
     if !(tool.is_finite() && tool > 0.0) {
-        return Err(Error::new(format!("invalid cutter radius {tool} m"))
-            .help("give a positive tool radius"));
+        return Err(WriteError::CutterRadius {
+            radius: Quantity::length(tool),
+        }
+        .into());
     }
     let cam = &synthesis.cam;
     let rows = cam.profile(points);

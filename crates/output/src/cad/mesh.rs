@@ -5,8 +5,9 @@ use std::io::Cursor;
 use stl_io::{Normal, Triangle, Vertex};
 
 use super::threemf;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
+use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
 
@@ -40,27 +41,23 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     let cam = &synthesis.cam;
     let thickness = MM * plate.thickness;
     if !(thickness.is_finite() && thickness > 0.0) {
-        return Err(
-            Error::new(format!("invalid plate thickness of {} m", plate.thickness))
-                .help("give a positive thickness"),
-        );
+        return Err(WriteError::PlateThickness {
+            thickness: Quantity::length(plate.thickness),
+        }
+        .into());
     }
     if plate.points < 8 {
-        return Err(Error::new(format!(
-            "{} profile points are too few for a plate",
-            plate.points
-        ))
-        .help("give at least 8"));
+        return Err(WriteError::TooFewPoints {
+            points: plate.points,
+            least: 8,
+        }
+        .into());
     }
     if !cam.law.is_closed() {
-        return Err(
-            Error::new("the law is open: its profile does not enclose a plate")
-                .help("only a law that closes after its turn makes a disc cam"),
-        );
+        return Err(WriteError::OpenProfile.into());
     }
     if cam.curvature().undercut {
-        return Err(Error::new("the profile is undercut: it crosses itself")
-            .help("enlarge the base circle or reduce the roller"));
+        return Err(WriteError::UndercutProfile.into());
     }
     // Counter-clockwise: the profile itself runs clockwise.
     let outline: Vec<[f64; 2]> = cam
@@ -75,10 +72,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
         p[0] * q[1] - p[1] * q[0] > 0.0
     };
     if !(0..n).all(turning) {
-        return Err(Error::new(
-            "a ray from the centre of rotation meets the profile more than once: no plate about that centre",
-        )
-        .help("enlarge the base circle"));
+        return Err(WriteError::ProfileFolds.into());
     }
     match plate.bore {
         None => Ok(full(&outline, thickness)),
@@ -86,11 +80,11 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
             let radius = 0.5 * MM * bore;
             let free = clearance(&outline);
             if !(radius > 0.0 && radius < free) {
-                return Err(Error::new(format!(
-                    "a bore of {} mm does not fit: the profile comes within {free:.3} mm of the centre",
-                    2.0 * radius
-                ))
-                .help("give a positive bore smaller than twice that distance"));
+                return Err(WriteError::BoreTooLarge {
+                    bore: Quantity::length(2.0 * radius / MM),
+                    free: Quantity::length(free / MM),
+                }
+                .into());
             }
             Ok(bored(&outline, radius, thickness))
         }
@@ -188,8 +182,9 @@ pub fn binary_stl(mesh: &Mesh) -> Result<Vec<u8>> {
         })
         .collect();
     let mut out = Cursor::new(Vec::new());
-    stl_io::write_stl(&mut out, triangles.iter())
-        .map_err(|e| Error::new(format!("the solid could not be written: {e}")))?;
+    stl_io::write_stl(&mut out, triangles.iter()).map_err(|e| WriteError::NotPutTogether {
+        fault: e.to_string(),
+    })?;
     Ok(out.into_inner())
 }
 

@@ -6,8 +6,9 @@
 use std::fmt::Write;
 
 use super::outline::Edge;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
+use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
 /// Largest distance of the spline from the true profile, m.
@@ -26,26 +27,19 @@ const EDGES: usize = 4;
 pub fn plate(synthesis: &Design, thickness: f64) -> Result<Vec<u8>> {
     let cam = &synthesis.cam;
     if !(thickness.is_finite() && thickness > 0.0) {
-        return Err(
-            Error::new(format!("invalid plate thickness of {thickness} m"))
-                .help("give a positive thickness"),
-        );
+        return Err(WriteError::PlateThickness {
+            thickness: Quantity::length(thickness),
+        }
+        .into());
     }
     if !cam.law.is_closed() || cam.follower.is_unrolled() {
-        return Err(
-            Error::new("the profile is open: it does not enclose a plate")
-                .help("only a disc cam whose law closes makes a plate"),
-        );
+        return Err(WriteError::OpenProfile.into());
     }
     if cam.curvature().undercut {
-        return Err(Error::new("the profile is undercut: it crosses itself")
-            .help("enlarge the base circle or reduce the roller"));
+        return Err(WriteError::UndercutProfile.into());
     }
     let edge = Edge::of(cam);
-    let spline = Spline::within(&edge, FAITHFUL).ok_or_else(|| {
-        Error::new("the profile is too sharp for a smooth spline")
-            .help("set limits.curvature so that the profile has no cusp")
-    })?;
+    let spline = Spline::within(&edge, FAITHFUL).ok_or(WriteError::TooSharp)?;
     let mut file = File::default();
     let bore = synthesis.bore.map(|b| 0.5 * MM * b);
     let shell = file.plate(&spline, MM * thickness, bore);

@@ -8,7 +8,7 @@ use zip::write::SimpleFileOptions;
 
 use crate::cad::mesh::Mesh;
 use crate::escape::escaped;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 
 const TYPES: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 <Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">\
@@ -32,13 +32,17 @@ pub fn package(mesh: &Mesh, name: &str) -> Result<Vec<u8>> {
     for (path, text) in parts {
         // The default options carry no clock: the same mesh gives the same bytes.
         zip.start_file(path, SimpleFileOptions::default())
-            .map_err(|e| Error::new(format!("3MF part {path}: {e}")))?;
+            .map_err(|e| WriteError::NotPutTogether {
+                fault: format!("{path}: {e}"),
+            })?;
         zip.write_all(text.as_bytes())
-            .map_err(|e| Error::new(format!("3MF part {path}: {e}")))?;
+            .map_err(|e| WriteError::NotPutTogether {
+                fault: format!("{path}: {e}"),
+            })?;
     }
-    let done = zip
-        .finish()
-        .map_err(|e| Error::new(format!("3MF package: {e}")))?;
+    let done = zip.finish().map_err(|e| WriteError::NotPutTogether {
+        fault: e.to_string(),
+    })?;
     Ok(done.into_inner())
 }
 

@@ -87,8 +87,8 @@ struct VerdictText {
 impl VerdictText {
     fn new(synthesis: &Design) -> Self {
         VerdictText {
-            en: synthesis.reasons_in(Language::En),
-            es: synthesis.reasons_in(Language::Es),
+            en: synthesis.reason(Language::En),
+            es: synthesis.reason(Language::Es),
         }
     }
 }
@@ -228,7 +228,7 @@ impl<'a> Summary<'a> {
                 "built"
             },
             verdict: synthesis.verdict.name(),
-            reason: synthesis.reason(),
+            reason: synthesis.reason(Language::En),
             reasons: synthesis.reasons.iter().map(coded).collect(),
             verdict_text: VerdictText::new(synthesis),
             continuity: Continuity::of(&synthesis.cam),
@@ -259,10 +259,10 @@ impl<'a> Summary<'a> {
             relaxations: &synthesis.relaxations,
             relaxed_together: &synthesis.together,
             out_of_time: synthesis.out_of_time,
-            remarks: synthesis.remarks(),
+            remarks: synthesis.remarks(Language::En),
             solver: Solver {
                 tier: solver.tier.name(),
-                status: solver.status(),
+                status: solver.status(Language::En),
                 iterations: solver.iterations,
                 solve_s: time.solve_s,
                 certified: solver.certified,
@@ -323,7 +323,7 @@ impl<'a> InfeasibleSummary<'a> {
         InfeasibleSummary {
             conflict: answer.names(),
             relaxations: &answer.relaxations,
-            words: answer.words(),
+            words: answer.sentence(Language::En),
         }
     }
 }

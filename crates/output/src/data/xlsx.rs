@@ -8,7 +8,7 @@ use crate::Timing;
 use crate::pose::lift_unit;
 use crate::pose::oscillates;
 use gaitcam::cam::{Measures, ProfilePoint};
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
@@ -21,8 +21,10 @@ const FIRST: u32 = 10;
 /// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
 /// be put together.
 pub fn workbook(synthesis: &Design, time: Timing) -> Result<Vec<u8>> {
-    build(synthesis, time)
-        .map_err(|e| Error::new(format!("the workbook could not be written: {e}")))
+    build(synthesis, time).map_err(|e| {
+        let fault = e.to_string();
+        WriteError::NotPutTogether { fault }.into()
+    })
 }
 
 fn build(synthesis: &Design, time: Timing) -> std::result::Result<Vec<u8>, XlsxError> {
@@ -61,7 +63,11 @@ fn cam_sheet(sheet: &mut Worksheet, synthesis: &Design) -> std::result::Result<(
     sheet.write(
         2,
         0,
-        format!("{}: {}", synthesis.verdict.name(), synthesis.reason()),
+        format!(
+            "{}: {}",
+            synthesis.verdict.name(),
+            synthesis.reason(gaitcam::wording::Language::En)
+        ),
     )?;
     sheet.write(
         3,

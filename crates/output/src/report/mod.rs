@@ -117,8 +117,8 @@ fn headline(out: &mut String, synthesis: &Design, words: &Words) {
         (None, Verdict::Unacceptable) => ("bad", "report-unacceptable"),
     };
     let reason = match &synthesis.infeasible {
-        Some(answer) => answer.words(),
-        None => synthesis.reason(),
+        Some(answer) => answer.sentence(words.language()),
+        None => synthesis.reason(words.language()),
     };
     let _ = writeln!(
         out,

@@ -161,7 +161,7 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome, words: &Word
 
 fn remarks(out: &mut String, outcome: &Outcome, words: &Words) {
     let next = outcome.next.as_ref().map(|n| {
-        let difference = gaitcam::dynamics::report::difference_words(n);
+        let difference = n.sentence(words.language());
         words.fill("report-next-model", &[("difference", &difference)])
     });
     if outcome.notes.is_empty() && next.is_none() {

@@ -184,13 +184,13 @@ fn easing(out: &mut String, synthesis: &Design, words: &Words) {
     open(out, words, &columns, 1..6);
     let measures = synthesis.cam.follower.measures();
     for e in &synthesis.easing {
-        let (name, unit, factor) = e.in_words(measures);
+        let (name, unit, factor) = e.in_words(measures, words.language());
         row(out, &words.name(e.limit.name()));
         let from = shown(measures, e.limit, e.from);
         let to = shown(measures, e.limit, e.to);
         let [before, after] =
             [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
-        cells(out, &[&from, &to, name, &before, &after]);
+        cells(out, &[&from, &to, &name, &before, &after]);
     }
     close(out);
 }
@@ -395,7 +395,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
         .each_ref()
         .map(|(name, text)| (*name, text.as_str()));
     let mut text = words.fill("report-solved", &arguments);
-    text += &sentence(&solver.status());
+    text += &sentence(&solver.status(words.language()));
     if built {
         text.push(' ');
         text += &words.text(if solver.certified {
@@ -421,7 +421,7 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
     if !synthesis.notes.is_empty() {
         let head = escaped(&words.text("report-remarks"));
         let _ = write!(out, "<h3>{head}</h3>\n<ul>\n");
-        for remark in synthesis.remarks() {
+        for remark in synthesis.remarks(words.language()) {
             let _ = writeln!(out, "<li>{}</li>", escaped(&remark));
         }
         out.push_str("</ul>\n");

@@ -56,7 +56,7 @@ fn accuracy(scene: &Scene, design: &Design) -> String {
 
 fn family(scene: &Scene, design: &Design) -> Choice {
     let asked = scene.law.family;
-    let status = design.solver.status();
+    let status = design.solver.status(crate::language::current());
     let because = match asked {
         Family::Auto => format!("the simplest that passes every check: {status}"),
         Family::Ladder => format!("the simplest solver that passes every check: {status}"),
@@ -130,7 +130,7 @@ fn tier(design: &Design) -> Choice {
         chosen: solver.tier.name().to_string(),
         because: format!(
             "{}; {} active limit(s), {} iterations",
-            solver.status(),
+            solver.status(crate::language::current()),
             design.binding.len(),
             solver.iterations
         ),

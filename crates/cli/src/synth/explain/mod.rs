@@ -12,7 +12,6 @@ use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Design, synthesise};
-use gaitcam::wording::Language;
 
 /// Runs of which the quickest counts.
 const RUNS: usize = 5;
@@ -99,7 +98,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
     Some(Line {
         subject: "dynamics",
         chosen: chosen.model.name().to_string(),
-        because: chosen.why.sentence(Language::En),
+        because: chosen.why.sentence(crate::language::current()),
         next,
     })
 }

@@ -120,11 +120,9 @@ pub fn footbridge() -> Design {
         solver: spectral(),
         out_of_time: false,
         notes: vec![
-            Note::Said {
-                text: "mean(F) = M g, so the mass is 71.36 kg".into(),
-            },
-            Note::Said {
-                text: "the stroke bound 16h/T² is respected with room to spare".into(),
+            Note::NoBaseCircle,
+            Note::Phase {
+                phase: Quantity::angle(0.5),
             },
         ],
         cam,

@@ -1,0 +1,42 @@
+//! Faults in handing a design over: files, drawings and solids.
+
+use std::path::Path;
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use super::{Error, ErrorKind, Place};
+use crate::quantity::Quantity;
+
+/// Why a file cannot be made or written.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // the messages of wording/en/write.ftl say what each field is
+pub enum WriteError {
+    FolderRefuses { fault: String },
+    FileRefuses { fault: String },
+    NotPutTogether { fault: String },
+    PlateThickness { thickness: Quantity },
+    TooFewPoints { points: usize, least: usize },
+    OpenProfile,
+    UndercutProfile,
+    ProfileFolds,
+    BoreTooLarge { bore: Quantity, free: Quantity },
+    CutterRadius { radius: Quantity },
+    TooSharp,
+}
+
+impl From<WriteError> for Error {
+    fn from(e: WriteError) -> Error {
+        Error::from(ErrorKind::Write(e))
+    }
+}
+
+impl WriteError {
+    /// The error in a whole file.
+    pub fn file(self, path: &Path) -> Error {
+        Error::from(self).at(Place::File(path.to_path_buf()))
+    }
+}

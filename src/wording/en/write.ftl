@@ -1,0 +1,21 @@
+# Faults in handing a design over.
+write-folder-refuses = cannot write into this folder ({ $fault })
+    .help = choose another with --out DIR
+write-file-refuses = cannot be written ({ $fault })
+write-not-put-together = the file could not be put together: { $fault }
+write-plate-thickness = invalid plate thickness of { $thickness }
+    .help = give a positive thickness
+write-too-few-points = { $points } profile points are too few for a plate
+    .help = give at least { $least }
+write-open-profile = the profile is open: it does not enclose a plate
+    .help = only a disc cam whose law closes makes a plate
+write-undercut-profile = the profile is undercut: it crosses itself
+    .help = enlarge the base circle or reduce the roller
+write-profile-folds = a ray from the centre of rotation meets the profile more than once: no plate about that centre
+    .help = enlarge the base circle
+write-bore-too-large = a bore of { $bore } does not fit: the profile comes within { $free } of the centre
+    .help = give a positive bore smaller than twice that distance
+write-cutter-radius = invalid cutter radius { $radius }
+    .help = give a positive tool radius
+write-too-sharp = the profile is too sharp for a smooth spline
+    .help = set limits.curvature so that the profile has no cusp

@@ -1,0 +1,21 @@
+# Errores al entregar un diseño.
+write-folder-refuses = no se puede escribir en esta carpeta ({ $fault })
+    .help = elija otra con --out DIR
+write-file-refuses = no se puede escribir ({ $fault })
+write-not-put-together = no se pudo componer el archivo: { $fault }
+write-plate-thickness = espesor de placa no válido: { $thickness }
+    .help = indique un espesor positivo
+write-too-few-points = { $points } puntos del perfil son muy pocos para una placa
+    .help = indique al menos { $least }
+write-open-profile = el perfil es abierto: no encierra una placa
+    .help = solo una leva de disco cuya ley se cierra da una placa
+write-undercut-profile = el perfil tiene rebaje: se corta a sí mismo
+    .help = amplíe el círculo base o reduzca el rodillo
+write-profile-folds = un rayo desde el centro de giro corta el perfil más de una vez: no hay placa alrededor de ese centro
+    .help = amplíe el círculo base
+write-bore-too-large = un agujero de { $bore } no cabe: el perfil llega a { $free } del centro
+    .help = indique un agujero positivo menor que el doble de esa distancia
+write-cutter-radius = radio de fresa no válido: { $radius }
+    .help = indique un radio de herramienta positivo
+write-too-sharp = el perfil es demasiado agudo para una spline suave
+    .help = fije limits.curvature para que el perfil no tenga cúspide
