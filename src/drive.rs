@@ -26,6 +26,20 @@ impl DriveKind {
 }
 
 /// The one linear relation between the law and the force, with the cam's speed.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::law::Svaj;
+///
+/// // F = M (g + ω² a): at a = g/ω² the mass weighs twice as much.
+/// let drive = Drive::moving_axis(70.0, 9.81, 2.0);
+/// let at = Svaj { s: 0.0, v: 0.0, a: 9.81 / 4.0, j: 0.0 };
+/// assert!((drive.force(at) - 2.0 * 70.0 * 9.81).abs() < 1e-9);
+///
+/// // F = F₀ + k s + m ω² a
+/// let drive = Drive::fixed_axis(0.5, 2000.0, 10.0).with_preload(30.0);
+/// assert_eq!(drive.force(Svaj { s: 0.01, v: 0.0, a: 0.0, j: 0.0 }), 50.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive {
     /// The machine.
@@ -53,6 +67,32 @@ impl Drive {
             mass,
             speed,
         }
+    }
+
+    /// Fixed axis that lifts `mass` (kg) against a spring of `spring_rate` (N/m), at `speed` rad/s.
+    pub fn fixed_axis(mass: f64, spring_rate: f64, speed: f64) -> Self {
+        Drive {
+            kind: DriveKind::FixedAxis,
+            rest_force: 0.0,
+            spring_rate,
+            damping: 0.0,
+            mass,
+            speed,
+        }
+    }
+
+    /// The same with a force on the base circle, N.
+    #[must_use]
+    pub fn with_preload(mut self, preload: f64) -> Self {
+        self.rest_force = preload;
+        self
+    }
+
+    /// The same with damping, N·s/m.
+    #[must_use]
+    pub fn with_damping(mut self, damping: f64) -> Self {
+        self.damping = damping;
+        self
     }
 
     /// Hydraulic drive with `pressure_per_volume` (Pa/m³) and piston radius (m), at `speed` rad/s.

@@ -25,12 +25,12 @@
 //! # From end to end
 //!
 //! ```
-//! use gaitcam::{force, scene, synth};
+//! use gaitcam::{force, scene, synthesise};
 //!
 //! let table: toml::Table = scene::DEFAULT.parse()?;
 //! let scene = scene::read(&table)?;
 //! let target = force::model("young", Some(1.85), 700.0, force::Feet::Both)?;
-//! let design = synth::synthesise(&scene, Some(&target))?;
+//! let design = synthesise(&scene, Some(&target))?;
 //!
 //! assert!(design.force.rms_error_percent_of_mean <= 0.5);
 //! assert!((design.cam.law.stroke() - 0.0492).abs() < 0.0002);
@@ -74,6 +74,16 @@ pub mod problem;
 pub mod synth;
 
 pub mod sweep;
+
+pub use cam::{Cam, Criterion, Follower, FollowerKind, LimitKind, Verdict};
+pub use drive::Drive;
+pub use dynamics::simulate;
+pub use error::{Error, Result};
+pub use force::ForceCurve;
+pub use law::Law;
+pub use problem::Problem;
+pub use scene::{Limits, Scene};
+pub use synth::{Design, synthesise};
 
 /// The program in the README compiles and runs.
 #[cfg(doctest)]

@@ -64,6 +64,9 @@ const LB: f64 = 0.453_592_37;
 /// `"0"` needs no unit (zero is zero in every unit) and a [`Dimension::Ratio`] needs none either;
 /// any other bare number is refused. `lb` is a mass where a mass is expected and a force elsewhere.
 /// `inf` is refused, as is anything that is not finite after conversion.
+///
+/// # Errors
+/// What is no quantity, has another dimension, or is not finite.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let (number, unit) = split_number(text);

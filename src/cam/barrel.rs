@@ -58,6 +58,9 @@ pub struct BarrelGroove {
 impl BarrelGroove {
     /// A groove between the radii `inner` (its floor) and `outer` (the cylinder's surface), m; the law
     /// may run over several turns.
+    ///
+    /// # Errors
+    /// Rollers that the groove does not leave room for, or a law that the barrel cannot hold.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {

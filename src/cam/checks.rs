@@ -18,6 +18,15 @@ pub struct Curvature {
 }
 
 /// One limit held against what the cam does.
+///
+/// ```
+/// use gaitcam::cam::{Check, LimitKind};
+/// use gaitcam::poly::Extreme;
+///
+/// let stroke = Extreme { at: 1.0, value: 0.05 };
+/// assert!(Check::at_most(LimitKind::Stroke, stroke, 0.05, 0.0).pass);
+/// assert!(!Check::at_most(LimitKind::Stroke, stroke, 0.049, 0.01).pass);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// What is checked.
@@ -59,6 +68,13 @@ impl Check {
 }
 
 /// The class of a cam, in the words of CAM-DAS (Serrano Muñoz 2010).
+///
+/// ```
+/// use gaitcam::cam::Verdict;
+///
+/// assert!(Verdict::Acceptable < Verdict::NotForHighSpeed);
+/// assert_eq!(Verdict::NotForHighSpeed.name(), "not-for-high-speed");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {

@@ -12,6 +12,9 @@ impl Cam {
     ///
     /// Undercut and steep pressure angles are no faults of the input but of the cam: the verdict of a
     /// synthesis names them.
+    ///
+    /// # Errors
+    /// The length or angle at fault, as a [`CamError`](crate::error::CamError).
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower {
@@ -26,6 +29,9 @@ impl Cam {
 
     /// As [`Cam::check`], but the pivot may lie within the cam's outline: the arm runs in another plane
     /// (CAM-DAS allows that).
+    ///
+    /// # Errors
+    /// As [`Cam::check`].
     pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
         let (low, high) = Follower::lift_range(&self.law);

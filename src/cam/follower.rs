@@ -7,6 +7,18 @@ use crate::quantity::Quantity;
 ///
 /// A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam:
 /// it meets the cam as a roller of the arc's radius would, but only with part of the circle.
+///
+/// ```
+/// use gaitcam::cam::Follower;
+///
+/// let roller = Follower::RollerTranslating {
+///     prime_radius: 0.05,
+///     offset: 0.0,
+///     roller_radius: 0.01,
+/// };
+/// assert!((roller.base_radius() - 0.04).abs() < 1e-15);
+/// assert_eq!(roller.name(), "roller-translating");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Follower {
     /// A flat face normal to the follower's motion.

@@ -5,6 +5,13 @@ use serde::Serialize;
 use super::Criterion;
 
 /// Every limit that a scene may set.
+///
+/// ```
+/// use gaitcam::cam::LimitKind;
+///
+/// assert_eq!(LimitKind::named("hertz_pressure"), Some(LimitKind::HertzPressure));
+/// assert!(LimitKind::ALL.contains(&LimitKind::Power));
+/// ```
 #[derive(
     Debug,
     Clone,

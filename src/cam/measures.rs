@@ -38,6 +38,14 @@ impl Unit {
 }
 
 /// What lift and cam angle are measured in.
+///
+/// ```
+/// use gaitcam::cam::Measures;
+///
+/// // The lift of an arm is an angle, that of a slide a length.
+/// assert_eq!(Measures::Oscillating.lift(0).name, "°");
+/// assert_eq!(Measures::Translating.lift(0).after("12.5"), "12.5 mm");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measures {
     /// The follower slides on a cam that turns: m over rad.

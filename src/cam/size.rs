@@ -114,7 +114,10 @@ const GROWTHS: i32 = 90;
 /// matter.
 ///
 /// Closed form for a flat translating face; otherwise the first size that works when the cam grows in
-/// steps of a quarter, refined by halving. Fails when none works.
+/// steps of a quarter, refined by halving.
+///
+/// # Errors
+/// Fails when none works.
 pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if matches!(cam.follower, Follower::FlatTranslating { .. }) {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));

@@ -57,6 +57,31 @@ pub struct Face {
 }
 
 /// Everything one simulation needs.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::dynamics::{Machine, Model, Run, simulate};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// let pi = std::f64::consts::PI;
+/// let swing = |lift| Segment { motion: Rise::Cycloidal, lift, angle: pi };
+/// let law = program(&[swing(0.01), swing(-0.01)], Extent::TURN)?;
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.05 })?;
+/// let run = Run {
+///     profile: cam.profile(720),
+///     target: None,
+///     cam,
+///     drive: Drive::moving_axis(10.0, 9.81, 1.0),
+///     machine: Machine::default(),
+/// };
+/// let outcome = simulate(&run, Model::Rigid)?;
+/// // M (g ± 2π h/β²·ω²), the acceleration of a cycloidal rise
+/// let most = 10.0 * (9.81 + 2.0 * 0.01 / pi);
+/// assert!((outcome.force.max - most).abs() < 1e-4 * most);
+/// assert!(!outcome.contact_lost);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
     /// The cam the profile was emitted from. Its follower is used; of its law only the breakpoints, which

@@ -39,6 +39,19 @@ pub struct Svaj {
 /// That one form holds every law of the field: splines and polynomials have no sinusoids, harmonic laws
 /// one piece, modified sine and trapezoid a line or parabola with one sinusoid per piece. A *closed* law
 /// repeats after its extent (one turn, usually); an open one (translating cam) ends where it ends.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// // A cycloidal rise of 20 mm over half a turn has v = 2h/β at its middle.
+/// let pi = std::f64::consts::PI;
+/// let up = Segment { motion: Rise::Cycloidal, lift: 0.02, angle: pi };
+/// let down = Segment { motion: Rise::Cycloidal, lift: -0.02, angle: pi };
+/// let law = program(&[up, down], Extent::TURN)?;
+/// assert!((law.svaj(0.5 * pi).v - 2.0 * 0.02 / pi).abs() < 1e-8);
+/// assert!((law.stroke() - 0.02).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {
     poly: PiecewisePoly,

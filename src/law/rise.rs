@@ -11,6 +11,12 @@ use crate::error::{Error, LawError, Result, nearest};
 use std::f64::consts::PI;
 
 /// A motion from one lift to another.
+///
+/// ```
+/// use gaitcam::law::Rise;
+///
+/// assert_eq!(Rise::Cycloidal.name(), "cycloidal");
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum Rise {
     /// No motion.

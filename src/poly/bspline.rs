@@ -27,6 +27,15 @@ impl Span {
 }
 
 /// A space of splines of one degree on a knot vector.
+///
+/// ```
+/// use gaitcam::poly::SplineSpace;
+///
+/// // Cubics over four spans of a turn: one coefficient a span.
+/// let space = SplineSpace::periodic_uniform(3, 4, std::f64::consts::TAU);
+/// assert_eq!(space.spans().len(), 4);
+/// assert_eq!(space.degree(), 3);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplineSpace {
     degree: usize,

@@ -5,6 +5,17 @@ use super::bernstein;
 /// Piecewise polynomial on `breaks[0] ..= breaks[n]`, each piece in Bernstein form on its interval.
 ///
 /// Pieces need not join continuously; at a break the value is that of the piece to its right.
+///
+/// ```
+/// use gaitcam::poly::PiecewisePoly;
+///
+/// // 4 x (1 − x) on [0, 1], in Bernstein form.
+/// let hump = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 2.0, 0.0]);
+/// let (low, high) = hump.extremes();
+/// assert!((high.at - 0.5).abs() < 1e-12 && (high.value - 1.0).abs() < 1e-12);
+/// assert_eq!(low.value, 0.0);
+/// assert!((hump.integral() - 2.0 / 3.0).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PiecewisePoly {
     breaks: Vec<f64>,

@@ -93,6 +93,9 @@ impl Front {
 
 /// The column that an objective names: its whole name, or the beginning of one (`jerk` for
 /// `jerk_max_m_per_s3`); `force_error` is the RMS error in percent.
+///
+/// # Errors
+/// No such column, with the nearest name.
 pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     let name = match name.trim() {
         "force_error" => "force_rms_error_percent",

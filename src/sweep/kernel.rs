@@ -157,6 +157,9 @@ impl<'a> Kernel<'a> {
     }
 
     /// The table of a row: the base scene with its values written in, in SI.
+    ///
+    /// # Errors
+    /// A value that its key refuses.
     pub fn table(&self, batch: &Batch, row: usize) -> Result<Table> {
         let scene = batch.scene[row] as usize;
         let named = self

@@ -47,6 +47,9 @@ impl Key {
 
     /// The key of that name in whose unit `values` are given, with the values in SI; `None` when the key has no
     /// unit or a value is a word such as `auto`.
+    ///
+    /// # Errors
+    /// A value without the unit of its key.
     pub fn quantity(name: &str, values: &[&str]) -> Result<Option<(Key, Vec<f64>)>> {
         let name = name.trim();
         let mut fault = None;
@@ -140,11 +143,17 @@ impl Key {
     }
 
     /// Writes the number into a scene's table, in SI.
+    ///
+    /// # Errors
+    /// As [`set`](crate::scene::set).
     pub fn write_number(&self, table: &mut Table, value: f64) -> Result<()> {
         scene::set(table, &format!("{}={value} {}", self.name, self.unit()))
     }
 
     /// Writes words into a scene's table.
+    ///
+    /// # Errors
+    /// As [`set`](crate::scene::set).
     pub fn write_words(&self, table: &mut Table, words: &str) -> Result<()> {
         let text = keys::find(&self.name).is_some_and(|k| matches!(k.kind, Kind::Text));
         let words = if text {

@@ -99,6 +99,9 @@ fn parquet_fault(e: parquet::errors::ParquetError) -> Error {
 }
 
 /// The rows `first …` as a record batch of the table.
+///
+/// # Errors
+/// Columns that do not fit the schema.
 pub fn record_batch(
     schema: &SchemaRef,
     first: u64,
@@ -126,7 +129,10 @@ pub fn record_batch(
 ///
 /// The batch needs one column per key of the kernel, by the name that [`Key::column`] gives: Float64 in SI
 /// for quantities, Utf8 for words. An optional Float64 column `scene` counts base scenes from 0. Pure: no
-/// file is touched but what the kernel's own targets read. Fails on a missing column or another type.
+/// file is touched but what the kernel's own targets read.
+///
+/// # Errors
+/// Fails on a missing column or another type.
 pub fn answer(kernel: &Kernel, parameters: &RecordBatch) -> Result<RecordBatch> {
     let rows = parameters.num_rows();
     let mut batch = Batch {
@@ -167,6 +173,9 @@ pub struct Writer<W: Write + Send> {
 
 impl<W: Write + Send> Writer<W> {
     /// Begins a file for the columns of `schema`.
+    ///
+    /// # Errors
+    /// The sink refuses the header.
     pub fn new(sink: W, schema: &SchemaRef) -> Result<Self> {
         let mut properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
@@ -182,11 +191,17 @@ impl<W: Write + Send> Writer<W> {
     }
 
     /// Adds rows.
+    ///
+    /// # Errors
+    /// The sink refuses the rows.
     pub fn write(&mut self, batch: &RecordBatch) -> Result<()> {
         self.inner.write(batch).map_err(parquet_fault)
     }
 
     /// Ends the file and gives the sink back.
+    ///
+    /// # Errors
+    /// The sink refuses the footer.
     pub fn close(self) -> Result<W> {
         self.inner.into_inner().map_err(parquet_fault)
     }
@@ -194,6 +209,9 @@ impl<W: Write + Send> Writer<W> {
 
 /// Reads a table's columns by their names, batch by batch, everything as text or numbers: `each` gets the
 /// columns in the order asked. A column that is missing is an error.
+///
+/// # Errors
+/// A file that is no Parquet file, or lacks a column.
 pub fn read<R: ChunkReader + 'static>(
     file: R,
     mut each: impl FnMut(&RecordBatch) -> Result<()>,

@@ -156,6 +156,9 @@ impl Plan {
 
     /// Refuses a plan that cannot run: an empty one, keys given twice, keys that cannot vary, values that
     /// no combination of the others accepts.
+    ///
+    /// # Errors
+    /// An axis that changes nothing, stands twice, or whose values no scene accepts.
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {

@@ -82,6 +82,9 @@ const FIXED: usize = 4;
 
 impl Tolerance {
     /// Reads `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
+    ///
+    /// # Errors
+    /// A name that scatters nothing, or a width without its unit.
     pub fn parse(text: &str) -> Result<Tolerance> {
         let (name, value) = text
             .split_once('=')
@@ -141,7 +144,10 @@ pub struct Scatter<'a> {
 }
 
 impl<'a> Scatter<'a> {
-    /// Takes the design apart. Fails where no force is wanted, so that there is no error to speak of.
+    /// Takes the design apart.
+    ///
+    /// # Errors
+    /// Fails where no force is wanted, so that there is no error to speak of.
     pub fn new(design: &'a Design) -> Result<Self> {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());

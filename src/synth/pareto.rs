@@ -61,6 +61,7 @@ impl Against {
 
     /// Reads `force_error:prime_radius`, in either order.
     ///
+    /// # Errors
     /// Fails on other words, saying which are known.
     pub fn from_pair(pair: &str) -> Result<Self> {
         let others = || {
@@ -130,8 +131,9 @@ impl Against {
 /// The front between force error and another quantity, from the tightest value to what the unlimited law
 /// needs, in even steps.
 ///
-/// Fails on a scene without a force, on a family other than splines, on a size that the scene fixes, and
-/// where the law without the limit cannot be built.
+/// # Errors
+/// Fails on a scene without a force, on a family other than splines, on a size that the scene fixes, and where
+/// the law without the limit cannot be built.
 pub fn trade(
     scene: &Scene,
     force: Option<&ForceCurve>,

@@ -29,9 +29,11 @@ const COMPARED: usize = 720;
 
 /// Law of the cam under which the end of a flexible follower moves as `wanted` at the drive's speed.
 ///
-/// The constant F₀/k₁, the static give under the rest force, is part of the lift. Fails on
-/// stiffness or damping that cannot be, on an open law, and on a wanted law with a jump in one of
-/// its first four derivatives (without mass fewer count): the cam's acceleration would jump there.
+/// The constant F₀/k₁, the static give under the rest force, is part of the lift.
+///
+/// # Errors
+/// Fails on stiffness or damping that cannot be, on an open law, and on a wanted law with a jump in one of its
+/// first four derivatives (without mass fewer count): the cam's acceleration would jump there.
 pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
@@ -179,6 +181,7 @@ pub struct Miss {
 
 /// Compares the exact steady run of `cam` with its wanted end, at equal steps of the angle.
 ///
+/// # Errors
 /// Fails where the run has no steady state (see [`flexible::steady`]).
 pub fn end_error(cam: &Law, wanted: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
     let steady = flexible::steady(&finely(cam), drive, train)?;

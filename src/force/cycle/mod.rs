@@ -104,6 +104,9 @@ pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cyc
 ///
 /// A text whose comment says `# cycle` or `# critical points` is one cycle as it stands, whatever `feet` says;
 /// in every other file stances are found and averaged into a stride.
+///
+/// # Errors
+/// No stance or no whole stride in the recording, or a cycle without force.
 pub fn force_curve(
     path: &Path,
     bytes: &[u8],

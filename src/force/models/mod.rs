@@ -24,8 +24,11 @@ pub use catalogue::{ModelInfo, Status, catalogue};
 ///
 /// `step_frequency_hz` may be left out only for `iso-22675`; `body_weight_n` is G (for `iso-22675` the
 /// load F1cmax). Continuous models exist for both feet only; of a single-foot model left, right and one
-/// are the same curve. Fails on an unknown name (with the nearest), on a frequency outside the
-/// range of the model, on a weight that is not positive.
+/// are the same curve.
+///
+/// # Errors
+/// Fails on an unknown name (with the nearest), on a frequency outside the range of the model, on a weight that
+/// is not positive.
 pub fn model(
     name: &str,
     step_frequency_hz: Option<f64>,
@@ -66,6 +69,7 @@ pub fn model(
 /// Period, s, and the (cosine, sine) amplitudes of harmonics 1, 2, … of a continuous model for one newton of
 /// body weight, whose mean is 1; `None` for single-foot models, which are no finite sums.
 ///
+/// # Errors
 /// Fails where [`model`] does.
 #[allow(clippy::type_complexity)] // one pair, named above
 pub fn fourier(

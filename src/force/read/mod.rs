@@ -72,6 +72,9 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
 }
 
 /// A text that is one cycle as it stands, as [`csv`](crate::force::csv) writes it; `None` for any other file.
+///
+/// # Errors
+/// A line that is not a number, or too few samples.
 pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
     check(options)?;
     if c3d::is_c3d(bytes) {

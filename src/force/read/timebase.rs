@@ -34,8 +34,10 @@ impl TimeBase {
 
     /// From times in seconds that never fall; the rate is (n − 1)/duration, since single steps are rounded.
     ///
-    /// With a gap the rate is that of the samples outside gaps. Fails on fewer than two samples and on a
-    /// time that stands still.
+    /// With a gap the rate is that of the samples outside gaps.
+    ///
+    /// # Errors
+    /// Fails on fewer than two samples and on a time that stands still.
     pub fn from_times(times: &[f64]) -> Result<Self> {
         let n = times.len();
         let (Some(first), Some(last)) = (times.first(), times.last()) else {

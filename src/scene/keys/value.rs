@@ -64,6 +64,9 @@ impl Value {
 }
 
 /// Reads what a scene file gives for a key; `None` for `"auto"`.
+///
+/// # Errors
+/// A value of another type or unit, or outside the range of the key.
 pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option<Value>> {
     let fault = |e: SceneError| e.at_key(path);
     let auto = typed.as_str() == Some("auto");

@@ -116,3 +116,9 @@ name-weighed = objective
 name-acceptable = acceptable
 name-not-for-high-speed = not-for-high-speed
 name-unacceptable = unacceptable
+
+# Choices of a model.
+name-family = family
+name-solver = solver
+name-dynamics = dynamics
+name-points = points

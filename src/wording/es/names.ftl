@@ -116,3 +116,9 @@ name-weighed = objetivo
 name-acceptable = aceptable
 name-not-for-high-speed = no apta para alta velocidad
 name-unacceptable = inaceptable
+
+# Elecciones de un modelo.
+name-family = familia
+name-solver = método
+name-dynamics = dinámica
+name-points = puntos

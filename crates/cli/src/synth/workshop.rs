@@ -21,7 +21,10 @@ const THROUGH: usize = 8;
 /// Returns what could not be written, and why.
 pub fn write(folder: &ResultFolder, design: &Design, time: Timing) -> Result<Vec<String>> {
     let mut remarks = Vec::new();
-    folder.write("profile.xlsx", &output::xlsx::workbook(design, time)?)?;
+    folder.write(
+        "profile.xlsx",
+        &output::xlsx::workbook(design, time, crate::language::current())?,
+    )?;
     if let Some(groove) = &design.groove {
         for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
             let mesh = output::groove::wall(groove, wall, ALONG, THROUGH);

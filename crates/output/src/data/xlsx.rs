@@ -7,9 +7,11 @@ use super::json;
 use crate::Timing;
 use crate::pose::lift_unit;
 use crate::pose::oscillates;
+use crate::words::Words;
 use gaitcam::cam::{Measures, ProfilePoint};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
+use gaitcam::wording::Language;
 
 const MM: f64 = 1000.0;
 /// Row of the headings (row 10 of the sheet) and of the first angle.
@@ -20,14 +22,18 @@ const FIRST: u32 = 10;
 ///
 /// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
 /// be put together.
-pub fn workbook(synthesis: &Design, time: Timing) -> Result<Vec<u8>> {
-    build(synthesis, time).map_err(|e| {
+pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<Vec<u8>> {
+    build(synthesis, time, &Words::new(language)).map_err(|e| {
         let fault = e.to_string();
         WriteError::NotPutTogether { fault }.into()
     })
 }
 
-fn build(synthesis: &Design, time: Timing) -> std::result::Result<Vec<u8>, XlsxError> {
+fn build(
+    synthesis: &Design,
+    time: Timing,
+    words: &Words,
+) -> std::result::Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
     // No clock: the same design gives the same bytes.
     let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
@@ -46,51 +52,41 @@ fn build(synthesis: &Design, time: Timing) -> std::result::Result<Vec<u8>, XlsxE
     book.save_to_buffer()
 }
 
-fn cam_sheet(sheet: &mut Worksheet, synthesis: &Design) -> std::result::Result<(), XlsxError> {
+fn cam_sheet(
+    sheet: &mut Worksheet,
+    synthesis: &Design,
+    words: &Words,
+) -> std::result::Result<(), XlsxError> {
     let cam = &synthesis.cam;
     let follower = &cam.follower;
     let bold = Format::new().set_bold();
     let heading = Format::new().set_bold().set_text_wrap();
     sheet.set_name("cam")?;
     sheet.set_freeze_panes(FIRST, 1)?;
-    sheet.write_with_format(
-        0,
-        0,
-        format!("Disc cam, {} follower", follower.name()),
-        &bold,
-    )?;
+    let name = words.name(follower.name());
+    let title = words.fill("sheet-title", &[("follower", &name)]);
+    sheet.write_with_format(0, 0, title, &bold)?;
     sheet.write_with_format(1, 0, &synthesis.name, &bold)?;
-    sheet.write(
-        2,
-        0,
-        format!(
-            "{}: {}",
-            synthesis.verdict.name(),
-            synthesis.reason(gaitcam::wording::Language::En)
-        ),
-    )?;
-    sheet.write(
-        3,
-        0,
-        format!("Base radius {:.6} mm", MM * follower.base_radius()),
-    )?;
-    sheet.write(
-        4,
-        0,
-        format!("Prime radius {:.6} mm", MM * follower.prime_radius()),
-    )?;
-    sheet.write(
-        5,
-        0,
-        format!("Roller radius {:.6} mm", MM * follower.roller_radius()),
-    )?;
-    sheet.write(6, 0, format!("Offset {:.6} mm", MM * follower.offset()))?;
+    let verdict = words.name(synthesis.verdict.name());
+    let reason = synthesis.reason(words.language());
+    sheet.write(2, 0, format!("{verdict}: {reason}"))?;
     let measures = follower.measures();
     let speed = measures
         .speed()
         .after(&format!("{:.6}", synthesis.drive.speed));
-    sheet.write(7, 0, format!("Speed {speed}"))?;
-    let columns = columns(synthesis);
+    let lengths = [
+        ("sheet-base-radius", follower.base_radius()),
+        ("sheet-prime-radius", follower.prime_radius()),
+        ("sheet-roller-radius", follower.roller_radius()),
+        ("sheet-offset", follower.offset()),
+    ];
+    for (row, (key, length)) in (3..).zip(lengths) {
+        let value = words.decimal(format!("{:.6} mm", MM * length));
+        sheet.write(row, 0, words.fill(key, &[("value", &value)]))?;
+    }
+    let speed = words.decimal(speed);
+    sheet.write(7, 0, words.fill("sheet-speed", &[("value", &speed)]))?;
+    let columns = columns(synthesis, words);
     for column in &columns {
         sheet.write_with_format(HEADINGS, column.at, &column.name, &heading)?;
     }
@@ -131,7 +127,7 @@ struct Column {
 }
 
 /// The columns of the kind of cam, with the letters CAM-DAS gives them.
-fn columns(synthesis: &Design) -> Vec<Column> {
+fn columns(synthesis: &Design, words: &Words) -> Vec<Column> {
     let (_, unit) = lift_unit(synthesis);
     let mut out: Vec<Column> = Vec::new();
     let mut add = |letter: u8, name: String, value: fn(&Design, &Row) -> f64| {
@@ -140,57 +136,59 @@ fn columns(synthesis: &Design) -> Vec<Column> {
     };
     let measures = synthesis.cam.follower.measures();
     let across = match measures {
-        Measures::Straight => "Travel, mm",
-        _ => "Cam angle, °",
+        Measures::Straight => "sheet-travel",
+        Measures::Translating | Measures::Oscillating => "sheet-angle",
     };
-    add(b'A', across.into(), |s, r| {
+    add(b'A', words.text(across), |s, r| {
         s.cam.follower.measures().angle().factor * r.point.theta
     });
-    add(b'B', format!("Lift, {unit}"), |s, r| {
+    add(b'B', words.fill("sheet-lift", &[("unit", unit)]), |s, r| {
         lift_unit(s).0 * r.motion.s
     });
-    add(b'C', format!("Velocity, {unit}/s"), |s, r| {
-        lift_unit(s).0 * r.motion.v * s.drive.speed
-    });
-    add(b'D', format!("Acceleration, {unit}/s²"), |s, r| {
-        lift_unit(s).0 * r.motion.a * s.drive.speed.powi(2)
-    });
-    add(b'E', format!("Jerk, {unit}/s³"), |s, r| {
+    add(
+        b'C',
+        words.fill("sheet-velocity", &[("unit", unit)]),
+        |s, r| lift_unit(s).0 * r.motion.v * s.drive.speed,
+    );
+    add(
+        b'D',
+        words.fill("sheet-acceleration", &[("unit", unit)]),
+        |s, r| lift_unit(s).0 * r.motion.a * s.drive.speed.powi(2),
+    );
+    add(b'E', words.fill("sheet-jerk", &[("unit", unit)]), |s, r| {
         lift_unit(s).0 * r.motion.j * s.drive.speed.powi(3)
     });
-    add(b'F', "Radius of curvature, mm".into(), |_, r| {
-        MM * r.point.rho
-    });
-    add(b'I', "Contour, radius, mm".into(), |_, r| {
+    add(b'F', words.text("sheet-curvature"), |_, r| MM * r.point.rho);
+    add(b'I', words.text("sheet-contour-radius"), |_, r| {
         MM * r.point.x.hypot(r.point.y)
     });
-    add(b'J', "Contour, angle, °".into(), |_, r| {
+    add(b'J', words.text("sheet-contour-angle"), |_, r| {
         polar(r.point.x, r.point.y)
     });
-    add(b'L', "Contour, x, mm".into(), |_, r| MM * r.point.x);
-    add(b'M', "Contour, y, mm".into(), |_, r| MM * r.point.y);
+    add(b'L', words.text("sheet-contour-x"), |_, r| MM * r.point.x);
+    add(b'M', words.text("sheet-contour-y"), |_, r| MM * r.point.y);
     let flat = synthesis.cam.face_width().is_some();
     if flat && !oscillates(&synthesis.cam.follower) {
-        add(b'G', "Contact left of the centre, mm".into(), |_, r| {
+        add(b'G', words.text("sheet-contact-left"), |_, r| {
             (-MM * r.motion.v).max(0.0)
         });
-        add(b'H', "Contact right of the centre, mm".into(), |_, r| {
+        add(b'H', words.text("sheet-contact-right"), |_, r| {
             (MM * r.motion.v).max(0.0)
         });
     } else if !flat {
-        add(b'G', "Pressure angle, °".into(), |_, r| {
+        add(b'G', words.text("sheet-pressure-angle"), |_, r| {
             r.point.pressure_angle.to_degrees()
         });
-        add(b'O', "Pitch curve, radius, mm".into(), |_, r| {
+        add(b'O', words.text("sheet-pitch-radius"), |_, r| {
             MM * r.point.pitch_x.hypot(r.point.pitch_y)
         });
-        add(b'P', "Pitch curve, angle, °".into(), |_, r| {
+        add(b'P', words.text("sheet-pitch-angle"), |_, r| {
             polar(r.point.pitch_x, r.point.pitch_y)
         });
-        add(b'R', "Pitch curve, x, mm".into(), |_, r| {
+        add(b'R', words.text("sheet-pitch-x"), |_, r| {
             MM * r.point.pitch_x
         });
-        add(b'S', "Pitch curve, y, mm".into(), |_, r| {
+        add(b'S', words.text("sheet-pitch-y"), |_, r| {
             MM * r.point.pitch_y
         });
     }

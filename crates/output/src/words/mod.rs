@@ -38,6 +38,14 @@ impl Words {
         self.language.tag()
     }
 
+    /// A number that is written already, with the decimal sign of the language.
+    pub fn decimal(&self, written: String) -> String {
+        match self.language {
+            Language::En => written,
+            Language::Es => written.replace('.', ","),
+        }
+    }
+
     /// A heading or label.
     pub fn text(&self, key: &str) -> String {
         self.own.text(key)

@@ -654,7 +654,7 @@ fn a_plate_that_cannot_be_is_refused_with_the_reason() {
 #[test]
 fn the_workbook_has_the_columns_of_cam_das() {
     for (s, flat) in [(footbridge(), true), (heel_tester(), false)] {
-        let bytes = gaitcam_output::xlsx::workbook(&s, TIME).unwrap();
+        let bytes = gaitcam_output::xlsx::workbook(&s, TIME, Language::En).unwrap();
         let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).unwrap();
         assert_eq!(book.sheet_names(), ["cam", "summary"]);
         let sheet = book.worksheet_range("cam").unwrap();
@@ -751,7 +751,7 @@ fn the_same_design_gives_the_same_bytes() {
             gaitcam_output::dxf::profile(&s, 360, Content::All),
             gaitcam_output::plots::cam(&s, Language::En).png(),
             gaitcam_output::report::html(&s, TIME, Language::En).into_bytes(),
-            gaitcam_output::xlsx::workbook(&s, TIME).unwrap(),
+            gaitcam_output::xlsx::workbook(&s, TIME, Language::En).unwrap(),
             solid::threemf(&s, form).unwrap(),
         ]
     };
@@ -798,7 +798,7 @@ fn odd_designs_are_handed_over_without_fault() {
         let html = gaitcam_output::report::html(&s, TIME, Language::En);
         elements(&html);
         assert!(!html.contains("NaN"));
-        assert!(gaitcam_output::xlsx::workbook(&s, TIME).is_ok());
+        assert!(gaitcam_output::xlsx::workbook(&s, TIME, Language::En).is_ok());
         let form = Plate {
             thickness: 0.01,
             bore: Some(0.01),

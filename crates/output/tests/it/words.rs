@@ -22,7 +22,11 @@ fn every_key_has_a_text_and_every_text_is_used() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut code = String::new();
     sources(&root, &mut code);
-    let area = |k: &&str| k.starts_with("report-") || k.starts_with("figure-");
+    let area = |k: &&str| {
+        ["report-", "figure-", "sheet-"]
+            .iter()
+            .any(|area| k.starts_with(area))
+    };
     let used: BTreeSet<&str> = code.split('"').filter(area).collect();
     let text = std::fs::read_to_string(root.join("words/en.ftl")).unwrap();
     let known: BTreeSet<&str> = text

@@ -13,7 +13,10 @@ use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 use gaitcam::scene::{Family, Scene};
-use gaitcam::synth::Design;
+use gaitcam::synth::{Design, Tier};
+use serde_json::json;
+
+use crate::words::{fill, fixed, name, text};
 
 /// One choice of model.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,39 +46,47 @@ pub fn choices(scene: &Scene, design: &Design) -> Vec<Choice> {
 
 /// How well the force is met, against what is asked.
 fn accuracy(scene: &Scene, design: &Design) -> String {
-    let missed = format!(
-        "force error {:.4} % RMS of the mean",
-        design.force.rms_error_percent_of_mean
-    );
+    let percent = fixed(design.force.rms_error_percent_of_mean, 4);
     match scene.rms {
-        _ if design.target.is_none() => "no force is to be met".to_string(),
-        Some(rms) => format!("{missed}, {:.4} % is allowed", 100.0 * rms),
-        None => missed,
+        _ if design.target.is_none() => text("explain-no-force"),
+        Some(rms) => {
+            let allowed = fixed(100.0 * rms, 4);
+            let values = json!({"percent": percent, "allowed": allowed});
+            fill("explain-accuracy-of", &values)
+        }
+        None => fill("explain-accuracy", &json!({"percent": percent})),
     }
+}
+
+fn asked_for(scene: &Scene, design: &Design) -> String {
+    fill(
+        "explain-asked",
+        &json!({"accuracy": accuracy(scene, design)}),
+    )
 }
 
 fn family(scene: &Scene, design: &Design) -> Choice {
     let asked = scene.law.family;
     let status = design.solver.status(crate::language::current());
     let because = match asked {
-        Family::Auto => format!("the simplest that passes every check: {status}"),
-        Family::Ladder => format!("the simplest solver that passes every check: {status}"),
-        _ => format!("the scene asks for it; it {}", accuracy(scene, design)),
+        Family::Auto => fill("explain-simplest", &json!({"status": status})),
+        Family::Ladder => fill("explain-simplest-solver", &json!({"status": status})),
+        _ => asked_for(scene, design),
     };
     let (next, richer) = match design.family.as_str() {
-        "double-harmonic" => ("harmonics", Some(Family::Harmonic)),
-        "harmonic" => (
-            "a spline, which also holds dwells and points",
-            Some(Family::Spline),
-        ),
-        "spline" => ("none: a spline follows any force; give it more spans", None),
-        _ => ("none: the scene gives the law itself", None),
+        "double-harmonic" => ("explain-to-harmonics", Some(Family::Harmonic)),
+        "harmonic" => ("explain-to-spline", Some(Family::Spline)),
+        "spline" => ("explain-more-spans", None),
+        _ => ("explain-law-given", None),
     };
     Choice {
         subject: "family",
-        chosen: format!("{} of degree {}", design.family, design.degree),
+        chosen: fill(
+            "explain-family-degree",
+            &json!({"family": design.family, "degree": design.degree}),
+        ),
         because,
-        next: next.to_string(),
+        next: text(next),
         richer: richer.map(|family| with(scene, |s| s.law.family = family)),
     }
 }
@@ -93,9 +104,12 @@ fn size(scene: &Scene, design: &Design) -> Option<Choice> {
     let twice = 2 * count;
     let given = scene.law.spans.or(scene.law.harmonics).is_some();
     let because = if given {
-        format!("the scene asks for it; it {}", accuracy(scene, design))
+        asked_for(scene, design)
     } else {
-        format!("the fewest tried; it {}", accuracy(scene, design))
+        fill(
+            "explain-fewest",
+            &json!({"accuracy": accuracy(scene, design)}),
+        )
     };
     let richer = with(scene, |s| {
         if subject == "spans" {
@@ -115,26 +129,21 @@ fn size(scene: &Scene, design: &Design) -> Option<Choice> {
 
 fn tier(design: &Design) -> Choice {
     let solver = &design.solver;
-    let next = match (solver.tier.name(), design.binding.len()) {
-        ("spectral" | "equality", _) => {
-            "a program with the limits as rows: an optimum that breaks none of them stays the optimum, so nothing would change"
-        }
-        ("qp", _) => {
-            "a cone program with the cam's size among its variables, when the size is asked for"
-        }
-        ("socp", _) => "a sequence of convex programs, when the roller's curvature is broken",
-        _ => "none",
+    let next = match solver.tier {
+        Tier::Spectral | Tier::Equality => "explain-with-rows",
+        Tier::Qp => "explain-cone",
+        Tier::Socp => "explain-sequence",
+        Tier::Scp => "explain-none",
     };
     Choice {
         subject: "solver",
-        chosen: solver.tier.name().to_string(),
-        because: format!(
-            "{}; {} active limit(s), {} iterations",
-            solver.status(crate::language::current()),
-            design.binding.len(),
-            solver.iterations
+        chosen: name(solver.tier.name()),
+        because: fill(
+            "explain-solver",
+            &json!({"status": solver.status(crate::language::current()),
+                "limits": design.binding.len(), "iterations": solver.iterations}),
         ),
-        next: next.to_string(),
+        next: text(next),
         richer: None,
     }
 }

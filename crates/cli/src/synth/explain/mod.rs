@@ -13,6 +13,9 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Design, synthesise};
 
+use crate::words::fixed;
+use crate::{language, words};
+
 /// Runs of which the quickest counts.
 const RUNS: usize = 5;
 
@@ -39,10 +42,10 @@ pub fn lines(
             let (answer, seconds) = quickest(|| synthesise(richer, target));
             let change = match answer {
                 Ok(other) if other.infeasible.is_none() => changed(design, &other),
-                Ok(_) => "no law keeps the limits".to_string(),
-                Err(fault) => fault.to_string(),
+                Ok(_) => words::text("explain-no-law"),
+                Err(fault) => fault.sentence(language::current()),
             };
-            next = format!("{next}: {change}; {} instead of {}", ms(seconds), ms(own));
+            next = instead(&next, &change, seconds, own);
         }
         out.push(Line {
             subject: choice.subject,
@@ -61,14 +64,20 @@ pub fn lines(
 fn changed(design: &Design, other: &Design) -> String {
     let change = force_change(design, other);
     let mean = design.force.mean_n.abs();
-    let part = if mean > 0.0 {
-        format!(" ({:.4} % of the mean)", 100.0 * change / mean)
-    } else {
-        String::new()
-    };
-    format!(
-        "the force moves by {change:.4} N RMS{part}, its error from {:.4} to {:.4} N",
-        design.force.rms_error_n, other.force.rms_error_n
+    let mut values = json!({"change": fixed(change, 4), "before": fixed(design.force.rms_error_n, 4),
+        "after": fixed(other.force.rms_error_n, 4)});
+    if mean == 0.0 {
+        return words::fill("explain-change", &values);
+    }
+    values["percent"] = fixed(100.0 * change / mean, 4).into();
+    words::fill("explain-change-of-mean", &values)
+}
+
+/// The next choice with what it changes and what it costs.
+fn instead(next: &str, change: &str, seconds: f64, own: f64) -> String {
+    words::fill(
+        "explain-instead",
+        &json!({"next": next, "change": change, "time": ms(seconds), "own": ms(own)}),
     )
 }
 
@@ -77,28 +86,23 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
     let chosen = simulate(&run, Model::Auto).ok()?;
     let own = quickest(|| simulate(&run, chosen.model)).1;
     let next = match &chosen.next {
-        None => "none".to_string(),
+        None => words::text("explain-none"),
         Some(next) => {
             let seconds = quickest(|| simulate(&run, next.model)).1;
             let change = match &next.failed {
-                Some(fault) => fault.to_string(),
-                None => format!(
-                    "least and largest force move by {:.4} and {:.4} N",
-                    next.force_min, next.force_max
+                Some(fault) => fault.sentence(language::current()),
+                None => words::fill(
+                    "explain-forces-move",
+                    &json!({"least": fixed(next.force_min, 4), "most": fixed(next.force_max, 4)}),
                 ),
             };
-            format!(
-                "{}: {change}; {} instead of {}",
-                next.model.name(),
-                ms(seconds),
-                ms(own)
-            )
+            instead(next.model.name(), &change, seconds, own)
         }
     };
     Some(Line {
         subject: "dynamics",
         chosen: chosen.model.name().to_string(),
-        because: chosen.why.sentence(crate::language::current()),
+        because: chosen.why.sentence(language::current()),
         next,
     })
 }
@@ -106,24 +110,25 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
 fn output(design: &Design, points: usize) -> Line {
     let distance = |n: usize| {
         let chord = 1e6 * chord_error(&design.cam, n);
+        let chord = fixed(chord, 4);
         match force_of_points(design, n) {
-            Ok(force) => format!(
-                "chords {chord:.4} µm from the profile, the force of the points {force:.2e} N RMS from the law's"
+            Ok(force) => words::fill(
+                "explain-chords-force",
+                &json!({"chord": chord, "force": words::power(force, 2)}),
             ),
-            Err(_) => format!("chords {chord:.4} µm from the profile"),
+            Err(_) => words::fill("explain-chords", &json!({"chord": chord})),
         }
     };
-    let time = |n: usize| ms(quickest(|| design.cam.profile(n)).1);
+    let time = |n: usize| quickest(|| design.cam.profile(n)).1;
     Line {
         subject: "points",
         chosen: points.to_string(),
         because: distance(points),
-        next: format!(
-            "{}: {}; {} instead of {}",
-            2 * points,
-            distance(2 * points),
+        next: instead(
+            &(2 * points).to_string(),
+            &distance(2 * points),
             time(2 * points),
-            time(points)
+            time(points),
         ),
     }
 }
@@ -142,16 +147,24 @@ fn quickest<T>(f: impl Fn() -> T) -> (T, f64) {
 }
 
 fn ms(seconds: f64) -> String {
-    format!("{:.3} ms", 1e3 * seconds)
+    format!("{} ms", fixed(1e3 * seconds, 3))
 }
 
 /// For people.
 pub fn text(name: &str, lines: &[Line]) -> String {
-    let mut out = vec![format!("{name}: model selection")];
-    for line in lines {
-        out.push(format!("  {:<10}{}", line.subject, line.chosen));
-        out.push(format!("            because {}", line.because));
-        out.push(format!("            next richer model {}", line.next));
+    let subjects: Vec<String> = lines.iter().map(|l| words::name(l.subject)).collect();
+    let width = subjects
+        .iter()
+        .map(|s| s.chars().count())
+        .max()
+        .unwrap_or(0);
+    let mut out = vec![words::fill("explain-title", &json!({"name": name}))];
+    for (line, subject) in lines.iter().zip(&subjects) {
+        let because = words::fill("explain-because", &json!({"reason": line.because}));
+        let next = words::fill("explain-next", &json!({"next": line.next}));
+        out.push(format!("  {subject:<width$}  {}", line.chosen));
+        out.push(format!("  {:width$}  {because}", ""));
+        out.push(format!("  {:width$}  {next}", ""));
     }
     out.join("\n")
 }
