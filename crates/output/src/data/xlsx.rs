@@ -42,7 +42,7 @@ fn build(
             .set_title(&synthesis.name)
             .set_creation_datetime(&epoch),
     );
-    cam_sheet(book.add_worksheet(), synthesis)?;
+    cam_sheet(book.add_worksheet(), synthesis, words)?;
     let sheet = book.add_worksheet();
     sheet.set_name("summary")?;
     sheet.set_column_width(0, 34)?;
