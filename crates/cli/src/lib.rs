@@ -19,6 +19,7 @@ mod reproduce;
 mod result_folder;
 mod searching;
 mod simulate;
+mod studio;
 mod sweep;
 pub mod synth;
 mod terminal;
@@ -62,6 +63,8 @@ enum Command {
     Compare(compare::CompareArgs),
     /// Measure speed against accuracy on this machine and draw the charts
     Chart(chart::ChartArgs),
+    /// Open the studio: a page in the browser on which the cam changes with every number
+    Studio(studio::StudioArgs),
     /// List the keys of a scene file: values, default and meaning
     Keys(keys::KeysArgs),
     /// List the scenes that come with the program, or print one
@@ -111,6 +114,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Reproduce(args) => reproduce::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Chart(args) => chart::run(&args),
+        Command::Studio(args) => studio::run(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Scenes(args) => keys::scenes(&args),
         Command::Laws(args) => laws::run(&args),
@@ -143,7 +147,10 @@ impl Command {
             Command::Laws(args) => args.json,
             Command::Keys(args) => args.json || args.schema,
             Command::Scenes(args) => args.json,
-            Command::Reproduce(_) | Command::Chart(_) | Command::Completions(_) => false,
+            Command::Reproduce(_)
+            | Command::Chart(_)
+            | Command::Studio(_)
+            | Command::Completions(_) => false,
         }
     }
 

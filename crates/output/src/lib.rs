@@ -26,6 +26,11 @@ pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};
 pub use report::sweep as sweep_report;
 
+/// Samples of a motion and its target, for drawings of another make.
+pub mod curve {
+    pub use super::pose::{motion, target_at};
+}
+
 /// The pictures of a design.
 pub mod plots {
     pub use super::Picture;

@@ -35,6 +35,21 @@ impl Room {
 
 /// The drawing, its controls and the live values; of a run where there is one.
 pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
+    out.push_str("<div class=\"stage\">\n");
+    drawing(out, synthesis, running, words);
+    controls(out, synthesis, running, words);
+    out.push_str("</div>\n");
+    // Only numbers and units: nothing here can end the script element.
+    let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
+    let _ = writeln!(
+        out,
+        "<script type=\"application/json\" id=\"motion\">{data}</script>"
+    );
+}
+
+/// The drawing alone: parts with the ids `cam-turning`, `cam-follower`, `cam-second`, `cam-push` and
+/// `cam-contact`, in mm, y up.
+pub fn drawing(out: &mut String, synthesis: &Design, running: Option<&Running>, words: &Words) {
     let cam = &synthesis.cam;
     let rows = cam.profile(POINTS);
     let slides = slide(cam) > 0.0;
@@ -88,7 +103,7 @@ pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, wo
     );
     let _ = write!(
         out,
-        "<div class=\"stage\">\n<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
+        "<svg viewBox=\"{:.3} {:.3} {width:.3} {height:.3}\" role=\"img\" \
          aria-label=\"{}\" fill=\"none\"><g transform=\"scale(1 -1)\">\n\
          <g id=\"cam-turning\">",
         room.left - blank,
@@ -118,14 +133,6 @@ pub fn stage(out: &mut String, synthesis: &Design, running: Option<&Running>, wo
         "<g id=\"cam-push\" data-reach=\"{:.3}\"><path d=\"M0 0H1M.82 .09L1 0L.82 -.09\" style=\"stroke:var(--red)\" stroke-width=\"2.4\"/></g>\
          <circle id=\"cam-contact\" r=\"{dot:.3}\" style=\"fill:var(--red)\"/>\n</g></svg>\n",
         1.2 * stem
-    );
-    controls(out, synthesis, running, words);
-    out.push_str("</div>\n");
-    // Only numbers and units: nothing here can end the script element.
-    let data = serde_json::to_string(&motion(synthesis, running)).unwrap_or_default();
-    let _ = writeln!(
-        out,
-        "<script type=\"application/json\" id=\"motion\">{data}</script>"
     );
 }
 

@@ -3,6 +3,7 @@
 mod animation;
 mod figures;
 mod motion;
+pub mod parts;
 mod run;
 pub mod sweep;
 mod tables;

@@ -1,0 +1,66 @@
+//! `gaitcam studio`: the local web application.
+
+use std::path::PathBuf;
+use std::process::{Command, Stdio, exit};
+
+use clap::Args;
+
+use crate::exit_code::BUILT;
+use crate::language;
+use crate::terminal::print;
+use gaitcam::error::Result;
+use gaitcam_studio::{Options, open};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam studio
+  gaitcam studio scenes/heel_tester.toml
+  gaitcam studio measurements/ --port 8080 --no-open";
+
+/// What to open, and where.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct StudioArgs {
+    /// Scene file, folder with scenes and recordings, or name of a built-in scene
+    #[arg(value_name = "SCENE|DIR")]
+    open: Option<PathBuf>,
+    /// Port of the page (default: a free one)
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    port: u16,
+    /// Print the address only; open no browser
+    #[arg(long)]
+    no_open: bool,
+}
+
+/// Prints the address and serves until interrupted.
+pub fn run(args: &StudioArgs) -> Result<u8> {
+    let ready = open(&Options {
+        open: args.open.clone(),
+        port: args.port,
+        language: language::current(),
+    })?;
+    // Nothing is half written between two requests: an interrupt is the usual end.
+    let _ = ctrlc::set_handler(|| exit(i32::from(BUILT)));
+    print(&ready.url());
+    if !args.no_open {
+        show(&ready.url());
+    }
+    ready.serve()
+}
+
+/// Opens the system's browser, where it has one; the address is printed anyway.
+fn show(url: &str) {
+    let (program, before): (&str, &[&str]) = if cfg!(target_os = "macos") {
+        ("open", &[])
+    } else if cfg!(windows) {
+        ("cmd", &["/C", "start", ""])
+    } else {
+        ("xdg-open", &[])
+    };
+    let mut command = Command::new(program);
+    command.args(before).arg(url);
+    let quiet = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    let _ = quiet.spawn();
+}

@@ -1,0 +1,80 @@
+//! Parts of the report for pages of another make: figures, tables, the cam in motion.
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::{animation, cards_of, motion, tables};
+use crate::Timing;
+use crate::words::Words;
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+
+/// A figure one looks for first.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Figure {
+    /// Its name.
+    pub name: String,
+    /// Its value with the unit.
+    pub value: String,
+    /// What stands below it; may be empty.
+    pub more: String,
+}
+
+/// The figures at the top: force error, force, stroke, base circle, smallest radius, speed.
+pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
+    let cards = cards_of(design, &Words::new(language)).into_iter();
+    let figure = |(name, value, more)| Figure { name, value, more };
+    cards.map(figure).collect()
+}
+
+/// Checks, active limits, data and solution as HTML sections.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Tables {
+    /// Every check with its margin.
+    pub checks: String,
+    /// Active limits and what easing them would buy.
+    pub active: String,
+    /// Drive, law, cam and loads in numbers.
+    pub data: String,
+    /// How it was solved.
+    pub solution: String,
+}
+
+/// The tables of a design.
+pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
+    let words = Words::new(language);
+    let of = |write: &dyn Fn(&mut String)| {
+        let mut out = String::new();
+        write(&mut out);
+        out
+    };
+    Tables {
+        checks: of(&|out| tables::checks(out, design, &words)),
+        active: of(&|out| tables::active(out, design, &words)),
+        data: of(&|out| tables::numbers(out, design, &words)),
+        solution: of(&|out| tables::solution(out, design, time, &words)),
+    }
+}
+
+/// The cam with its follower as SVG in mm, y up; its moving parts have the ids `cam-turning`, `cam-follower`,
+/// `cam-second`, `cam-push` and `cam-contact`.
+pub fn drawing(design: &Design, language: Language) -> String {
+    let mut out = String::with_capacity(1 << 16);
+    animation::drawing(&mut out, design, None, &Words::new(language));
+    out
+}
+
+/// Where those parts stand at equal steps of one turn, with the values there; mm, N, degrees.
+pub fn motion(design: &Design) -> Value {
+    serde_json::to_value(motion::motion(design, None)).unwrap_or_default()
+}
+
+/// A value of a limit in the unit people use.
+pub fn shown(design: &Design, limit: &str, value: f64) -> String {
+    tables::shown(design.cam.follower.measures(), limit, value)
+}
+
+/// The name of a limit, follower or law in a language.
+pub fn name(typed: &str, language: Language) -> String {
+    Words::new(language).name(typed)
+}

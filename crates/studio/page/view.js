@@ -1,0 +1,79 @@
+// Theme, tabs and dialog.
+
+import { $, clear } from "./dom.js";
+import { t, onLanguage } from "./words.js";
+
+const TABS = ["values", "force", "programme", "compare", "text"];
+const opened = new Map();
+
+export function theme() {
+  let dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
+  try {
+    const kept = localStorage.getItem("gaitcam-theme");
+    if (kept) dark = kept === "dark";
+  } catch { /* private windows keep nothing */ }
+  const show = () => { document.documentElement.dataset.theme = dark ? "dark" : "light"; };
+  show();
+  $("theme").addEventListener("click", () => {
+    dark = !dark;
+    try { localStorage.setItem("gaitcam-theme", dark ? "dark" : "light"); } catch { /* as above */ }
+    show();
+  });
+}
+
+export function onTab(name, listener) {
+  opened.set(name, listener);
+}
+
+export function tab(name) {
+  for (const other of TABS) {
+    const on = other === name;
+    $(other).hidden = !on;
+    $(`tab-${other}`).setAttribute("aria-selected", String(on));
+    $(`tab-${other}`).tabIndex = on ? 0 : -1;
+  }
+  $("panel").dataset.tab = name;
+  opened.get(name)?.();
+}
+
+export function openTab() {
+  return $("panel").dataset.tab;
+}
+
+export function tabs() {
+  for (const [i, name] of TABS.entries()) {
+    const button = $(`tab-${name}`);
+    button.addEventListener("click", () => tab(name));
+    button.addEventListener("keydown", (event) => {
+      const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+      if (!step) return;
+      const next = TABS[(i + step + TABS.length) % TABS.length];
+      tab(next);
+      $(`tab-${next}`).focus();
+    });
+  }
+  tab("values");
+}
+
+let filling = null;
+
+// Opens the dialog with a title and what `fill` puts into it; another language fills it anew.
+export function dialog(title, fill) {
+  filling = () => {
+    $("dialog-title").textContent = t(title);
+    fill(clear($("dialog-body")));
+  };
+  filling();
+  if (!$("dialog").open) $("dialog").showModal();
+}
+
+export function closeDialog() {
+  $("dialog").close();
+}
+
+export function dialogs() {
+  $("dialog-close").addEventListener("click", closeDialog);
+  $("dialog").addEventListener("click", (event) => { if (event.target === $("dialog")) closeDialog(); });
+  $("dialog").addEventListener("close", () => { filling = null; });
+  onLanguage(() => filling?.());
+}

@@ -1,0 +1,64 @@
+// The words of the page in both languages; switching is immediate.
+
+import { speak } from "./net.js";
+
+let all = { en: {}, es: {} };
+let tag = document.documentElement.lang || "en";
+const listeners = [];
+
+export function load(words) {
+  all = words;
+}
+
+export function language() {
+  return tag;
+}
+
+// A text by its key; {name} stands for a value.
+export function t(key, values = {}) {
+  const text = all[tag][key] ?? key;
+  return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+}
+
+export function has(key) {
+  return key in all[tag];
+}
+
+export function onLanguage(listener) {
+  listeners.push(listener);
+}
+
+// Gives every marked element below `root` its text.
+export function translate(root = document) {
+  for (const e of root.querySelectorAll("[data-text]")) e.textContent = t(e.dataset.text);
+  for (const e of root.querySelectorAll("[data-label]")) {
+    const text = t(e.dataset.label);
+    e.setAttribute("aria-label", text);
+    if (e.matches("button, label, select")) e.title = text;
+  }
+}
+
+export function choose(next) {
+  tag = next;
+  document.documentElement.lang = next;
+  speak(next);
+  try { localStorage.setItem("gaitcam-language", next); } catch { /* private windows keep nothing */ }
+  translate();
+  for (const listener of listeners) listener(next);
+}
+
+// A number with about four digits, in the language's manner.
+export function number(x, digits = 4) {
+  if (x === null || x === undefined || !Number.isFinite(x)) return "–";
+  const size = Math.abs(x);
+  if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(digits - 2).replace("-", "−");
+  const decimals = size === 0 ? 0 : Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size))));
+  const text = x.toLocaleString(tag, { minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: false });
+  return /^-0([.,]0*)?$/.test(text) ? text.slice(1) : text.replace("-", "−");
+}
+
+// A number with its unit; degrees stand close to it.
+export function quantity(x, unit, digits) {
+  const gap = unit === "°" || unit === "" ? "" : "\u00a0";
+  return number(x, digits) + (x === null || x === undefined ? "" : gap + unit);
+}

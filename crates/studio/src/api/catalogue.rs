@@ -1,0 +1,147 @@
+//! What the program brings along: words, keys, built-in scenes, laws.
+
+use std::collections::HashMap;
+use std::sync::{Mutex, OnceLock};
+
+use serde_json::{Value, json};
+
+use crate::http::{Response, Status};
+use crate::lock;
+use crate::studio::Studio;
+use crate::words::Words;
+use gaitcam::error::Result;
+use gaitcam::law::Rise;
+use gaitcam::scene::{self, SCENES, built_in, keys};
+use gaitcam::synth::{Design, synthesise};
+use gaitcam::wording::{Language, scene_doc};
+use gaitcam_output::palette;
+use gaitcam_output::report::parts;
+
+/// Points of a law's small curve.
+const POINTS: usize = 60;
+
+/// Everything that the page needs once.
+pub fn start(studio: &Studio) -> Value {
+    let words = |language| Words::of(language).page();
+    let scenes = SCENES.iter().map(|s| {
+        json!({
+            "name": s.name,
+            "toml": s.toml,
+            "doc": {"en": scene_doc(Language::En, s.name), "es": scene_doc(Language::Es, s.name)},
+        })
+    });
+    json!({
+        "scene": studio.start.scene,
+        "file": studio.start.file,
+        "folder": studio.folder.root().display().to_string(),
+        "words": {"en": words(Language::En), "es": words(Language::Es)},
+        "keys": keys::json(),
+        "scenes": scenes.collect::<Vec<_>>(),
+        "quantities": super::variation::QUANTITIES.map(|q| q.0),
+        "trades": super::variation::TRADES,
+    })
+}
+
+/// The picture of a built-in scene's cam, drawn once.
+pub fn picture(studio: &Studio, name: &str) -> Response {
+    static DRAWN: OnceLock<Mutex<HashMap<String, String>>> = OnceLock::new();
+    let drawn = DRAWN.get_or_init(Mutex::default);
+    let name = name.trim_end_matches(".svg");
+    let known = lock(drawn).get(name).cloned();
+    let svg = match known {
+        Some(svg) => svg,
+        None => {
+            let Some(svg) = outline(studio, name) else {
+                return Response::refusal(Status::NotFound);
+            };
+            lock(drawn).insert(name.to_string(), svg.clone());
+            svg
+        }
+    };
+    Response::new("image/svg+xml", svg)
+}
+
+fn outline(studio: &Studio, name: &str) -> Option<String> {
+    let mut table = built_in(name).ok()?.toml.parse().ok()?;
+    if scene::read(&table).is_err() {
+        // The picture of a scene that still waits for its recording is that of a load model.
+        scene::set(&mut table, "gait.model=young").ok()?;
+    }
+    let scene = scene::read(&table).ok()?;
+    let target = studio.sources.target(&studio.folder, &scene).ok()?;
+    let design = synthesise(&scene, target.as_ref()).ok()?;
+    Some(at_rest(&design))
+}
+
+/// The drawing of the animation as a picture of its own: every part in its place at the start, in plain colours.
+fn at_rest(design: &Design) -> String {
+    let motion = parts::motion(design);
+    let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);
+    let turned = motion["start"].as_f64().unwrap_or(0.0);
+    let stand = |id: &str, [x, y, angle]: [&str; 3]| {
+        let (x, y, angle) = (first(x), first(y), first(angle));
+        (
+            format!("id=\"{id}\""),
+            format!("transform=\"translate({x} {y}) rotate({angle})\""),
+        )
+    };
+    let mut svg = parts::drawing(design, Language::En);
+    let places = [
+        stand("cam-follower", ["px", "py", "pa"]),
+        stand("cam-second", ["qx", "qy", "qa"]),
+        (
+            "id=\"cam-push\"".to_string(),
+            "display=\"none\"".to_string(),
+        ),
+        (
+            "id=\"cam-contact\"".to_string(),
+            "display=\"none\"".to_string(),
+        ),
+    ];
+    for (id, place) in places {
+        svg = svg.replace(&id, &place);
+    }
+    if motion["slide"].as_f64() == Some(0.0) {
+        svg = svg.replace(
+            "id=\"cam-turning\"",
+            &format!("transform=\"rotate({turned})\""),
+        );
+    }
+    for (colour, name) in palette::NAMES {
+        let plain = format!("rgb({},{},{})", colour.0, colour.1, colour.2);
+        svg = svg.replace(&format!("var(--{name})"), &plain);
+    }
+    let head = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+    let style = "<style>*{vector-effect:non-scaling-stroke}</style>";
+    let svg = svg.replacen("<svg", head, 1);
+    svg.replacen('>', &format!(">{style}"), 1)
+}
+
+/// The catalogue of laws with their curves.
+///
+/// # Errors
+/// None that a law of the catalogue has.
+pub fn laws() -> Result<Value> {
+    let all: Result<Vec<Value>> = Rise::catalogue().iter().map(law).collect();
+    all.map(Value::from)
+}
+
+fn law(rise: &Rise) -> Result<Value> {
+    let (law, factors, ends) = (rise.law()?, rise.factors()?, rise.ends()?);
+    let (start, length) = law.extent();
+    let mut curves: [Vec<Option<f64>>; 4] = Default::default();
+    for i in 0..=POINTS {
+        let at = law.svaj(start + length * i as f64 / POINTS as f64);
+        for (curve, x) in curves.iter_mut().zip([at.s, at.v, at.a, at.j]) {
+            curve.push(x.is_finite().then(|| (x * 1e4).round() / 1e4));
+        }
+    }
+    let [s, v, a, j] = curves;
+    let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
+    Ok(json!({
+        "name": rise.name(), "written": rise.written(),
+        "cv": finite(factors.cv), "ca": finite(factors.ca), "cj": finite(factors.cj), "ct": finite(factors.ct),
+        "joins": [ends.start.joins(), ends.end.joins()],
+        "s": s, "v": v, "a": a, "j": j,
+    }))
+}

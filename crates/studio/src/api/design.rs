@@ -1,0 +1,291 @@
+//! A design for one state of the scene: everything that the page shows of it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Instant;
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use toml::Table;
+
+use super::table;
+use crate::curves::{Curves, curves};
+use crate::edit::{Edit, apply};
+use crate::fault::StudioError;
+use crate::form::{Field, fields};
+use crate::studio::{Kept, Studio};
+use crate::words;
+use gaitcam::cam::Continuity;
+use gaitcam::error::Result;
+use gaitcam::scene::{self, Scene, keys};
+use gaitcam::synth::{Design, Relaxation, relaxed, synthesise};
+use gaitcam::wording::Language;
+use gaitcam_output::Timing;
+use gaitcam_output::report::parts::{self, Figure, Tables};
+
+/// A scene with changes.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ask {
+    /// The scene file.
+    pub scene: String,
+    /// What is to be changed in it.
+    #[serde(default)]
+    pub changes: Vec<Edit>,
+    /// Which page asks.
+    #[serde(default)]
+    pub page: String,
+    /// Its questions counted: one that is overtaken need not be answered.
+    #[serde(default)]
+    pub number: u64,
+}
+
+/// Everything that the page shows of a design.
+#[derive(Serialize)]
+struct Answer {
+    id: String,
+    number: u64,
+    name: String,
+    scene: String,
+    fields: BTreeMap<String, Field>,
+    verdict: &'static str,
+    reasons: String,
+    notes: Vec<String>,
+    infeasible: bool,
+    conflict: Vec<String>,
+    relaxations: Vec<Remedy>,
+    easing: Vec<Eased>,
+    active: Vec<String>,
+    figures: Vec<Figure>,
+    tables: Tables,
+    numbers: Value,
+    continuity: Continuity,
+    drawing: String,
+    motion: Value,
+    curves: Curves,
+    names: BTreeMap<String, String>,
+    idle: bool,
+    needs_relaxing: bool,
+    server_ms: f64,
+}
+
+/// A change that would make a scene pass.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Remedy {
+    key: &'static str,
+    name: String,
+    from: String,
+    /// As shown; none where no value of this key alone helps.
+    to: Option<String>,
+    /// As a scene file takes it.
+    value: Option<String>,
+}
+
+/// What one per cent more of an active limit would buy.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+struct Eased {
+    name: String,
+    from: String,
+    to: String,
+    objective: &'static str,
+    before: String,
+    after: String,
+    /// Gain as a share of the objective.
+    gain: f64,
+}
+
+/// Designs the scene; `{superseded: true}` where the page has asked again meanwhile.
+pub fn design(studio: &Studio, ask: &Ask) -> Result<Value> {
+    let start = Instant::now();
+    let Some(_turn) = studio.turns.take(&ask.page, ask.number) else {
+        return Ok(json!({"superseded": true, "number": ask.number}));
+    };
+    let mut table = table(&ask.scene)?;
+    for edit in &ask.changes {
+        apply(&mut table, edit)?;
+    }
+    let kept = made(studio, &table)?;
+    let language = words::current();
+    let id = studio.keep(Arc::clone(&kept));
+    let mut answer = answer(&kept, id, language);
+    answer.number = ask.number;
+    answer.server_ms = 1e3 * start.elapsed().as_secs_f64();
+    Ok(serde_json::to_value(answer).unwrap_or_default())
+}
+
+/// The design of a table.
+///
+/// # Errors
+/// Faults of the scene and of its force.
+pub fn made(studio: &Studio, table: &Table) -> Result<Arc<Kept>> {
+    let start = Instant::now();
+    let scene = scene::read(table)?;
+    let target = studio.sources.target(&studio.folder, &scene)?;
+    let solving = Instant::now();
+    let design = synthesise(&scene, target.as_ref())?;
+    let time = Timing {
+        solve_s: solving.elapsed().as_secs_f64(),
+        total_s: start.elapsed().as_secs_f64(),
+    };
+    let table = table.clone();
+    Ok(Arc::new(Kept {
+        table,
+        scene,
+        target,
+        design,
+        time,
+    }))
+}
+
+fn answer(kept: &Kept, id: String, language: Language) -> Answer {
+    let (design, scene) = (&kept.design, &kept.scene);
+    let name = |typed: &str| parts::name(typed, language);
+    let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
+    let mut active: Vec<String> = Vec::new();
+    for binding in &design.binding {
+        let name = name(&binding.limit);
+        if !active.contains(&name) {
+            active.push(name);
+        }
+    }
+    let curves = curves(design);
+    let limits = curves.places.iter().map(|p| p.limit.clone());
+    let names = limits.map(|l| (l.clone(), name(&l))).collect();
+    Answer {
+        id,
+        number: 0,
+        name: design.name.clone(),
+        scene: toml::to_string(&kept.table).unwrap_or_default(),
+        fields: fields(&kept.table, scene, Some(design)),
+        verdict: design.verdict.name(),
+        reasons: design.reasons_in(language),
+        notes: design.notes.iter().map(|n| n.sentence(language)).collect(),
+        infeasible: design.infeasible.is_some(),
+        conflict: conflict.iter().map(|limit| name(limit)).collect(),
+        relaxations: first_remedies(design, scene, language),
+        easing: easing(design, language),
+        active,
+        figures: parts::figures(design, language),
+        tables: parts::tables(design, kept.time, language),
+        numbers: numbers(kept),
+        continuity: Continuity::of(&design.cam),
+        drawing: parts::drawing(design, language),
+        motion: parts::motion(design),
+        curves,
+        names,
+        idle: design.is_idle(),
+        needs_relaxing: design.verdict == gaitcam::cam::Verdict::Unacceptable,
+        server_ms: 0.0,
+    }
+}
+
+/// The figures that the slate compares.
+fn numbers(kept: &Kept) -> Value {
+    let figures = gaitcam::synth::Figures::of(&kept.design);
+    let row = gaitcam::sweep::Row::of(&kept.design);
+    let names = gaitcam::sweep::NUMBERS;
+    let pairs = names.iter().zip(row.numbers);
+    let mut out: serde_json::Map<String, Value> = pairs
+        .map(|(name, x)| {
+            (
+                (*name).to_string(),
+                if x.is_finite() { json!(x) } else { Value::Null },
+            )
+        })
+        .collect();
+    out.insert("speed_rad_per_s".to_string(), json!(figures.speed));
+    let machine = serde_json::to_value(kept.design.machine()).unwrap_or_default();
+    if let Value::Object(machine) = machine {
+        out.extend(machine);
+    }
+    Value::Object(out)
+}
+
+fn easing(design: &Design, language: Language) -> Vec<Eased> {
+    let measures = design.cam.follower.measures();
+    let all = design.easing.iter();
+    all.map(|e| {
+        let (objective, unit, factor) = e.in_words(measures);
+        let shown = |x: f64| {
+            format!(
+                "{} {unit}",
+                gaitcam::wording::number(language, round(factor * x))
+            )
+        };
+        Eased {
+            name: parts::name(&e.limit, language),
+            from: parts::shown(design, &e.limit, e.from),
+            to: parts::shown(design, &e.limit, e.to),
+            objective,
+            before: shown(e.before),
+            after: shown(e.after),
+            gain: if e.before == 0.0 {
+                0.0
+            } else {
+                (e.before - e.after) / e.before.abs()
+            },
+        }
+    })
+    .collect()
+}
+
+/// Five digits show what 1 % does.
+fn round(x: f64) -> f64 {
+    format!("{x:.4e}").parse().unwrap_or(x)
+}
+
+/// What the conflict alone says, before the whole design is tried with each value.
+fn first_remedies(design: &Design, scene: &Scene, language: Language) -> Vec<Remedy> {
+    let own = match &design.infeasible {
+        Some(infeasible) if design.relaxations.is_empty() => &infeasible.relaxations,
+        _ => &design.relaxations,
+    };
+    remedies(design, scene, own, language)
+}
+
+fn remedies(
+    design: &Design,
+    scene: &Scene,
+    list: &[Relaxation],
+    language: Language,
+) -> Vec<Remedy> {
+    let shown = |r: &Relaxation, x: f64| parts::shown(design, &r.limit, x);
+    list.iter()
+        .map(|r| Remedy {
+            key: r.key,
+            name: parts::name(&r.limit, language),
+            from: shown(r, r.from),
+            to: r.to.map(|to| shown(r, to)),
+            value: r.to.and_then(|to| value(r.key, scene, to)),
+        })
+        .collect()
+}
+
+/// A number as a scene file takes it under a key.
+fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
+    let row = keys::find(key)?;
+    let written = keys::Value::Number(x).to_toml(row.dimension(scene));
+    Some(written.as_str().map_or(written.to_string(), str::to_string))
+}
+
+/// Which design is meant.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Which {
+    /// Its number.
+    pub id: String,
+}
+
+/// The changes that would make a design pass, each tried on the whole design.
+pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
+    let kept = studio.kept(&which.id).ok_or(StudioError::Forgotten)?;
+    let language = words::current();
+    let tried = relaxed(&kept.scene, kept.target.as_ref(), kept.design.clone());
+    let list = |list: &[Relaxation]| remedies(&tried, &kept.scene, list, language);
+    Ok(json!({
+        "id": which.id,
+        "reasons": tried.reasons_in(language),
+        "relaxations": list(&tried.relaxations),
+        "together": list(&tried.together),
+    }))
+}

@@ -1,0 +1,69 @@
+//! Scenes of the opened folder: opened as they are, saved under a name that is free.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::table;
+use crate::fault::StudioError;
+use crate::studio::Studio;
+use gaitcam::error::{Place, Result};
+
+/// The text of a scene of the folder.
+///
+/// # Errors
+/// Files outside the folder; text that is no TOML.
+pub fn open(studio: &Studio, path: &str) -> Result<Value> {
+    let path = Path::new(path);
+    let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
+    table(&text).map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+    Ok(json!({"scene": text, "file": path.display().to_string()}))
+}
+
+/// A scene to be saved, with the dropped recording that it names.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Save {
+    /// The scene file.
+    pub scene: String,
+    /// Its name.
+    pub name: String,
+}
+
+/// Saves a scene, and the dropped file that it needs beside it. No file is ever replaced.
+///
+/// # Errors
+/// Names that are no plain file names; folders that take no files.
+pub fn save(studio: &Studio, save: &Save) -> Result<Value> {
+    let mut table = table(&save.scene)?;
+    let file = table
+        .get("gait")
+        .and_then(|g| g.get("file"))
+        .and_then(|f| f.as_str())
+        .map(str::to_string);
+    let mut written = Vec::new();
+    let mut text = save.scene.clone();
+    if let Some(file) = file
+        && let Some(bytes) = studio.sources.dropped(Path::new(&file))
+    {
+        let name = studio.folder.write_new(&file, &bytes)?;
+        if name != file
+            && let Some(gait) = table.get_mut("gait").and_then(toml::Value::as_table_mut)
+        {
+            gait.insert("file".to_string(), name.clone().into());
+            text = toml::to_string(&table).unwrap_or_default();
+        }
+        written.push(name);
+    }
+    if save.name.trim().is_empty() {
+        let name = save.name.clone();
+        return Err(StudioError::FileName { name }.into());
+    }
+    let name = match save.name.ends_with(".toml") {
+        true => save.name.clone(),
+        false => format!("{}.toml", save.name),
+    };
+    written.push(studio.folder.write_new(&name, text.as_bytes())?);
+    Ok(json!({"written": written, "scene": text}))
+}

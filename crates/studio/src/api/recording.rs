@@ -1,0 +1,155 @@
+//! Recordings dropped on the page: what they hold, which contacts count, and forces drawn by hand.
+
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::fault::StudioError;
+use crate::http::Head;
+use crate::studio::Studio;
+use crate::words;
+use gaitcam::error::Result;
+use gaitcam::force::{self, Feet, ReadOptions, Stances};
+use gaitcam_output::recording;
+
+/// Stances drawn in the picture; the mean is of all.
+const DRAWN: usize = 60;
+
+/// Keeps a dropped file and says what it holds.
+///
+/// # Errors
+/// Files that are no recording.
+pub fn dropped(studio: &Studio, head: &Head, bytes: &[u8]) -> Result<Value> {
+    let given = head.asked("name").unwrap_or("recording.csv");
+    let name = plain(given);
+    let found = described(&name, bytes, &[], Feet::Both)?;
+    studio.sources.drop_file(&name, bytes.to_vec());
+    Ok(found)
+}
+
+/// The last part of a path, without what no file name has.
+fn plain(given: &str) -> String {
+    let last = given.rsplit(['/', '\\']).next().unwrap_or("");
+    let name: String = last
+        .chars()
+        .filter(|c| !c.is_control() && !":*?\"<>|".contains(*c))
+        .collect();
+    match name.trim_start_matches('.') {
+        "" => "recording.csv".to_string(),
+        name => name.to_string(),
+    }
+}
+
+/// Which contacts of a recording are left out.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Contacts {
+    /// Name of the recording.
+    pub file: String,
+    /// Numbers of the stances that do not count, from 0 on.
+    #[serde(default)]
+    pub without: Vec<usize>,
+    /// Whose feet count.
+    #[serde(default)]
+    pub feet: String,
+}
+
+/// The recording with some contacts left out: its mean cycle becomes a file of its own, which the scene may
+/// name.
+///
+/// # Errors
+/// Recordings that are not there; nothing left to average.
+pub fn contacts(studio: &Studio, asked: &Contacts) -> Result<Value> {
+    let bytes = studio
+        .sources
+        .bytes(&studio.folder, Path::new(&asked.file))?;
+    let feet = asked.feet.parse().unwrap_or(Feet::Both);
+    let mut found = described(&asked.file, &bytes, &asked.without, feet)?;
+    if !asked.without.is_empty()
+        && let Some(csv) = found.get("csv").and_then(Value::as_str)
+    {
+        let stem = Path::new(&asked.file)
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy();
+        let name = format!("{}_cycle.csv", plain(&stem));
+        studio.sources.drop_file(&name, csv.as_bytes().to_vec());
+        found["use"] = name.into();
+    }
+    Ok(found)
+}
+
+/// What a recording holds, with its picture and the csv of its mean cycle.
+fn described(name: &str, bytes: &[u8], without: &[usize], feet: Feet) -> Result<Value> {
+    let (path, options) = (Path::new(name), ReadOptions::default());
+    let language = words::current();
+    if let Some(curve) = force::one_cycle(path, bytes, &options)? {
+        let mut found = force::cycle_json(&curve);
+        found["file"] = name.into();
+        found["use"] = name.into();
+        found["table"] = force::cycle_table(&curve, language).into();
+        return Ok(found);
+    }
+    let recording = force::read(path, bytes, &options)?;
+    let all = force::stances(&recording);
+    let kept = all
+        .used
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| !without.contains(i));
+    let stances = Stances {
+        used: kept.map(|(_, s)| s.clone()).collect(),
+        rejected: all.rejected.clone(),
+    };
+    let cycle = force::cycle(&recording, &stances, feet)?;
+    let mut found = force::json(&recording, &all, Some(&cycle));
+    found["file"] = name.into();
+    found["use"] = name.into();
+    found["table"] = force::table(&recording, &stances, Ok(&cycle), language).into();
+    found["without"] = json!(without);
+    if let Some(overlay) = force::overlay(&recording, &stances, DRAWN) {
+        found["picture"] = recording::stances(name, &overlay, &cycle, language)
+            .svg()
+            .into();
+    }
+    let source = cycle.source.to_string();
+    found["csv"] = force::csv(&cycle.curve, &[name, &source]).into();
+    Ok(found)
+}
+
+/// A force drawn by hand: points of one cycle.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Points {
+    /// Name of the file that the scene names.
+    pub file: String,
+    /// Time of one cycle, s.
+    pub period_s: f64,
+    /// Time (s) and force (N) of each point.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Keeps points as a file of one cycle; the curve goes through them, level at every peak and valley.
+///
+/// # Errors
+/// Too few points, or times that do not grow.
+pub fn points(studio: &Studio, drawn: &Points) -> Result<Value> {
+    let name = plain(&drawn.file);
+    let mut points = drawn.points.clone();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let finite = drawn.period_s.is_finite() && points.iter().flatten().all(|x| x.is_finite());
+    if points.len() < 3 || points.len() > 400 || !finite {
+        return Err(StudioError::FewPoints.into());
+    }
+    let mut csv = format!(
+        "# critical points, period_s = {}\ntime_s,force_n\n",
+        drawn.period_s
+    );
+    for [time, force] in &points {
+        csv.push_str(&format!("{time},{force}\n"));
+    }
+    let curve = force::one_cycle(Path::new(&name), csv.as_bytes(), &ReadOptions::default())?;
+    studio.sources.drop_file(&name, csv.clone().into_bytes());
+    Ok(json!({"use": name, "csv": csv, "force_n": curve.map(|c| c.force_n)}))
+}

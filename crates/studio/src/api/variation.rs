@@ -1,0 +1,194 @@
+//! How a design answers to its numbers: sensitivity and the trade-off front.
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::table;
+use crate::form::typed;
+use crate::studio::Studio;
+use crate::words;
+use gaitcam::cam::Unit;
+use gaitcam::error::Result;
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::keys::{KEYS, Key};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Against, Design, Figures, synthesise, trade};
+use gaitcam::units::Dimension;
+use gaitcam::wording::{number, quantity};
+
+/// Quantities whose sensitivity may be asked, with their dimension.
+pub const QUANTITIES: [(&str, Dimension); 7] = [
+    ("force_error", Dimension::Force),
+    ("prime_radius", Dimension::Length),
+    ("stroke", Dimension::Length),
+    ("acceleration", Dimension::Acceleration),
+    ("jerk", Dimension::Jerk),
+    ("torque", Dimension::Torque),
+    ("smallest_radius", Dimension::Length),
+];
+/// Quantities that the force error may be traded against.
+pub const TRADES: [&str; 5] = ["prime_radius", "jerk", "acceleration", "velocity", "stroke"];
+/// Points of a front.
+const POINTS: usize = 16;
+/// Most bars.
+const BARS: usize = 12;
+
+/// Which quantity is watched while every number is varied.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Vary {
+    /// The scene file.
+    pub scene: String,
+    /// The quantity.
+    pub quantity: String,
+    /// By which share each number is varied.
+    pub share: f64,
+}
+
+/// One bar for every number of the scene: the quantity with the number reduced and raised by a share, the longest bar
+/// first.
+///
+/// # Errors
+/// Faults of the scene as it stands.
+pub fn sensitivity(studio: &Studio, vary: &Vary) -> Result<Value> {
+    let table = table(&vary.scene)?;
+    let scene = scene::read(&table)?;
+    let target = studio.sources.target(&studio.folder, &scene)?;
+    let of = |design: &Design| value(design, &vary.quantity);
+    let middle = of(&synthesise(&scene, target.as_ref())?);
+    let share = vary.share.clamp(1e-4, 0.5);
+    let mut bars: Vec<(String, [Option<f64>; 2])> = Vec::new();
+    for key in KEYS
+        .iter()
+        .filter(|k| k.exists(&scene) && k.measure().is_some())
+    {
+        for index in 0..entries(&scene, key) {
+            if typed(&table, &key.path_at(index)).is_empty() {
+                continue;
+            }
+            let Some(x) = key
+                .get(&scene, index)
+                .and_then(gaitcam::scene::keys::Value::number)
+            else {
+                continue;
+            };
+            let varied = |factor: f64| {
+                let mut scene = scene.clone();
+                let took = x != 0.0 && key.set_number(&mut scene, index, factor * x);
+                let design = took.then(|| varied(studio, &scene, target.as_ref(), key));
+                design.flatten().and_then(|d| of(&d))
+            };
+            let ends = [varied(1.0 - share), varied(1.0 + share)];
+            bars.push((key.path_at(index), ends));
+        }
+    }
+    let middle = middle.unwrap_or(f64::NAN);
+    let length = |ends: &[Option<f64>; 2]| {
+        ends.iter()
+            .flatten()
+            .map(|x| (x - middle).abs())
+            .fold(0.0, f64::max)
+    };
+    bars.retain(|b| length(&b.1) > 1e-9 * middle.abs());
+    bars.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
+    bars.truncate(BARS);
+    Ok(json!({
+        "quantity": vary.quantity,
+        "middle": middle,
+        "shown": shown(&vary.quantity, middle),
+        "bars": bars.iter().map(|(key, ends)| json!({
+            "key": key, "low": ends[0], "high": ends[1],
+            "shown": ends.map(|x| x.map(|x| shown(&vary.quantity, x))),
+        })).collect::<Vec<_>>(),
+    }))
+}
+
+/// The design of a varied scene; a load model is read again where its own numbers change.
+fn varied(
+    studio: &Studio,
+    scene: &Scene,
+    target: Option<&ForceCurve>,
+    key: &Key,
+) -> Option<Design> {
+    let own = match key.section() {
+        "gait" => studio.sources.target(&studio.folder, scene).ok()?,
+        _ => target.cloned(),
+    };
+    synthesise(scene, own.as_ref()).ok()
+}
+
+fn entries(scene: &Scene, key: &Key) -> usize {
+    match key.list() {
+        None => 1,
+        Some(_) => (0..64).take_while(|i| key.get(scene, *i).is_some()).count(),
+    }
+}
+
+fn value(design: &Design, name: &str) -> Option<f64> {
+    let figures = Figures::of(design);
+    let value = match name {
+        "force_error" => figures.force.rms_error_n,
+        "prime_radius" => figures.prime_radius,
+        "stroke" => figures.stroke,
+        "acceleration" => figures.peaks[1],
+        "jerk" => figures.peaks[2],
+        "torque" => design.machine().torque_max_n_m?,
+        "smallest_radius" => figures.smallest_convex_radius,
+        _ => return None,
+    };
+    (design.infeasible.is_none() && value.is_finite()).then_some(value)
+}
+
+fn shown(name: &str, value: f64) -> String {
+    let dimension = QUANTITIES
+        .iter()
+        .find(|q| q.0 == name)
+        .map_or(Dimension::Ratio, |q| q.1);
+    quantity(words::current(), round(value), dimension.si())
+}
+
+fn round(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
+/// What the force error is traded against.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Trade {
+    /// The scene file.
+    pub scene: String,
+    /// The other quantity.
+    pub against: String,
+}
+
+/// The front: the least force error at each value of the other quantity, each point with the change that makes
+/// its scene.
+///
+/// # Errors
+/// Scenes without a force; quantities that cannot be traded.
+pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
+    let against = Against::from_pair(&format!("force_error:{}", asked.against))?;
+    let scene = scene::read(&table(&asked.scene)?)?;
+    let target = studio.sources.target(&studio.folder, &scene)?;
+    let front = trade(&scene, target.as_ref(), against, POINTS)?;
+    let dimension = match against {
+        Against::PrimeRadius | Against::Stroke => Dimension::Length,
+        Against::Velocity => Dimension::Speed,
+        Against::Acceleration => Dimension::Acceleration,
+        Against::Jerk => Dimension::Jerk,
+    };
+    let unit = Unit::of(dimension);
+    let language = words::current();
+    let points = front.iter().map(|point| {
+        let x = unit.factor * against.of(&point.design);
+        let y = point.design.force.rms_error_n;
+        json!({
+            "x": x, "y": y,
+            "shown": [unit.after(&number(language, round(x))), format!("{} N", number(language, round(y)))],
+            "key": format!("limits.{}", asked.against),
+            "value": unit.after(&format!("{}", unit.factor * point.allowed)).replace('°', " deg"),
+            "verdict": point.design.verdict.name(),
+        })
+    });
+    Ok(json!({"against": asked.against, "unit": unit.name, "points": points.collect::<Vec<_>>()}))
+}

@@ -1,0 +1,66 @@
+//! The page's files, held in the binary.
+
+use crate::http::Response;
+use gaitcam::wording::Language;
+
+const PAGE: &str = include_str!("../page/index.html");
+const HTML: &str = "text/html; charset=utf-8";
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+const STYLE: &str = "text/css; charset=utf-8";
+
+macro_rules! files {
+    ($($name:literal: $kind:expr),+ $(,)?) => {
+        &[$(($name, $kind, include_str!(concat!("../page/", $name)))),+]
+    };
+}
+
+/// Name, media type and contents.
+const FILES: &[(&str, &str, &str)] = files![
+    "style.css": STYLE,
+    "panels.css": STYLE,
+    "app.js": SCRIPT,
+    "chart.js": SCRIPT,
+    "charts.js": SCRIPT,
+    "clock.js": SCRIPT,
+    "compare.js": SCRIPT,
+    "dom.js": SCRIPT,
+    "exports.js": SCRIPT,
+    "files.js": SCRIPT,
+    "force.js": SCRIPT,
+    "form.js": SCRIPT,
+    "gallery.js": SCRIPT,
+    "net.js": SCRIPT,
+    "programme.js": SCRIPT,
+    "solver.js": SCRIPT,
+    "stage.js": SCRIPT,
+    "store.js": SCRIPT,
+    "text.js": SCRIPT,
+    "verdict.js": SCRIPT,
+    "view.js": SCRIPT,
+    "words.js": SCRIPT,
+];
+
+/// The page itself: its other files lie under `base`.
+pub fn page(base: &str, language: Language) -> Response {
+    let page = fresh("index.html").unwrap_or_else(|| PAGE.to_string());
+    let page = page
+        .replace("{base}", base)
+        .replace("{language}", language.tag());
+    Response::new(HTML, page)
+}
+
+/// One of its files.
+pub fn file(name: &str) -> Option<Response> {
+    let found = FILES.iter().find(|f| f.0 == name)?;
+    let text = fresh(name).unwrap_or_else(|| found.2.to_string());
+    Some(Response::new(found.1, text))
+}
+
+/// A file as it stands in the sources: builds for development show a changed page on reload.
+fn fresh(name: &str) -> Option<String> {
+    if !cfg!(debug_assertions) {
+        return None;
+    }
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/page");
+    std::fs::read_to_string(std::path::Path::new(page).join(name)).ok()
+}

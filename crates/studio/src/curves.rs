@@ -1,0 +1,380 @@
+//! Curves of a design over the cam's angle, in the units people use: what the diagrams show.
+
+use serde::Serialize;
+
+use gaitcam::cam::{Cam, Follower, Measures, ProfilePoint, Unit};
+use gaitcam::dynamics::hertz::{STEEL, line, modulus};
+use gaitcam::dynamics::rigid::touch::touch;
+use gaitcam::law::Svaj;
+use gaitcam::synth::Design;
+use gaitcam_output::curve;
+
+const MM: f64 = 1e3;
+/// Radii beyond this many prime radii are straight to the eye.
+const STRAIGHT: f64 = 3.0;
+
+/// Values below this part of a curve's largest are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// A number of the page: six digits are enough for a screen, what does not exist is null.
+type Shown = Option<f64>;
+
+fn short(x: f64) -> Shown {
+    if x == 0.0 || !x.is_finite() {
+        return x.is_finite().then_some(0.0);
+    }
+    let scale = 10_f64.powf(5.0 - x.abs().log10().floor());
+    let short = (x * scale).round() / scale;
+    Some(if short.is_finite() { short } else { x })
+}
+
+/// All curves of a design at the same angles.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Curves {
+    /// The angles (or travel), both sides of every break.
+    pub theta: Vec<Shown>,
+    /// First angle, one turn, unit.
+    pub start: f64,
+    /// One turn, or the travel.
+    pub length: f64,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The diagrams, force first.
+    pub panels: Vec<Panel>,
+    /// The contour of the cam with what colours it.
+    pub contour: Contour,
+    /// Where a limit acts or is broken.
+    pub places: Vec<Place>,
+}
+
+/// One diagram.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Panel {
+    /// What it shows: `force`, `s`, `v` …
+    pub id: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its curves by their part: `main`, `target`, `low`, `high`.
+    pub lines: Vec<Line>,
+    /// Limits, by value.
+    pub levels: Vec<Shown>,
+}
+
+/// A curve.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Line {
+    /// `main`, `target`, or an edge of a band: `low`, `high`.
+    pub role: &'static str,
+    /// Values at the angles.
+    pub y: Vec<Shown>,
+}
+
+/// The contour in the cam's frame, mm.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Contour {
+    x: Vec<Shown>,
+    y: Vec<Shown>,
+    /// Centre of curvature, and the radius with its sign.
+    centre_x: Vec<Shown>,
+    centre_y: Vec<Shown>,
+    radius: Vec<Shown>,
+    /// Direction of the normal away from the cam, degrees in the cam's frame.
+    normal: Vec<Shown>,
+    /// Radii of the circles, mm.
+    base: f64,
+    prime: f64,
+    /// Pressure angle, °; curvature, 1/m; force, N; Hertz pressure, MPa.
+    pressure_angle: Vec<Shown>,
+    curvature: Vec<Shown>,
+    force: Vec<Shown>,
+    hertz: Vec<Shown>,
+}
+
+/// A place on the contour where a limit acts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Place {
+    /// Name of the limit in data.
+    pub limit: String,
+    /// Where, in the unit of the angle.
+    pub theta: f64,
+    /// Where on the contour, mm.
+    pub x: f64,
+    /// Where on the contour, mm.
+    pub y: f64,
+    /// Whether the limit is broken there.
+    pub broken: bool,
+}
+
+/// What is known at one angle.
+struct Sample {
+    theta: f64,
+    at: Svaj,
+    force: f64,
+    point: ProfilePoint,
+}
+
+/// The curves of a design.
+pub fn curves(design: &Design) -> Curves {
+    let cam = &design.cam;
+    let measures = cam.follower.measures();
+    let angle = measures.angle();
+    let (start, length) = cam.law.extent();
+    let samples = samples(design);
+    Curves {
+        theta: samples
+            .iter()
+            .map(|s| short(angle.factor * s.theta))
+            .collect(),
+        start: angle.factor * start,
+        length: angle.factor * length,
+        unit: angle.name,
+        panels: panels(design, &samples),
+        contour: contour(design, &samples),
+        places: places(design),
+    }
+}
+
+fn samples(design: &Design) -> Vec<Sample> {
+    let mut drive = design.drive;
+    if design.is_idle() {
+        // Where nothing presses, the force of one unit of moved mass is shown.
+        drive.mass = 1.0;
+    }
+    let force = |theta: f64, at: Svaj| match &design.end {
+        Some(end) => drive.force(end.law.svaj(theta)),
+        None => drive.force(at),
+    };
+    let cam = &design.cam;
+    let motion = curve::motion(&cam.law).into_iter();
+    motion
+        .map(|(theta, at)| Sample {
+            theta,
+            at,
+            force: force(theta, at),
+            point: cam.point(theta),
+        })
+        .collect()
+}
+
+fn line_of(role: &'static str, samples: &[Sample], value: impl Fn(&Sample) -> f64) -> Line {
+    let y: Vec<f64> = samples.iter().map(value).collect();
+    let most = y
+        .iter()
+        .filter(|x| x.is_finite())
+        .fold(0.0_f64, |m, x| m.max(x.abs()));
+    // What is left of a difference of large numbers is shown as nothing.
+    let shown = |x: f64| short(if x.abs() < ROUNDING * most { 0.0 } else { x });
+    let y = y.into_iter().map(shown).collect();
+    Line { role, y }
+}
+
+fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
+    let measures = design.cam.follower.measures();
+    let speed = design.drive.speed;
+    let mut out = vec![force(design, samples)];
+    let picks: [(&str, fn(&Svaj) -> f64); 4] = [
+        ("s", |m| m.s),
+        ("v", |m| m.v),
+        ("a", |m| m.a),
+        ("j", |m| m.j),
+    ];
+    for (order, (id, pick)) in picks.into_iter().enumerate() {
+        let unit = if order == 0 {
+            measures.lift(0)
+        } else {
+            measures.by_time(order)
+        };
+        let factor = unit.factor * speed.powi(order as i32);
+        let line = line_of("main", samples, |s| factor * pick(&s.at));
+        out.push(panel(design, id, unit, vec![line]));
+    }
+    out.push(radius(design, samples));
+    out.push(contact(design, samples));
+    let torque = if measures == Measures::Straight {
+        "N"
+    } else {
+        "N·m"
+    };
+    let unit = |name| Unit { factor: 1.0, name };
+    let line = line_of("main", samples, |s| s.force * s.at.v);
+    out.push(panel(design, "torque", unit(torque), vec![line]));
+    let line = line_of("main", samples, |s| s.force * s.at.v * speed);
+    out.push(panel(design, "power", unit("W"), vec![line]));
+    out
+}
+
+fn panel(design: &Design, id: &'static str, unit: Unit, lines: Vec<Line>) -> Panel {
+    Panel {
+        id,
+        unit: unit.name,
+        lines,
+        levels: levels(design, id, unit.factor),
+    }
+}
+
+fn force(design: &Design, samples: &[Sample]) -> Panel {
+    let law = &design.cam.law;
+    let unit = design.cam.follower.measures().force();
+    let mut lines = vec![line_of("main", samples, |s| s.force)];
+    if let Some(target) = &design.target {
+        lines.push(line_of("target", samples, |s| {
+            curve::target_at(target, law, s.theta)
+        }));
+    }
+    if let Some([low, high]) = &design.band {
+        lines.push(line_of("low", samples, |s| {
+            curve::target_at(low, law, s.theta)
+        }));
+        lines.push(line_of("high", samples, |s| {
+            curve::target_at(high, law, s.theta)
+        }));
+    }
+    panel(design, "force", unit, lines)
+}
+
+fn radius(design: &Design, samples: &[Sample]) -> Panel {
+    let cam = &design.cam;
+    let most = STRAIGHT * cam.follower.prime_radius().max(cam.law.stroke());
+    let rho = |s: &Sample| {
+        if s.point.rho.abs() > most {
+            f64::NAN
+        } else {
+            MM * s.point.rho
+        }
+    };
+    let unit = Unit {
+        factor: MM,
+        name: "mm",
+    };
+    panel(design, "radius", unit, vec![line_of("main", samples, rho)])
+}
+
+/// Pressure angle, or the contact's travel on a flat face.
+fn contact(design: &Design, samples: &[Sample]) -> Panel {
+    let cam = &design.cam;
+    if cam.contact_travel().is_some() {
+        let unit = Unit {
+            factor: MM,
+            name: "mm",
+        };
+        let line = line_of("main", samples, |s| MM * cam.contact_along(s.at));
+        return panel(design, "contact", unit, vec![line]);
+    }
+    let angle = |s: &Sample| match &design.groove {
+        Some(groove) => groove.pressure_angle(s.theta, groove.depth().0),
+        None => s.point.pressure_angle,
+    };
+    let unit = Unit {
+        factor: 180.0 / std::f64::consts::PI,
+        name: "°",
+    };
+    let line = line_of("main", samples, |s| angle(s).to_degrees());
+    panel(design, "pressure-angle", unit, vec![line])
+}
+
+/// Limits that stand in a diagram; those of an absolute value on both sides.
+fn levels(design: &Design, id: &str, factor: f64) -> Vec<Shown> {
+    let mut out = Vec::new();
+    for check in &design.checks {
+        let level = short(factor * check.limit);
+        match (id, check.name.as_str()) {
+            ("force", "force_min" | "force_max") | ("radius", "curvature") => out.push(level),
+            ("v", "velocity") | ("a", "acceleration") | ("j", "jerk") | ("torque", "torque") => {
+                out.extend([level, level.map(|x| -x)]);
+            }
+            ("power", "power") | ("pressure-angle", "pressure_angle_rise") => out.push(level),
+            ("pressure-angle", "pressure_angle") => out.extend([level, level.map(|x| -x)]),
+            ("pressure-angle", "pressure_angle_fall") => out.push(level.map(|x| -x.abs())),
+            _ => {}
+        }
+    }
+    out.retain(Option::is_some);
+    out
+}
+
+fn contour(design: &Design, samples: &[Sample]) -> Contour {
+    let cam = &design.cam;
+    let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
+        samples.iter().map(|s| short(value(s))).collect()
+    };
+    let normal = |s: &Sample| normal(cam, s);
+    let most = 20.0 * cam.follower.prime_radius();
+    let bent = |s: &Sample| {
+        if s.point.rho.abs() > most {
+            f64::NAN
+        } else {
+            s.point.rho
+        }
+    };
+    Contour {
+        x: all(&|s| MM * s.point.x),
+        y: all(&|s| MM * s.point.y),
+        centre_x: all(&|s| MM * (s.point.x - bent(s) * normal(s).cos())),
+        centre_y: all(&|s| MM * (s.point.y - bent(s) * normal(s).sin())),
+        radius: all(&|s| MM * bent(s)),
+        normal: all(&|s| normal(s).to_degrees()),
+        base: MM * cam.follower.base_radius(),
+        prime: MM * cam.follower.prime_radius(),
+        pressure_angle: all(&|s| s.point.pressure_angle.to_degrees().abs()),
+        curvature: all(&|s| 1.0 / s.point.rho),
+        force: all(&|s| s.force),
+        hertz: all(&|s| hertz(design, s)),
+    }
+}
+
+/// Direction of the contact's normal in the cam's frame, rad.
+fn normal(cam: &Cam, s: &Sample) -> f64 {
+    let [x, y] = cam.motion(s.theta);
+    let turned = match cam.follower {
+        Follower::TranslatingCam { .. } | Follower::Barrel { .. } => 0.0,
+        _ => s.theta,
+    };
+    y.atan2(x) + s.point.pressure_angle - turned
+}
+
+/// Hertz pressure of steel on steel, MPa; none where nothing presses.
+fn hertz(design: &Design, s: &Sample) -> f64 {
+    let follower = &design.cam.follower;
+    let sharp = !follower.is_flat() && follower.roller_radius() == 0.0;
+    if design.is_idle() || sharp || s.force <= 0.0 {
+        return f64::NAN;
+    }
+    let here = touch(follower, design.drive.speed.abs(), 0.0, s.at, s.force);
+    1e-6 * line(
+        here.normal,
+        design.thickness,
+        here.curvature,
+        modulus(STEEL, STEEL),
+    )
+    .pressure
+}
+
+/// Where limits act or are broken, each once.
+fn places(design: &Design) -> Vec<Place> {
+    let cam = &design.cam;
+    let factor = cam.follower.measures().angle().factor;
+    let acting = design
+        .binding
+        .iter()
+        .map(|b| (b.limit.as_str(), b.at, false));
+    let broken = design.checks.iter().filter(|c| !c.pass && c.at.is_finite());
+    let broken = broken.map(|c| (c.name.as_str(), c.at, true));
+    let mut out: Vec<Place> = Vec::new();
+    for (limit, at, broken) in broken.chain(acting) {
+        let theta = factor * at;
+        let near = |p: &Place| p.limit == limit && (p.theta - theta).abs() < 0.5;
+        if out.iter().any(near) || out.len() >= 24 {
+            continue;
+        }
+        let point = cam.point(at);
+        let (limit, x, y) = (limit.to_string(), MM * point.x, MM * point.y);
+        out.push(Place {
+            limit,
+            theta,
+            x,
+            y,
+            broken,
+        });
+    }
+    out
+}

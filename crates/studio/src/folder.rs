@@ -1,0 +1,230 @@
+//! The opened folder: what lies in it may be read, new files may be written, nothing outside is touched.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Component, Path, PathBuf};
+
+use serde::Serialize;
+
+use crate::fault::StudioError;
+use gaitcam::error::{Error, Place, Result};
+
+/// Largest file that is read, bytes.
+const LARGEST: u64 = 256 << 20;
+/// Files listed at most, and folders looked into below the opened one.
+const LISTED: usize = 500;
+const DEPTH: usize = 3;
+
+/// The opened folder.
+pub struct Folder {
+    root: PathBuf,
+}
+
+/// A file of the folder that the page may open.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+pub struct Listed {
+    /// Its path in the folder, with `/`.
+    pub path: String,
+    /// Whether it is a scene rather than a recording.
+    pub scene: bool,
+}
+
+impl Folder {
+    /// Opens a folder.
+    ///
+    /// # Errors
+    /// Where it is not there.
+    pub fn open(path: &Path) -> Result<Folder> {
+        let root = fs::canonicalize(path).map_err(|e| unread(path, &e))?;
+        Ok(Folder { root })
+    }
+
+    /// Its path.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// The true path of a file in the folder.
+    ///
+    /// # Errors
+    /// Paths that lead out of the folder, by `..`, from the root or through a link; files that are not there.
+    pub fn find(&self, path: &Path) -> Result<PathBuf> {
+        let outside = || Error::from(StudioError::Outside).at(Place::File(path.to_path_buf()));
+        let upwards = path.components().any(|c| c == Component::ParentDir);
+        if upwards {
+            return Err(outside());
+        }
+        let found = fs::canonicalize(self.root.join(path)).map_err(|e| unread(path, &e))?;
+        if found.starts_with(&self.root) {
+            Ok(found)
+        } else {
+            Err(outside())
+        }
+    }
+
+    /// A file of the folder.
+    ///
+    /// # Errors
+    /// As [`Folder::find`]; what is no plain file, or too large.
+    pub fn read(&self, path: &Path) -> Result<Vec<u8>> {
+        let found = self.find(path)?;
+        let about = fs::metadata(&found).map_err(|e| unread(path, &e))?;
+        if !about.is_file() || about.len() > LARGEST {
+            let mib = LARGEST >> 20;
+            return Err(
+                Error::from(StudioError::NoFile { mib }).at(Place::File(path.to_path_buf()))
+            );
+        }
+        fs::read(found).map_err(|e| unread(path, &e))
+    }
+
+    /// Writes a new file under a plain name and returns the name: that of the first free number where it is
+    /// taken (`walk.toml`, `walk-2.toml`). Nothing is ever replaced.
+    ///
+    /// # Errors
+    /// Names that are no plain file names; folders that take no files.
+    pub fn write_new(&self, name: &str, bytes: &[u8]) -> Result<String> {
+        let plain = !name.is_empty()
+            && !name.starts_with('.')
+            && !name
+                .chars()
+                .any(|c| c.is_control() || "/\\:*?\"<>|".contains(c));
+        if !plain {
+            let name = name.to_string();
+            return Err(StudioError::FileName { name }.into());
+        }
+        let (stem, ending) = name.rsplit_once('.').unwrap_or((name, "toml"));
+        for number in 1.. {
+            let name = match number {
+                1 => format!("{stem}.{ending}"),
+                k => format!("{stem}-{k}.{ending}"),
+            };
+            let path = self.root.join(&name);
+            // An equal file needs no second one.
+            if fs::read(&path).is_ok_and(|old| old == bytes) {
+                return Ok(name);
+            }
+            match place(&path, bytes) {
+                Ok(()) => return Ok(name),
+                Err(e) if e.kind() == std::io::ErrorKind::AlreadyExists => {}
+                Err(e) => {
+                    let fault = e.to_string();
+                    return Err(
+                        Error::from(StudioError::CannotWrite { fault }).at(Place::File(path))
+                    );
+                }
+            }
+        }
+        Ok(name.to_string())
+    }
+
+    /// Scenes and recordings in the folder.
+    pub fn list(&self) -> Vec<Listed> {
+        let mut out = Vec::new();
+        self.look(&self.root, 0, &mut out);
+        out.sort();
+        out
+    }
+
+    fn look(&self, folder: &Path, depth: usize, out: &mut Vec<Listed>) {
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let (path, name) = (entry.path(), entry.file_name());
+            let Ok(kind) = entry.file_type() else {
+                continue;
+            };
+            if out.len() >= LISTED || name.to_string_lossy().starts_with('.') {
+                continue;
+            }
+            if kind.is_dir() && depth < DEPTH && name != "target" && name != "node_modules" {
+                self.look(&path, depth + 1, out);
+            }
+            let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+            let scene = match ending.as_deref() {
+                Some("toml") => is_scene(&path),
+                Some("c3d" | "mot" | "sto") => false,
+                Some("csv" | "txt" | "tsv") if depth == 0 => false,
+                _ => continue,
+            };
+            let recording = !path.extension().is_some_and(|e| e == "toml");
+            if let (true, true, Ok(inside)) = (
+                kind.is_file(),
+                scene || recording,
+                path.strip_prefix(&self.root),
+            ) {
+                let parts = inside.components().map(|c| c.as_os_str().to_string_lossy());
+                let path = parts.collect::<Vec<_>>().join("/");
+                out.push(Listed { path, scene });
+            }
+        }
+    }
+}
+
+/// Whether a TOML file has one of a scene's tables.
+fn is_scene(path: &Path) -> bool {
+    let small = fs::metadata(path).is_ok_and(|m| m.len() < 1 << 20);
+    let text = if small {
+        fs::read_to_string(path).unwrap_or_default()
+    } else {
+        String::new()
+    };
+    let tables = ["[cam]", "[gait]", "[law]", "[drive]", "[limits]"];
+    text.lines().any(|line| tables.contains(&line.trim()))
+}
+
+/// Writes a file that must not be there yet, whole or not at all.
+fn place(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(format!(".{}.partial", std::process::id()));
+    let beside = PathBuf::from(beside);
+    let written = fs::File::create(&beside)
+        .and_then(|mut file| file.write_all(bytes))
+        // A hard link fails where the name is taken; renaming would replace.
+        .and_then(|()| fs::hard_link(&beside, path));
+    let _ = fs::remove_file(&beside);
+    written
+}
+
+fn unread(path: &Path, e: &std::io::Error) -> Error {
+    let fault = e.to_string();
+    Error::from(StudioError::CannotRead { fault }).at(Place::File(path.to_path_buf()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_file_never_takes_the_place_of_another() {
+        let here = tempfile::tempdir().unwrap();
+        let folder = Folder::open(here.path()).unwrap();
+        assert_eq!(folder.write_new("a.toml", b"one").unwrap(), "a.toml");
+        assert_eq!(folder.write_new("a.toml", b"two").unwrap(), "a-2.toml");
+        assert_eq!(folder.write_new("a.toml", b"one").unwrap(), "a.toml");
+        assert_eq!(fs::read(here.path().join("a.toml")).unwrap(), b"one");
+        assert_eq!(fs::read_dir(here.path()).unwrap().count(), 2);
+        for name in ["../a.toml", "a/b.toml", "", ".toml", "a\0.toml", "C:a"] {
+            assert!(folder.write_new(name, b"x").is_err(), "{name:?}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn neither_dots_nor_roots_nor_links_lead_out() {
+        let here = tempfile::tempdir().unwrap();
+        let (inside, secret) = (here.path().join("open"), here.path().join("secret.csv"));
+        fs::create_dir(&inside).unwrap();
+        fs::write(&secret, b"secret").unwrap();
+        fs::write(inside.join("own.csv"), b"own").unwrap();
+        std::os::unix::fs::symlink(&secret, inside.join("link.csv")).unwrap();
+        let folder = Folder::open(&inside).unwrap();
+        assert_eq!(folder.read(Path::new("own.csv")).unwrap(), b"own");
+        for path in [
+            "../secret.csv",
+            "link.csv",
+            "x/../../secret.csv",
+            "/etc/passwd",
+        ] {
+            assert!(folder.read(Path::new(path)).is_err(), "{path}");
+        }
+    }
+}

@@ -1,0 +1,249 @@
+//! What the fields of the form hold for one scene: text, placeholder, slider.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use toml::{Table, Value};
+
+use gaitcam::cam::Unit;
+use gaitcam::scene::Scene;
+use gaitcam::scene::keys::{KEYS, Key, Kind, Range};
+use gaitcam::synth::{Design, Figures, MachineReport};
+use gaitcam::units::{Dimension, parse};
+
+/// A field of the form.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Field {
+    /// What the scene file has; empty where it has nothing.
+    pub text: String,
+    /// What holds then: the settled value, or the default.
+    pub placeholder: String,
+    /// Whether it changes something in this scene.
+    pub acts: bool,
+    /// The slider, where a range makes sense.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slider: Option<Slider>,
+}
+
+/// A slider in the unit of its field.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Slider {
+    /// Its ends.
+    pub from: f64,
+    /// Its ends.
+    pub to: f64,
+    /// Its step.
+    pub step: f64,
+    /// Where it stands.
+    pub at: f64,
+    /// What stands behind the number in a scene file, blank included; empty for a count.
+    pub unit: String,
+}
+
+/// The fields that a scene has, by their keys; a list's entries under their own numbers.
+pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
+    let present = design.map(|d| (Figures::of(d), d.machine()));
+    let mut out = BTreeMap::new();
+    for key in KEYS.iter().filter(|k| k.exists(scene)) {
+        let count = key.list().map_or(1, |list| length(table, list));
+        for index in 0..count {
+            let path = key.path_at(index);
+            let text = typed(table, &path);
+            let settled = settled(key.path, scene, present.as_ref());
+            let slider = slider(key, scene, index, &text, settled);
+            let placeholder = match settled.zip(key.dimension(scene)) {
+                Some((value, dimension)) if text.is_empty() || text == "auto" => {
+                    shown(value, dimension)
+                }
+                _ => key.default.to_string(),
+            };
+            let acts = key.idle(scene).is_none();
+            out.insert(
+                path,
+                Field {
+                    text,
+                    placeholder,
+                    acts,
+                    slider,
+                },
+            );
+        }
+    }
+    out
+}
+
+fn at<'t>(table: &'t Table, path: &str) -> Option<&'t Value> {
+    let (first, rest) = path
+        .split_once('.')
+        .map_or((path, None), |(f, r)| (f, Some(r)));
+    let value = table.get(first)?;
+    match (value, rest) {
+        (value, None) => Some(value),
+        (Value::Table(inner), Some(rest)) => at(inner, rest),
+        (Value::Array(list), Some(rest)) => {
+            let (number, rest) = rest.split_once('.')?;
+            let entry = list.get(number.parse::<usize>().ok()?.checked_sub(1)?)?;
+            at(entry.as_table()?, rest)
+        }
+        _ => None,
+    }
+}
+
+fn length(table: &Table, list: &str) -> usize {
+    at(table, list)
+        .and_then(Value::as_array)
+        .map_or(0, Vec::len)
+}
+
+/// A value as a field shows it: texts without their quotes; empty where the scene has none.
+pub fn typed(table: &Table, path: &str) -> String {
+    match at(table, path) {
+        None => String::new(),
+        Some(Value::String(text)) => text.clone(),
+        Some(Value::Array(list)) if list.iter().all(Value::is_str) && list.len() == 1 => {
+            list[0].as_str().unwrap_or("").to_string()
+        }
+        Some(value) => value.to_string(),
+    }
+}
+
+/// The value that a design has where the scene leaves it open, SI.
+fn settled(path: &str, scene: &Scene, present: Option<&(Figures, MachineReport)>) -> Option<f64> {
+    let (f, machine) = present?;
+    let value = match path {
+        "cam.base_radius" => f.base_radius,
+        "cam.prime_radius" | "limits.prime_radius" => f.prime_radius,
+        "cam.offset" => f.offset,
+        "drive.mass" => f.mass,
+        "drive.speed" => f.speed,
+        "gait.step_frequency" => scene
+            .gait
+            .as_ref()?
+            .step_frequency
+            .unwrap_or(f.speed / std::f64::consts::PI),
+        "gait.body_weight" => scene.gait.as_ref()?.model_weight(),
+        "limits.stroke" => f.stroke,
+        "limits.velocity" => f.peaks[0],
+        "limits.acceleration" => f.peaks[1],
+        "limits.jerk" => f.peaks[2],
+        "limits.force_min" => f.force.min_n,
+        "limits.force_max" => f.force.max_n,
+        "limits.curvature" => f.smallest_convex_radius,
+        "limits.pressure_angle" => f.largest_pressure_angle,
+        "limits.face_width" => f.face_width?,
+        "limits.torque" => machine.torque_max_n_m?,
+        "limits.power" => machine.power_max_w?,
+        "limits.hertz_pressure" => machine.hertz_pressure_max_pa?,
+        "accuracy.rms" => f.force.rms_error_percent_of_mean / 100.0,
+        _ => return None,
+    };
+    value.is_finite().then_some(value)
+}
+
+/// A number in the unit that people use and scenes take.
+fn shown(value: f64, dimension: Dimension) -> String {
+    let unit = Unit::of(dimension);
+    let (number, name) = (short(value * unit.factor), unit.name);
+    match name {
+        "" => number,
+        "°" => format!("{number} deg"),
+        _ => format!("{number} {name}"),
+    }
+}
+
+/// Four significant digits without trailing zeros.
+fn short(value: f64) -> String {
+    let text = format!("{value:.3e}");
+    text.parse::<f64>().map_or(text, |x| format!("{}", x + 0.0))
+}
+
+fn slider(
+    key: &Key,
+    scene: &Scene,
+    index: usize,
+    text: &str,
+    settled: Option<f64>,
+) -> Option<Slider> {
+    if let Kind::Count(low, high) = key.kind {
+        let at = text.parse::<f64>().ok()?;
+        let most = (high as f64).min((3.0 * at).max(12.0));
+        return Some(Slider {
+            from: low as f64,
+            to: most,
+            step: 1.0,
+            at,
+            unit: String::new(),
+        });
+    }
+    let dimension = key.dimension(scene)?;
+    let value = key
+        .get(scene, index)
+        .and_then(gaitcam::scene::keys::Value::number);
+    // A field that is left open shows what the design has; a key without it starts at nothing to slide from.
+    let value = value.or(settled)?;
+    let unit = unit_of(text, dimension);
+    let factor = parse(&format!("1{unit}"), dimension)
+        .ok()
+        .filter(|f| *f > 0.0)?;
+    let at = value / factor;
+    let (from, to) = ends(key.range, dimension, at, factor)?;
+    let step = 10_f64.powf(((to - from) / 300.0).log10().floor());
+    let round = |x: f64| (x / step).round() * step;
+    Some(Slider {
+        from: round(from).max(lowest(key.range, step)),
+        to: round(to),
+        step,
+        at,
+        unit,
+    })
+}
+
+/// A positive number cannot slide to nothing.
+fn lowest(range: Range, step: f64) -> f64 {
+    match range {
+        Range::Positive | Range::Acute => step,
+        Range::NotNegative => 0.0,
+        _ => f64::NEG_INFINITY,
+    }
+}
+
+fn ends(range: Range, dimension: Dimension, at: f64, factor: f64) -> Option<(f64, f64)> {
+    let ends = match range {
+        Range::Acute => (0.0, 80_f64.to_radians() / factor),
+        Range::Between(low, high)
+            if high.is_finite() && high / factor < 100.0 * at.abs().max(0.01) =>
+        {
+            (low / factor, high / factor)
+        }
+        Range::Any if dimension == Dimension::Angle => {
+            let half = std::f64::consts::PI / factor;
+            (-half, half)
+        }
+        Range::Any if at < 0.0 => (2.5 * at, -at),
+        Range::Any if at == 0.0 => {
+            let size = 0.05 / factor;
+            (-size, size)
+        }
+        Range::Any => (-0.5 * at, 2.5 * at),
+        _ if at > 0.0 => (0.2 * at, 2.5 * at),
+        _ => return None,
+    };
+    Some(ends)
+}
+
+/// The unit as typed, or the one that people use, with the blank before it.
+fn unit_of(text: &str, dimension: Dimension) -> String {
+    let number = |c: char| c.is_ascii_digit() || "+-.".contains(c);
+    let typed = text.trim().trim_start_matches(number).trim();
+    if text.starts_with(number)
+        && !typed.is_empty()
+        && parse(&format!("1 {typed}"), dimension).is_ok()
+    {
+        return format!(" {typed}");
+    }
+    match Unit::of(dimension).name {
+        "" => String::new(),
+        "°" => " deg".to_string(),
+        name => format!(" {name}"),
+    }
+}

@@ -1,0 +1,166 @@
+//! The head of a request: method, address, the headers that matter here.
+
+use super::{Response, Status};
+
+/// Most headers of a request.
+const HEADERS: usize = 64;
+
+/// What a request wants to do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Read.
+    Get,
+    /// Read without the body.
+    Head,
+    /// Send and read.
+    Post,
+}
+
+/// The head of a request.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Head {
+    /// What it wants.
+    pub method: Method,
+    /// The path, percent signs decoded.
+    pub path: String,
+    /// The query as pairs, decoded.
+    pub query: Vec<(String, String)>,
+    /// The `Host` headers, all of them.
+    pub hosts: Vec<String>,
+    /// The `Origin` header.
+    pub origin: Option<String>,
+    /// Length of the body.
+    pub length: usize,
+    /// The client waits for leave to send its body.
+    pub expects: bool,
+    /// The connection ends after the answer.
+    pub closes: bool,
+}
+
+impl Head {
+    /// The value of a query's name.
+    pub fn asked(&self, name: &str) -> Option<&str> {
+        let found = self.query.iter().find(|(n, _)| n == name);
+        found.map(|(_, value)| value.as_str())
+    }
+
+    /// Reads a head with its length in bytes; `None` while it is incomplete.
+    ///
+    /// # Errors
+    /// The refusal of a head that is none, or asks for what this server does not do.
+    pub fn read(bytes: &[u8]) -> Result<Option<(Head, usize)>, Response> {
+        let mut headers = [httparse::EMPTY_HEADER; HEADERS];
+        let mut parsed = httparse::Request::new(&mut headers);
+        let length = match parsed.parse(bytes) {
+            Ok(httparse::Status::Complete(length)) => length,
+            Ok(httparse::Status::Partial) => return Ok(None),
+            Err(_) => return Err(Response::refusal(Status::BadRequest)),
+        };
+        Head::of(&parsed).map(|head| Some((head, length)))
+    }
+
+    fn of(parsed: &httparse::Request) -> Result<Head, Response> {
+        let bad = || Response::refusal(Status::BadRequest);
+        let method = match parsed.method {
+            Some("GET") => Method::Get,
+            Some("HEAD") => Method::Head,
+            Some("POST") => Method::Post,
+            _ => return Err(Response::refusal(Status::MethodNotAllowed)),
+        };
+        let target = parsed.path.unwrap_or("/");
+        let (path, query) = target.split_once('?').unwrap_or((target, ""));
+        let mut head = Head {
+            method,
+            path: decoded(path).ok_or_else(bad)?,
+            query: pairs(query).ok_or_else(bad)?,
+            hosts: Vec::new(),
+            origin: None,
+            length: 0,
+            expects: false,
+            closes: parsed.version == Some(0),
+        };
+        for header in parsed.headers.iter() {
+            let value = std::str::from_utf8(header.value).map_err(|_| bad())?;
+            head.take(header.name, value.trim())?;
+        }
+        Ok(head)
+    }
+
+    fn take(&mut self, name: &str, value: &str) -> Result<(), Response> {
+        match name.to_ascii_lowercase().as_str() {
+            "host" => self.hosts.push(value.to_string()),
+            "origin" => self.origin = Some(value.to_string()),
+            "content-length" => {
+                let length = value.parse().ok().filter(|_| self.length == 0);
+                self.length = length.ok_or_else(|| Response::refusal(Status::BadRequest))?;
+            }
+            "transfer-encoding" => return Err(Response::refusal(Status::LengthRequired)),
+            "expect" => self.expects = value.eq_ignore_ascii_case("100-continue"),
+            "connection" if value.eq_ignore_ascii_case("close") => self.closes = true,
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+fn pairs(query: &str) -> Option<Vec<(String, String)>> {
+    let given = query.split('&').filter(|pair| !pair.is_empty());
+    given
+        .map(|pair| {
+            let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
+            Some((decoded(name)?, decoded(&value.replace('+', " "))?))
+        })
+        .collect()
+}
+
+/// A text with its percent signs decoded; `None` where they encode no text.
+fn decoded(text: &str) -> Option<String> {
+    let mut out = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let [first, more @ ..] = rest {
+        rest = more;
+        if *first != b'%' {
+            out.push(*first);
+            continue;
+        }
+        let code = more.get(..2).and_then(|c| std::str::from_utf8(c).ok())?;
+        out.push(u8::from_str_radix(code, 16).ok()?);
+        rest = &more[2..];
+    }
+    String::from_utf8(out).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn head(text: &str) -> Result<Option<(Head, usize)>, Response> {
+        Head::read(text.as_bytes())
+    }
+
+    #[test]
+    fn addresses_are_decoded_and_queries_split() {
+        let text = "GET /a%20b?token=1%2b2&x=y+z HTTP/1.1\r\nHost: h\r\n\r\nrest";
+        let (head, length) = head(text).unwrap().unwrap();
+        assert_eq!(head.path, "/a b");
+        assert_eq!(head.asked("token"), Some("1+2"));
+        assert_eq!(head.asked("x"), Some("y z"));
+        assert_eq!(length, text.len() - 4);
+    }
+
+    #[test]
+    fn a_head_in_pieces_waits_and_a_broken_one_is_refused() {
+        assert_eq!(head("GET / HTTP/1.1\r\nHo").unwrap(), None);
+        for broken in [
+            "\0\0\0\r\n\r\n",
+            "GET /%zz HTTP/1.1\r\n\r\n",
+            "GET /%ff HTTP/1.1\r\n\r\n",
+            "POST / HTTP/1.1\r\nContent-Length: -4\r\n\r\n",
+            "POST / HTTP/1.1\r\nContent-Length: 4\r\nContent-Length: 5\r\n\r\n",
+            "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n",
+            "DELETE / HTTP/1.1\r\n\r\n",
+        ] {
+            assert!(head(broken).is_err(), "{broken:?}");
+        }
+    }
+}

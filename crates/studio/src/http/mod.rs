@@ -1,0 +1,32 @@
+//! HTTP/1.1 for one person on one machine: `httparse` reads the heads, one thread serves a connection.
+//!
+//! A server of its own because limits and time-outs must hold before a body is read: the ready-made small servers have
+//! neither. No chunked bodies, no compression, no ranges.
+
+mod connection;
+mod head;
+mod response;
+mod server;
+
+pub use head::{Head, Method};
+pub use response::{Response, Status};
+pub use server::Server;
+
+/// A request with its body.
+#[derive(Debug)]
+pub struct Request {
+    /// Method, address and headers.
+    pub head: Head,
+    /// The body, as long as its head said.
+    pub body: Vec<u8>,
+}
+
+/// What a server asks: first about the head alone, then with the body.
+pub trait Service: Send + Sync + 'static {
+    /// Whether the request may go on; otherwise the refusal.
+    fn admit(&self, head: &Head) -> Result<(), Response>;
+    /// The largest body for this address, bytes.
+    fn most(&self, head: &Head) -> usize;
+    /// The answer.
+    fn answer(&self, request: &Request) -> Response;
+}

@@ -1,0 +1,131 @@
+//! Where the wanted force comes from: load models, recordings of the folder, files dropped on the page.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::SystemTime;
+
+use crate::folder::Folder;
+use crate::recent::Recent;
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::{self, ForceCurve, ReadOptions};
+use gaitcam::scene::{Gait, Scene, Source};
+
+/// The curves that built-in scenes name, under the path they name.
+const BUILT_IN: &[(&str, &[u8])] = &[(
+    "../data/gait_curves/heel_tester_critical_points.csv",
+    include_bytes!("../../../data/gait_curves/heel_tester_critical_points.csv"),
+)];
+
+/// Dropped files and mean cycles that are kept.
+const DROPPED: usize = 12;
+const CURVES: usize = 12;
+
+/// Files dropped on the page, held in memory, and the curves of late.
+pub struct Sources {
+    dropped: Mutex<Recent<String, Arc<Vec<u8>>>>,
+    curves: Mutex<Recent<String, ForceCurve>>,
+}
+
+impl Sources {
+    /// Nothing dropped yet.
+    pub fn new() -> Sources {
+        Sources {
+            dropped: Mutex::new(Recent::new(DROPPED)),
+            curves: Mutex::new(Recent::new(CURVES)),
+        }
+    }
+
+    /// Keeps a dropped file under its name.
+    pub fn drop_file(&self, name: &str, bytes: Vec<u8>) {
+        crate::lock(&self.dropped).put(name.to_string(), Arc::new(bytes));
+    }
+
+    /// A file by the name that a scene gives it: a dropped one first, then one that came with the program, then one of
+    /// the folder.
+    ///
+    /// # Errors
+    /// As [`Folder::read`].
+    pub fn bytes(&self, folder: &Folder, path: &Path) -> Result<Arc<Vec<u8>>> {
+        if let Some(bytes) = self.dropped(path) {
+            return Ok(bytes);
+        }
+        if let Some((_, bytes)) = BUILT_IN.iter().find(|b| Path::new(b.0) == path) {
+            return Ok(Arc::new(bytes.to_vec()));
+        }
+        folder.read(path).map(Arc::new)
+    }
+
+    /// A dropped file.
+    pub fn dropped(&self, path: &Path) -> Option<Arc<Vec<u8>>> {
+        crate::lock(&self.dropped).get(&path.to_string_lossy().into_owned())
+    }
+
+    /// The force curve that a scene names, if it names one.
+    ///
+    /// # Errors
+    /// Faults of the load model, the file or the recording.
+    pub fn target(&self, folder: &Folder, scene: &Scene) -> Result<Option<ForceCurve>> {
+        let Some(gait) = &scene.gait else {
+            return Ok(None);
+        };
+        let key = self.key(folder, gait);
+        if let Some(curve) = crate::lock(&self.curves).get(&key) {
+            return Ok(Some(curve));
+        }
+        let curve = match &gait.source {
+            Source::Model(name) => {
+                let weight = gait.model_weight();
+                force::model(name, gait.step_frequency, weight, gait.feet)
+                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))?
+            }
+            Source::File(path) => {
+                let bytes = self.bytes(folder, path)?;
+                force::force_curve(path, &bytes, &self.options(folder, gait, path)?, gait.feet)?
+            }
+        };
+        crate::lock(&self.curves).put(key, curve.clone());
+        Ok(Some(curve))
+    }
+
+    /// How a scene wants its recording read.
+    ///
+    /// # Errors
+    /// Units that name nothing.
+    pub fn options(&self, folder: &Folder, gait: &Gait, path: &Path) -> Result<ReadOptions> {
+        let at = |e: Error| e.at(Place::Key("gait.unit".to_string()));
+        let unit = gait.unit.as_deref().map(|u| u.parse().map_err(at));
+        let subjects = force::metadata_name(path).and_then(|p| self.bytes(folder, &p).ok());
+        Ok(ReadOptions {
+            time: gait.time.clone(),
+            force: gait.force.clone(),
+            unit: unit.transpose()?,
+            rate_hz: gait.rate,
+            mass_kg: gait.mass,
+            metadata: subjects.map(|bytes| bytes.to_vec()),
+        })
+    }
+
+    /// What a curve depends on: the scene's words about it, and the file as it stands.
+    fn key(&self, folder: &Folder, gait: &Gait) -> String {
+        let stamp = match &gait.source {
+            Source::Model(_) => String::new(),
+            Source::File(path) => self.stamp(folder, path),
+        };
+        let (source, feet) = (&gait.source, gait.feet);
+        let model = (gait.step_frequency, gait.body_weight);
+        let read = (&gait.time, &gait.force, &gait.unit, gait.rate, gait.mass);
+        format!("{source:?} {feet:?} {model:?} {read:?} {stamp}")
+    }
+
+    fn stamp(&self, folder: &Folder, path: &PathBuf) -> String {
+        if let Some(bytes) = self.dropped(path) {
+            // The same allocation is the same file: a new one under the same name is another.
+            return format!("{:p}", Arc::as_ptr(&bytes));
+        }
+        let about = folder
+            .find(path)
+            .and_then(|p| std::fs::metadata(&p).map_err(|e| Error::new(e.to_string())));
+        let stamp = about.map(|m| (m.len(), m.modified().unwrap_or(SystemTime::UNIX_EPOCH)));
+        format!("{stamp:?}")
+    }
+}

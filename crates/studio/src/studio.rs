@@ -1,0 +1,89 @@
+//! What a running studio holds: its guard, its folder, the last designs.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
+
+use toml::Table;
+
+use crate::folder::Folder;
+use crate::guard::Guard;
+use crate::lock;
+use crate::recent::Recent;
+use crate::sources::Sources;
+use crate::turns::Turns;
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::Scene;
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+use gaitcam_output::Timing;
+
+/// Designs that are kept for exports and comparisons.
+const DESIGNS: usize = 48;
+
+/// What the page shows at first.
+pub struct Start {
+    /// The scene.
+    pub scene: String,
+    /// The file of the folder that it was read from.
+    pub file: Option<String>,
+}
+
+/// A design with all that it was made from.
+pub struct Kept {
+    /// The scene's table.
+    pub table: Table,
+    /// The scene.
+    pub scene: Scene,
+    /// The wanted force.
+    pub target: Option<ForceCurve>,
+    /// The design.
+    pub design: Design,
+    /// How long it took.
+    pub time: Timing,
+}
+
+/// A running studio.
+pub struct Studio {
+    /// Who may ask.
+    pub guard: Guard,
+    /// The opened folder.
+    pub folder: Folder,
+    /// What the page shows at first.
+    pub start: Start,
+    /// Its language at first.
+    pub language: Language,
+    /// Recordings and load models.
+    pub sources: Sources,
+    /// Places at the solver.
+    pub turns: Turns,
+    designs: Mutex<Recent<String, Arc<Kept>>>,
+    next: AtomicU64,
+}
+
+impl Studio {
+    /// A studio of a folder.
+    pub fn new(guard: Guard, folder: Folder, start: Start, language: Language) -> Studio {
+        Studio {
+            guard,
+            folder,
+            start,
+            language,
+            sources: Sources::new(),
+            turns: Turns::new(),
+            designs: Mutex::new(Recent::new(DESIGNS)),
+            next: AtomicU64::new(1),
+        }
+    }
+
+    /// Keeps a design and gives it a number.
+    pub fn keep(&self, kept: Arc<Kept>) -> String {
+        let id = self.next.fetch_add(1, Ordering::Relaxed).to_string();
+        lock(&self.designs).put(id.clone(), kept);
+        id
+    }
+
+    /// A design that was kept.
+    pub fn kept(&self, id: &str) -> Option<Arc<Kept>> {
+        lock(&self.designs).get(&id.to_string())
+    }
+}

@@ -1,0 +1,196 @@
+//! What a page is answered.
+
+use serde_json::{Value, json};
+
+use super::client::Running;
+use gaitcam::scene::{DEFAULT, SCENES};
+
+fn design(studio: &Running, ask: &Value) -> Value {
+    studio.post("design", ask.to_string().as_bytes()).json()
+}
+
+#[test]
+fn every_scene_but_the_one_without_a_recording_is_designed_and_drawn() {
+    let studio = Running::new();
+    for scene in SCENES.iter().filter(|s| s.name != "heel_tester_fitted") {
+        let answer = design(&studio, &json!({"scene": scene.toml}));
+        if scene.name == "measured_walk" {
+            assert_eq!(answer["error"]["key"], "gait.file", "{answer}");
+            continue;
+        }
+        assert!(
+            answer["error"].is_null(),
+            "{}: {}",
+            scene.name,
+            answer["error"]
+        );
+        let count = answer["curves"]["theta"].as_array().unwrap().len();
+        assert!(count > 300);
+        for panel in answer["curves"]["panels"].as_array().unwrap() {
+            for line in panel["lines"].as_array().unwrap() {
+                assert_eq!(
+                    line["y"].as_array().unwrap().len(),
+                    count,
+                    "{}",
+                    panel["id"]
+                );
+            }
+        }
+        assert!(answer["drawing"].as_str().unwrap().contains("cam-follower"));
+        let picture = studio.get(&format!("/{}/scene/{}.svg", studio.token, scene.name));
+        assert_eq!(picture.status, 200, "{}", scene.name);
+    }
+}
+
+#[test]
+fn a_change_is_in_the_scene_that_comes_back() {
+    let studio = Running::new();
+    let changes = json!([{"set": {"key": "limits.stroke", "value": "55 mm"}}]);
+    let answer = design(
+        &studio,
+        &json!({"scene": DEFAULT, "changes": changes, "number": 3}),
+    );
+    assert_eq!(answer["number"], 3, "{answer}");
+    assert_eq!(answer["fields"]["limits.stroke"]["text"], "55 mm");
+    let again = design(&studio, &json!({"scene": answer["scene"]}));
+    assert_eq!(again["fields"], answer["fields"]);
+    assert_eq!(again["figures"], answer["figures"]);
+}
+
+#[test]
+fn a_fault_names_its_key_in_the_language_of_the_page() {
+    let studio = Running::new();
+    let changes = json!([{"set": {"key": "limits.stroke", "value": "55"}}]);
+    let ask = json!({"scene": DEFAULT, "changes": changes}).to_string();
+    let say = |language: &str| {
+        let answer = studio
+            .post(&format!("design?language={language}"), ask.as_bytes())
+            .json();
+        assert_eq!(answer["error"]["key"], "limits.stroke");
+        answer["error"]["message"].as_str().unwrap().to_string()
+    };
+    assert_ne!(say("en"), say("es"));
+}
+
+#[test]
+fn an_infeasible_scene_names_its_conflict_and_a_relaxation_mends_it() {
+    let studio = Running::new();
+    let changes = json!([{"set": {"key": "limits.stroke", "value": "20 mm"}}]);
+    let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
+    assert_eq!(answer["verdict"], "unacceptable");
+    let which = json!({"id": answer["id"]}).to_string();
+    let relaxed = studio.post("relax", which.as_bytes()).json();
+    let all = relaxed["relaxations"].as_array().unwrap();
+    let one = all.iter().find(|r| r["value"].is_string()).unwrap();
+    let changes = json!([{"set": {"key": one["key"], "value": one["value"]}}]);
+    let mended = design(
+        &studio,
+        &json!({"scene": answer["scene"], "changes": changes}),
+    );
+    assert_eq!(mended["verdict"], "acceptable", "{}", mended["reasons"]);
+}
+
+#[test]
+fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
+    let studio = Running::new();
+    let answer = design(&studio, &json!({"scene": DEFAULT}));
+    let id = answer["id"].as_str().unwrap();
+    let export = |name: &str| studio.get(&format!("/{}/export/{id}/{name}", studio.token));
+    let scene = gaitcam::scene::read(&DEFAULT.parse().unwrap()).unwrap();
+    let target =
+        gaitcam::force::model("young", Some(1.85), 700.0, gaitcam::force::Feet::Both).unwrap();
+    let own = gaitcam::synth::synthesise(&scene, Some(&target)).unwrap();
+    assert_eq!(
+        export("law.csv").body,
+        gaitcam_output::csv::law(&own, 1440).into_bytes()
+    );
+    assert_eq!(
+        export("profile.csv").body,
+        gaitcam_output::csv::profile(&own, 1440).into_bytes()
+    );
+    let text = String::from_utf8(export("scene.toml").body).unwrap();
+    assert_eq!(gaitcam::scene::read(&text.parse().unwrap()).unwrap(), scene);
+    for name in [
+        "profile.dxf",
+        "profile.svg",
+        "svaj.svg",
+        "force.svg",
+        "cam.svg",
+        "svaj.png",
+        "force.png",
+        "cam.png",
+        "report.html",
+        "summary.json",
+        "profile.stl",
+        "profile.3mf",
+        "cam.step",
+        "profile_arcs.dxf",
+        "profile.xlsx",
+        "cutter.csv",
+    ] {
+        let answer = export(name);
+        assert_eq!(answer.status, 200, "{name}");
+        assert!(
+            answer
+                .head
+                .contains(&format!("attachment; filename=\"{name}\"")),
+            "{}",
+            answer.head
+        );
+        assert!(answer.body.len() > 100, "{name}");
+    }
+    assert_eq!(export("nothing.csv").status, 404);
+}
+
+#[test]
+fn a_scene_is_saved_beside_what_is_there_never_over_it() {
+    let studio = Running::new();
+    let save = |text: &str| {
+        let body = json!({"scene": text, "name": "walk"}).to_string();
+        studio.post("save", body.as_bytes()).json()["written"][0]
+            .as_str()
+            .unwrap()
+            .to_string()
+    };
+    assert_eq!(save("name = \"a\"\n"), "walk.toml");
+    assert_eq!(save("name = \"b\"\n"), "walk-2.toml");
+    let first = std::fs::read_to_string(studio.inside().join("walk.toml")).unwrap();
+    assert_eq!(first, "name = \"a\"\n");
+}
+
+#[test]
+fn a_force_drawn_by_hand_becomes_a_cam() {
+    let studio = Running::new();
+    let points = json!([[0.0, 100.0], [0.1, 300.0], [0.25, 180.0], [0.4, 250.0]]);
+    let body = json!({"file": "hand.csv", "period_s": 0.5, "points": points}).to_string();
+    let drawn = studio.post("force", body.as_bytes()).json();
+    assert_eq!(drawn["use"], "hand.csv");
+    let changes = json!([{"set": {"key": "gait.file", "value": "hand.csv"}}, {"set": {"key": "limits.stroke", "value": ""}}]);
+    let answer = design(&studio, &json!({"scene": DEFAULT, "changes": changes}));
+    assert!(answer["error"].is_null(), "{}", answer["error"]);
+    let target = &answer["curves"]["panels"][0]["lines"][1];
+    assert_eq!(target["role"], "target");
+    let highest = target["y"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(Value::as_f64)
+        .fold(0.0, f64::max);
+    assert!((highest - 300.0).abs() < 0.5, "{highest}");
+    assert!(studio.files().iter().all(|f| !f.0.ends_with("hand.csv")));
+}
+
+#[test]
+fn sensitivities_and_fronts_are_answered_for_the_default_scene() {
+    let studio = Running::new();
+    let body = json!({"scene": DEFAULT, "quantity": "acceleration", "share": 0.05}).to_string();
+    let bars = studio.post("sensitivity", body.as_bytes()).json();
+    let first = &bars["bars"][0];
+    // Faster steps press harder.
+    assert_eq!(first["key"], "gait.step_frequency", "{bars}");
+    assert!(first["low"].as_f64() < first["high"].as_f64());
+    let body = json!({"scene": DEFAULT, "against": "stroke"}).to_string();
+    let front = studio.post("front", body.as_bytes()).json();
+    let points = front["points"].as_array().unwrap();
+    assert!(points.len() > 3, "{front}");
+}
