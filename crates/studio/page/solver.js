@@ -4,7 +4,7 @@
 import { post, Fault } from "./net.js";
 import { state, settle } from "./store.js";
 
-const page = Math.random().toString(36).slice(2);
+export const page = Math.random().toString(36).slice(2);
 let number = 0;
 let running = null;
 let waiting = null;
@@ -65,5 +65,7 @@ export function cancel() {
   waiting = null;
   number += 1;
   control?.abort();
+  // The server's search ends too.
+  if (control) post("cancel", { page, number }).catch(() => {});
   handlers.working(false, 0);
 }

@@ -3,6 +3,7 @@
 import { $, make, clear } from "./dom.js";
 import { t } from "./words.js";
 import { post } from "./net.js";
+import { page } from "./solver.js";
 
 let apply = () => {};
 let shown = null;
@@ -36,8 +37,8 @@ function relax(answer) {
   clearTimeout(asking);
   asking = setTimeout(async () => {
     try {
-      const tried = await post("relax", { id: answer.id });
-      if (shown !== answer) return;
+      const tried = await post("relax", { id: answer.id, page, number: answer.number });
+      if (shown !== answer || tried.superseded) return;
       $("verdict-reasons").textContent = tried.reasons;
       conflict(answer, tried.relaxations, tried.together);
     } catch { /* the conflict alone stays */ }

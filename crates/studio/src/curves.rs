@@ -277,7 +277,7 @@ fn levels(design: &Design, id: &str, factor: f64) -> Vec<Shown> {
     let mut out = Vec::new();
     for check in &design.checks {
         let level = short(factor * check.limit);
-        match (id, check.name.as_str()) {
+        match (id, check.name.name()) {
             ("force", "force_min" | "force_max") | ("radius", "curvature") => out.push(level),
             ("v", "velocity") | ("a", "acceleration") | ("j", "jerk") | ("torque", "torque") => {
                 out.extend([level, level.map(|x| -x)]);
@@ -353,12 +353,9 @@ fn hertz(design: &Design, s: &Sample) -> f64 {
 fn places(design: &Design) -> Vec<Place> {
     let cam = &design.cam;
     let factor = cam.follower.measures().angle().factor;
-    let acting = design
-        .binding
-        .iter()
-        .map(|b| (b.limit.as_str(), b.at, false));
+    let acting = design.binding.iter().map(|b| (b.limit.name(), b.at, false));
     let broken = design.checks.iter().filter(|c| !c.pass && c.at.is_finite());
-    let broken = broken.map(|c| (c.name.as_str(), c.at, true));
+    let broken = broken.map(|c| (c.name.name(), c.at, true));
     let mut out: Vec<Place> = Vec::new();
     for (limit, at, broken) in broken.chain(acting) {
         let theta = factor * at;

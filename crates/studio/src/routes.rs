@@ -55,6 +55,7 @@ impl Studio {
         match path {
             "design" => asked(request, |ask: &design::Ask| design::design(self, ask)),
             "relax" => asked(request, |w: &design::Which| design::relax(self, w)),
+            "cancel" => asked(request, |w: &design::Cancel| design::cancel(self, w)),
             "save" => asked(request, |s: &files::Save| files::save(self, s)),
             "force" => asked(request, |p: &recording::Points| recording::points(self, p)),
             "contacts" => asked(request, |c: &recording::Contacts| {

@@ -6,6 +6,7 @@ use serde_json::Value;
 use super::{animation, cards_of, motion, tables};
 use crate::Timing;
 use crate::words::Words;
+use gaitcam::cam::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
@@ -70,7 +71,7 @@ pub fn motion(design: &Design) -> Value {
 }
 
 /// A value of a limit in the unit people use.
-pub fn shown(design: &Design, limit: &str, value: f64) -> String {
+pub fn shown(design: &Design, limit: Criterion, value: f64) -> String {
     tables::shown(design.cam.follower.measures(), limit, value)
 }
 

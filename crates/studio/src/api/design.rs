@@ -17,8 +17,10 @@ use crate::studio::{Kept, Studio};
 use crate::words;
 use gaitcam::cam::Continuity;
 use gaitcam::error::Result;
+use gaitcam::halt::Halt;
+use gaitcam::problem::Shared;
 use gaitcam::scene::{self, Scene, keys};
-use gaitcam::synth::{Design, Relaxation, relaxed, synthesise};
+use gaitcam::synth::{Design, Relaxation, relaxed_with, synthesise_with};
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
 use gaitcam_output::report::parts::{self, Figure, Tables};
@@ -97,14 +99,19 @@ struct Eased {
 /// Designs the scene; `{superseded: true}` where the page has asked again meanwhile.
 pub fn design(studio: &Studio, ask: &Ask) -> Result<Value> {
     let start = Instant::now();
-    let Some(_turn) = studio.turns.take(&ask.page, ask.number) else {
-        return Ok(json!({"superseded": true, "number": ask.number}));
+    let overtaken = || Ok(json!({"superseded": true, "number": ask.number}));
+    let asked = studio.turns.ask(&ask.page, ask.number);
+    let Some(turn) = studio.turns.take(&asked) else {
+        return overtaken();
     };
     let mut table = table(&ask.scene)?;
     for edit in &ask.changes {
         apply(&mut table, edit)?;
     }
-    let kept = made(studio, &table)?;
+    let kept = made(studio, &table, turn.asked().halt())?;
+    if asked.is_overtaken() {
+        return overtaken();
+    }
     let language = words::current();
     let id = studio.keep(Arc::clone(&kept));
     let mut answer = answer(&kept, id, language);
@@ -117,12 +124,16 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Value> {
 ///
 /// # Errors
 /// Faults of the scene and of its force.
-pub fn made(studio: &Studio, table: &Table) -> Result<Arc<Kept>> {
+fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     let start = Instant::now();
     let scene = scene::read(table)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let solving = Instant::now();
-    let design = synthesise(&scene, target.as_ref())?;
+    let shared = Shared {
+        halt,
+        ..Shared::default()
+    };
+    let design = synthesise_with(&scene, target.as_ref(), &shared)?;
     let time = Timing {
         solve_s: solving.elapsed().as_secs_f64(),
         total_s: start.elapsed().as_secs_f64(),
@@ -143,7 +154,7 @@ fn answer(kept: &Kept, id: String, language: Language) -> Answer {
     let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
     let mut active: Vec<String> = Vec::new();
     for binding in &design.binding {
-        let name = name(&binding.limit);
+        let name = name(binding.limit.name());
         if !active.contains(&name) {
             active.push(name);
         }
@@ -161,7 +172,10 @@ fn answer(kept: &Kept, id: String, language: Language) -> Answer {
         reasons: design.reasons_in(language),
         notes: design.notes.iter().map(|n| n.sentence(language)).collect(),
         infeasible: design.infeasible.is_some(),
-        conflict: conflict.iter().map(|limit| name(limit)).collect(),
+        conflict: conflict
+            .iter()
+            .map(|limit| limit.sentence(language))
+            .collect(),
         relaxations: first_remedies(design, scene, language),
         easing: easing(design, language),
         active,
@@ -213,9 +227,9 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
             )
         };
         Eased {
-            name: parts::name(&e.limit, language),
-            from: parts::shown(design, &e.limit, e.from),
-            to: parts::shown(design, &e.limit, e.to),
+            name: parts::name(e.limit.name(), language),
+            from: parts::shown(design, e.limit, e.from),
+            to: parts::shown(design, e.limit, e.to),
             objective,
             before: shown(e.before),
             after: shown(e.after),
@@ -249,11 +263,11 @@ fn remedies(
     list: &[Relaxation],
     language: Language,
 ) -> Vec<Remedy> {
-    let shown = |r: &Relaxation, x: f64| parts::shown(design, &r.limit, x);
+    let shown = |r: &Relaxation, x: f64| parts::shown(design, r.limit, x);
     list.iter()
         .map(|r| Remedy {
             key: r.key,
-            name: parts::name(&r.limit, language),
+            name: parts::name(r.limit.name(), language),
             from: shown(r, r.from),
             to: r.to.map(|to| shown(r, to)),
             value: r.to.and_then(|to| value(r.key, scene, to)),
@@ -274,13 +288,33 @@ fn value(key: &str, scene: &Scene, x: f64) -> Option<String> {
 pub struct Which {
     /// Its number.
     pub id: String,
+    /// Which page asks.
+    #[serde(default)]
+    pub page: String,
+    /// The number of the question that the design answered.
+    #[serde(default)]
+    pub number: u64,
 }
 
 /// The changes that would make a design pass, each tried on the whole design.
 pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     let kept = studio.kept(&which.id).ok_or(StudioError::Forgotten)?;
     let language = words::current();
-    let tried = relaxed(&kept.scene, kept.target.as_ref(), kept.design.clone());
+    let asked = studio.turns.ask(&which.page, which.number);
+    let overtaken = || Ok(json!({"superseded": true, "id": which.id}));
+    let Some(turn) = studio.turns.take(&asked) else {
+        return overtaken();
+    };
+    let halt = turn.asked().halt();
+    let tried = relaxed_with(
+        &kept.scene,
+        kept.target.as_ref(),
+        kept.design.clone(),
+        &halt,
+    );
+    if asked.is_overtaken() {
+        return overtaken();
+    }
     let list = |list: &[Relaxation]| remedies(&tried, &kept.scene, list, language);
     Ok(json!({
         "id": which.id,
@@ -288,4 +322,20 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
         "relaxations": list(&tried.relaxations),
         "together": list(&tried.together),
     }))
+}
+
+/// Ends what a page has asked before this question.
+pub fn cancel(studio: &Studio, which: &Cancel) -> Result<Value> {
+    studio.turns.ask(&which.page, which.number);
+    Ok(json!({"cancelled": true}))
+}
+
+/// Which questions are to end.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cancel {
+    /// The page.
+    pub page: String,
+    /// All before this number.
+    pub number: u64,
 }
