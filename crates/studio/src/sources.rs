@@ -124,7 +124,8 @@ impl Sources {
         }
         let about = folder
             .find(path)
-            .and_then(|p| std::fs::metadata(&p).map_err(|e| Error::new(e.to_string())));
+            .ok()
+            .and_then(|p| std::fs::metadata(p).ok());
         let stamp = about.map(|m| (m.len(), m.modified().unwrap_or(SystemTime::UNIX_EPOCH)));
         format!("{stamp:?}")
     }

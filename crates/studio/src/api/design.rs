@@ -89,7 +89,7 @@ struct Eased {
     name: String,
     from: String,
     to: String,
-    objective: &'static str,
+    objective: String,
     before: String,
     after: String,
     /// Gain as a share of the objective.
@@ -169,7 +169,7 @@ fn answer(kept: &Kept, id: String, language: Language) -> Answer {
         scene: toml::to_string(&kept.table).unwrap_or_default(),
         fields: fields(&kept.table, scene, Some(design)),
         verdict: design.verdict.name(),
-        reasons: design.reasons_in(language),
+        reasons: design.reason(language),
         notes: design.notes.iter().map(|n| n.sentence(language)).collect(),
         infeasible: design.infeasible.is_some(),
         conflict: conflict
@@ -219,7 +219,7 @@ fn easing(design: &Design, language: Language) -> Vec<Eased> {
     let measures = design.cam.follower.measures();
     let all = design.easing.iter();
     all.map(|e| {
-        let (objective, unit, factor) = e.in_words(measures);
+        let (objective, unit, factor) = e.in_words(measures, language);
         let shown = |x: f64| {
             format!(
                 "{} {unit}",
@@ -318,7 +318,7 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     let list = |list: &[Relaxation]| remedies(&tried, &kept.scene, list, language);
     Ok(json!({
         "id": which.id,
-        "reasons": tried.reasons_in(language),
+        "reasons": tried.reason(language),
         "relaxations": list(&tried.relaxations),
         "together": list(&tried.together),
     }))

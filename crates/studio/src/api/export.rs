@@ -97,7 +97,7 @@ fn workshop(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
         points: VERTICES,
     };
     match name {
-        "profile.xlsx" => Some(output::xlsx::workbook(design, kept.time)),
+        "profile.xlsx" => Some(output::xlsx::workbook(design, kept.time, words::current())),
         "groove_upper.stl" => wall(design, Wall::Upper),
         "groove_lower.stl" => wall(design, Wall::Lower),
         "cutter.csv" => Some(path(design, tool)),
