@@ -17,5 +17,5 @@ pub use distance::{Distance, distance};
 pub use fourier::{amplitudes, sums};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
-pub use proxy::stand_in;
+pub use proxy::{stand_in, stand_in_for_difference};
 pub(crate) use trigonometric::{harmonic_extremes, harmonic_sum};

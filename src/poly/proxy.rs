@@ -16,12 +16,23 @@ const NOISE: f64 = 1e-9;
 ///
 /// Interpolates at Chebyshev points and halves an interval until the last coefficients are negligible.
 pub fn stand_in(breaks: &[f64], tolerance: f64, f: impl Fn(usize, f64) -> f64) -> PiecewisePoly {
+    stand_in_for_difference(breaks, tolerance, 0.0, f)
+}
+
+/// The same for an `f` that is a difference of terms of this size: its rounding is theirs, and digits below
+/// are not chased.
+pub fn stand_in_for_difference(
+    breaks: &[f64],
+    tolerance: f64,
+    terms: f64,
+    f: impl Fn(usize, f64) -> f64,
+) -> PiecewisePoly {
     let mut out_breaks = vec![breaks[0]];
     let mut coef = Vec::new();
     let transform = Transform::new();
     // The scale of the whole comes first: judged by its own, a piece that is only rounding (a dwell)
     // would be halved without end.
-    let mut scale = 0.0_f64;
+    let mut scale = terms;
     for (piece, w) in breaks.windows(2).enumerate() {
         for x in transform.nodes {
             let value = f(piece, w[0] + (w[1] - w[0]) * 0.5 * (1.0 + x)).abs();
@@ -158,6 +169,15 @@ mod tests {
         let p = stand_in(&[0.0, 3.0], 1e-13, f);
         assert!(p.pieces() < 100, "{}", p.pieces());
         assert!((p.extremes().1.value - 1.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn rounding_of_large_terms_is_not_halved_for_ever() {
+        // 1 + x − 1 to rounding: small values that carry the noise of 1.
+        let f = |_: usize, x: f64| (1.0 + 1e-7 * x.sin()) - 1.0;
+        let p = stand_in_for_difference(&[0.0, 3.0], 1e-11, 1.0, f);
+        assert!(p.pieces() < 10, "{}", p.pieces());
+        assert!((p.extremes().1.value - 1e-7).abs() < 1e-11);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::loads::Loads;
 use super::{curvature, pressure_angle};
 use crate::cam::Criterion;
 use crate::law::{Law, Svaj};
-use crate::poly::{PiecewisePoly, stand_in};
+use crate::poly::{PiecewisePoly, stand_in_for_difference};
 
 /// All of a scene's limits that are not convex in the law.
 #[derive(Debug, Clone, Copy)]
@@ -202,10 +202,11 @@ impl Profile {
 pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
     let breaks = law.breaks();
     let place = |i: usize, x: f64| law.svaj_on(i, (x - breaks[i]) / (breaks[i + 1] - breaks[i]));
-    let count = limits.slacks(place(0, breaks[0])).len();
-    (0..count)
+    let first = limits.slacks(place(0, breaks[0]));
+    (0..first.len())
         .map(|k| {
-            stand_in(breaks, 1e-11, |i, x| {
+            let terms = (first[k].largest / first[k].w).abs();
+            stand_in_for_difference(breaks, 1e-11, terms, |i, x| {
                 let s = &limits.slacks(place(i, x))[k];
                 s.h / s.w
             })
