@@ -185,6 +185,8 @@ fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<
             // Nothing is proved of a law that breaks what was asked.
             shape.found.easing.clear();
             shape.found.solver.certificate = None;
+            shape.found.solver.certified = false;
+            shape.found.solver.doubt = Some(Doubt::Limits);
             Ok(shape)
         }
         Err(NoLaw::Fault(fault)) => Err(fault),

@@ -108,7 +108,12 @@ impl Program {
         })
     }
 
-    fn exchange(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
+    fn exchange(&self, rows: Vec<Row>) -> Result<Solution, Failure> {
+        let solution = self.exchanged(rows)?;
+        Ok(self.brought_inside(solution))
+    }
+
+    fn exchanged(&self, mut rows: Vec<Row>) -> Result<Solution, Failure> {
         let settings = &self.settings.exchange;
         let mut iterations = 0;
         let mut best: Option<Solution> = None;

@@ -23,6 +23,7 @@
 //! | `exchange` | which method solves; rounds of separation and solution |
 //! | `clarabel` | the interior-point method |
 //! | `polish` | active rows solved as equalities, for the last digits |
+//! | `nearest` | the last digits where limits leave a hair |
 //! | `settings` | every tuning constant with its reason |
 //! | `certificate` | duality gap, stationarity, sensitivities |
 
@@ -36,6 +37,7 @@ mod equality;
 mod exchange;
 mod lifted;
 mod local_reduction;
+mod nearest;
 mod objective;
 mod polish;
 mod program;

@@ -107,7 +107,7 @@ impl Limit {
     }
 
     /// The bound less what the variables beside the law take of it.
-    fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
+    pub(super) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }
 }
