@@ -77,8 +77,8 @@ impl Cam {
         (low, high)
     }
 
-    /// The jumps of a derivative: where, and by how much.
-    fn jumps(&self, order: usize) -> Vec<Extreme> {
+    /// The jumps of a derivative by more than rounding: where, and by how much.
+    pub fn jumps(&self, order: usize) -> Vec<Extreme> {
         let (low, high) = self.law.extremes(order);
         // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
         let range = (high.value - low.value)

@@ -53,6 +53,8 @@ pub enum SweepError {
         typed: String,
     },
     NoForceError,
+    FrontWithoutMovingAxis,
+    FrontWithoutSize,
     NoColumn {
         typed: String,
         nearest: Option<String>,

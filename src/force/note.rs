@@ -82,6 +82,8 @@ pub enum Note {
     PlateTilted { plate: usize },
     /// The mass is the mean of insoles, which are seldom calibrated.
     InsoleMass { mass: Quantity },
+    /// Stances of one foot stand for those of the other too.
+    OneFootForBoth { stances: usize },
     /// Nothing on record gives the duration of a stride; the usual share of stance was assumed.
     StrideAssumed { period: Quantity },
     /// A stride no walker takes.

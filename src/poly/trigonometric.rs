@@ -46,75 +46,101 @@ fn circle(grid: usize) -> &'static [(f64, f64)] {
 /// method. Between grid points the sum exceeds the higher end of its cell by at most h²/8·max|f″|, and
 /// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
-    let wanted = (POINTS_PER_WAVE * terms.len()).max(1);
-    let grid = GRIDS
-        .iter()
-        .position(|g| *g >= wanted)
-        .unwrap_or(GRIDS.len() - 1);
-    let circle = circle(grid);
-    let mask = circle.len() - 1;
-    let mut values = vec![0.0; circle.len()];
-    let mut bend = 0.0;
-    for (n, &(a, b)) in (1_usize..).zip(terms) {
-        let mut k = 0;
-        for v in values.iter_mut() {
-            let (c, s) = circle[k];
-            *v += a * c + b * s;
-            k = (k + n) & mask;
-        }
-        bend += (n * n) as f64 * a.hypot(b);
+    match Grid::of(terms) {
+        Some(grid) => (grid.search(terms, -1.0), grid.search(terms, 1.0)),
+        None => (NOTHING, NOTHING),
     }
-    if bend == 0.0 {
-        let flat = Extreme {
-            value: 0.0,
-            at: 0.0,
-        };
-        return (flat, flat);
-    }
-    let step = TAU / values.len() as f64;
-    let reach = 0.125 * step * step * bend;
-    (
-        search(terms, &values, step, reach, -1.0),
-        search(terms, &values, step, reach, 1.0),
-    )
 }
 
-/// The largest value of sign·f.
-fn search(terms: &[(f64, f64)], values: &[f64], step: f64, reach: f64, sign: f64) -> Extreme {
-    let highest = values
-        .iter()
-        .fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
-    let mut best = Extreme {
-        value: f64::NEG_INFINITY,
-        at: 0.0,
-    };
-    let mut left = sign * values[values.len() - 1];
-    for (i, v) in values.iter().enumerate() {
-        let right = sign * v;
-        let (end, higher) = if left > right {
-            (i as f64 - 1.0, left)
-        } else {
-            (i as f64, right)
-        };
-        if higher + reach >= highest {
-            if higher > best.value {
-                best = Extreme {
-                    value: higher,
-                    at: end * step,
-                };
+/// The largest value alone.
+pub fn harmonic_maximum(terms: &[(f64, f64)]) -> Extreme {
+    Grid::of(terms).map_or(NOTHING, |grid| grid.search(terms, 1.0))
+}
+
+/// Extreme of a sum without terms.
+const NOTHING: Extreme = Extreme {
+    value: 0.0,
+    at: 0.0,
+};
+
+/// Values on a grid over the turn.
+struct Grid {
+    values: Vec<f64>,
+    step: f64,
+    /// The sum exceeds the higher end of a cell by no more.
+    reach: f64,
+}
+
+impl Grid {
+    /// `None` for a sum that is zero.
+    fn of(terms: &[(f64, f64)]) -> Option<Grid> {
+        let wanted = (POINTS_PER_WAVE * terms.len()).max(1);
+        let grid = GRIDS
+            .iter()
+            .position(|g| *g >= wanted)
+            .unwrap_or(GRIDS.len() - 1);
+        let circle = circle(grid);
+        let mask = circle.len() - 1;
+        let mut values = vec![0.0; circle.len()];
+        let mut bend = 0.0;
+        for (n, &(a, b)) in (1_usize..).zip(terms) {
+            let mut k = 0;
+            for v in values.iter_mut() {
+                let (c, s) = circle[k];
+                *v += a * c + b * s;
+                k = (k + n) & mask;
             }
-            let ends = [(i as f64 - 1.0) * step, i as f64 * step];
-            if let Some(top) = crest(terms, ends, end * step, sign)
-                && top.value > best.value
-            {
-                best = top;
-            }
+            bend += (n * n) as f64 * a.hypot(b);
         }
-        left = right;
+        if bend == 0.0 {
+            return None;
+        }
+        let step = TAU / values.len() as f64;
+        Some(Grid {
+            reach: 0.125 * step * step * bend,
+            values,
+            step,
+        })
     }
-    Extreme {
-        value: sign * best.value,
-        at: best.at.rem_euclid(TAU),
+
+    /// The largest value of sign·f.
+    fn search(&self, terms: &[(f64, f64)], sign: f64) -> Extreme {
+        let (values, step, reach) = (&self.values, self.step, self.reach);
+        let highest = values
+            .iter()
+            .fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
+        let mut best = Extreme {
+            value: f64::NEG_INFINITY,
+            at: 0.0,
+        };
+        let mut left = sign * values[values.len() - 1];
+        for (i, v) in values.iter().enumerate() {
+            let right = sign * v;
+            let (end, higher) = if left > right {
+                (i as f64 - 1.0, left)
+            } else {
+                (i as f64, right)
+            };
+            if higher + reach >= highest {
+                if higher > best.value {
+                    best = Extreme {
+                        value: higher,
+                        at: end * step,
+                    };
+                }
+                let ends = [(i as f64 - 1.0) * step, i as f64 * step];
+                if let Some(top) = crest(terms, ends, end * step, sign)
+                    && top.value > best.value
+                {
+                    best = top;
+                }
+            }
+            left = right;
+        }
+        Extreme {
+            value: sign * best.value,
+            at: best.at.rem_euclid(TAU),
+        }
     }
 }
 

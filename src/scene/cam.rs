@@ -51,7 +51,7 @@ impl Default for CamSpec {
             follower: FollowerKind::default(),
             base_radius: None,
             prime_radius: None,
-            offset: None,
+            offset: Some(0.0),
             roller_radius: 0.0,
             pivot_distance: None,
             arm: None,

@@ -81,10 +81,9 @@ impl Scene {
         self.notes().into_iter().find(of)
     }
 
-    /// Whether a key has a value of its own, which an offset of zero is not.
+    /// Whether a key has a value of its own.
     fn gives(&self, key: &Key) -> bool {
-        let nothing = key.path == "cam.offset" && key.number(self) == Some(0.0);
         let value = key.get(self, 0);
-        key.exists(self) && !nothing && value.is_some_and(|v| !self.is_default(key, &v))
+        key.exists(self) && value.is_some_and(|v| !self.is_default(key, &v))
     }
 }

@@ -74,8 +74,28 @@ const RULES: [Rule; 12] = [
 
 /// The same with the texts that a user typed.
 pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
+    weighed_phases(scene)?;
     for rule in RULES {
         rule(scene, typed).map_err(|(key, fault)| fault.at_key(key))?;
+    }
+    Ok(())
+}
+
+/// Each weight covers a part of the cycle.
+fn weighed_phases(scene: &Scene) -> Result<()> {
+    let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
+    let weights = scene.gait.iter().flat_map(|gait| &gait.weights);
+    for (number, weight) in (1..).zip(weights) {
+        let end = if !inside(weight.from) || weight.from == weight.to {
+            "from"
+        } else if !inside(weight.to) {
+            "to"
+        } else {
+            continue;
+        };
+        let (from, to) = (Quantity::angle(weight.from), Quantity::angle(weight.to));
+        let fault = SceneError::NoPhases { from, to };
+        return Err(fault.at_key(&format!("gait.weight.{number}.{end}")));
     }
     Ok(())
 }
@@ -84,7 +104,8 @@ type Verdict = std::result::Result<(), (&'static str, SceneError)>;
 
 fn name(scene: &Scene, _: Typed) -> Verdict {
     let name = &scene.name;
-    if name.is_empty() || name.contains(['/', '\\', '\0']) || name.starts_with('.') {
+    let no_file = |c: char| c.is_control() || "/\\\u{202e}".contains(c);
+    if name.trim().is_empty() || name.contains(no_file) || name.starts_with(['.', '-', '~']) {
         let typed = name.clone();
         return Err(("name", SceneError::OutputName { typed }));
     }
@@ -100,13 +121,6 @@ fn force(scene: &Scene, typed: Typed) -> Verdict {
     }
     if matches!(&gait.source, Source::File(path) if path.as_os_str().is_empty()) {
         return Err(("gait.file", SceneError::NoForceNamed));
-    }
-    let inside = |x: f64| (-ANGLE..=TAU + ANGLE).contains(&x);
-    for weight in &gait.weights {
-        if !inside(weight.from) || !inside(weight.to) || weight.from == weight.to {
-            let (from, to) = (Quantity::angle(weight.from), Quantity::angle(weight.to));
-            return Err(("gait.weight", SceneError::NoPhases { from, to }));
-        }
     }
     let covered: f64 = (gait.weights.iter())
         .map(|w| (w.to - w.from).rem_euclid(TAU))

@@ -118,6 +118,10 @@ pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
         "jerk",
         "acceleration",
         "stroke",
+        "torque_max",
+        "power_max",
+        "liftoff_speed",
+        "hertz_pressure",
     ];
     Err(SweepError::NoColumn {
         typed: name.to_string(),

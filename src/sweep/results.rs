@@ -4,7 +4,7 @@ use crate::cam::Verdict;
 use crate::synth::{Design, Figures, Tier};
 
 /// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
-pub const NUMBERS: [&str; 19] = [
+pub const NUMBERS: [&str; 25] = [
     "force_rms_error_n",
     "force_rms_error_percent",
     "force_max_error_n",
@@ -24,6 +24,12 @@ pub const NUMBERS: [&str; 19] = [
     "rho_min_m",
     "pressure_angle_max_rad",
     "face_width_m",
+    "torque_max_n_m",
+    "torque_rms_n_m",
+    "power_max_w",
+    "power_mean_w",
+    "liftoff_speed_rad_per_s",
+    "hertz_pressure_max_pa",
 ];
 
 /// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the
@@ -182,7 +188,8 @@ fn joined(names: impl Iterator<Item = String>) -> String {
 
 /// Figures in the order of [`NUMBERS`].
 fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
-    let force = &figures.force;
+    let (force, machine) = (&figures.force, &figures.machine);
+    let known = |x: Option<f64>| x.unwrap_or(f64::NAN);
     [
         force.rms_error_n,
         force.rms_error_percent_of_mean,
@@ -202,7 +209,13 @@ fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
         figures.offset,
         figures.smallest_convex_radius,
         figures.largest_pressure_angle,
-        figures.face_width.unwrap_or(f64::NAN),
+        known(figures.face_width),
+        known(machine.torque_max_n_m),
+        known(machine.torque_rms_n_m),
+        known(machine.power_max_w),
+        known(machine.power_mean_w),
+        known(machine.liftoff_speed_rad_per_s),
+        known(machine.hertz_pressure_max_pa),
     ]
 }
 

@@ -70,19 +70,23 @@ pub fn csv_rows(first: u64, batch: &Batch, results: &Results, scenes: Option<&[S
 }
 
 /// Endings of columns with the units they stand for.
-const UNITS: [(&str, &str); 14] = [
+const UNITS: [(&str, &str); 18] = [
     ("_m_per_s3", "m/s^3"),
     ("_m_per_s2", "m/s^2"),
     ("_pa_per_m3", "Pa/m^3"),
     ("_n_s_per_m", "N s/m"),
+    ("_n_m_per_rad", "N m/rad"),
     ("_n_per_m", "N/m"),
     ("_rad_per_s", "rad/s"),
     ("_m_per_s", "m/s"),
     ("_percent", "%"),
+    ("_n_m", "N m"),
+    ("_pa", "Pa"),
     ("_hz", "Hz"),
     ("_kg", "kg"),
     ("_rad", "rad"),
     ("_n", "N"),
+    ("_w", "W"),
     ("_m", "m"),
     ("_s", "s"),
 ];

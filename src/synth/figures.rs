@@ -1,6 +1,6 @@
 //! The figures of a design: what a row of a table says of it.
 
-use super::{Design, ForceReport};
+use super::{Design, ForceReport, MachineReport};
 
 /// Figures of one design, SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +27,8 @@ pub struct Figures {
     pub largest_pressure_angle: f64,
     /// Width of the face that the contact needs; `None` without a flat face.
     pub face_width: Option<f64>,
+    /// What the design asks of the machine.
+    pub machine: MachineReport,
 }
 
 impl Figures {
@@ -49,6 +51,7 @@ impl Figures {
             smallest_convex_radius: cam.curvature().convex.value,
             largest_pressure_angle: high.value.max(-low.value),
             face_width: cam.face_width(),
+            machine: design.machine(),
         }
     }
 }

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Design;
-use super::limits::{pressure, torque_curve};
-use crate::cam::{Cam, Measures};
+use super::limits::{Press, torque_curve};
+use crate::cam::Measures;
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 
 /// A mean power below this part of the largest is rounding: springs and masses give back what they take.
@@ -30,6 +30,16 @@ pub struct MachineReport {
     pub hertz_pressure_max_pa: Option<f64>,
 }
 
+/// A mean power, 0 where it is the rounding of the extremes that are given.
+pub(super) fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
+    let scale = extremes[0].abs().max(extremes[1].abs());
+    if mean.abs() <= GIVEN_BACK * scale {
+        0.0
+    } else {
+        mean
+    }
+}
+
 impl Design {
     /// What the design asks of the machine.
     pub fn machine(&self) -> MachineReport {
@@ -44,17 +54,12 @@ impl Design {
         let powers = [low.value * drive.speed, high.value * drive.speed];
         let power_max = powers[0].max(powers[1]);
         let mean = drive.speed * torque.integral() / length;
-        let scale = power_max.max(-powers[0].min(powers[1]));
         let turning = |x: f64| turns.then_some(x);
         MachineReport {
             torque_max_n_m: turning(high.value.max(-low.value)),
             torque_rms_n_m: turning((torque.integral_of_square() / length).sqrt()),
             power_max_w: Some(power_max),
-            power_mean_w: Some(if mean.abs() <= GIVEN_BACK * scale {
-                0.0
-            } else {
-                mean
-            }),
+            power_mean_w: Some(mean_power(mean, powers)),
             liftoff_speed_rad_per_s: self.liftoff().filter(|_| turns),
             hertz_pressure_max_pa: self.pressure(),
         }
@@ -69,19 +74,15 @@ impl Design {
         liftoff_speed(self.pressing(), &self.drive)
     }
 
-    /// Highest pressure; of a barrel at the floor of its groove, where the roller presses most.
+    /// Highest pressure on any of its contacts.
     fn pressure(&self) -> Option<f64> {
-        if self.cam.curvature().convex.value <= 0.0 {
-            return None;
-        }
-        let floor = self.groove.as_ref().map(|groove| groove.depth().0);
-        let cam = match floor {
-            Some(floor) => &Cam {
-                follower: self.cam.follower.with_base_radius(floor),
-                law: self.cam.law.clone(),
-            },
-            None => &self.cam,
+        let press = Press {
+            drive: &self.drive,
+            thickness: self.thickness,
+            law: self.pressing(),
         };
-        Some(pressure(&self.drive, self.thickness, cam, self.pressing()).value)
+        let second = self.conjugate.as_ref().map(|pair| &pair.second);
+        let worst = press.worst(&self.cam, second, self.groove.as_ref())?;
+        Some(worst.value)
     }
 }

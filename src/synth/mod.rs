@@ -201,9 +201,14 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     let force = limits::force_report(&problem, pressing);
     let conjugate = sizing::conjugate(&problem, &cam)?;
     let groove = sizing::groove(&problem, &cam)?;
-    let mut checks = verify::checks(&problem, &cam, pressing, &force);
-    checks.extend(verify::second_cam(&problem, conjugate.as_ref()));
-    checks.extend(verify::groove(&problem, groove.as_ref()));
+    let checks = verify::checks(&limits::Finished {
+        problem: &problem,
+        cam: &cam,
+        second: conjugate.as_ref().map(|pair| &pair.second),
+        groove: groove.as_ref(),
+        pressing,
+        force: &force,
+    });
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let infeasible = infeasible.or_else(|| {
         let too_large = checks.iter().any(too_large);

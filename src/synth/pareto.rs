@@ -5,7 +5,8 @@
 
 use super::{Design, designed};
 use crate::cam::Criterion;
-use crate::error::{Result, SynthError};
+use crate::drive::DriveKind;
+use crate::error::{Error, Place, Result, SweepError, SynthError};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise, Scene};
@@ -23,6 +24,14 @@ pub enum Against {
     Velocity,
     /// Stroke.
     Stroke,
+    /// Largest torque of the shaft.
+    Torque,
+    /// Largest power of the shaft.
+    Power,
+    /// Highest Hertz pressure.
+    HertzPressure,
+    /// Speed of lift-off on a moving axis; the higher the better.
+    LiftoffSpeed,
 }
 
 /// A point of the front.
@@ -47,7 +56,7 @@ const MOST_SPANS: usize = 64;
 
 impl Against {
     /// Every quantity with the name users write and its column with unit.
-    pub const NAMES: [(&'static str, Against, &'static str); 5] = [
+    pub const NAMES: [(&'static str, Against, &'static str); 9] = [
         ("prime_radius", Against::PrimeRadius, "prime_radius_m"),
         ("jerk", Against::Jerk, "jerk_m_per_s3"),
         (
@@ -57,6 +66,18 @@ impl Against {
         ),
         ("velocity", Against::Velocity, "velocity_m_per_s"),
         ("stroke", Against::Stroke, "stroke_m"),
+        ("torque", Against::Torque, "torque_max_n_m"),
+        ("power", Against::Power, "power_max_w"),
+        (
+            "hertz_pressure",
+            Against::HertzPressure,
+            "hertz_pressure_max_pa",
+        ),
+        (
+            "liftoff_speed",
+            Against::LiftoffSpeed,
+            "liftoff_speed_rad_per_s",
+        ),
     ];
 
     /// Reads `force_error:prime_radius`, in either order.
@@ -81,9 +102,9 @@ impl Against {
             ("force_error", other) | (other, "force_error") => other,
             _ => return Err(SynthError::PairWithoutForceError { known: others() }.into()),
         };
-        (Self::NAMES
-            .iter()
-            .find(|n| n.0 == other || (n.0 == "prime_radius" && other == "base_radius")))
+        (Self::NAMES.iter().find(|n| {
+            n.0 == other || names(n.2, other) || (n.0 == "prime_radius" && other == "base_radius")
+        }))
         .map(|n| n.1)
         .ok_or_else(|| {
             let typed = other.to_string();
@@ -109,6 +130,35 @@ impl Against {
             Against::Acceleration => peak(2),
             Against::Velocity => peak(1),
             Against::Stroke => design.cam.law.stroke(),
+            Against::Torque => known(design.machine().torque_max_n_m),
+            Against::Power => known(design.machine().power_max_w),
+            Against::HertzPressure => known(design.machine().hertz_pressure_max_pa),
+            Against::LiftoffSpeed => known(design.machine().liftoff_speed_rad_per_s),
+        }
+    }
+
+    /// A quantity that is to be small, from its value, and the value from it: of a lift-off speed the
+    /// inverse, of all others themselves.
+    fn turned(self, value: f64) -> f64 {
+        match self {
+            Against::LiftoffSpeed => 1.0 / value,
+            _ => value,
+        }
+    }
+
+    /// Refuses what no limit can hold in this problem.
+    fn check(self, problem: &Problem) -> Result<()> {
+        let fixed = matches!(problem.size(), Size::Given { .. });
+        match self {
+            Against::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
+                let fault = Error::from(SweepError::FrontWithoutMovingAxis);
+                Err(fault.at(Place::Key("drive.kind".to_string())))
+            }
+            Against::HertzPressure if !fixed => {
+                let fault = Error::from(SweepError::FrontWithoutSize);
+                Err(fault.at(Place::Key("cam.base_radius".to_string())))
+            }
+            _ => Ok(()),
         }
     }
 
@@ -116,16 +166,37 @@ impl Against {
     fn held(self, problem: &Problem, value: f64) -> Problem {
         let mut out = problem.clone();
         let limits = &mut out.limits;
+        if self == Against::LiftoffSpeed {
+            // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
+            let drive = &problem.drive;
+            let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
+            limits.force_min = Some(limits.force_min.map_or(least, |own| own.max(least)));
+            return out;
+        }
         let at = match self {
             Against::PrimeRadius => &mut limits.prime_radius,
             Against::Jerk => &mut limits.jerk,
             Against::Acceleration => &mut limits.acceleration,
             Against::Velocity => &mut limits.velocity,
             Against::Stroke => &mut limits.stroke,
+            Against::Torque => &mut limits.torque,
+            Against::Power => &mut limits.power,
+            Against::HertzPressure => &mut limits.hertz_pressure,
+            Against::LiftoffSpeed => &mut limits.force_min,
         };
         *at = Some(at.map_or(value, |own| own.min(value)));
         out
     }
+}
+
+/// Whether a word is a column's name, or its beginning.
+fn names(column: &str, word: &str) -> bool {
+    let rest = column.strip_prefix(word);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+}
+
+fn known(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
 }
 
 /// The front between force error and another quantity, from the tightest value to what the unlimited law
@@ -151,6 +222,7 @@ pub fn trade(
     if against == Against::PrimeRadius && fixed {
         return Err(SynthError::SizeFixed.at_key("cam"));
     }
+    against.check(&problem)?;
     problem.law.family = Family::Spline;
     let first = designed(problem.clone())?;
     // The accuracy would raise the number of spans and fail what the front is there to show.
@@ -166,7 +238,8 @@ pub fn trade(
     if let Some(why) = &free.infeasible {
         return Err(why.no_law().at_key("limits"));
     }
-    let most = against.of(&free) * INSIDE;
+    let most = against.turned(against.of(&free)) * INSIDE;
+    let held = |value: f64| designed(against.held(&open, against.turned(value)));
     // Demands may keep even the unlimited law farther away than that.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
@@ -179,13 +252,13 @@ pub fn trade(
     let (mut low, mut high) = (0.0, most);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        match designed(against.held(&open, middle)) {
+        match held(middle) {
             Ok(design) if good(&design) => high = middle,
             _ => low = middle,
         }
     }
     // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
-    if high == most && !designed(against.held(&open, most)).is_ok_and(|d| good(&d)) {
+    if high == most && !held(most).is_ok_and(|d| good(&d)) {
         let allowed = against.of(&free);
         return Ok(vec![Trade {
             allowed,
@@ -195,9 +268,10 @@ pub fn trade(
     let mut out = Vec::with_capacity(points);
     for i in 0..points {
         let share = i as f64 / (points - 1).max(1) as f64;
-        let allowed = high + share * (most - high);
-        let design = designed(against.held(&open, allowed))?;
+        let value = high + share * (most - high);
+        let design = held(value)?;
         if design.infeasible.is_none() {
+            let allowed = against.turned(value);
             out.push(Trade { allowed, design });
         }
     }

@@ -62,7 +62,7 @@ fn one(problem: &Problem, moved: &Problem, train: &Train) -> std::result::Result
     let found = find_law(moved)?;
     let (cam, wanted) = cut(problem, train, &found.law)?;
     let force = force_report(problem, &wanted);
-    let checks = verify::checks(problem, &cam, &wanted, &force);
+    let checks = verify::checks_of_one(problem, &cam, &wanted, &force);
     Ok(Round {
         found,
         cam,

@@ -129,8 +129,9 @@ pub enum Reason {
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)]
 pub enum Change {
-    /// Its value and the one that works.
+    /// Its key as it is typed, its value and the one that works.
     Change {
+        key: &'static str,
         limit: Criterion,
         from: Quantity,
         to: Quantity,

@@ -205,6 +205,11 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     let least = (problem.outside_bore() + spec.roller_radius).max(1e-6);
     let wanted = problem.limits.curvature.unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
+    let press = limits::Press {
+        drive: &problem.drive,
+        thickness: problem.cam.thickness,
+        law: pressing,
+    };
     // Growing D at the same offset relaxes the pressure angle, the curvature and the pressure alike.
     let holds = |d: f64| {
         let prime = d.hypot(offset);
@@ -218,9 +223,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         let curvature = cam.curvature();
         curvature.convex.value >= wanted
             && !curvature.undercut
-            && bearable.is_none_or(|p| {
-                limits::pressure(&problem.drive, problem.cam.thickness, &cam, pressing).value <= p
-            })
+            && bearable.is_none_or(|most| press.on(&cam).value <= most)
     };
     let first = lift.max(least * 1e-3);
     if holds(lift) {

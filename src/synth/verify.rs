@@ -2,26 +2,39 @@
 
 use super::design::ForceReport;
 use super::limits::{Finished, curvature_checks, interference, pressure_angle_checks, wall_check};
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Wall};
+use crate::cam::{BarrelGroove, Cam, Check, Criterion, Wall};
 use crate::law::Law;
 use crate::problem::Problem;
 
 /// Every limit of the problem, and what no cam may lack, held against the design. The force is that of
 /// the law that presses: a polydyne follower's end, the cam's own otherwise.
-pub fn checks(problem: &Problem, cam: &Cam, pressing: &Law, force: &ForceReport) -> Vec<Check> {
-    let design = Finished {
+pub fn checks(design: &Finished) -> Vec<Check> {
+    let mut out = design.checks();
+    out.extend(second_cam(design.problem, design.second));
+    out.extend(groove(design.problem, design.groove));
+    out
+}
+
+/// The checks of one cam before it has its second cam or its groove.
+pub fn checks_of_one(
+    problem: &Problem,
+    cam: &Cam,
+    pressing: &Law,
+    force: &ForceReport,
+) -> Vec<Check> {
+    checks(&Finished {
         problem,
         cam,
+        second: None,
+        groove: None,
         pressing,
         force,
-    };
-    design.checks()
+    })
 }
 
 /// What the second cam of a conjugate pair must keep.
-pub fn second_cam(problem: &Problem, pair: Option<&Conjugate>) -> Vec<Check> {
-    let Some(pair) = pair else { return Vec::new() };
-    let cam = &pair.second;
+fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
+    let Some(cam) = second else { return Vec::new() };
     let mut out = pressure_angle_checks(problem, cam.pressure_angle_extremes());
     out.extend(curvature_checks(problem, cam));
     out.extend(interference(cam));
@@ -32,7 +45,7 @@ pub fn second_cam(problem: &Problem, pair: Option<&Conjugate>) -> Vec<Check> {
 }
 
 /// Pressure angle and convex walls at the floor of a barrel's groove, where both are worst.
-pub fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
+fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
     let Some(groove) = groove else {
         return Vec::new();
     };

@@ -183,8 +183,12 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
         }
         .train(drive)?,
     };
-    machine.friction =
-        given("--friction", &args.friction, Dimension::Ratio)?.unwrap_or(spec.friction);
+    let friction = given("--friction", &args.friction, Dimension::Ratio)?;
+    if friction.is_some_and(|mu| mu < 0.0) {
+        let typed = args.friction.clone().unwrap_or_default();
+        return Err(CliError::NegativeFriction { typed }.flag("--friction"));
+    }
+    machine.friction = friction.unwrap_or(spec.friction);
     let e =
         given("--restitution", &args.restitution, Dimension::Ratio)?.unwrap_or(spec.restitution);
     if !(0.0..=1.0).contains(&e) {

@@ -78,8 +78,21 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
 /// The worst angle at one speed gives, by its own quadratic in ω, a lower speed; from above, each is
 /// nearer, and the extremes are exact.
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
-    let springs = combination(law, [drive.spring_rate, 0.0, 0.0], drive.rest_force);
-    let (rest, most) = springs.extremes();
+    lowest_liftoff(
+        drive,
+        |weights, constant| combination(law, weights, constant).extremes(),
+        |extreme, size| one_sided(law, extreme, size),
+    )
+}
+
+/// The same for any periodic motion: `extremes` of w₀ s + w₁ v + w₂ a + constant, and the motion at one of
+/// them, on the side of a jump where the quantity given has the extreme's value.
+pub fn lowest_liftoff(
+    drive: &Drive,
+    extremes: impl Fn([f64; 3], f64) -> (Extreme, Extreme),
+    motion: impl Fn(Extreme, &dyn Fn(Svaj) -> f64) -> Svaj,
+) -> Option<f64> {
+    let (rest, most) = extremes([drive.spring_rate, 0.0, 0.0], drive.rest_force);
     if rest.value < -NO_PULL_AT_REST * most.value.abs() {
         return Some(0.0);
     }
@@ -88,13 +101,13 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     }
     // A speed at which inertia (or damping) surely outweighs springs somewhere, if any does.
     let highest = most.value;
-    let least_a = combination(law, [0.0, 0.0, 1.0], 0.0).extremes().0;
+    let least_a = extremes([0.0, 0.0, 1.0], 0.0).0;
     let mut speed = if drive.mass > 0.0 && least_a.value < 0.0 {
-        let at = law.svaj(least_a.at);
+        let at = motion(least_a, &|at| at.a);
         let pull = (drive.mass * at.a.min(least_a.value)).abs();
         2.0 * (highest.max(0.0) / pull).sqrt() + drive.damping * at.v.abs() / pull
     } else {
-        let least_v = law.extremes(1).0;
+        let least_v = extremes([0.0, 1.0, 0.0], 0.0).0;
         if drive.damping <= 0.0 || least_v.value >= 0.0 {
             return None;
         }
@@ -107,12 +120,12 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
             ..*drive
         };
         let [k, c, m, _] = here.weights();
-        let (worst, largest) = combination(law, [k, c, m], drive.rest_force).extremes();
+        let (worst, largest) = extremes([k, c, m], drive.rest_force);
         // A force that only touches zero, as in a dwell without preload, is no lift-off.
         if worst.value >= -NO_PULL * largest.value.abs() {
             break;
         }
-        let at = one_sided(law, worst, &here);
+        let at = motion(worst, &|at| here.force(at));
         let (p, q, r) = (
             drive.mass * at.a,
             sign * drive.damping * at.v,
@@ -127,8 +140,8 @@ pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     Some(speed)
 }
 
-/// The motion at an extreme, from whichever side of a break gave it.
-fn one_sided(law: &Law, extreme: Extreme, drive: &Drive) -> Svaj {
+/// The motion at an extreme, from whichever side of a break gives the quantity the extreme's value.
+fn one_sided(law: &Law, extreme: Extreme, quantity: &dyn Fn(Svaj) -> f64) -> Svaj {
     let right = law.svaj(extreme.at);
     let n = law.breaks().len() - 1;
     let left = law
@@ -136,13 +149,9 @@ fn one_sided(law: &Law, extreme: Extreme, drive: &Drive) -> Svaj {
         .iter()
         .position(|b| (b - extreme.at).abs() <= 1e-12 * (1.0 + b.abs()))
         .map(|i| law.svaj_on((i + n - 1) % n, 1.0));
+    let off = |at: Svaj| (quantity(at) - extreme.value).abs();
     match left {
-        Some(left)
-            if (drive.force(left) - extreme.value).abs()
-                < (drive.force(right) - extreme.value).abs() =>
-        {
-            left
-        }
+        Some(left) if off(left) < off(right) => left,
         _ => right,
     }
 }

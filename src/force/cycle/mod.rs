@@ -125,6 +125,10 @@ pub fn force_curve(
         .unwrap_or("recording");
     let mut curve = mean.curve;
     curve.name = format!("{file}, {}", mean.source);
+    if let CycleSource::AnyFoot { stances, .. } = mean.source {
+        // What changes the whole curve comes before what was guessed.
+        curve.notes.insert(0, Note::OneFootForBoth { stances });
+    }
     Ok(curve)
 }
 

@@ -1,6 +1,8 @@
 //! Rows of `[cam]`: the cam and its follower.
 
-use super::row::{Access, Idle, Key, Kind, Range, Relax, given, optional, other, plain};
+use super::row::{
+    Access, Idle, Key, Kind, Measure, Range, Relax, given, key, optional, other, plain,
+};
 use super::value::Value;
 use crate::cam::FollowerKind;
 use crate::scene::{ConjugateSpec, Scene};
@@ -70,9 +72,27 @@ pub static ROWS: &[Key] = &[
         optional!(cam.base_radius),
     )
     .relax(Relax::Up),
-    plain("cam.offset", D::Length, Range::Any, optional!(cam.offset))
-        .only(|s| follower(s).is_translating())
-        .idle_when(|s| (follower(s) == FollowerKind::FlatTranslating).then_some(Idle::Follower)),
+    key(
+        "cam.offset",
+        Kind::NumberOr(Measure::same(D::Length), "auto"),
+        Range::Any,
+        Access {
+            get: |s, _| {
+                Some(
+                    s.cam
+                        .offset
+                        .map_or(Value::Text("auto".into()), Value::Number),
+                )
+            },
+            set: |s, _, v| {
+                s.cam.offset = v.number();
+                Ok(())
+            },
+        },
+    )
+    .default("0")
+    .only(|s| follower(s).is_translating())
+    .idle_when(|s| (follower(s) == FollowerKind::FlatTranslating).then_some(Idle::Follower)),
     plain(
         "cam.roller_radius",
         D::Length,

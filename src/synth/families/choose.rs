@@ -101,7 +101,7 @@ fn missed_by(
         let excess = Quantity::force(force.rms_error_n - wanted);
         return Ok(Some(PassedOver::Accuracy { family, excess }));
     }
-    let checks = verify::checks(problem, &cam, &cam.law, &force);
+    let checks = verify::checks_of_one(problem, &cam, &cam.law, &force);
     let measures = cam.follower.measures();
     let broken = checks.into_iter().find(|c| !c.pass);
     Ok(broken.map(|c| PassedOver::Check {

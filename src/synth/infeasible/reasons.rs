@@ -26,6 +26,7 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
         .iter()
         .filter_map(|r| {
             Some(Change::Change {
+                key: r.key,
                 limit: r.limit,
                 from: quantity(measures, r.limit, r.from),
                 to: quantity(measures, r.limit, r.to?),

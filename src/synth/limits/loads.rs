@@ -6,15 +6,15 @@
 use std::f64::consts::PI;
 
 use super::Finished;
+use super::hertz_pressure::Press;
 use super::nonconvex::{Profile, ProfileSize, Slack};
 use super::power;
 use super::row::row as limit_row;
-use crate::cam::{Cam, Check, FollowerKind, LimitKind};
+use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
-use crate::dynamics::rigid::touch::touch;
 use crate::law::{Law, Svaj};
-use crate::poly::{Extreme, PiecewisePoly, stand_in};
+use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS};
 
@@ -237,9 +237,17 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         out.push(Check::at_most(LimitKind::TorqueRate, worst, limit, SLACK));
     }
     if let Some(limit) = limits.hertz_pressure {
-        let problem = design.problem;
-        let thickness = problem.cam.thickness;
-        let worst = pressure(&problem.drive, thickness, design.cam, design.pressing);
+        let press = Press {
+            drive: &design.problem.drive,
+            thickness: design.problem.cam.thickness,
+            law: design.pressing,
+        };
+        let worst = press.worst(design.cam, design.second, design.groove);
+        // An undercut profile is cut away where the pressure would be highest.
+        let worst = worst.unwrap_or(Extreme {
+            at: design.cam.curvature().convex.at,
+            value: f64::INFINITY,
+        });
         out.push(Check::at_most(
             LimitKind::HertzPressure,
             worst,
@@ -293,36 +301,4 @@ pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let force = problem.drive.force_curve(pressing).extremes().1.value;
     let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
-}
-
-/// Highest line pressure, Pa, steel on steel over the plate's thickness, m: p₀² = N κ E*/(π L).
-pub fn pressure(drive: &Drive, thickness: f64, cam: &Cam, pressing: &Law) -> Extreme {
-    let start = cam.law.extent().0;
-    if !cam.follower.is_flat() && cam.follower.roller_radius() == 0.0 {
-        // A knife edge presses on a line without width.
-        return Extreme {
-            at: start,
-            value: f64::INFINITY,
-        };
-    }
-    let factor = modulus(STEEL, STEEL) / (PI * thickness);
-    let breaks = cam.law.breaks();
-    let alike = pressing.breaks() == breaks;
-    let square = stand_in(breaks, 1e-12, |i, x| {
-        let u = (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
-        let at = cam.law.svaj_on(i, u);
-        let force = drive.force(if alike {
-            pressing.svaj_on(i, u)
-        } else {
-            pressing.svaj(x)
-        });
-        let here = touch(&cam.follower, drive.speed, 0.0, at, force);
-        factor * here.normal * here.curvature
-    })
-    .extremes()
-    .1;
-    Extreme {
-        at: square.at,
-        value: square.value.max(0.0).sqrt(),
-    }
 }

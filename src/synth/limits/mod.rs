@@ -7,6 +7,7 @@
 mod curvature;
 mod dwell_vibration;
 mod force;
+mod hertz_pressure;
 mod kinematic;
 mod loads;
 #[cfg(test)]
@@ -20,16 +21,17 @@ mod size;
 pub use curvature::{checks as curvature_checks, interference, wall_check};
 pub use dwell_vibration::{rings, silence};
 pub use force::{about_the_target, report as force_report};
+pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::Loads;
-pub use loads::{bearable_on_some_size, pressure, smallest_base_radius, torque_curve};
+pub use loads::{bearable_on_some_size, smallest_base_radius, torque_curve};
 pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearance, loaded, relative};
 pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks, usual_pressure_angle};
 pub use row::GEOMETRY;
 
 use super::design::ForceReport;
 use super::qp::{Limit, Program};
-use crate::cam::{Cam, Check, Criterion, Follower, FollowerKind};
+use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind};
 use crate::law::Law;
 use crate::problem::Problem;
 
@@ -91,6 +93,10 @@ pub struct Finished<'a> {
     pub problem: &'a Problem,
     /// The cam.
     pub cam: &'a Cam,
+    /// The second cam of a conjugate pair.
+    pub second: Option<&'a Cam>,
+    /// The groove of a barrel.
+    pub groove: Option<&'a BarrelGroove>,
     /// The law that makes the force: the cam's own, or that of a polydyne follower's end.
     pub pressing: &'a Law,
     /// Its force against the target.

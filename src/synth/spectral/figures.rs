@@ -1,12 +1,13 @@
 //! The figures of a spectral design in closed form.
 
-use super::{Fit, HarmonicTarget, LawRanges};
+use super::machine::Load;
+use super::{Fit, HarmonicTarget, LawRanges, Terms};
 use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
 use crate::scene::{Family, LimitKind, Minimise, Scene};
 use crate::synth::limits::GEOMETRY;
-use crate::synth::{Figures, ForceReport};
+use crate::synth::{Figures, ForceReport, MachineReport};
 
 /// Whether the law of this scene can be had without solving; what remains to be seen is whether it keeps
 /// the limits.
@@ -24,14 +25,20 @@ pub fn suits(scene: &Scene) -> bool {
 }
 
 /// The law as a factor times a curve plus a constant.
-struct Motion {
-    unit: LawRanges,
-    factor: f64,
-    level: f64,
+pub struct Motion {
+    /// Ranges of the curve.
+    pub unit: LawRanges,
+    /// Its harmonics.
+    pub terms: Terms,
+    /// The factor.
+    pub factor: f64,
+    /// The constant.
+    pub level: f64,
 }
 
 impl Motion {
-    fn range(&self, order: usize) -> (f64, f64) {
+    /// Smallest and largest value of a derivative of the law, without the constant.
+    pub fn range(&self, order: usize) -> (f64, f64) {
         let (low, high) = self.unit.svaj[order];
         (self.factor * low, self.factor * high)
     }
@@ -85,10 +92,10 @@ const RESONANCE: f64 = 1e-8;
 /// Pure inertia and pure spring share a curve between rows; any other drive has its own.
 fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
     let [k, c, m, _] = drive.weights();
-    let (unit, factor) = if c == 0.0 && k == 0.0 && m > 0.0 {
-        (*fit.inertia(), scale / m)
+    let (unit, terms, factor) = if c == 0.0 && k == 0.0 && m > 0.0 {
+        (*fit.inertia(), fit.inertia_terms(), scale / m)
     } else if c == 0.0 && m == 0.0 && k > 0.0 {
-        (*fit.spring(), scale / k)
+        (*fit.spring(), fit.harmonics().to_vec(), scale / k)
     } else {
         let clear = (1..=fit.count()).all(|n| {
             let (re, im) = drive.gain(n);
@@ -98,7 +105,8 @@ fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
         if !clear {
             return None;
         }
-        (fit.law(scale, |n| drive.gain(n)), 1.0)
+        let terms = fit.divided(|n| drive.gain(n));
+        (fit.ranges(&terms), terms, scale)
     };
     let level = if k == 0.0 {
         // Nothing fixes the lift: the lowest point stands on the base circle.
@@ -108,6 +116,7 @@ fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
     };
     Some(Motion {
         unit,
+        terms,
         factor,
         level,
     })
@@ -140,7 +149,7 @@ fn kept(
     let wanted = scene.limits.curvature.unwrap_or(0.0);
     let given = scene.cam.base_radius.or(scene.cam.prime_radius);
     let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(scene.cam.bore)));
-    let figures = Figures {
+    let mut figures = Figures {
         force,
         mass: drive.mass,
         speed: drive.speed,
@@ -152,10 +161,25 @@ fn kept(
         smallest_convex_radius: base + bend,
         largest_pressure_angle: 0.0,
         face_width: Some(fastest - slowest),
+        machine: MachineReport::default(),
     };
     // A base circle made for the curvature meets it to rounding.
     let rounding = if given.is_none() { 1e-12 * base } else { 0.0 };
-    keeps_limits(scene, &figures, lowest + stroke, wanted - rounding).then_some(figures)
+    if !keeps_limits(scene, &figures, lowest + stroke, wanted - rounding) {
+        return None;
+    }
+    let load = Load {
+        drive,
+        fit,
+        motion,
+        scale,
+        mean,
+        mean_force,
+        base_radius: base,
+        thickness: scene.cam.thickness,
+    };
+    figures.machine = load.report();
+    Some(figures)
 }
 
 /// Force against target: exact for the sum of the harmonics and what interpolation adds.

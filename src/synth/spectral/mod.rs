@@ -9,12 +9,13 @@
 mod figures;
 mod inverse;
 mod limited_slopes;
+mod machine;
 mod target;
 
 pub use figures::{figures, suits};
 pub use inverse::{Spectral, invert};
 pub use target::HarmonicTarget;
-use target::{Fit, LawRanges};
+use target::{Fit, LawRanges, Terms};
 
 /// Most harmonics that an automatic count takes.
 const MOST_AUTO: usize = 60;

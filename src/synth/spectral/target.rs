@@ -33,20 +33,40 @@ enum Interpolation {
     Limited(LimitedSlopes),
 }
 
-/// LawRanges of a law's derivatives by the cam angle, and the minimum of s + a.
+/// Ranges of a law's derivatives by the cam angle, the minimum of s + a, and the torque of its force.
 #[derive(Debug, Clone, Copy)]
 pub struct LawRanges {
     /// s, v, a, j.
     pub svaj: [Range; 4],
     /// Least s + a.
     pub bend: f64,
+    /// F·v with the force that the law was made for.
+    pub torque: Torque,
 }
+
+/// Range and mean square of a torque F·v.
+#[derive(Debug, Clone, Copy)]
+pub struct Torque {
+    /// Smallest and largest.
+    pub range: Range,
+    /// Mean.
+    pub mean: f64,
+    /// Mean square.
+    pub square: f64,
+}
+
+/// (cosine, sine) of harmonics 1, 2, …
+pub type Terms = Vec<(f64, f64)>;
 
 /// What a count of harmonics gives.
 pub struct Fit {
     harmonics: Vec<(f64, f64)>,
+    /// Mean of the target, N.
+    mean: f64,
     /// Range of the force's harmonics without the mean, N.
     pub force: Range,
+    /// Where they are highest, rad.
+    pub highest_at: f64,
     /// Range of the difference to the target, both without their mean, N.
     pub error: Range,
     /// Its mean, N.
@@ -139,7 +159,9 @@ impl HarmonicTarget {
         let (low, high) = harmonic_extremes(harmonics);
         Some(Fit {
             harmonics: harmonics.to_vec(),
+            mean: self.mean,
             force: (low.value, high.value),
+            highest_at: high.at,
             error,
             error_mean,
             error_square,
@@ -175,38 +197,105 @@ impl Fit {
         self.harmonics.len()
     }
 
+    /// Harmonics of the force, N.
+    pub fn harmonics(&self) -> &[(f64, f64)] {
+        &self.harmonics
+    }
+
     /// The law for m ω² = 1 and no spring: ŝₙ = −F̂ₙ/n².
     pub fn inertia(&self) -> &LawRanges {
         self.inertia
-            .get_or_init(|| LawRanges::of(&self.harmonics, |n| -1.0 / (n * n)))
+            .get_or_init(|| self.ranges(&self.inertia_terms()))
+    }
+
+    /// Its harmonics.
+    pub fn inertia_terms(&self) -> Terms {
+        let terms = (1..).zip(&self.harmonics);
+        terms
+            .map(|(n, &(a, b))| {
+                let gain = -f64::from(n * n);
+                (a / gain, b / gain)
+            })
+            .collect()
     }
 
     /// The law for k = 1 without mass and damping: ŝₙ = F̂ₙ.
     pub fn spring(&self) -> &LawRanges {
-        self.spring
-            .get_or_init(|| LawRanges::of(&self.harmonics, |_| 1.0))
+        self.spring.get_or_init(|| self.ranges(&self.harmonics))
     }
 
     /// The law of any drive: ŝₙ = F̂ₙ/(re + i·im) with the drive's gain at harmonic n.
-    pub fn law(&self, scale: f64, gain: impl Fn(usize) -> (f64, f64)) -> LawRanges {
+    pub fn divided(&self, gain: impl Fn(usize) -> (f64, f64)) -> Terms {
         let divided = (1..).zip(&self.harmonics).map(|(n, &(a, b))| {
             let (re, im) = gain(n);
-            let square = (re * re + im * im) / scale;
+            let square = re * re + im * im;
             ((a * re - b * im) / square, (b * re + a * im) / square)
         });
-        LawRanges::of(&divided.collect::<Vec<_>>(), |_| 1.0)
+        divided.collect()
+    }
+
+    /// The ranges of a law of these harmonics, and its torque under the target's force.
+    pub fn ranges(&self, law: &[(f64, f64)]) -> LawRanges {
+        LawRanges::of(law, Torque::of(self.mean, &self.harmonics, law))
+    }
+}
+
+impl Torque {
+    /// (mean + Σ force) times the derivative of Σ law: a sum of harmonics itself.
+    pub fn of(mean: f64, force: &[(f64, f64)], law: &[(f64, f64)]) -> Torque {
+        let velocity: Terms = (1..)
+            .zip(law)
+            .map(|(n, &(a, b))| (f64::from(n) * b, -f64::from(n) * a))
+            .collect();
+        let mut terms = vec![(0.0, 0.0); force.len() + law.len()];
+        let mut constant = 0.0;
+        for (m, &(c, d)) in velocity.iter().enumerate() {
+            terms[m].0 += mean * c;
+            terms[m].1 += mean * d;
+            for (n, &(a, b)) in force.iter().enumerate() {
+                // cos nθ cos mθ and so on as waves of n + m and |n − m|.
+                let sum = &mut terms[n + m + 1];
+                sum.0 += 0.5 * (a * c - b * d);
+                sum.1 += 0.5 * (a * d + b * c);
+                let (even, odd) = (0.5 * (a * c + b * d), 0.5 * (b * c - a * d));
+                if n == m {
+                    constant += even;
+                } else {
+                    let difference = &mut terms[n.abs_diff(m) - 1];
+                    difference.0 += even;
+                    difference.1 += if n > m { odd } else { -odd };
+                }
+            }
+        }
+        let (low, high) = harmonic_extremes(&terms);
+        let power: f64 = terms.iter().map(|t| 0.5 * (t.0 * t.0 + t.1 * t.1)).sum();
+        Torque {
+            range: (constant + low.value, constant + high.value),
+            mean: constant,
+            square: constant * constant + power,
+        }
+    }
+
+    /// The same in other units of force and lift.
+    pub fn scaled(&self, factor: f64) -> Torque {
+        let (low, high) = self.range;
+        Torque {
+            range: (factor * low, factor * high),
+            mean: factor * self.mean,
+            square: factor * factor * self.square,
+        }
     }
 }
 
 impl LawRanges {
-    /// The curve Σ factor(n)·(aₙ cos nθ + bₙ sin nθ).
-    fn of(harmonics: &[(f64, f64)], factor: impl Fn(f64) -> f64) -> LawRanges {
+    /// Of the curve Σ aₙ cos nθ + bₙ sin nθ.
+    fn of(harmonics: &[(f64, f64)], torque: Torque) -> LawRanges {
         let mut terms = Vec::with_capacity(harmonics.len());
         let mut range = |turned: bool, power: &dyn Fn(f64) -> f64| {
             terms.clear();
             terms.extend((1..).zip(harmonics).map(|(n, &(a, b))| {
                 let n = f64::from(n);
-                let f = factor(n) * power(n);
+                let f = power(n);
                 // A derivative of odd order turns cosines into sines.
                 if turned {
                     (f * b, -f * a)
@@ -225,6 +314,7 @@ impl LawRanges {
                 range(true, &|n| -n * n * n),
             ],
             bend: range(false, &|n| 1.0 - n * n).0,
+            torque,
         }
     }
 }

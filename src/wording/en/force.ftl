@@ -71,6 +71,10 @@ note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel
 note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
 note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
 note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
+note-one-foot-for-both = { $stances ->
+        [one] one stance of one foot is
+       *[other] { $stances } stances of one foot are averaged and
+    } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
 note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of 62 % of the stride
 note-stride-implausible = the stride time of { $period } is outside the range of walking (0.7 s to 2.2 s; children from 0.5 s): check the sampling rate
 note-duty-implausible = the stance takes { $duty } of the stride, outside the range of walking (52 % to 75 %): the recording is of running, or the sampling rate is wrong

@@ -8,7 +8,7 @@ reason-relaxation = Smallest sufficient change: { $changes }.
 reason-relaxations = Smallest sufficient changes, any one of them: { $changes }.
 reason-no-relaxation = Relaxing a single one of these limits is not sufficient.
 reason-all-together = Relaxing a single one of these limits is not sufficient; relaxing all of them by { $share } is.
-reason-change = { $limit } { $to } instead of { $from }
+reason-change = { $key } { $to } instead of { $from }
 
 # Demands on the law in a conflict.
 demand-at-point = { $given } at point { $point } ({ $at })

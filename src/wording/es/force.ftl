@@ -71,6 +71,10 @@ note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $chan
 note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
 note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
 note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
+note-one-foot-for-both = { $stances ->
+        [one] un apoyo de un pie se repite
+       *[other] { $stances } apoyos de un pie se promedian y se repiten
+    } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
 note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del 62 % de la zancada
 note-stride-implausible = la zancada de { $period } está fuera del intervalo de la marcha (0,7 s a 2,2 s; niños desde 0,5 s): compruebe la frecuencia de muestreo
 note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de la marcha (52 % a 75 %): el registro es de carrera o la frecuencia de muestreo es incorrecta

@@ -8,7 +8,7 @@ reason-relaxation = Menor cambio suficiente: { $changes }.
 reason-relaxations = Menores cambios suficientes, basta uno de ellos: { $changes }.
 reason-no-relaxation = No basta con ampliar uno solo de estos límites.
 reason-all-together = No basta con ampliar uno solo de estos límites; basta con ampliarlos todos un { $share }.
-reason-change = { $limit } { $to } en lugar de { $from }
+reason-change = { $key } { $to } en lugar de { $from }
 
 # Condiciones de la ley en un conflicto.
 demand-at-point = { $given } en el punto { $point } ({ $at })

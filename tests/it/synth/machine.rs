@@ -1,5 +1,6 @@
 //! What is said of the machine in a scene: limits that shape the law, keys that the run takes up.
 
+use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::flexible::residual_vibration;
 use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
@@ -227,4 +228,84 @@ fn an_eccentric_asks_of_the_machine_what_its_closed_form_says() {
         "kind = \"fixed-axis\"",
     );
     assert_eq!(design(&idle, &[]).machine(), MachineReport::default());
+}
+
+/// Highest pressure at one depth of a groove, from its formulas at many angles.
+fn sampled_in_groove(s: &Design, radius: f64) -> f64 {
+    let groove = s.groove.as_ref().unwrap();
+    let roller = groove.roller_radius();
+    let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let square = (0..40_000).map(|i| {
+        let at = s
+            .cam
+            .law
+            .svaj(std::f64::consts::TAU * f64::from(i) / 40_000.0);
+        let force = s.drive.force(at);
+        let length = (1.0 + (at.v / radius).powi(2)).sqrt();
+        // The upper wall bears a pull, and bends the other way.
+        let bulge = -force.signum() * at.a / (radius * radius * length.powi(3));
+        force.abs() * length / (roller * (1.0 - roller * bulge))
+    });
+    let most = square.fold(0.0, f64::max);
+    (most * steel / (std::f64::consts::PI * s.thickness)).sqrt()
+}
+
+#[test]
+fn a_groove_is_judged_at_its_floor_and_at_its_rim_on_the_wall_that_bears() {
+    let text = "name = \"groove\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\n\
+        [cam]\nfollower = \"barrel\"\nroller_radius = \"6 mm\"\ndepth = \"12 mm\"\nbase_radius = \"40 mm\"\nthickness = \"10 mm\"\n\
+        [law]\nfamily = \"program\"\n\
+        [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"25 mm\"\nangle = \"180 deg\"\n\
+        [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-25 mm\"\nangle = \"180 deg\"\n";
+    let mut governed = [false; 2];
+    for changes in [
+        &["drive.preload=500 N"][..],
+        &["drive.mass=3 kg"],
+        &["drive.mass=3 kg", "drive.preload=4 N"],
+    ] {
+        let s = design(text, changes);
+        let (floor, rim) = s.groove.as_ref().unwrap().depth();
+        let at = [floor, rim].map(|radius| sampled_in_groove(&s, radius));
+        let most = at[0].max(at[1]);
+        governed[usize::from(at[1] > at[0])] = true;
+        let told = s.machine().hertz_pressure_max_pa.unwrap();
+        assert!(
+            (told / most - 1.0).abs() < 1e-6,
+            "{changes:?} {told} {at:?}"
+        );
+        // The check is of the same number.
+        for (part, pass) in [(1.001, true), (0.999, false)] {
+            let limit = format!("limits.hertz_pressure={} Pa", part * told);
+            let limited = design(text, &[changes, &[&limit]].concat());
+            let check = limited
+                .checks
+                .iter()
+                .find(|c| c.name == LimitKind::HertzPressure);
+            assert_eq!(check.unwrap().pass, pass, "{changes:?}");
+        }
+    }
+    assert_eq!(governed, [true; 2], "floor and rim");
+}
+
+#[test]
+fn a_flat_face_presses_where_force_over_radius_is_highest() {
+    let s = design(
+        scene::DEFAULT,
+        &["cam.base_radius=60 mm", "law.family=spline", "law.spans=9"],
+    );
+    let steel = hertz::modulus(hertz::STEEL, hertz::STEEL);
+    let most = (0..60_000)
+        .map(|i| {
+            s.cam
+                .law
+                .svaj(std::f64::consts::TAU * f64::from(i) / 60_000.0)
+        })
+        .map(|at| s.drive.force(at) / (0.06 + at.s + at.a))
+        .fold(0.0, f64::max);
+    let pressed = hertz::line(most, s.thickness, 1.0, steel).pressure;
+    let told = s.machine().hertz_pressure_max_pa.unwrap();
+    assert!(
+        told >= pressed && told < pressed * (1.0 + 1e-7),
+        "{told} {pressed}"
+    );
 }

@@ -11,3 +11,4 @@ mod random;
 mod relaxations;
 mod targets;
 mod verdict;
+mod verdict_grid;

@@ -289,6 +289,7 @@ fn a_pressure_angle_on_one_side_sizes_by_that_side_alone() {
         [cam]
         follower = "roller-translating"
         roller_radius = "0.1 mm"
+        offset = "auto"
         [limits]
         pressure_angle_rise = "30 deg"
     "#;

@@ -8,9 +8,10 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::exit_code::BUILT;
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::terminal::{print, print_json};
 use crate::words;
+use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
 use gaitcam_output::Picture;
 use gaitcam_output::folder::Folder;
@@ -37,7 +38,7 @@ pub struct CompareArgs {
     pub json: bool,
 }
 
-/// Prints the table and writes it with overlaid diagrams.
+/// Prints the table and writes it with overlaid diagrams; exit code 3 when one of the designs is unacceptable.
 pub fn run(args: &CompareArgs) -> Result<u8> {
     let mut designs = args
         .folders
@@ -68,7 +69,9 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         let place = folder.path().display().to_string();
         print(&words::fill("compare-diagrams", &json!({"folder": place})));
     }
-    Ok(BUILT)
+    let unacceptable = |d: &Design| d.summary["verdict"] == Verdict::Unacceptable.name();
+    let any = designs.iter().any(unacceptable);
+    Ok(if any { NO_SUCH_CAM } else { BUILT })
 }
 
 fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {

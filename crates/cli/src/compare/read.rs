@@ -30,14 +30,16 @@ impl Design {
         let path = folder.join("summary.json");
         let summary: Value =
             serde_json::from_slice(&read_bytes(&path)?).map_err(|e| not_json(&path, &e))?;
-        if summary["outcome"] == "infeasible" {
-            return Err(CliError::InfeasibleResult.file(&path));
-        }
+        // A result without a cam has no tables.
+        let table = |name: &str| match summary["outcome"] == "infeasible" {
+            true => Ok(Columns::default()),
+            false => Columns::read(&folder.join(name)),
+        };
         Ok(Design {
             name: summary["name"].as_str().unwrap_or("cam").to_string(),
             folder: folder.to_path_buf(),
-            law: Columns::read(&folder.join("law.csv"))?,
-            profile: Columns::read(&folder.join("profile.csv"))?,
+            law: table("law.csv")?,
+            profile: table("profile.csv")?,
             summary,
         })
     }
@@ -70,6 +72,7 @@ impl Design {
 }
 
 /// A table of numbers by column; empty fields are NaN.
+#[derive(Default)]
 pub struct Columns {
     /// Names of the columns.
     pub names: Vec<String>,

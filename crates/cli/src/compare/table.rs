@@ -11,7 +11,7 @@ const NONE: &str = "—";
 /// Headings with one cell per design.
 pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     type Cell = fn(&Design) -> String;
-    let cells: [(&'static str, Cell); 18] = [
+    let cells: [(&'static str, Cell); 24] = [
         ("compare-verdict", |d| word(&d.summary["verdict"])),
         ("compare-outcome", |d| word(&d.summary["outcome"])),
         ("compare-law", |d| word(&d.summary["law"]["family"])),
@@ -36,6 +36,24 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
         ("compare-convex", |d| millimetres(d, "rho_min_m")),
         ("compare-pressure-angle", pressure_angle),
         ("compare-face-width", |d| millimetres(d, "face_width_m")),
+        ("compare-torque-max", |d| {
+            machine(d, "torque_max_n_m", 1.0, 4, "N·m")
+        }),
+        ("compare-torque-rms", |d| {
+            machine(d, "torque_rms_n_m", 1.0, 4, "N·m")
+        }),
+        ("compare-power-max", |d| {
+            machine(d, "power_max_w", 1.0, 3, "W")
+        }),
+        ("compare-power-mean", |d| {
+            machine(d, "power_mean_w", 1.0, 3, "W")
+        }),
+        ("compare-lift-off", |d| {
+            machine(d, "liftoff_speed_rad_per_s", 1.0, 4, "rad/s")
+        }),
+        ("compare-hertz", |d| {
+            machine(d, "hertz_pressure_max_pa", 1e-6, 1, "MPa")
+        }),
     ];
     cells
         .iter()
@@ -97,6 +115,12 @@ fn lift(d: &Design, keys: &[&str], order: i32) -> String {
         _ => format!("{lift}/{per}³"),
     };
     shown(largest.map(|x| factor * x), 3, &unit)
+}
+
+/// What the design asks of the machine.
+fn machine(d: &Design, key: &str, factor: f64, decimals: usize, unit: &str) -> String {
+    let value = number(&d.summary["machine"][key]).map(|x| factor * x);
+    shown(value, decimals, unit)
 }
 
 fn millimetres(d: &Design, key: &str) -> String {

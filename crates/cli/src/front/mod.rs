@@ -1,5 +1,7 @@
 //! `gaitcam front`: the best designs of a sweep's table, pictures of it, and the winner as a normal result.
 
+mod objective;
+mod page;
 mod read;
 
 use std::path::{Path, PathBuf};
@@ -10,22 +12,21 @@ use toml::Table;
 
 use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::input::{SceneArgs, at_flag, files::read_bytes, not_json};
+use crate::input::{SceneArgs, files::read_bytes, not_json};
 use crate::sweep::beside;
 use crate::synth::{self, SynthArgs};
 use crate::terminal::{print, print_json, report};
 use crate::words;
 use gaitcam::error::Result;
-use gaitcam::sweep::table::label;
-use gaitcam::sweep::{Front, Key, Point, objective};
+use gaitcam::sweep::{Front, Key, Point};
 use gaitcam_output::folder::Folder;
-use gaitcam_output::sweep_plots::{self, Quantity};
-use gaitcam_output::sweep_report;
+use objective::Objective;
 use read::{Columns, Kept};
 
 const EXAMPLES: &str = "Examples:
   gaitcam front strokes.csv
   gaitcam front grid.csv --minimise force_error,prime_radius,jerk --out out/grid
+  gaitcam front grid.csv --minimise torque_max --maximise liftoff_speed
   gaitcam front walks.csv --best";
 
 /// Which table, which objectives.
@@ -34,17 +35,19 @@ const EXAMPLES: &str = "Examples:
 pub struct FrontArgs {
     /// The table that `gaitcam sweep` wrote
     file: PathBuf,
-    /// Columns to minimise, separated by commas: force_error,prime_radius[,jerk]
-    #[arg(
-        long,
-        value_name = "COLUMNS",
-        default_value = "force_error,prime_radius"
-    )]
-    minimise: String,
+    /// Columns to minimise, separated by commas: force_error,torque_max (default force_error,prime_radius)
+    #[arg(long, value_name = "COLUMNS")]
+    minimise: Option<String>,
+    /// Columns to maximise, separated by commas: liftoff_speed
+    #[arg(long, value_name = "COLUMNS")]
+    maximise: Option<String>,
+    /// Include designs that are not for high speed
+    #[arg(long)]
+    low_speed: bool,
     /// Also write the best design as a normal synth result, in DIR/best
     #[arg(long)]
     best: bool,
-    /// Include cams that fail a check
+    /// Include every design, also those that are unacceptable
     #[arg(long)]
     all: bool,
     /// Folder for front.csv, pictures and report.html (default out/NAME-front)
@@ -58,15 +61,20 @@ pub struct FrontArgs {
 /// Rows of the front that are printed and shown on the page.
 const SHOWN: usize = 40;
 
+/// What was found in a table.
+struct Found {
+    columns: Columns,
+    objectives: Vec<Objective>,
+    kept: Kept,
+    /// Designs that are built, not for high speed, and left out for it.
+    left_out: u64,
+    front: Front,
+}
+
 /// Finds the front and writes its files; exit code 3 when no design of the table will do.
 pub fn run(args: &FrontArgs) -> Result<u8> {
-    let mut front = Front::default();
-    let (columns, objectives, kept) = gather(args, &mut front)?;
-    let names: Vec<String> = objectives
-        .iter()
-        .map(|&o| columns.names[o].clone())
-        .collect();
-    let Some(best) = front.best().cloned() else {
+    let found = gather(args)?;
+    let Some(best) = found.front.best().cloned() else {
         let key = if args.all {
             "front-none-built"
         } else {
@@ -74,9 +82,10 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         };
         let file = args.file.display().to_string();
         report(words::fill(key, &json!({"file": file})));
+        report_left_out(&found);
         return Ok(NO_SUCH_CAM);
     };
-    let sorted = front.sorted();
+    let sorted = found.front.sorted();
     let folder = args.out.clone().unwrap_or_else(|| {
         let name = args
             .file
@@ -85,42 +94,56 @@ pub fn run(args: &FrontArgs) -> Result<u8> {
         PathBuf::from("out").join(format!("{}-front", name.unwrap_or_default()))
     });
     let folder = Folder::open(&folder)?;
-    folder.write("front.csv", csv(&columns, &sorted).as_bytes())?;
-    pictures(args, &folder, &columns, &objectives, &kept, &sorted, &best)?;
+    folder.write("front.csv", csv(&found.columns, &sorted).as_bytes())?;
+    page::write(&args.file, &folder, &found, &sorted, &best)?;
     if args.json && !args.best {
-        let points: Vec<Value> = sorted.iter().map(|p| point_json(&names, p)).collect();
-        let object = json!({"file": args.file.display().to_string(), "rows": kept.seen, "candidates": kept.candidates,
-            "minimise": names, "front": points, "best": point_json(&names, &best)});
-        print_json(&object);
+        print_json(&object(args, &found, &sorted, &best));
     } else if !args.json {
-        print(&text(args, &kept, &columns, &names, &sorted, &best));
+        print(&text(args, &found, &sorted, &best));
+        report_left_out(&found);
         print(&synth::files_in(folder.path(), "report.html"));
     }
     if args.best {
-        return open_best(args, &folder, &columns, &best);
+        return open_best(args, &folder, &found.columns, &best);
     }
     Ok(BUILT)
 }
 
+/// Says how many designs do not count because they are not for high speed.
+fn report_left_out(found: &Found) {
+    if found.left_out > 0 {
+        let count = json!({"count": found.left_out});
+        report(words::fill("front-low-speed", &count));
+    }
+}
+
 /// Reads the table once: the front, and enough rows for pictures.
-fn gather(args: &FrontArgs, front: &mut Front) -> Result<(Columns, Vec<usize>, Kept)> {
-    let mut objectives: Vec<usize> = Vec::new();
+fn gather(args: &FrontArgs) -> Result<Found> {
+    let mut front = Front::default();
+    let mut objectives: Vec<Objective> = Vec::new();
     let mut kept = Kept::default();
+    let mut left_out = 0;
     let mut values = Vec::new();
     let columns = read::each_row(&args.file, |columns, row| {
         if objectives.is_empty() {
-            objectives = args
-                .minimise
-                .split(',')
-                .map(|name| objective(name, &columns.names).map_err(at_flag("--minimise")))
-                .collect::<Result<_>>()?;
+            objectives = Objective::of_all(
+                args.minimise.as_deref(),
+                args.maximise.as_deref(),
+                &columns.names,
+            )?;
         }
         values.clear();
-        values.extend(objectives.iter().map(|&o| row.number(o)));
+        values.extend(objectives.iter().map(|o| o.cost(row.number(o.column))));
         let good = row.word(columns.outcome) == "built"
-            && (args.all
-                || row.word(columns.failed).is_empty()
-                    && row.word(columns.verdict) != "unacceptable");
+            && match row.word(columns.verdict).as_str() {
+                "acceptable" => true,
+                "not-for-high-speed" if !(args.low_speed || args.all) => {
+                    left_out += 1;
+                    false
+                }
+                "not-for-high-speed" => true,
+                _ => args.all,
+            };
         kept.take(columns, &objectives, &row, good);
         if good {
             front.offer(row.number(0) as u64, &values, || {
@@ -132,7 +155,13 @@ fn gather(args: &FrontArgs, front: &mut Front) -> Result<(Columns, Vec<usize>, K
     if objectives.is_empty() {
         return Err(CliError::EmptyTable.file(&args.file));
     }
-    Ok((columns, objectives, kept))
+    Ok(Found {
+        columns,
+        objectives,
+        kept,
+        left_out,
+        front,
+    })
 }
 
 fn csv(columns: &Columns, front: &[&Point]) -> String {
@@ -149,12 +178,25 @@ fn csv(columns: &Columns, front: &[&Point]) -> String {
         .unwrap_or_default()
 }
 
-fn point_json(names: &[String], p: &Point) -> Value {
-    let mut out = json!({"row": p.row});
-    for (name, value) in names.iter().zip(&p.values) {
-        out[name] = json!(value);
-    }
-    out
+/// The answer as JSON, SI.
+fn object(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Value {
+    let named = |maximised: bool| -> Vec<&str> {
+        let all = found.objectives.iter();
+        all.filter(|o| o.maximised == maximised)
+            .map(|o| o.name.as_str())
+            .collect()
+    };
+    let point = |p: &Point| {
+        let mut out = json!({"row": p.row});
+        for (objective, cost) in found.objectives.iter().zip(&p.values) {
+            out[&objective.name] = json!(objective.value(*cost));
+        }
+        out
+    };
+    let points: Vec<Value> = front.iter().map(|p| point(p)).collect();
+    json!({"file": args.file.display().to_string(), "rows": found.kept.seen,
+        "candidates": found.kept.candidates, "not_for_high_speed_left_out": found.left_out,
+        "minimise": named(false), "maximise": named(true), "front": points, "best": point(best)})
 }
 
 /// What a row is called: its recording where recordings vary, else its number.
@@ -167,21 +209,19 @@ fn row_name(columns: &Columns, point: &Point) -> String {
     }
 }
 
-fn text(
-    args: &FrontArgs,
-    kept: &Kept,
-    columns: &Columns,
-    names: &[String],
-    front: &[&Point],
-    best: &Point,
-) -> String {
+fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> String {
+    let kept = &found.kept;
     let mut out = vec![words::fill(
         "front-counts",
         &json!({"file": args.file.display().to_string(), "candidates": kept.candidates.to_string(),
             "seen": kept.seen.to_string(), "front": front.len().to_string()}),
     )];
-    let head: Vec<String> = names.iter().map(|n| format!("{n:>24}")).collect();
-    let called: Vec<String> = front.iter().map(|p| row_name(columns, p)).collect();
+    let head: Vec<String> = found
+        .objectives
+        .iter()
+        .map(|o| format!("{:>28}", o.label()))
+        .collect();
+    let called: Vec<String> = front.iter().map(|p| row_name(&found.columns, p)).collect();
     let shown = called.iter().take(SHOWN);
     let wide = shown.map(|n| n.chars().count()).max().unwrap_or(0).max(12);
     out.push(format!(
@@ -190,7 +230,12 @@ fn text(
         head.join(" ")
     ));
     for (p, name) in front.iter().zip(&called).take(SHOWN) {
-        let values: Vec<String> = p.values.iter().map(|v| format!("{v:>24.6}")).collect();
+        let values: Vec<String> = found
+            .objectives
+            .iter()
+            .zip(&p.values)
+            .map(|(o, cost)| format!("{:>28}", o.shown(*cost)))
+            .collect();
         let mark = if p.row == best.row {
             format!("  {}", words::text("front-best"))
         } else {
@@ -203,173 +248,6 @@ fn text(
         out.push(words::fill("front-more", &more));
     }
     out.join("\n")
-}
-
-/// Lines and dots that a picture can show apart.
-const DRAWN: usize = 3000;
-
-/// Every k-th value, so that a picture stays light.
-fn fewer(mut q: Quantity) -> Quantity {
-    let step = q.values.len().div_ceil(DRAWN).max(1);
-    q.values = q.values.into_iter().step_by(step).collect();
-    q
-}
-
-/// Heat map for two parameters, parallel coordinates for more, the front for two objectives, and the page.
-fn pictures(
-    args: &FrontArgs,
-    folder: &Folder,
-    columns: &Columns,
-    objectives: &[usize],
-    kept: &Kept,
-    front: &[&Point],
-    best: &Point,
-) -> Result<()> {
-    let name = args
-        .file
-        .file_name()
-        .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-    let mut drawn = Vec::new();
-    let varied: Vec<usize> = (0..kept.inputs.len())
-        .filter(|&k| kept.inputs[k].varies())
-        .collect();
-    let inputs: Vec<Quantity> = varied.iter().map(|&k| kept.inputs[k].quantity()).collect();
-    let goals: Vec<Quantity> = kept
-        .goals
-        .iter()
-        .zip(objectives)
-        .map(|(v, &o)| Quantity {
-            label: label(&columns.names[o]),
-            values: v.clone(),
-            words: Vec::new(),
-        })
-        .collect();
-    if goals.len() > 1 {
-        let points: Vec<(f64, f64)> = front.iter().map(|p| (p.values[0], p.values[1])).collect();
-        let at = Some((best.values[0], best.values[1]));
-        drawn.push((
-            "front",
-            "Front",
-            sweep_plots::front(
-                &format!("{name}: front"),
-                &fewer(goals[0].clone()),
-                &fewer(goals[1].clone()),
-                &points,
-                at,
-            ),
-        ));
-    }
-    if let ([x, y], Some(z)) = (&inputs[..], goals.first()) {
-        drawn.push((
-            "heat",
-            "Heat map",
-            sweep_plots::heat_map(&format!("{name}: least {}", z.label), x, y, z),
-        ));
-    }
-    if inputs.len() + goals.len() > 1 {
-        let mut all: Vec<Quantity> = inputs.into_iter().chain(goals).map(fewer).collect();
-        // The front goes last, so that every point of it has its line.
-        let start = all[0].values.len();
-        for p in front {
-            for (k, q) in varied.iter().zip(&mut all) {
-                q.values
-                    .push(kept.inputs[*k].place(&p.cells[kept.inputs[*k].column]));
-            }
-            for (v, q) in p.values.iter().zip(&mut all[varied.len()..]) {
-                q.values.push(*v);
-            }
-        }
-        let lines: Vec<usize> = (start..start + front.len()).collect();
-        let winner = front
-            .iter()
-            .position(|p| p.row == best.row)
-            .map(|i| start + i);
-        drawn.push((
-            "parallel",
-            "Parallel coordinates",
-            sweep_plots::parallel(
-                &format!("{name}: designs, front in blue"),
-                &all,
-                &lines,
-                winner,
-            ),
-        ));
-    }
-    for (file, _, picture) in &drawn {
-        folder.write(&format!("{file}.svg"), picture.svg().as_bytes())?;
-        folder.write(&format!("{file}.png"), &picture.png())?;
-    }
-    let short = |p: &Point| {
-        p.values
-            .iter()
-            .map(|v| format!("{v:.6}"))
-            .collect::<Vec<_>>()
-    };
-    let head = |first: &str| -> Vec<String> {
-        std::iter::once(first.to_string())
-            .chain(objectives.iter().map(|&o| label(&columns.names[o])))
-            .collect()
-    };
-    let rows = front.iter().take(SHOWN).map(|p| {
-        std::iter::once(row_name(columns, p))
-            .chain(short(p))
-            .collect()
-    });
-    let page = sweep_report::Page {
-        title: format!("Sweep {name}"),
-        words: format!(
-            "{} designs, {} of them feasible; {} are non-dominated in {}. The best compromise is row {}.",
-            kept.seen,
-            kept.candidates,
-            front.len(),
-            objectives
-                .iter()
-                .map(|&o| label(&columns.names[o]))
-                .collect::<Vec<_>>()
-                .join(" and "),
-            best.row
-        ),
-        cards: objectives
-            .iter()
-            .zip(&best.values)
-            .map(|(&o, v)| {
-                (
-                    label(&columns.names[o]),
-                    format!("{v:.6}"),
-                    "best compromise".to_string(),
-                )
-            })
-            .collect(),
-        pictures: drawn
-            .iter()
-            .map(|(_, heading, picture)| (*heading, picture))
-            .collect(),
-        tables: vec![
-            (
-                "The front",
-                sweep_report::Table {
-                    head: head("row"),
-                    rows: rows.collect(),
-                },
-            ),
-            (
-                "The best compromise",
-                sweep_report::Table {
-                    head: vec!["column".to_string(), "value".to_string()],
-                    rows: columns
-                        .names
-                        .iter()
-                        .zip(&best.cells)
-                        .map(|(a, b)| vec![a.clone(), b.clone()])
-                        .collect(),
-                },
-            ),
-        ],
-    };
-    folder.write(
-        "report.html",
-        sweep_report::html(&page, crate::language::current()).as_bytes(),
-    )
 }
 
 /// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.

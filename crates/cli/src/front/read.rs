@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
+use super::objective::Objective;
 use crate::error::CliError;
 use crate::input::files::cannot_be_read;
 use gaitcam::error::Result;
@@ -22,8 +23,6 @@ pub struct Columns {
     pub outcome: usize,
     /// `verdict`.
     pub verdict: usize,
-    /// `failed`.
-    pub failed: usize,
 }
 
 impl Columns {
@@ -39,7 +38,6 @@ impl Columns {
         Ok(Columns {
             outcome: find("outcome")?,
             verdict: find("verdict")?,
-            failed: find("failed")?,
             inputs: (1..first).filter(|&c| names[c] != "scene").collect(),
             names,
         })
@@ -224,7 +222,7 @@ pub struct Kept {
 
 impl Kept {
     /// Looks at a row.
-    pub fn take(&mut self, columns: &Columns, objectives: &[usize], row: &Row, good: bool) {
+    pub fn take(&mut self, columns: &Columns, objectives: &[Objective], row: &Row, good: bool) {
         if self.seen == 0 {
             self.stride = 1;
             self.goals = vec![Vec::new(); objectives.len()];
@@ -249,8 +247,8 @@ impl Kept {
         for input in &mut self.inputs {
             input.push(row);
         }
-        for (values, &o) in self.goals.iter_mut().zip(objectives) {
-            values.push(row.number(o));
+        for (values, objective) in self.goals.iter_mut().zip(objectives) {
+            values.push(row.number(objective.column));
         }
         if self.rows.len() >= KEPT_ROWS {
             self.thin_out();

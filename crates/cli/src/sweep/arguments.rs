@@ -10,7 +10,8 @@ use super::SweepArgs;
 use crate::error::CliError;
 use crate::input::files::{cannot_be_read, read_bytes};
 use crate::input::{self, SceneArgs};
-use gaitcam::error::{Place, Result};
+use crate::language;
+use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
@@ -130,10 +131,21 @@ fn list(path: &Path) -> Result<List> {
     let columns = names
         .iter()
         .zip(&columns)
-        .map(|(name, values)| Axis::list(name, values.iter().map(String::as_str)))
-        .collect::<Result<Vec<Axis>>>()
-        .map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+        .map(|(name, values)| of_list(path, name, values))
+        .collect::<Result<Vec<Axis>>>()?;
     Ok(List { columns })
+}
+
+/// A column of a list; a value that cannot be is told with its line, below the header.
+fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
+    let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
+    read(values).map_err(|fault| {
+        // The first row that makes the rows above it wrong.
+        let bad = (1..=values.len()).find(|&count| read(&values[..count]).is_err());
+        let line = bad.map_or(1, |count| count + 1);
+        let fault = format!("{name}: {}", fault.sentence(language::current()));
+        CliError::ListValue { fault }.line(path, line)
+    })
 }
 
 /// Endings of recordings; a folder may hold anything else beside them.

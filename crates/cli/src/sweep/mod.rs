@@ -98,7 +98,8 @@ impl SweepArgs {
     }
 }
 
-/// Runs the sweep; exit code 0 when the table is complete and holds a cam, 3 when it holds none.
+/// Runs the sweep; exit code 0 when the table is complete and holds a cam that is not
+/// unacceptable, 3 when it holds none.
 pub fn run(args: &SweepArgs) -> Result<u8> {
     if !args.tolerance.is_empty() {
         return tolerance::run(args);
@@ -170,7 +171,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         Format::Parquet => return Err(CliError::NoParquet.flag("--out")),
     };
     report(args, &counts, rows as u64 - before, seconds);
-    Ok(if counts.built > 0 { BUILT } else { NO_SUCH_CAM })
+    let some = counts.acceptable + counts.low_speed > 0;
+    Ok(if some { BUILT } else { NO_SUCH_CAM })
 }
 
 /// The table's name, as the argument of a sentence.
@@ -192,7 +194,7 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
     if args.json {
         let object = serde_json::json!({
             "file": args.out.display().to_string(), "rows": counts.rows, "built": counts.built,
-            "acceptable": counts.acceptable, "infeasible": counts.infeasible, "errors": counts.errors,
+            "acceptable": counts.acceptable, "not_for_high_speed": counts.low_speed, "infeasible": counts.infeasible, "errors": counts.errors,
             "computed": computed, "seconds": seconds, "rows_per_s": rate,
         });
         print_json(&object);
@@ -203,6 +205,7 @@ fn report(args: &SweepArgs, counts: &Counts, computed: u64, seconds: f64) {
         ("rows", counts.rows),
         ("built", counts.built),
         ("acceptable", counts.acceptable),
+        ("slow", counts.low_speed),
         ("infeasible", counts.infeasible),
         ("errors", counts.errors),
     ] {

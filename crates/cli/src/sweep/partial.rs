@@ -13,6 +13,7 @@ use crate::error::CliError;
 use crate::input::files::cannot_be_read;
 use crate::result_folder::is_still_there;
 use crate::words;
+use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Result};
 use gaitcam::sweep::{Outcome, Results, differences};
 use gaitcam_output::folder::write_whole;
@@ -51,6 +52,8 @@ pub struct Counts {
     pub built: u64,
     /// Those on which every check passes.
     pub acceptable: u64,
+    /// Those that are not for high speed.
+    pub low_speed: u64,
     /// Limits leave none.
     pub infeasible: u64,
     /// Scenes at fault.
@@ -73,7 +76,8 @@ impl Counts {
     fn count(&mut self, first: u64, outcome: &str, verdict: &str, error: &str) {
         if outcome == Outcome::Built.name() {
             self.built += 1;
-            self.acceptable += u64::from(verdict == "acceptable");
+            self.acceptable += u64::from(verdict == Verdict::Acceptable.name());
+            self.low_speed += u64::from(verdict == Verdict::NotForHighSpeed.name());
         } else if outcome == Outcome::Infeasible.name() {
             self.infeasible += 1;
         } else {
@@ -90,6 +94,7 @@ impl Counts {
         self.rows += next.rows;
         self.built += next.built;
         self.acceptable += next.acceptable;
+        self.low_speed += next.low_speed;
         self.infeasible += next.infeasible;
         self.errors += next.errors;
         self.first_error = self.first_error.take().or(next.first_error);

@@ -33,15 +33,19 @@ const OF_RUN: [&str; 2] = ["dynamics.csv", "simulation.json"];
 /// Names of the files that an earlier result may have left in `folder` and that do not belong to a result of
 /// `scene` (as TOML); none where the folder holds no result.
 pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
-    let summary = fs::read(folder.join("summary.json")).unwrap_or_default();
-    let ours = serde_json::from_slice::<serde_json::Value>(&summary)
-        .is_ok_and(|s| s.get("outcome").is_some() && s.get("solver").is_some());
-    if !ours {
+    let holds = |name: &str, keys: [&str; 2]| {
+        let bytes = fs::read(folder.join(name)).unwrap_or_default();
+        let object = serde_json::from_slice::<serde_json::Value>(&bytes);
+        object.is_ok_and(|o| keys.iter().all(|key| o.get(key).is_some()))
+    };
+    let design = holds("summary.json", ["outcome", "solver"]);
+    if !design && !holds("simulation.json", ["model", "lost_fraction"]) {
         return Vec::new();
     }
     let same = ["scene.toml", "scene.used.toml"]
         .iter()
         .any(|name| fs::read_to_string(folder.join(name)).is_ok_and(|text| text == scene));
     let run: &[&str] = if same { &[] } else { &OF_RUN };
-    [&OF_DESIGN, run].concat()
+    let own: &[&str] = if design { &OF_DESIGN } else { &[] };
+    [own, run].concat()
 }

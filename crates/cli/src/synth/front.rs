@@ -16,12 +16,18 @@ use gaitcam_output::sweep_plots::{self, Quantity};
 /// Points of the front when nothing is said.
 const POINTS: u32 = 20;
 /// Columns of front.csv beside the quantity traded.
-const COLUMNS: [&str; 7] = [
+const COLUMNS: [&str; 13] = [
     "rms_error_n",
     "rms_error_percent_of_mean",
     "max_error_n",
     "prime_radius_m",
     "stroke_m",
+    "torque_max_n_m",
+    "torque_rms_n_m",
+    "power_max_w",
+    "power_mean_w",
+    "liftoff_speed_rad_per_s",
+    "hertz_pressure_max_pa",
     "tier",
     "verdict",
 ];
@@ -98,6 +104,10 @@ fn shown_in(against: Against) -> (&'static str, f64) {
         Against::Velocity => ("m/s", 1.0),
         Against::Acceleration => ("m/s²", 1.0),
         Against::Jerk => ("m/s³", 1.0),
+        Against::Torque => ("N·m", 1.0),
+        Against::Power => ("W", 1.0),
+        Against::HertzPressure => ("MPa", 1e-6),
+        Against::LiftoffSpeed => ("rad/s", 1.0),
     }
 }
 
@@ -110,12 +120,20 @@ fn csv(against: Against, front: &[Trade]) -> String {
     out.push('\n');
     for t in front {
         let (d, f) = (&t.design, &t.design.force);
+        let m = d.machine();
+        let known = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
         let cells = [
             f.rms_error_n.to_string(),
             f.rms_error_percent_of_mean.to_string(),
             f.max_error_n.to_string(),
             d.cam.follower.prime_radius().to_string(),
             d.cam.law.stroke().to_string(),
+            known(m.torque_max_n_m),
+            known(m.torque_rms_n_m),
+            known(m.power_max_w),
+            known(m.power_mean_w),
+            known(m.liftoff_speed_rad_per_s),
+            known(m.hertz_pressure_max_pa),
             d.solver.tier.name().to_string(),
             d.verdict.name().to_string(),
         ];

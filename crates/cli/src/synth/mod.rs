@@ -62,7 +62,8 @@ pub struct SynthArgs {
     /// Rows of law.csv and profile.csv (default 1440), or points of the front (default 20)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     pub points: Option<u32>,
-    /// Compute a Pareto front instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke
+    /// Compute a Pareto front instead of one cam: force_error:prime_radius, or :jerk, :acceleration, :velocity, :stroke,
+    /// :torque, :power, :hertz_pressure, :liftoff_speed
     #[arg(long, value_name = "A:B")]
     pub front: Option<String>,
     /// Also write manufacturing files: solid (STL, 3MF), arcs (DXF), workbook (XLSX)

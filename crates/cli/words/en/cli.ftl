@@ -41,7 +41,7 @@ cli-no-model = "{ $typed }" is not a model
     .help = write auto, rigid, flexible or contact
 cli-restitution = invalid value { $value }
     .help = a coefficient of restitution lies in [0, 1]: 0 for a plastic impact, 1 for an elastic one
-cli-infeasible-result = contains no cam: its outcome is infeasible
+cli-negative-friction = a coefficient of friction is 0 or more, not { $typed }
     .help = relax its limits as the summary says, or leave it out
 cli-broken-table = { $fault }
     .help = write it again with gaitcam synth
@@ -58,6 +58,7 @@ cli-no-base-scene = does not name the row's base scene
 cli-row-not-number = row { $row }: "{ $cell }" is no number
 cli-nothing-varies = an empty grid: no key varies
     .help = write --vary 'limits.stroke=20 mm:60 mm:5', --list FILE.csv or --recordings FOLDER
+cli-list-value = { $fault }
 cli-list-cell = a value is missing
     .help = every row needs every key
 cli-empty-list = an empty grid: the list has no row
@@ -129,7 +130,8 @@ synth-law = { $family }{ $degree ->
         [0] {""}
        *[other] , { $pieces } pieces
     }, stroke { $stroke }
-synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm, smallest convex radius { $convex } mm
+synth-offset = {" "}offset { $offset } mm,
+synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
 synth-torque = torque { $most } N·m maximum, { $rms } N·m RMS
 synth-power = power { $most } W maximum
 synth-lift-off = lift-off at { $speed }
@@ -163,6 +165,10 @@ trade-jerk = jerk
 trade-acceleration = acceleration
 trade-velocity = velocity
 trade-stroke = stroke
+trade-torque = largest torque
+trade-power = largest power
+trade-hertz-pressure = largest Hertz pressure
+trade-liftoff-speed = lift-off speed
 
 # gait.
 gait-cycle-of = cycle of { $file }
@@ -178,7 +184,7 @@ sweep-skipped = { $count } file(s) beside the recordings are skipped ({ $first }
     })
 sweep-complete = { $file } is already complete.
 sweep-stopped = stopped after { $done } of { $rows } rows; completed rows are saved, continue with --resume
-sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable), { $infeasible } infeasible, { $errors } errors
+sweep-counts = { $rows } rows in { $file }: { $built } built ({ $acceptable } acceptable, { $slow } not for high speed), { $infeasible } infeasible, { $errors } errors
 sweep-rate = { $designs } designs in { $seconds } s, { $rate } per second
 sweep-first-error = First error, row { $row }: { $fault }
 sweep-repaired = the last { $bytes } bytes of { $file } were cut short by a crash and are computed again
@@ -191,8 +197,12 @@ sweep-designs = designs
 
 # front.
 front-none-built = { $file }: no design was built
-front-none-feasible = { $file }: no design passes every check (--all includes the others)
-front-counts = { $file }: { $candidates } of { $seen } designs are feasible, { $front } of them non-dominated
+front-none-feasible = { $file }: no design is acceptable (--all includes the others)
+front-counts = { $file }: { $candidates } of { $seen } designs are admitted, { $front } of them non-dominated
+front-low-speed = { $count ->
+        [one] one design that is not for high speed is
+       *[other] { $count } designs that are not for high speed are
+    } left out; --low-speed includes them
 front-row = row
 front-best = best compromise
 front-more = … { $count } more in front.csv; best compromise: row { $row }
@@ -217,6 +227,12 @@ compare-base-radius = base radius
 compare-convex = smallest convex radius
 compare-pressure-angle = largest pressure angle
 compare-face-width = face width
+compare-torque-max = largest torque
+compare-torque-rms = torque, RMS
+compare-power-max = largest power
+compare-power-mean = mean power
+compare-lift-off = lift-off speed
+compare-hertz = largest Hertz pressure
 
 # laws.
 laws-head = Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|

@@ -41,7 +41,7 @@ cli-no-model = "{ $typed }" no es un modelo
     .help = escriba auto, rigid, flexible o contact
 cli-restitution = valor no válido { $value }
     .help = el coeficiente de restitución está en [0, 1]: 0 en un choque plástico, 1 en uno elástico
-cli-infeasible-result = no contiene ninguna leva: su resultado es irrealizable
+cli-negative-friction = un coeficiente de rozamiento es 0 o mayor, no { $typed }
     .help = relaje sus límites como dice el resumen, o quítelo
 cli-broken-table = { $fault }
     .help = escríbala de nuevo con gaitcam synth
@@ -58,6 +58,7 @@ cli-no-base-scene = no nombra la escena base de la fila
 cli-row-not-number = fila { $row }: "{ $cell }" no es un número
 cli-nothing-varies = rejilla vacía: no varía ninguna clave
     .help = escriba --vary 'limits.stroke=20 mm:60 mm:5', --list ARCHIVO.csv o --recordings CARPETA
+cli-list-value = { $fault }
 cli-list-cell = falta un valor
     .help = cada fila necesita todas las claves
 cli-empty-list = rejilla vacía: la lista no tiene filas
@@ -129,7 +130,8 @@ synth-law = { $family }{ $degree ->
         [0] {""}
        *[other] , { $pieces } tramos
     }, carrera { $stroke }
-synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm, menor radio convexo { $convex } mm
+synth-offset = {" "}excentricidad { $offset } mm,
+synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
 synth-torque = par máximo { $most } N·m, RMS { $rms } N·m
 synth-power = potencia máxima { $most } W
 synth-lift-off = pérdida de contacto a { $speed }
@@ -163,6 +165,10 @@ trade-jerk = sobreaceleración
 trade-acceleration = aceleración
 trade-velocity = velocidad
 trade-stroke = carrera
+trade-torque = par máximo
+trade-power = potencia máxima
+trade-hertz-pressure = presión de Hertz máxima
+trade-liftoff-speed = velocidad de despegue
 
 # gait.
 gait-cycle-of = ciclo de { $file }
@@ -178,7 +184,7 @@ sweep-skipped = se omiten { $count } archivos junto a los registros ({ $first }{
     })
 sweep-complete = { $file } ya está completa.
 sweep-stopped = detenido tras { $done } de { $rows } filas; las filas calculadas están guardadas, continúe con --resume
-sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables), { $infeasible } irrealizables, { $errors } errores
+sweep-counts = { $rows } filas en { $file }: { $built } construidas ({ $acceptable } aceptables, { $slow } no para alta velocidad), { $infeasible } irrealizables, { $errors } errores
 sweep-rate = { $designs } diseños en { $seconds } s, { $rate } por segundo
 sweep-first-error = Primer error, fila { $row }: { $fault }
 sweep-repaired = los últimos { $bytes } bytes de { $file } quedaron cortados por una interrupción y se calculan de nuevo
@@ -191,8 +197,12 @@ sweep-designs = diseños
 
 # front.
 front-none-built = { $file }: no se construyó ningún diseño
-front-none-feasible = { $file }: ningún diseño cumple todas las comprobaciones (--all incluye los demás)
-front-counts = { $file }: { $candidates } de { $seen } diseños son realizables, { $front } de ellos no dominados
+front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los demás)
+front-counts = { $file }: { $candidates } de { $seen } diseños cuentan, { $front } de ellos no dominados
+front-low-speed = { $count ->
+        [one] se omite un diseño que no es
+       *[other] se omiten { $count } diseños que no son
+    } para alta velocidad; --low-speed los incluye
 front-row = fila
 front-best = mejor compromiso
 front-more = … { $count } más en front.csv; mejor compromiso: fila { $row }
@@ -217,6 +227,12 @@ compare-base-radius = radio base
 compare-convex = menor radio convexo
 compare-pressure-angle = ángulo de presión máximo
 compare-face-width = ancho de la cara
+compare-torque-max = par máximo
+compare-torque-rms = par, RMS
+compare-power-max = potencia máxima
+compare-power-mean = potencia media
+compare-lift-off = velocidad de despegue
+compare-hertz = presión de Hertz máxima
 
 # laws.
 laws-head = Subida de 1 en tiempo 1: máximos de velocidad Cv, aceleración Ca, sobreaceleración Cj, par Ct = max|a·v|

@@ -6,7 +6,7 @@ use crate::plot::palette::{BLUE, GREEN, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
 use crate::words::Words;
-use gaitcam::cam::Unit;
+use gaitcam::cam::{Cam, Unit};
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
@@ -38,9 +38,15 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
             let y = padded(ends.into_iter(), 0.26);
             let panel = over_the_law(canvas, synthesis, frames[k], y, layout.letters)?;
             panel.curve(&curve, colours[k], 2.4)?;
-            if ends[1] > ends[0] {
+            let (lowest, highest) = synthesis.cam.derivative_extremes(k);
+            if ends[1] > ends[0] && highest.value.is_finite() {
                 panel.mark(across(high.at), ends[1], true, colours[k])?;
+            }
+            if ends[1] > ends[0] && lowest.value.is_finite() {
                 panel.mark(across(low.at), ends[0], false, colours[k])?;
+            }
+            for (at, up) in infinities(&synthesis.cam, k) {
+                panel.infinity(across(at), up, colours[k])?;
             }
             panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
             if k == 3 {
@@ -49,4 +55,22 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
         }
         Ok(())
     })
+}
+
+/// Where a derivative is infinite, and whether upwards: where the one below it jumps, and both ways where one
+/// further below does.
+fn infinities(cam: &Cam, order: usize) -> Vec<(f64, bool)> {
+    let mut out = Vec::new();
+    for below in 0..order {
+        for jump in cam.jumps(below) {
+            let both = below + 1 < order;
+            if both || jump.value > 0.0 {
+                out.push((jump.at, true));
+            }
+            if both || jump.value < 0.0 {
+                out.push((jump.at, false));
+            }
+        }
+    }
+    out
 }

@@ -42,18 +42,33 @@ const SHOWN: [(&str, &str, f64); 6] = [
     ("Pa", "MPa", 1e-6),
 ];
 
+/// A label in the unit that people use, and SI's factor to it: `stroke, m` is read as `stroke, mm`.
+pub fn unit_for_people(label: &str) -> (String, f64) {
+    let found = label.rsplit_once(", ").and_then(|(name, unit)| {
+        let row = SHOWN.iter().find(|row| row.0 == unit)?;
+        Some((name, row))
+    });
+    match found {
+        Some((name, (_, unit, factor))) => (format!("{name}, {unit}"), *factor),
+        None => (label.to_string(), 1.0),
+    }
+}
+
+/// Which of several designs in one cell of a heat map counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Best {
+    /// The one with the least value.
+    Least,
+    /// The one with the largest.
+    Largest,
+}
+
 impl Quantity {
     /// The same in the unit that people use, and the factor to it.
     fn shown(&self) -> (Quantity, f64) {
-        let found = self.label.rsplit_once(", ").and_then(|(name, unit)| {
-            let row = SHOWN.iter().find(|row| row.0 == unit)?;
-            Some((name, row))
-        });
-        let Some((name, &(_, unit, factor))) = found else {
-            return (self.clone(), 1.0);
-        };
+        let (label, factor) = unit_for_people(&self.label);
         let shown = Quantity {
-            label: format!("{name}, {unit}"),
+            label,
             values: self.values.iter().map(|v| factor * v).collect(),
             words: self.words.clone(),
         };
@@ -217,15 +232,18 @@ fn shown<const N: usize>(all: [&Quantity; N]) -> ([Quantity; N], [f64; N]) {
     (both.map(|b| b.0), factors)
 }
 
-/// The least value of `z` over two parameters, as colour; cells without a design stay blank.
-pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity) -> Picture {
+/// The best value of `z` over two parameters, as colour; cells without a design stay blank.
+pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Best) -> Picture {
     let ([x, y, z], _) = shown([x, y, z]);
     let (ex, ey) = (edges(&x.values), edges(&y.values));
     let mut cells = vec![f64::INFINITY; (ex.len() - 1) * (ey.len() - 1)];
     for ((&a, &b), &c) in x.values.iter().zip(&y.values).zip(&z.values) {
         if a.is_finite() && b.is_finite() && c.is_finite() {
             let at = &mut cells[cell(&ey, b) * (ex.len() - 1) + cell(&ex, a)];
-            *at = at.min(c);
+            *at = match best {
+                Best::Largest if at.is_finite() => at.max(c),
+                _ => at.min(c),
+            };
         }
     }
     let [low, high] = padded(cells.iter().copied(), 0.0);

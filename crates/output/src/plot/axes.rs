@@ -332,6 +332,37 @@ impl<'a, 'c> Panel<'a, 'c> {
         self.label(degrees, value, maximum, colour, true)
     }
 
+    /// An arrow to the edge of the frame, with ∞ or −∞ beside it: the quantity is infinite at this angle.
+    pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
+        let level = 0.0_f64.clamp(self.y[0], self.y[1]);
+        let [x, from] = self.place(degrees, level);
+        let (edge, away) = if up {
+            (self.frame.top, 1.0)
+        } else {
+            (self.frame.bottom, -1.0)
+        };
+        let tip = edge + away * 2.0;
+        let head = 0.55 * self.size;
+        line(self.canvas, &[[x, from], [x, tip]], stroke(colour, 2.0))?;
+        let sides = [-1.0, 1.0].map(|side| [x + side * 0.4 * head, tip + away * head]);
+        line(
+            self.canvas,
+            &[sides[0], [x, tip], sides[1]],
+            stroke(colour, 2.0),
+        )?;
+        // At the right edge the sign stands left of the arrow.
+        let room = self.frame.right - x > 2.5 * self.size;
+        let (gap, side) = if room {
+            (0.4, HPos::Left)
+        } else {
+            (-0.4, HPos::Right)
+        };
+        let text = if up { "∞" } else { "−∞" };
+        let at = [x + gap * self.size, tip + away * 0.7 * self.size];
+        let letters = Lettering::new(0.88 * self.size, palette::INK).anchored(side, VPos::Center);
+        write(self.canvas, text, at, letters)
+    }
+
     fn label(
         &self,
         degrees: f64,

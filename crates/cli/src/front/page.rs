@@ -1,0 +1,200 @@
+//! Pictures of the front and the page that shows them.
+
+use std::path::Path;
+
+use super::{Found, SHOWN, row_name};
+use gaitcam::error::Result;
+use gaitcam::sweep::Point;
+use gaitcam::sweep::table::label;
+use gaitcam_output::Picture;
+use gaitcam_output::folder::Folder;
+use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
+use gaitcam_output::sweep_report;
+
+/// Lines and dots that a picture can show apart.
+const DRAWN: usize = 3000;
+
+/// A picture with its file's name and its heading.
+type Drawn = (&'static str, &'static str, Picture);
+
+/// Writes the pictures and report.html.
+pub fn write(
+    file: &Path,
+    folder: &Folder,
+    found: &Found,
+    front: &[&Point],
+    best: &Point,
+) -> Result<()> {
+    let name = file
+        .file_name()
+        .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let drawn = pictures(&name, found, front, best);
+    for (file, _, picture) in &drawn {
+        folder.write(&format!("{file}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{file}.png"), &picture.png())?;
+    }
+    let page = page(&name, found, front, best, &drawn);
+    let html = sweep_report::html(&page, crate::language::current());
+    folder.write("report.html", html.as_bytes())
+}
+
+/// Every k-th value, so that a picture stays light.
+fn fewer(mut q: Quantity) -> Quantity {
+    let step = q.values.len().div_ceil(DRAWN).max(1);
+    q.values = q.values.into_iter().step_by(step).collect();
+    q
+}
+
+/// Heat map for two parameters, parallel coordinates for more, the front for two objectives.
+fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Drawn> {
+    let kept = &found.kept;
+    let varied: Vec<usize> = (0..kept.inputs.len())
+        .filter(|&k| kept.inputs[k].varies())
+        .collect();
+    let inputs: Vec<Quantity> = varied.iter().map(|&k| kept.inputs[k].quantity()).collect();
+    let goals: Vec<Quantity> = (kept.goals.iter())
+        .zip(&found.objectives)
+        .map(|(values, objective)| Quantity {
+            label: label(&objective.name),
+            values: values.clone(),
+            words: Vec::new(),
+        })
+        .collect();
+    let mut drawn = Vec::new();
+    if let [x, y, ..] = &goals[..] {
+        drawn.push(("front", "Front", plane(name, found, [x, y], front, best)));
+    }
+    if let ([x, y], Some(z)) = (&inputs[..], goals.first()) {
+        let shown = unit_for_people(&z.label).0;
+        let (title, z, sense) = if found.objectives[0].maximised {
+            (
+                format!("{name}: largest {shown}"),
+                z,
+                sweep_plots::Best::Largest,
+            )
+        } else {
+            (
+                format!("{name}: least {shown}"),
+                z,
+                sweep_plots::Best::Least,
+            )
+        };
+        drawn.push((
+            "heat",
+            "Heat map",
+            sweep_plots::heat_map(&title, x, y, z, sense),
+        ));
+    }
+    if inputs.len() + goals.len() > 1 {
+        let all: Vec<Quantity> = inputs.into_iter().chain(goals).map(fewer).collect();
+        let picture = parallel(name, found, &varied, all, front, best);
+        drawn.push(("parallel", "Parallel coordinates", picture));
+    }
+    drawn
+}
+
+/// The first two objectives of all designs, with the front.
+fn plane(
+    name: &str,
+    found: &Found,
+    [x, y]: [&Quantity; 2],
+    front: &[&Point],
+    best: &Point,
+) -> Picture {
+    let [a, b] = [0, 1].map(|k| &found.objectives[k]);
+    let place = |p: &Point| (a.value(p.values[0]), b.value(p.values[1]));
+    let points: Vec<(f64, f64)> = front.iter().map(|p| place(p)).collect();
+    let title = format!("{name}: front");
+    let (x, y) = (fewer(x.clone()), fewer(y.clone()));
+    sweep_plots::front(&title, &x, &y, &points, Some(place(best)))
+}
+
+fn parallel(
+    name: &str,
+    found: &Found,
+    varied: &[usize],
+    mut all: Vec<Quantity>,
+    front: &[&Point],
+    best: &Point,
+) -> Picture {
+    // The front goes last, so that every point of it has its line.
+    let start = all[0].values.len();
+    for p in front {
+        for (k, q) in varied.iter().zip(&mut all) {
+            let input = &found.kept.inputs[*k];
+            q.values.push(input.place(&p.cells[input.column]));
+        }
+        let goals = &mut all[varied.len()..];
+        for ((cost, objective), q) in p.values.iter().zip(&found.objectives).zip(goals) {
+            q.values.push(objective.value(*cost));
+        }
+    }
+    let lines: Vec<usize> = (start..start + front.len()).collect();
+    let winner = front
+        .iter()
+        .position(|p| p.row == best.row)
+        .map(|i| start + i);
+    let title = format!("{name}: designs, front in blue");
+    sweep_plots::parallel(&title, &all, &lines, winner)
+}
+
+fn page<'a>(
+    name: &str,
+    found: &Found,
+    front: &[&Point],
+    best: &Point,
+    drawn: &'a [Drawn],
+) -> sweep_report::Page<'a> {
+    let labels: Vec<String> = found.objectives.iter().map(|o| o.label()).collect();
+    let shown = |p: &Point| -> Vec<String> {
+        let both = found.objectives.iter().zip(&p.values);
+        both.map(|(o, cost)| o.shown(*cost)).collect()
+    };
+    let mut words = format!(
+        "{} designs, {} of them acceptable; {} are non-dominated in {}. The best compromise is row {}.",
+        found.kept.seen,
+        found.kept.candidates,
+        front.len(),
+        labels.join(" and "),
+        best.row
+    );
+    if found.left_out > 0 {
+        words.push_str(&format!(
+            " {} designs that are not for high speed are left out.",
+            found.left_out
+        ));
+    }
+    let rows = front.iter().take(SHOWN).map(|p| {
+        let name = row_name(&found.columns, p);
+        std::iter::once(name).chain(shown(p)).collect()
+    });
+    let cards = labels.iter().cloned().zip(shown(best));
+    let cells = found.columns.names.iter().zip(&best.cells);
+    sweep_report::Page {
+        title: format!("Sweep {name}"),
+        words,
+        cards: cards
+            .map(|(label, value)| (label, value, "best compromise".to_string()))
+            .collect(),
+        pictures: drawn
+            .iter()
+            .map(|(_, heading, picture)| (*heading, picture))
+            .collect(),
+        tables: vec![
+            (
+                "The front",
+                sweep_report::Table {
+                    head: std::iter::once("row".to_string()).chain(labels).collect(),
+                    rows: rows.collect(),
+                },
+            ),
+            (
+                "The best compromise",
+                sweep_report::Table {
+                    head: vec!["column".to_string(), "value".to_string()],
+                    rows: cells.map(|(a, b)| vec![a.clone(), b.clone()]).collect(),
+                },
+            ),
+        ],
+    }
+}
