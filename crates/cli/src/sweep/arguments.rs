@@ -11,9 +11,9 @@ use crate::error::CliError;
 use crate::input::files::{cannot_be_read, read_bytes};
 use crate::input::{self, SceneArgs};
 use crate::language;
-use gaitcam::error::Result;
+use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
-use gaitcam::scene::Scene;
+use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
 
 /// A plan with the folders that the paths of its scenes are relative to.
@@ -141,11 +141,41 @@ fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     read(values).map_err(|fault| {
         // The first row that makes the rows above it wrong.
-        let bad = (1..=values.len()).find(|&count| read(&values[..count]).is_err());
-        let line = bad.map_or(1, |count| count + 1);
-        let fault = format!("{name}: {}", fault.sentence(language::current()));
-        CliError::ListValue { fault }.line(path, line)
+        let bad = (0..values.len()).find(|&row| read(&values[..=row]).is_err());
+        list_fault(path, bad.unwrap_or(0), name, &fault)
     })
+}
+
+/// A fault of a row of a list, counted from 0 below the header.
+fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
+    let what = fault.kind.sentence(language::current());
+    let fault = format!("{name}: {what}");
+    CliError::ListValue { fault }.line(path, row + 2)
+}
+
+/// A fault of the plan, at the line of the list that has it where one has.
+pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
+    let found = || {
+        let Place::Key(name) = &fault.place else {
+            return None;
+        };
+        let columns = &plan.list.as_ref()?.columns;
+        let axis = columns.iter().find(|a| a.key.name() == name)?;
+        let Values::Words(words) = &axis.values else {
+            return None;
+        };
+        let bad = |word: &Arc<str>| {
+            let mut table = plan.scenes[0].table.clone();
+            let written = axis.key.write_words(&mut table, word);
+            let read = written.and_then(|()| scene::read(&table));
+            read.is_err_and(|e| e.kind == fault.kind)
+        };
+        Some((path?, words.iter().position(bad)?, name))
+    };
+    match found() {
+        Some((path, row, name)) => list_fault(path, row, name, &fault),
+        None => fault,
+    }
 }
 
 /// Endings of recordings; a folder may hold anything else beside them.

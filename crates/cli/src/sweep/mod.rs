@@ -124,8 +124,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         };
         return Err(fault.flag("--vary"));
     }
-    plan.validate()
-        .map_err(|e| input::at_flag(flag_of(&e))(e))?;
+    plan.validate().map_err(|e| {
+        let e = arguments::in_list(e, plan, args.list.as_deref());
+        input::at_flag(flag_of(&e))(e)
+    })?;
     let description = arguments::description(&sweep);
     let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
     let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {

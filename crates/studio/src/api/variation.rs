@@ -176,6 +176,10 @@ pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
         Against::Velocity => Dimension::Speed,
         Against::Acceleration => Dimension::Acceleration,
         Against::Jerk => Dimension::Jerk,
+        Against::Torque => Dimension::Torque,
+        Against::Power => Dimension::Power,
+        Against::HertzPressure => Dimension::Pressure,
+        Against::LiftoffSpeed => Dimension::AngularSpeed,
     };
     let unit = Unit::of(dimension);
     let language = words::current();
@@ -185,7 +189,8 @@ pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
         json!({
             "x": x, "y": y,
             "shown": [unit.after(&number(language, round(x))), format!("{} N", number(language, round(y)))],
-            "key": format!("limits.{}", asked.against),
+            // No limit of its own holds a lift-off speed.
+            "key": (against != Against::LiftoffSpeed).then(|| format!("limits.{}", asked.against)),
             "value": unit.after(&format!("{}", unit.factor * point.allowed)).replace('°', " deg"),
             "verdict": point.design.verdict.name(),
         })
