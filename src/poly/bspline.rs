@@ -231,6 +231,11 @@ impl SplineSpace {
         self.dimension
     }
 
+    /// Knots of one turn of a periodic space, a multiple one as often as it counts; empty for a clamped space.
+    pub fn knots(&self) -> Vec<f64> {
+        self.turn.iter().map(|knot| knot * self.unit).collect()
+    }
+
     /// The non-empty spans in order.
     pub fn spans(&self) -> &[Span] {
         &self.spans

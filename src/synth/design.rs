@@ -3,6 +3,7 @@
 use serde::{Serialize, Serializer};
 
 use super::method::{Ended, Method, PassedOver};
+use super::parameters::Functions;
 use super::proof::Doubt;
 use super::qp::{Certificate, Demand};
 use super::reason::{Reason, sentences};
@@ -32,8 +33,9 @@ pub struct Design {
     pub drive: Drive,
     /// Family of the law as users name it: `spline`, `polynomial`, `program` …
     pub family: String,
-    /// Parameters of the law as `summary.json` lists them: monomial coefficients in θ/β for a
-    /// polynomial, spline coefficients for a spline; m.
+    /// The functions that the law's coefficients belong to.
+    pub functions: Functions,
+    /// Coefficients of the law (of a polydyne cam: of the follower's end), m.
     pub coefficients: Vec<f64>,
     /// Degree of the law's polynomials as users name it (the double harmonic and its kin: 0).
     pub degree: usize,

@@ -64,6 +64,7 @@ mod limits;
 mod machine;
 mod method;
 mod named;
+mod parameters;
 mod pareto;
 mod phase;
 mod polydyne;
@@ -85,6 +86,7 @@ pub use infeasible::{in_units, relaxed, relaxed_with};
 pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use named::unit;
+pub use parameters::Functions;
 pub use pareto::{Against, Trade, trade};
 pub use proof::Doubt;
 pub use qp::{Certificate, Demand, Given};
@@ -162,8 +164,10 @@ fn shaped(problem: &Problem, asked: &Problem) -> std::result::Result<Shape, NoLa
         let end = Some(end);
         return Ok(Shape { found, cam, end });
     }
-    let found = find_law(asked)?;
+    let mut found = find_law(asked)?;
     let law = on_base_circle(problem, found.law.clone());
+    let raised = law.svaj(0.0).s - found.law.svaj(0.0).s;
+    (found.functions).raise(&mut found.coefficients, raised);
     let cam = sizing::cam(problem, law.clone(), &law)?;
     let end = None;
     Ok(Shape { found, cam, end })
@@ -231,6 +235,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         target: problem.target.map(|t| t.curve),
         drive: problem.drive,
         family: found.family.name().to_string(),
+        functions: found.functions,
         coefficients: found.coefficients,
         degree: found.degree,
         cam,

@@ -19,6 +19,7 @@ use crate::problem::{Problem, Target};
 use crate::scene::Family;
 use crate::synth::design::{SolverReport, Tier};
 use crate::synth::method::Method;
+use crate::synth::parameters::Functions;
 use crate::synth::proof::Doubt;
 use crate::units::Quantity;
 
@@ -60,6 +61,7 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
         law: hump.law,
         family: Family::DoubleHarmonic,
         degree: 0,
+        functions: Functions::DoubleHarmonic,
         coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
         binding: Vec::new(),
         easing: Vec::new(),

@@ -15,6 +15,7 @@ pub use spline::stopped_at_noise;
 use super::design::{Binding, Easing, SolverReport, Tier};
 use super::limits::NonconvexLimits;
 use super::method::Method;
+use super::parameters::Functions;
 use super::proof::{self, Doubt};
 use super::qp::{Certificate, Failure, Program, Row, Solution};
 use crate::error::Error;
@@ -31,6 +32,8 @@ pub struct Found {
     pub family: Family,
     /// Degree of its polynomials as users name it.
     pub degree: usize,
+    /// The functions that the coefficients belong to.
+    pub functions: Functions,
     /// Parameters as `summary.json` lists them.
     pub coefficients: Vec<f64>,
     /// Limits that shape it.

@@ -10,6 +10,7 @@ use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
+use crate::synth::parameters::Functions;
 use crate::units::Quantity;
 
 /// The problem's polynomial with how it was found.
@@ -23,6 +24,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         law: p.law,
         family: Family::Polynomial,
         degree: p.degree,
+        functions: Functions::Monomial { range: p.range },
         coefficients: p.monomials,
         binding: Vec::new(),
         easing: Vec::new(),
@@ -36,6 +38,8 @@ struct Polynomial {
     pub law: Law,
     /// Degree of the polynomial.
     pub degree: usize,
+    /// Where it moves, rad.
+    pub range: [f64; 2],
     /// Monomial coefficients, m.
     pub monomials: Vec<f64>,
 }
@@ -103,6 +107,7 @@ fn through_points(problem: &Problem) -> Result<Polynomial> {
     Ok(Polynomial {
         law,
         degree: fixed,
+        range: [start, end],
         monomials: bernstein::to_power(&piece),
     })
 }

@@ -7,6 +7,7 @@ use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
+use crate::synth::parameters::Functions;
 
 /// The law of the problem's segments.
 ///
@@ -27,6 +28,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         assembled(problem, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
     Ok(Found {
         degree: law.poly().degree(),
+        functions: Functions::Segments,
         coefficients: segments.iter().map(|s| s.lift).collect(),
         law,
         family: Family::Program,

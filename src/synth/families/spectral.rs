@@ -9,6 +9,7 @@ use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
+use crate::synth::parameters::Functions;
 use crate::synth::qp::{Basis, Program};
 use crate::synth::spectral::invert;
 use crate::synth::{easing, limits};
@@ -30,6 +31,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
         easing: Vec::new(),
         solver: report(Tier::Spectral, method, 0),
         law: spectral.law(),
+        functions: Functions::Fourier,
         coefficients: spectral.x,
     };
     Ok((found, spectral.left_over))

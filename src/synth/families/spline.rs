@@ -9,6 +9,7 @@ use crate::synth::design::Minimised;
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
+use crate::synth::parameters::Functions;
 use crate::synth::proof::Doubt;
 use crate::synth::qp::{Certificate, Failure, PEAK, Program, Quadratic, Stop};
 use crate::synth::{easing, limits, qp, scp};
@@ -50,6 +51,7 @@ pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
         law: program.basis.law(&solution.x),
         family: Family::Spline,
         degree: problem.degree(),
+        functions: Functions::of(&program.basis),
         coefficients: solution.x.clone(),
         binding: gathered(program, solution, fitted.spans),
         easing: easing(problem, &fitted),

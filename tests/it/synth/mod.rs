@@ -1,6 +1,7 @@
 //! Designs: families, limits, certificates, relaxations.
 
 mod certificate;
+mod coefficients;
 mod every_limit;
 mod families;
 mod loads;

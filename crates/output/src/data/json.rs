@@ -6,8 +6,8 @@ use serde_json::{Map, Value};
 use crate::Timing;
 use gaitcam::cam::{Continuity, Criterion};
 use gaitcam::synth::{
-    Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Infeasible, MachineReport,
-    Reason, Relaxation,
+    Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Functions, Infeasible,
+    MachineReport, Reason, Relaxation,
 };
 use gaitcam::wording::Language;
 
@@ -105,6 +105,7 @@ struct LawSummary<'a> {
     family: &'a str,
     pieces: usize,
     degree: usize,
+    functions: &'a Functions,
     coefficients: &'a [f64],
     /// Phase of the force cycle at cam angle 0.
     phase_rad: f64,
@@ -285,6 +286,7 @@ impl<'a> LawSummary<'a> {
             family: &synthesis.family,
             pieces: law.poly().pieces(),
             degree: synthesis.degree,
+            functions: &synthesis.functions,
             coefficients: &synthesis.coefficients,
             phase_rad: synthesis.phase,
             stroke_m: law.stroke(),

@@ -7,7 +7,7 @@ use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
 use gaitcam::problem::Note;
 use gaitcam::synth::{
-    Binding, Conflicting, Design, ForceReport, Infeasible, Method, Reason, Relaxation,
+    Binding, Conflicting, Design, ForceReport, Functions, Infeasible, Method, Reason, Relaxation,
     SolverReport, Tier,
 };
 use gaitcam::units::{G, LBF, Quantity};
@@ -75,6 +75,7 @@ pub fn footbridge() -> Design {
         target: Some(target),
         drive,
         family: "harmonic".into(),
+        functions: Functions::Fourier,
         coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
         degree: 0,
         end: None,
@@ -181,6 +182,9 @@ pub fn heel_tester() -> Design {
         target: Some(target),
         drive,
         family: "polynomial".into(),
+        functions: Functions::Monomial {
+            range: [0.0, std::f64::consts::TAU],
+        },
         coefficients: c.map(|x| x * INCH).to_vec(),
         degree: 8,
         end: None,

@@ -1,0 +1,56 @@
+//! The functions whose coefficients a law is told by, so that a stranger can evaluate it.
+
+use serde::Serialize;
+
+use super::qp::Basis;
+
+/// Functions of a law's coefficients, in the order of the coefficients.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Functions {
+    /// Periodic B-splines: coefficient i belongs to the function on the knots tᵢ … tᵢ₊ₚ₊₁, the knots of one turn
+    /// going on with tᵢ₊ₙ = tᵢ + 2π.
+    BSpline {
+        /// Knots of one turn, rad, in JSON `knots_rad`; a multiple knot as often as it counts.
+        #[serde(rename = "knots_rad")]
+        knots: Vec<f64>,
+    },
+    /// 1, cos θ, sin θ, cos 2θ, sin 2θ …
+    Fourier,
+    /// 1, u, u² … with u from 0 to 1 on a range; the law rests outside.
+    Monomial {
+        /// The range, rad, in JSON `range_rad`.
+        #[serde(rename = "range_rad")]
+        range: [f64; 2],
+    },
+    /// Lift of a double harmonic, start and angle of its rise, and angle of its fall, m and rad.
+    DoubleHarmonic,
+    /// Lifts of the segments of a programme.
+    Segments,
+}
+
+impl Functions {
+    /// Those of a program.
+    pub(super) fn of(basis: &Basis) -> Self {
+        match basis {
+            Basis::Spline { space, .. } => Functions::BSpline {
+                knots: space.knots(),
+            },
+            Basis::Harmonic { .. } => Functions::Fourier,
+        }
+    }
+
+    /// The coefficients of the same law with its lift changed by a constant.
+    pub(super) fn raise(&self, coefficients: &mut [f64], by: f64) {
+        match self {
+            Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),
+            Functions::Fourier | Functions::Monomial { .. } => {
+                if let Some(mean) = coefficients.first_mut() {
+                    *mean += by;
+                }
+            }
+            Functions::DoubleHarmonic | Functions::Segments => {}
+        }
+    }
+}

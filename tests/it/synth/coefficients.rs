@@ -1,0 +1,99 @@
+//! The coefficients in an answer are its law: evaluated here by the textbook's recursion, as a stranger would.
+
+use std::f64::consts::TAU;
+
+use gaitcam::force::{Feet, model};
+use gaitcam::scene;
+use gaitcam::synth::{Design, Functions, synthesise};
+
+/// The built-in scene with changes and with lines after it.
+fn designed(changes: &[&str], more: &str) -> Design {
+    let text = format!("{}\n{more}", scene::DEFAULT);
+    let mut table: toml::Table = text.parse().unwrap();
+    for change in changes {
+        scene::set(&mut table, change).unwrap();
+    }
+    let scene = scene::read(&table).unwrap();
+    let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
+    synthesise(&scene, Some(&target)).unwrap()
+}
+
+/// Cox and de Boor's recursion for the B-spline of degree p that begins at knot i.
+fn b_spline(knot: &dyn Fn(usize) -> f64, i: usize, p: usize, x: f64) -> f64 {
+    if p == 0 {
+        return f64::from(u8::from(knot(i) <= x && x < knot(i + 1)));
+    }
+    let part = |from: f64, to: f64, at: f64, next: usize| {
+        let width = to - from;
+        if width > 0.0 {
+            at / width * b_spline(knot, next, p - 1, x)
+        } else {
+            0.0
+        }
+    };
+    let [a, b, c, d] = [i, i + p, i + 1, i + p + 1].map(knot);
+    part(a, b, x - a, i) + part(c, d, d - x, i + 1)
+}
+
+fn lift(design: &Design, theta: f64) -> f64 {
+    let c = &design.coefficients;
+    match &design.functions {
+        Functions::BSpline { knots } => {
+            let n = knots.len();
+            let knot = |i: usize| knots[i % n] + TAU * (i / n) as f64;
+            // θ and θ + 2π: a function that runs over the end of the turn is met once more behind it.
+            let terms = (0..n).map(|i| {
+                let once = b_spline(&knot, i, design.degree, theta);
+                c[i] * (once + b_spline(&knot, i, design.degree, theta + TAU))
+            });
+            terms.sum()
+        }
+        Functions::Fourier => {
+            let pairs = c[1..].chunks_exact(2).zip(1..);
+            let waves = pairs.map(|(ab, n)| {
+                let (sin, cos) = (f64::from(n) * theta).sin_cos();
+                ab[0] * cos + ab[1] * sin
+            });
+            c[0] + waves.sum::<f64>()
+        }
+        other => panic!("{other:?} is not asked for here"),
+    }
+}
+
+/// Every tier: closed form, harmonics under a limit, least squares, limits, a given base circle, a size in the
+/// program, a dwell.
+#[test]
+fn coefficients_evaluate_to_the_law_in_every_tier() {
+    let open = "accuracy.rms=none";
+    let spline = "law.family=spline";
+    let cases: [&[&str]; 7] = [
+        &[open],
+        &[open, "law.family=harmonic", "limits.acceleration=3 m/s^2"],
+        &[open, spline, "law.spans=12"],
+        &[open, spline, "law.spans=17", "limits.jerk=40 m/s^3"],
+        &[open, spline, "law.spans=16", "limits.stroke=40 mm"],
+        &[
+            open,
+            spline,
+            "law.spans=12",
+            "cam.base_radius=30 mm",
+            "limits.curvature=70 mm",
+        ],
+        &[open, spline, "law.spans=12", "limits.prime_radius=50 mm"],
+    ];
+    let dwelling = [open, spline, "law.spans=12"];
+    let with_dwell = "[[law.dwell]]\nfrom = \"20 deg\"\nto = \"60 deg\"\n";
+    let all = cases.into_iter().map(|case| (case, ""));
+    for (case, more) in all.chain([(&dwelling[..], with_dwell)]) {
+        let design = designed(case, more);
+        let law = &design.cam.law;
+        for k in 0..200 {
+            let theta = TAU * (f64::from(k) + 0.37) / 200.0;
+            let (own, told) = (law.svaj(theta).s, lift(&design, theta));
+            assert!(
+                (own - told).abs() < 1e-12 * law.stroke(),
+                "{case:?} at {theta}: {told} for {own}"
+            );
+        }
+    }
+}
