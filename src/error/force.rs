@@ -20,6 +20,10 @@ pub enum ForceError {
     PeriodNotPositive { period: Quantity },
     /// A word that names no feet.
     UnknownFeet { word: String },
+    /// A word that is no kind of movement.
+    UnknownKind { word: String },
+    /// A word that names no doubt.
+    UnknownDoubt { word: String },
     /// A word that is no unit of force.
     UnknownUnit { word: String },
     /// No load model has this name.
@@ -41,8 +45,13 @@ pub enum ForceError {
     BothFeetOnly { model: String },
     /// The time column was taken as milliseconds, and no walker takes such strides.
     ClockImplausible { period: Quantity },
-    /// Every contact of the recording is one short hump: running.
+    /// The recording is of running, and running was not asked for.
     Running { duration: Quantity },
+    /// The recording is of another movement than walking or running.
+    NotWalking {
+        kind: &'static str,
+        duration: Quantity,
+    },
     /// The column is the total of both feet, and one foot was asked for.
     TotalOfBothFeet { duration: Quantity },
     /// No contact of the recording is a whole walking stance.

@@ -58,6 +58,8 @@ pub enum ReadError {
     MostlyGaps { lost: Quantity, whole: Quantity },
     /// Neither time nor sampling rate.
     NoRate,
+    /// Converter counts without calibration, and no mass to scale them by.
+    CountsWithoutMass,
     /// Force in body weights, and no mass.
     MassMissing { unit: &'static str },
 

@@ -1,7 +1,9 @@
 //! One cycle of wanted vertical force.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
+use super::interpretation::Interpretation;
 use super::note::Note;
 use super::quantity::seconds;
 use crate::error::{ForceError, Result};
@@ -28,8 +30,8 @@ pub struct ForceCurve {
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, where it is known.
     pub mass_kg: Option<f64>,
-    /// What was guessed, left out or doubtful in the recording that it was made from.
-    pub notes: Vec<Note>,
+    /// How the recording that it was made from was understood.
+    pub recording: Option<Arc<Interpretation>>,
 }
 
 impl ForceCurve {
@@ -55,7 +57,7 @@ impl ForceCurve {
             force_n,
             spread_n: None,
             mass_kg: None,
-            notes: Vec::new(),
+            recording: None,
         })
     }
 
@@ -75,15 +77,17 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
-    /// Notes but for those on mean force and mass, which change when the curve is scaled.
-    pub fn doubts(&self) -> impl Iterator<Item = &Note> {
+    /// What was guessed, left out or doubtful in the recording, but for mean force and mass, which change when
+    /// the curve is scaled.
+    pub fn warnings(&self) -> impl Iterator<Item = &Note> {
         let on_mass = |n: &Note| {
             matches!(
                 n,
                 Note::MeanForceNotWeight { .. } | Note::MassImplausible { .. }
             )
         };
-        self.notes.iter().filter(move |n| !on_mass(n))
+        let all = self.recording.iter().flat_map(|r| &r.warnings);
+        all.filter(move |n| !on_mass(n))
     }
 
     /// Smallest and largest sample, N.

@@ -13,16 +13,30 @@ pub enum Feet {
     Left,
     /// The right foot.
     Right,
+    /// The sum of both feet, which the recording holds in one column.
+    Total,
 }
 
 impl Feet {
-    /// The name used in scenes: `both`, `one`, `left`, `right`.
+    /// Every choice.
+    pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
+
+    /// Part of the weight that the feet carry on the mean over a stride.
+    pub fn share(self) -> f64 {
+        match self {
+            Feet::Both | Feet::Total => 1.0,
+            Feet::One | Feet::Left | Feet::Right => 0.5,
+        }
+    }
+
+    /// The name used in scenes: `both`, `one`, `left`, `right`, `total`.
     pub fn name(self) -> &'static str {
         match self {
             Feet::Both => "both",
             Feet::One => "one",
             Feet::Left => "left",
             Feet::Right => "right",
+            Feet::Total => "total",
         }
     }
 }
@@ -31,10 +45,12 @@ impl std::str::FromStr for Feet {
     type Err = Error;
 
     fn from_str(word: &str) -> Result<Self> {
-        let all = [Feet::Both, Feet::One, Feet::Left, Feet::Right];
-        all.into_iter().find(|f| f.name() == word).ok_or_else(|| {
-            let word = word.to_string();
-            ForceError::UnknownFeet { word }.into()
-        })
+        Feet::ALL
+            .into_iter()
+            .find(|f| f.name() == word)
+            .ok_or_else(|| {
+                let word = word.to_string();
+                ForceError::UnknownFeet { word }.into()
+            })
     }
 }

@@ -36,6 +36,8 @@ pub enum Format {
     Qualisys,
     /// AMTI text without header.
     Amti,
+    /// Converter counts of Motion Analysis.
+    ConverterCounts,
     /// One stance per row.
     StanceTable,
     /// Delimited text with a header.

@@ -7,6 +7,8 @@ mod curve;
 mod cycle;
 mod feet;
 mod format;
+mod interpretation;
+mod kind;
 mod models;
 mod note;
 mod plausibility;
@@ -14,17 +16,23 @@ mod quantity;
 mod read;
 mod recording;
 mod report;
+mod source;
 mod stance;
 
 pub(crate) use curve::slope_correction;
 pub use curve::{ForceCurve, SAMPLES};
-pub use cycle::{Cycle, Overlay, cycle, force_curve, overlay};
+pub use cycle::{Cycle, MeanStanceCurve, Overlay, Period, cycle, overlay};
 pub use feet::Feet;
 pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
+pub use interpretation::{Clock, Column, Contact, Interpretation};
+pub use kind::{Doubt, Kind};
 pub use models::{ModelInfo, Status, catalogue, fourier, model};
-pub use note::{Axis, CycleSource, MassSource, Note, PeriodSource, WeightShare};
+pub use note::{
+    Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
+};
 pub use plausibility::implausible;
 pub use read::{metadata_name, one_cycle, read};
 pub use recording::{Channel, Foot, ForceUnit, Idle, ReadOptions, Recording, Row, Strike};
 pub use report::{LABELS, csv, cycle_json, cycle_table, json, spread_rms_n, table};
+pub use source::force_curve;
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};

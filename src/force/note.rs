@@ -3,8 +3,9 @@
 use std::fmt;
 
 use serde::Serialize;
-use strum::VariantNames;
+use strum::{IntoStaticStr, VariantNames};
 
+use super::kind::Doubt;
 use super::recording::{Foot, ForceUnit};
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
@@ -86,12 +87,20 @@ pub enum Note {
     OneFootForBoth { stances: usize },
     /// Nothing on record gives the duration of a stride; the usual share of stance was assumed.
     StrideAssumed { period: Quantity },
-    /// A stride no walker takes.
-    StrideImplausible { period: Quantity },
-    /// A share of stance in the stride that walking does not have.
-    DutyImplausible { duty: Quantity },
-    /// A highest force that walking does not have, in body weights.
-    PeakImplausible { ratio: f64 },
+    /// A stride that the movement does not have.
+    StrideImplausible {
+        period: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// A share of stance in the stride that the movement does not have.
+    DutyImplausible {
+        duty: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// A highest force that the movement does not have, in body weights.
+    PeakImplausible { ratio: f64, low: f64, high: f64 },
     /// Mean force over the cycle and weight do not fit.
     MeanForceNotWeight {
         ratio: f64,
@@ -100,6 +109,28 @@ pub enum Note {
     },
     /// No walker has this mass.
     MassImplausible { mean: Quantity, mass: Quantity },
+    /// The unit of force was not given, and with the one taken the mass is not that of an adult.
+    UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
+    /// The time column counts in ones and names no unit: milliseconds or samples.
+    CountOrMilliseconds { stride: Quantity },
+    /// The contacts are of another kind than the one asked for.
+    KindDiffers {
+        asked: &'static str,
+        found: &'static str,
+    },
+    /// The speed changes; the mean is of the stances whose durations lie in one range.
+    SpeedChanges {
+        used: usize,
+        stances: usize,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// Stances or feet differ more than those of one walker on whole plates.
+    StancesDiffer { share: Quantity },
+    /// The mean is of the total of both feet in one column.
+    TotalColumn,
+    /// Readings are converter counts, scaled by the mass.
+    CountsScaled { mass: Quantity },
 }
 
 /// What part of the weight the feet of a cycle carry over a stride.
@@ -110,6 +141,35 @@ pub enum WeightShare {
     Whole,
     /// One foot: half of it.
     Half,
+}
+
+/// What the time of a sample was taken from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum ClockSource {
+    /// The user gave the rate.
+    User,
+    /// A time column whose unit is seconds or named.
+    Times,
+    /// A time column whose unit was guessed.
+    GuessedTimes,
+    /// The rate that the file names.
+    Header,
+    /// The rate was guessed.
+    GuessedRate,
+}
+
+/// Where a unit of force is from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum UnitSource {
+    /// The user gave it.
+    User,
+    /// The file names it.
+    File,
+    /// It was guessed from the size of the readings.
+    Guessed,
 }
 
 /// Where a mass is from.
@@ -128,8 +188,9 @@ pub enum MassSource {
 }
 
 /// What the duration of a stride was taken from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum PeriodSource {
     /// Consecutive heel strikes of one foot.
     HeelStrikes,
@@ -145,6 +206,13 @@ pub enum PeriodSource {
     TotalForce,
     /// The file is one cycle of stated period.
     File,
+}
+
+impl PeriodSource {
+    /// The code used in JSON.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
 }
 
 /// How the mean cycle was computed.
@@ -180,6 +248,26 @@ pub enum CycleSource {
     },
     /// Strides of the total force of both feet.
     TotalForce { strides: usize },
+}
+
+impl Note {
+    /// What the note leaves open until the user answers; `None` where it only informs.
+    pub fn doubt(&self) -> Option<Doubt> {
+        match self {
+            Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(Doubt::Kind),
+            Note::CountOrMilliseconds { .. }
+            | Note::StrideAssumed { .. }
+            | Note::StrideImplausible { .. }
+            | Note::DurationsLost { .. }
+            | Note::RatesDiffer { .. } => Some(Doubt::Clock),
+            Note::UnitUnconfirmed { .. }
+            | Note::PeakImplausible { .. }
+            | Note::MeanForceNotWeight { .. }
+            | Note::MassImplausible { .. }
+            | Note::StancesDiffer { .. } => Some(Doubt::Mass),
+            _ => None,
+        }
+    }
 }
 
 impl fmt::Display for Note {

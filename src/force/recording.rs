@@ -4,7 +4,8 @@ use serde::Serialize;
 use strum::VariantNames;
 
 use super::format::Format;
-use super::note::{MassSource, Note};
+use super::kind::Kind;
+use super::note::{ClockSource, MassSource, Note, UnitSource};
 use crate::error::{Error, ForceError, Result};
 use crate::units::{G, LBF, Quantity};
 
@@ -127,6 +128,8 @@ pub struct ReadOptions {
     pub rate_hz: Option<f64>,
     /// Mass of the walker, kg.
     pub mass_kg: Option<f64>,
+    /// What was recorded.
+    pub kind: Option<Kind>,
     /// The bytes of the table of subjects that belongs to a table of stances
     /// (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,
@@ -204,8 +207,18 @@ pub struct Recording {
     pub format: Format,
     /// Samples per second.
     pub rate_hz: f64,
+    /// Time of the first sample on the file's own clock, s.
+    pub start_s: f64,
     /// Time from the first sample to the last, s.
     pub duration_s: f64,
+    /// What the time of a sample was taken from.
+    pub clock: ClockSource,
+    /// Unit of the force columns.
+    pub unit: ForceUnit,
+    /// Where that unit is from.
+    pub unit_from: UnitSource,
+    /// What was recorded, where the user says it.
+    pub kind: Option<Kind>,
     /// Mass of the walker, kg, where the file or the user gives it.
     pub mass_kg: Option<f64>,
     /// Where that mass is from.
@@ -221,6 +234,16 @@ pub struct Recording {
 }
 
 impl Recording {
+    /// Whether the user says that it is of running.
+    pub fn runs(&self) -> bool {
+        self.kind == Some(Kind::Running)
+    }
+
+    /// Whether it is a table of single stances.
+    pub fn has_rows(&self) -> bool {
+        self.channels.iter().any(|c| !c.rows.is_empty())
+    }
+
     /// Whether the forces are those of pressure insoles.
     pub fn is_insole(&self) -> bool {
         let sums = |n: &Note| matches!(n, Note::InsoleColumns { .. });

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::curve::ForceCurve;
 use super::cycle::Cycle;
+use super::interpretation::{Interpretation, coded};
 use super::note::Note;
 use super::recording::{Channel, Foot, Recording};
 use super::stance::{Point, Stance, Stances};
@@ -19,6 +20,8 @@ const LISTED: usize = 30;
 /// Labels of the table: messages of the area `gait`.
 pub const LABELS: &[&str] = &[
     "format",
+    "kind",
+    "kind-unknown",
     "rate",
     "mass",
     "mass-unknown",
@@ -36,11 +39,14 @@ pub const LABELS: &[&str] = &[
     "spread",
     "repeatability",
     "samples",
+    "doubt",
+    "doubts",
     "one-cycle",
 ];
 
 /// A table that a person can check at a glance. `cycle` may be an error's text where there is none.
 pub fn table(
+    understood: &Interpretation,
     recording: &Recording,
     stances: &Stances,
     cycle: Result<&Cycle, &str>,
@@ -49,11 +55,12 @@ pub fn table(
     let words = catalogue(language);
     let mut out = String::new();
     // Writing to a String does not fail.
-    let _ = write_head(&mut out, words, recording, cycle)
+    let _ = write_head(&mut out, words, understood, recording)
         .and_then(|()| write_channels(&mut out, words, recording, stances))
-        .and_then(|()| write_stances(&mut out, words, stances))
-        .and_then(|()| write_rejected(&mut out, words, recording, stances))
-        .and_then(|()| write_cycle(&mut out, words, cycle));
+        .and_then(|()| write_stances(&mut out, words, recording, stances))
+        .and_then(|()| write_rejected(&mut out, words, understood))
+        .and_then(|()| write_cycle(&mut out, words, cycle))
+        .and_then(|()| write_doubts(&mut out, words, understood));
     out
 }
 
@@ -65,18 +72,25 @@ fn label(words: &Catalogue, key: &str) -> String {
 fn write_head(
     out: &mut String,
     words: &Catalogue,
+    understood: &Interpretation,
     r: &Recording,
-    cycle: Result<&Cycle, &str>,
 ) -> std::fmt::Result {
     let format = words.sentence("format", &r.format);
     writeln!(out, "{} {format}", label(words, "format"))?;
+    let kind = understood
+        .kind
+        .map_or(words.text("gait-kind-unknown"), |k| {
+            words.sentence("kind", &k)
+        });
+    writeln!(out, "{} {kind}", label(words, "kind"))?;
+    let clock = words.sentence("clock", &r.clock);
     let rate = label(words, "rate");
-    writeln!(out, "{rate} {:.2} Hz, {:.3} s", r.rate_hz, r.duration_s)?;
-    let mass = match (r.mass_kg.zip(r.mass_from), cycle) {
-        (Some(mass), _) => Some(mass),
-        (None, Ok(c)) => Some((c.mass_kg, c.mass_from)),
-        (None, Err(_)) => None,
-    };
+    writeln!(
+        out,
+        "{rate} {:.2} Hz ({clock}), {:.3} s",
+        r.rate_hz, r.duration_s
+    )?;
+    let mass = understood.mass;
     let mass = mass.map_or(words.text("gait-mass-unknown"), |(kg, from)| {
         format!("{kg:.1} kg ({})", words.sentence("mass-from", &from))
     });
@@ -122,7 +136,12 @@ fn write_channels(
     Ok(())
 }
 
-fn write_stances(out: &mut String, words: &Catalogue, stances: &Stances) -> std::fmt::Result {
+fn write_stances(
+    out: &mut String,
+    words: &Catalogue,
+    r: &Recording,
+    stances: &Stances,
+) -> std::fmt::Result {
     if stances.used.is_empty() {
         return Ok(());
     }
@@ -132,11 +151,12 @@ fn write_stances(out: &mut String, words: &Catalogue, stances: &Stances) -> std:
             out,
             "{:<5} {:>8.3} {:>8.3}  {}  {}  {}",
             s.foot.map_or("-", Foot::name),
-            s.start_s,
-            s.end_s,
-            point(Some(s.p1)),
+            r.start_s + s.start_s,
+            r.start_s + s.end_s,
+            // A single peak late in the stance is the push-off.
+            point(s.first_peak()),
             point(s.valley),
-            point(s.p2)
+            point(s.second_peak())
         )?;
     }
     more(out, words, stances.used.len())
@@ -145,19 +165,52 @@ fn write_stances(out: &mut String, words: &Catalogue, stances: &Stances) -> std:
 fn write_rejected(
     out: &mut String,
     words: &Catalogue,
-    r: &Recording,
-    stances: &Stances,
+    understood: &Interpretation,
 ) -> std::fmt::Result {
-    if stances.rejected.is_empty() {
+    let rejected = understood
+        .contacts
+        .iter()
+        .filter_map(|c| Some((c, c.rejected?)));
+    let all: Vec<_> = rejected.collect();
+    if all.is_empty() {
         return Ok(());
     }
     writeln!(out, "\n{}", words.text("gait-rejected"))?;
-    for x in stances.rejected.iter().take(LISTED) {
-        let name = r.channels.get(x.channel).map_or("", |c| c.name.as_str());
-        let reason = words.sentence("contact", &x.reason);
-        writeln!(out, "{:>8.3} {:>8.3}  {name}: {reason}", x.from_s, x.to_s)?;
+    for (c, reason) in all.iter().take(LISTED) {
+        let column = understood.columns.get(c.column);
+        let name = column.map_or("", |c| c.name.as_str());
+        let reason = words.sentence("contact", reason);
+        writeln!(out, "{:>8.3} {:>8.3}  {name}: {reason}", c.from_s, c.to_s)?;
     }
-    more(out, words, stances.rejected.len())
+    more(out, words, all.len())
+}
+
+/// What is open, and how it is closed.
+fn write_doubts(
+    out: &mut String,
+    words: &Catalogue,
+    understood: &Interpretation,
+) -> std::fmt::Result {
+    let doubts = understood.doubts();
+    if doubts.is_empty() {
+        return Ok(());
+    }
+    let said: Vec<String> = doubts.iter().map(|d| words.sentence("doubt", d)).collect();
+    let names: Vec<&str> = doubts.iter().map(|d| d.name()).collect();
+    let doubts = Label::Doubts {
+        list: said.join(", "),
+        names: names.join(", "),
+    };
+    let text = words.sentence("gait", &doubts);
+    writeln!(out, "{} {text}", label(words, "doubt"))
+}
+
+/// Lines of the table that carry data.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Label {
+    More { count: usize },
+    Doubts { list: String, names: String },
 }
 
 fn point(p: Option<Point>) -> String {
@@ -167,14 +220,9 @@ fn point(p: Option<Point>) -> String {
 }
 
 fn more(out: &mut String, words: &Catalogue, all: usize) -> std::fmt::Result {
-    #[derive(Serialize)]
-    #[serde(rename_all = "kebab-case")]
-    enum List {
-        More { count: usize },
-    }
     if all > LISTED {
         let count = all - LISTED;
-        writeln!(out, "{}", words.sentence("gait", &List::More { count }))?;
+        writeln!(out, "{}", words.sentence("gait", &Label::More { count }))?;
     }
     Ok(())
 }
@@ -217,12 +265,18 @@ pub fn spread_rms_n(curve: &ForceCurve) -> Option<f64> {
 
 /// The same for programs; `cycle` is null where there is none.
 ///
-/// `warnings` holds a code and its data for every note; `notes` the same as sentences.
-pub fn json(recording: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Value {
+/// `warnings` holds a code and its data for every note; `notes` the same as sentences. Times of contacts are those
+/// of the file's own clock.
+pub fn json(
+    understood: &Interpretation,
+    recording: &Recording,
+    stances: &Stances,
+    cycle: Option<&Cycle>,
+) -> Value {
     let r = recording;
     let channels = r.channels.iter().enumerate();
-    let channels: Vec<Value> = channels.map(|(i, c)| channel(i, c, stances)).collect();
-    let rows: Vec<Value> = stances.used.iter().map(stance).collect();
+    let channels: Vec<Value> = channels.map(|(i, c)| channel(i, c, r, stances)).collect();
+    let rows: Vec<Value> = stances.used.iter().map(|s| stance(s, r)).collect();
     let mean = cycle.map(|c| {
         json!({
             "period_s": c.curve.period_s, "period_from": c.period_from,
@@ -232,25 +286,23 @@ pub fn json(recording: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> 
             "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits,
         })
     });
-    let notes = || r.notes.iter().chain(cycle.iter().flat_map(|c| &c.notes));
-    let words: Vec<String> = notes().map(Note::to_string).collect();
-    let warnings: Vec<Value> = notes().map(coded).collect();
-    let (mass, from) = match (r.mass_kg, cycle) {
-        (None, Some(c)) => (Some(c.mass_kg), Some(c.mass_from)),
-        (m, _) => (m, r.mass_from),
-    };
-    json!({
+    let notes: Vec<String> = understood.warnings.iter().map(Note::to_string).collect();
+    let mut out = understood.json();
+    let more = json!({
         "format": r.format.to_string(), "rate_hz": r.rate_hz, "duration_s": r.duration_s,
-        "mass_kg": mass, "mass_from": from, "notes": words, "warnings": warnings,
-        "channels": channels, "stances": rows, "cycle": mean,
-    })
+        "notes": notes, "channels": channels, "stances": rows, "cycle": mean,
+    });
+    if let (Value::Object(out), Value::Object(more)) = (&mut out, more) {
+        out.extend(more);
+    }
+    out
 }
 
-fn channel(index: usize, c: &Channel, stances: &Stances) -> Value {
+fn channel(index: usize, c: &Channel, r: &Recording, stances: &Stances) -> Value {
     let used = stances.used.iter().filter(|s| s.channel == index).count();
     let rejected = stances.rejected.iter().filter(|x| x.channel == index);
     let rejected: Vec<Value> = rejected
-        .map(|x| json!({"from_s": x.from_s, "to_s": x.to_s, "reason": x.reason}))
+        .map(|x| json!({"from_s": r.start_s + x.from_s, "to_s": r.start_s + x.to_s, "reason": x.reason}))
         .collect();
     json!({
         "name": c.name, "foot": c.foot, "baseline_n": c.baseline_n,
@@ -258,27 +310,15 @@ fn channel(index: usize, c: &Channel, stances: &Stances) -> Value {
     })
 }
 
-fn stance(s: &Stance) -> Value {
+fn stance(s: &Stance, r: &Recording) -> Value {
     let at = |p: Option<Point>| p.map(|p| p.at);
     let force = |p: Option<Point>| p.map(|p| p.force_n);
     json!({
-        "foot": s.foot, "channel": s.channel, "start_s": s.start_s, "end_s": s.end_s,
-        "p1_n": s.p1.force_n, "p1_at": s.p1.at, "valley_n": force(s.valley), "valley_at": at(s.valley),
-        "p2_n": force(s.p2), "p2_at": at(s.p2),
+        "foot": s.foot, "channel": s.channel, "start_s": r.start_s + s.start_s,
+        "end_s": r.start_s + s.end_s, "p1_n": force(s.first_peak()), "p1_at": at(s.first_peak()),
+        "valley_n": force(s.valley), "valley_at": at(s.valley),
+        "p2_n": force(s.second_peak()), "p2_at": at(s.second_peak()),
     })
-}
-
-/// An enum as its code and its data.
-fn coded(value: &impl Serialize) -> Value {
-    match serde_json::to_value(value) {
-        Ok(Value::Object(map)) if map.len() == 1 => map
-            .into_iter()
-            .next()
-            .map(|(code, data)| json!({"code": code, "data": data}))
-            .unwrap_or_default(),
-        Ok(code) => json!({"code": code, "data": {}}),
-        Err(_) => Value::Null,
-    }
 }
 
 /// What a file that is one cycle holds, for people.
@@ -312,6 +352,7 @@ pub fn cycle_json(curve: &ForceCurve) -> Value {
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
         "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
+        "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
         "notes": [], "warnings": [], "channels": [], "stances": [],
         "cycle": {
             "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,

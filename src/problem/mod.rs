@@ -22,12 +22,12 @@ use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Result, SynthError};
-use crate::force::{ForceCurve, implausible, spread_rms_n};
+use crate::force::{Doubt, ForceCurve, implausible, spread_rms_n};
 use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
-    Band, CamSpec, DriveSpec, Family, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
-    Scene,
+    Band, CamSpec, DriveSpec, Family, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase,
+    PhaseWeight, Scene,
 };
 use target::{band_about, weight_at};
 
@@ -74,6 +74,8 @@ pub struct Problem {
     pub accuracy: Option<f64>,
     /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
     pub above_base_circle: bool,
+    /// What is open about the recording and was not accepted.
+    pub open_doubts: Vec<Doubt>,
     /// Numbers of spans already found for this force and law.
     pub spans: SpanMemo,
     /// When searches are to end.
@@ -131,7 +133,7 @@ impl Problem {
             && gait.is_recording()
         {
             let doubts = implausible(force, gait.feet).into_iter();
-            let doubts = doubts.chain(force.doubts().cloned());
+            let doubts = doubts.chain(force.warnings().cloned());
             remarks.extend(doubts.map(|note| Note::Recording { note }));
         }
         Problem {
@@ -148,6 +150,7 @@ impl Problem {
             machine: scene.machine.clone(),
             accuracy: scene.rms,
             above_base_circle: true,
+            open_doubts: open_doubts(gait, force.as_ref()),
             spans: SpanMemo::default(),
             halt: Halt::never(),
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
@@ -445,6 +448,17 @@ impl Problem {
             1e-3
         }
     }
+}
+
+/// What is open about a recording and was not accepted by the scene.
+pub(crate) fn open_doubts(gait: Option<&Gait>, force: Option<&ForceCurve>) -> Vec<Doubt> {
+    let recording = force.and_then(|f| f.recording.as_ref());
+    let (Some(gait), Some(recording)) = (gait, recording) else {
+        return Vec::new();
+    };
+    let mut open = recording.doubts();
+    open.retain(|d| !gait.accept.contains(d));
+    open
 }
 
 /// Smallest base radius that a bore of given diameter leaves, m.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::force::Feet;
+use crate::force::{Doubt, Feet, Kind};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -35,6 +35,10 @@ pub struct Gait {
     pub rate: Option<f64>,
     /// Recordings: mass of the walker, kg.
     pub mass: Option<f64>,
+    /// Recordings: what was recorded; `None` leaves it to the reader.
+    pub kind: Option<Kind>,
+    /// Recordings: doubts that the user has settled.
+    pub accept: Vec<Doubt>,
     /// Whose feet count.
     pub feet: Feet,
     /// Scale the target so that its mean is M·g.
@@ -68,6 +72,8 @@ impl Gait {
             unit: None,
             rate: None,
             mass: None,
+            kind: None,
+            accept: Vec::new(),
             feet: Feet::Both,
             to_mass: false,
             band: None,

@@ -24,6 +24,12 @@ pub enum Reason {
         weight: Quantity,
         error: Quantity,
     },
+    /// What the recording is of is open.
+    RecordingKind,
+    /// How long a stride of the recording lasts is open.
+    RecordingClock,
+    /// How large the forces of the recording are is open.
+    RecordingMass,
     /// The lift jumps.
     LiftJumps { at: Quantity },
     /// The velocity jumps.

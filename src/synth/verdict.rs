@@ -6,6 +6,7 @@ use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
+use crate::force::Doubt;
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
 
@@ -17,6 +18,7 @@ pub fn verdict(
     force: &ForceReport,
 ) -> (Verdict, Vec<Reason>) {
     let mut bad: Vec<Reason> = mean_force(problem, force).into_iter().collect();
+    bad.extend(problem.open_doubts.iter().map(|d| open(*d)));
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
     failed.sort_by_key(|c| severity(c.name));
@@ -43,6 +45,15 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
         weight: Quantity::force(problem.drive.rest_force),
         error: Quantity::force(gap.abs()),
     })
+}
+
+/// What is open about the recording as a reason.
+fn open(doubt: Doubt) -> Reason {
+    match doubt {
+        Doubt::Kind => Reason::RecordingKind,
+        Doubt::Clock => Reason::RecordingClock,
+        Doubt::Mass => Reason::RecordingMass,
+    }
 }
 
 /// The first jump of a derivative as a reason.

@@ -10,7 +10,9 @@ use gaitcam::error::{
     CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
     SegmentName, SweepError, SynthError, UnitsError, WriteError,
 };
-use gaitcam::force::{CycleSource, Format, Idle, LABELS, MassSource, Note, RejectReason};
+use gaitcam::force::{
+    ClockSource, CycleSource, Doubt, Format, Idle, Kind, LABELS, MassSource, Note, RejectReason,
+};
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
@@ -40,6 +42,9 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("note", Note::VARIANTS),
         ("cycle", CycleSource::VARIANTS),
         ("mass-from", MassSource::VARIANTS),
+        ("kind", Kind::VARIANTS),
+        ("doubt", Doubt::VARIANTS),
+        ("clock", ClockSource::VARIANTS),
         ("channel", Idle::VARIANTS),
         ("contact", RejectReason::VARIANTS),
         ("format", Format::VARIANTS),

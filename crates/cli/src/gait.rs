@@ -12,13 +12,10 @@ use crate::language;
 use crate::terminal::{print, print_json, report};
 use crate::words;
 use gaitcam::error::{Error, Place, Result};
-use gaitcam::force::{self, Cycle, Feet, ReadOptions, Recording, Stances};
+use gaitcam::force::{self, Cycle, Feet, Interpretation, ReadOptions};
 use gaitcam::units::Dimension;
 use gaitcam_output as output;
 use gaitcam_output::folder::{Folder, write_whole};
-
-/// Stances drawn in the picture; the mean is of all.
-const DRAWN: usize = 60;
 
 const EXAMPLES: &str = "Examples:
   gaitcam gait walk.c3d
@@ -40,7 +37,7 @@ pub struct GaitArgs {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Feet whose force the cycle contains: both, one, left, right
+    /// Feet whose force the cycle contains: both, one, left, right; total: the column is the sum of both
     #[arg(long, default_value = "both")]
     feet: String,
     /// Name or number of the time column
@@ -58,6 +55,9 @@ pub struct GaitArgs {
     /// Mass of the walker: "72.6 kg"
     #[arg(long)]
     mass: Option<String>,
+    /// What was recorded, if it is not recognised: walking, running
+    #[arg(long)]
+    kind: Option<String>,
 }
 
 /// What is said of one recording.
@@ -128,8 +128,14 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
     let stances = force::stances(&recording);
     let cycle =
         force::cycle(&recording, &stances, feet).map_err(|e| e.at(Place::File(path.to_path_buf())));
+    let name = path
+        .file_name()
+        .map_or_else(String::new, |n| n.to_string_lossy().into());
+    let found = cycle.as_ref().ok();
+    let understood = Interpretation::of(&name, &recording, &stances, found, feet);
     // A refusal is printed once, on standard error.
     let table = force::table(
+        &understood,
         &recording,
         &stances,
         cycle.as_ref().map_err(|_| ""),
@@ -137,9 +143,9 @@ fn describe(args: &GaitArgs, path: &Path, place: Option<&Path>, feet: Feet) -> R
     );
     let table = table.trim_end().trim_end_matches(':');
     let text = format!("{}\n{table}", path.display());
-    let object = force::json(&recording, &stances, cycle.as_ref().ok());
-    if let (Some(place), Ok(cycle)) = (place, &cycle) {
-        write_cycle(path, place, &recording, &stances, cycle)?;
+    let object = force::json(&understood, &recording, &stances, found);
+    if let Some(place) = place {
+        write_cycle(path, place, &understood, found)?;
     }
     Ok(Described {
         text,
@@ -164,28 +170,27 @@ fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
         unit: unit.transpose()?,
         rate_hz: input::quantity("--rate", args.rate.as_deref(), Dimension::Frequency)?,
         mass_kg: input::quantity("--mass", args.mass.as_deref(), Dimension::Mass)?,
+        kind: (args.kind.as_deref())
+            .map(|k| k.parse().map_err(input::at_flag("--kind")))
+            .transpose()?,
         metadata: metadata(path),
     })
 }
 
-/// The mean cycle, and beside it a picture of the stances over it.
+/// The mean cycle, and beside it a picture of the recording, which a refused one has too.
 fn write_cycle(
     path: &Path,
     place: &Path,
-    recording: &Recording,
-    stances: &Stances,
-    cycle: &Cycle,
+    understood: &Interpretation,
+    cycle: Option<&Cycle>,
 ) -> Result<()> {
-    let from = named("gait-mean-cycle-of", path);
-    let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
-    write_whole(place, csv.as_bytes())?;
-    let Some(overlay) = force::overlay(recording, stances, DRAWN) else {
-        return Ok(());
-    };
-    let name = path
-        .file_name()
-        .map_or_else(String::new, |n| n.to_string_lossy().into());
-    let picture = output::recording::stances(&name, &overlay, cycle, language::current());
+    if let Some(cycle) = cycle {
+        let from = named("gait-mean-cycle-of", path);
+        let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
+        write_whole(place, csv.as_bytes())?;
+    }
+    let curve = cycle.map(|c| &c.curve);
+    let picture = output::recording::recording(understood, curve, language::current());
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())
 }

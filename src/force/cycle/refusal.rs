@@ -3,27 +3,48 @@
 use super::total::total_stride;
 use crate::error::ForceError;
 use crate::force::feet::Feet;
+use crate::force::kind::Kind;
 use crate::force::note::Note;
 use crate::force::quantity::seconds;
 use crate::force::recording::Recording;
 use crate::force::stance::{RejectReason, Stances};
+use crate::units::Quantity;
+
+/// Usual part of a stride that a walker's foot stands.
+const USUAL_DUTY: f64 = 0.62;
 
 /// The reason, from the contacts that were rejected and from what the header announces.
 pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
     let duration = seconds(recording.duration_s);
     let Some(first) = stances.rejected.first() else {
+        if let Some(refusal) = another_movement(stances, duration) {
+            return refusal;
+        }
         return if recording.channels.iter().all(|c| c.idle.is_some()) {
             ForceError::NoLiveChannel { duration }
         } else {
             ForceError::NoContact { duration }
         };
     };
-    let all_running = (stances.rejected.iter()).all(|r| r.reason == RejectReason::Running);
-    if all_running {
-        return ForceError::Running { duration };
-    }
-    if feet != Feet::Both && total_stride(recording, stances).is_some() {
+    if matches!(feet, Feet::One | Feet::Left | Feet::Right)
+        && total_stride(recording, stances, false).is_some()
+    {
         return ForceError::TotalOfBothFeet { duration };
+    }
+    let guessed = |n: &Note| matches!(n, Note::MillisecondsGuessed { .. });
+    if recording.notes.iter().any(guessed) {
+        // A walk on a wrong clock looks like running, or like standing.
+        let mean = stances
+            .rejected
+            .iter()
+            .map(|r| r.to_s - r.from_s)
+            .sum::<f64>()
+            / stances.rejected.len() as f64;
+        let period = seconds(mean / USUAL_DUTY);
+        return ForceError::ClockImplausible { period };
+    }
+    if let Some(refusal) = another_movement(stances, duration) {
+        return refusal;
     }
     let reason = usual_reason(stances).into();
     let cut = recording.notes.iter().find_map(|n| match n {
@@ -45,6 +66,19 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
             to: seconds(first.to_s),
             reason,
         },
+    }
+}
+
+/// The refusal of a recording of another movement than the one asked for.
+fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError> {
+    let kind = stances.recognised?;
+    match kind {
+        Kind::Running => Some(ForceError::Running { duration }),
+        Kind::Jumping | Kind::Standing | Kind::SitToStand => {
+            let kind = kind.name();
+            Some(ForceError::NotWalking { kind, duration })
+        }
+        Kind::Walking | Kind::Other => None,
     }
 }
 

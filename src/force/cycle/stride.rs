@@ -48,7 +48,7 @@ pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
             stances
                 .rejected
                 .iter()
-                .filter(|r| r.reason != RejectReason::TooShort)
+                .filter(|r| !matches!(r.reason, RejectReason::TooShort | RejectReason::CrossTalk))
                 .map(rejected_fall),
         )
         .collect();

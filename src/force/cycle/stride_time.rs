@@ -2,19 +2,49 @@
 
 use super::average::MeanStance;
 use crate::force::note::PeriodSource;
+use crate::force::plausibility::Ranges;
 use crate::force::recording::{Foot, Recording};
 use crate::force::stance::{Stances, footfalls, same_foot};
 use crate::units::G;
 
-/// Part of a stride that a foot is on the ground, where nothing in the recording says it (normal walking).
-const DUTY: f64 = 0.62;
-
-/// Whether the recording is a table of single stances.
-pub(super) fn has_rows(recording: &Recording) -> bool {
-    recording.channels.iter().any(|c| !c.rows.is_empty())
+/// A stride of the walk that the recording holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Period {
+    /// Duration, s.
+    pub seconds: f64,
+    /// What it was taken from.
+    pub from: PeriodSource,
+    /// Standard deviation of the single strides, s, where there are several.
+    pub spread_s: Option<f64>,
 }
 
-/// Duration of a stride, s, and what it was taken from.
+impl Period {
+    fn of(strides: &[f64], from: PeriodSource) -> Option<Self> {
+        Some(Period {
+            seconds: median(strides.to_vec())?,
+            from,
+            spread_s: deviation_of(strides),
+        })
+    }
+
+    fn alone(seconds: f64, from: PeriodSource) -> Self {
+        Period {
+            seconds,
+            from,
+            spread_s: None,
+        }
+    }
+}
+
+/// Standard deviation of two or more values.
+pub(super) fn deviation_of(values: &[f64]) -> Option<f64> {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+    (values.len() > 1).then(|| (square / (n - 1.0)).sqrt())
+}
+
+/// Duration of a stride and what it was taken from.
 ///
 /// One foot's own consecutive heel strikes give it, else those that the file marks, else doubled steps; else a
 /// known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
@@ -24,9 +54,10 @@ pub(super) fn stride_time(
     stances: &Stances,
     impulse_ns: f64,
     stance: &MeanStance,
-) -> (f64, PeriodSource) {
-    if !has_rows(recording) {
-        let strikes = strikes(recording, stances, stance.duration_s);
+    ranges: &Ranges,
+) -> Period {
+    if !recording.has_rows() {
+        let strikes = strikes(recording, stances, stance.duration_s, ranges);
         if let Some(found) = strikes {
             return found;
         }
@@ -34,26 +65,34 @@ pub(super) fn stride_time(
     if let Some(mass) = recording.mass_kg {
         let period = impulse_ns / (mass * G);
         // A stride shorter than its stance or longer than a pause tells of a wrong mass.
-        if (1.1..3.0).contains(&(period / stance.duration_s)) {
-            return (period, PeriodSource::Impulse);
+        let ratio = period / stance.duration_s;
+        if ratio > 1.1 && ratio < ranges.stride_of_stance.end + 0.5 {
+            return Period::alone(period, PeriodSource::Impulse);
         }
     }
-    (stance.duration_s / DUTY, PeriodSource::UsualDuty)
+    Period::alone(
+        stance.duration_s / ranges.usual_duty,
+        PeriodSource::UsualDuty,
+    )
 }
 
-/// Duration of a stride from heel strikes, s.
-fn strikes(recording: &Recording, stances: &Stances, stance_s: f64) -> Option<(f64, PeriodSource)> {
+/// Duration of a stride from heel strikes.
+fn strikes(
+    recording: &Recording,
+    stances: &Stances,
+    stance_s: f64,
+    ranges: &Ranges,
+) -> Option<Period> {
     let falls = footfalls(recording, stances);
-    let is_stride = |s: f64| (1.0..2.5).contains(&(s / stance_s));
-    // Feet that land together (a jump, standing) are not in step.
-    let is_step = |s: f64| (0.4..1.2).contains(&(s / stance_s));
+    let is_stride = |s: f64| ranges.stride_of_stance.contains(&(s / stance_s));
+    let is_step = |s: f64| ranges.step_of_stance.contains(&(s / stance_s));
     let mut own: Vec<f64> = Vec::new();
     let mut steps: Vec<f64> = Vec::new();
     // The step before, if the foot changed with it.
     let mut before = None;
     for w in falls.windows(2) {
         let time = w[1].start_s - w[0].start_s;
-        let step = match same_foot(&w[0], &w[1]) {
+        let step = match same_foot(&w[0], &w[1], recording.runs()) {
             Some(true) if is_stride(time) => {
                 own.push(time);
                 None
@@ -67,15 +106,20 @@ fn strikes(recording: &Recording, stances: &Stances, stance_s: f64) -> Option<(f
         steps.extend(step);
         before = step;
     }
-    if let Some(stride) = median(own) {
-        return Some((stride, PeriodSource::HeelStrikes));
+    if let Some(stride) = Period::of(&own, PeriodSource::HeelStrikes) {
+        return Some(stride);
     }
-    let marked = marked_strides(recording).into_iter();
-    if let Some(stride) = median(marked.filter(|s| is_stride(*s)).collect()) {
-        return Some((stride, PeriodSource::MarkedStrikes));
+    let mut marked = marked_strides(recording);
+    marked.retain(|s| is_stride(*s));
+    if let Some(stride) = Period::of(&marked, PeriodSource::MarkedStrikes) {
+        return Some(stride);
     }
     let mean = steps.iter().sum::<f64>() / steps.len() as f64;
-    (!steps.is_empty()).then_some((2.0 * mean, PeriodSource::DoubledSteps))
+    (!steps.is_empty()).then_some(Period {
+        seconds: 2.0 * mean,
+        from: PeriodSource::DoubledSteps,
+        spread_s: deviation_of(&steps).map(|d| 2.0 * d),
+    })
 }
 
 /// Times between the strikes of either foot that the file marks, s.

@@ -43,13 +43,13 @@ pub fn model(
     let f = frequency(info, step_frequency_hz)?;
     let shape = if info.single_foot {
         single_foot(info.name, f, feet)
-    } else if feet == Feet::Both {
+    } else if matches!(feet, Feet::Both | Feet::Total) {
         continuous(&harmonics(info.name, f))
     } else {
         let model = info.name.to_string();
         return Err(ForceError::BothFeetOnly { model }.into());
     };
-    let steps = if info.single_foot && feet != Feet::Both {
+    let steps = if info.single_foot && feet.share() < 1.0 {
         2.0
     } else {
         1.0
@@ -59,7 +59,7 @@ pub fn model(
         "{} {f} Hz, {body_weight_n} N, {}",
         info.name,
         match feet {
-            Feet::Both => "both feet",
+            Feet::Both | Feet::Total => "both feet",
             _ => "one foot",
         }
     );
@@ -79,7 +79,7 @@ pub fn fourier(
 ) -> Result<Option<(f64, Vec<(f64, f64)>)>> {
     let info = find(name)?;
     let f = frequency(info, step_frequency_hz)?;
-    if info.single_foot || feet != Feet::Both {
+    if info.single_foot || feet.share() < 1.0 {
         return Ok(None);
     }
     let waves = harmonics(info.name, f);

@@ -13,7 +13,7 @@ pub(super) fn single_foot(name: &str, f: f64, feet: Feet) -> Vec<f64> {
     };
     let stride = 2.0 / f;
     match feet {
-        Feet::Both => phases()
+        Feet::Both | Feet::Total => phases()
             .map(|x| stance(x / f) + stance(x / f + 0.5 * stride))
             .collect(),
         Feet::One | Feet::Left | Feet::Right => phases().map(|x| stance(x * stride)).collect(),

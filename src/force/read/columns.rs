@@ -87,6 +87,16 @@ pub(super) fn role(name: &str) -> Role {
     Role::Other
 }
 
+/// Whether a name says that the force is vertical, total or normal, not only that it is a force.
+pub(super) fn says_vertical(name: &str) -> bool {
+    const WHOLE: [&str; 4] = ["total", "gesamt", "sum", "plate"];
+    let is = |w: &String| {
+        let w = w.as_str();
+        VERTICAL.contains(&w) || VERTICAL_FORCE.contains(&w) || WHOLE.contains(&w)
+    };
+    words(name).iter().any(is)
+}
+
 /// The side a name speaks of.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
     let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));

@@ -1,12 +1,17 @@
 //! The time base: rate from a time column, uneven samples put on even ones, gaps named.
 
 use crate::error::{ReadError, Result};
+use crate::force::note::ClockSource;
 use crate::force::quantity::seconds;
 
 /// An even time base for the samples of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct TimeBase {
     pub rate_hz: f64,
+    /// Time of the first sample, s.
+    pub start_s: f64,
+    /// What it was taken from.
+    pub source: ClockSource,
     /// Times in samples from the first, where they are too uneven to be taken as even.
     uneven: Option<Vec<f64>>,
     /// Spans without samples, s from the first.
@@ -23,13 +28,21 @@ const GAP: f64 = 2.5;
 
 impl TimeBase {
     /// An even base of known rate.
-    pub fn even(rate_hz: f64) -> Self {
+    pub fn even(rate_hz: f64, source: ClockSource) -> Self {
         TimeBase {
             rate_hz,
+            start_s: 0.0,
+            source,
             uneven: None,
             gaps_s: Vec::new(),
             missed: None,
         }
+    }
+
+    /// The same with the first sample at another time of the file's clock, s.
+    #[must_use]
+    pub fn starting_at(self, start_s: f64) -> Self {
+        TimeBase { start_s, ..self }
     }
 
     /// From times in seconds that never fall; the rate is (n − 1)/duration, since single steps are rounded.
@@ -79,6 +92,8 @@ impl TimeBase {
             .then(|| times.iter().map(|t| (t - first) / step).collect());
         Ok(TimeBase {
             rate_hz: 1.0 / step,
+            start_s: *first,
+            source: ClockSource::Times,
             uneven,
             gaps_s: gaps,
             missed: missed(times, usual),

@@ -1,11 +1,12 @@
 //! From raw force columns to channels of upward force: which component, which unit, which sign.
 
 use super::baseline;
+use super::columns::says_vertical;
 use super::raw::RawForce;
 use super::timebase::TimeBase;
 use crate::error::{ReadError, Result};
 use crate::force::format::Format;
-use crate::force::note::{Axis, MassSource, Note};
+use crate::force::note::{Axis, MassSource, Note, UnitSource};
 use crate::force::quantity::newtons;
 use crate::force::recording::{Foot, ForceUnit, ReadOptions, Recording};
 
@@ -35,7 +36,7 @@ pub(super) fn recording(
     let mut notes = facts.notes;
     let mass_kg = options.mass_kg.or(facts.mass_kg);
     keep_vertical(&mut raw, &mut notes);
-    let unit = unit(&raw, options, &mut notes);
+    let (unit, unit_from) = unit(&raw, options, &mut notes);
     let factor = unit
         .newtons(mass_kg)
         .ok_or(ReadError::MassMissing { unit: unit.name() })?;
@@ -66,6 +67,11 @@ pub(super) fn recording(
     Ok(Recording {
         format: facts.format,
         rate_hz: base.rate_hz,
+        start_s: base.start_s,
+        clock: base.source,
+        unit,
+        unit_from,
+        kind: options.kind,
         duration_s: count.saturating_sub(1) as f64 / base.rate_hz,
         mass_kg,
         mass_from: match (options.mass_kg, facts.mass_kg) {
@@ -90,8 +96,12 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
 
 /// Keeps one component: the one the names call vertical, else the one that carries the load.
 fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
-    let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let components = raw.iter().any(|r| r.axis != Axis::Vertical);
+    // A name without a component may be that of a muscle (`L GRF`) beside the components of the plates.
+    if components {
+        raw.retain(|r| r.axis != Axis::Vertical || says_vertical(&r.name));
+    }
+    let named = raw.iter().any(|r| r.axis == Axis::Vertical);
     let keep = if named && components {
         // A column that is the only one of its owner and names no component, beside full triples,
         // is a total or resultant only where it says vertical; the triples are then its parts.
@@ -145,9 +155,9 @@ fn swing(values: &[f64]) -> f64 {
 }
 
 /// The unit of the columns: the user's word, then a believable label, then what the size suggests.
-fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> ForceUnit {
+fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (ForceUnit, UnitSource) {
     if let Some(unit) = options.unit {
-        return unit;
+        return (unit, UnitSource::User);
     }
     let peak = raw.iter().map(|r| swing(&r.values)).fold(0.0, f64::max);
     let believable = |u: ForceUnit| {
@@ -160,13 +170,13 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> Force
     if let Some(unit) = label
         && (believable(unit) || peak == 0.0)
     {
-        return unit;
+        return (unit, UnitSource::File);
     }
     // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
     if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
         let peak = newtons(peak);
         notes.push(Note::LowForce { peak });
-        return ForceUnit::Newton;
+        return (ForceUnit::Newton, UnitSource::File);
     }
     let unit = if !believable(ForceUnit::Newton) && (0.3..=6.0).contains(&peak) {
         ForceUnit::BodyWeight
@@ -178,5 +188,5 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> Force
     } else if unit != ForceUnit::Newton {
         notes.push(Note::UnitGuessed { peak, unit });
     }
-    unit
+    (unit, UnitSource::Guessed)
 }

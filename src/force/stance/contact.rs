@@ -13,6 +13,8 @@ const NOISE_MARGIN: f64 = 6.0;
 pub(super) const TOUCH_S: f64 = 0.1;
 /// A contact longer than this is standing, s.
 pub(super) const STANDING_S: f64 = 1.8;
+/// Longest step of very slow walkers, s.
+pub(super) const SLOW_STEP_S: f64 = 4.0;
 /// Contacts parted by less than this are one, s.
 const DIP_S: f64 = 0.04;
 /// A landing rises at every sample for this long, s.

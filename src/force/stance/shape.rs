@@ -5,6 +5,9 @@ use super::types::Point;
 /// A valley must be at least this part of the highest force below both peaks to count.
 const VALLEY: f64 = 0.01;
 
+/// Force in the middle over that at the quarters, from which two feet stand there.
+const DOUBLE_SUPPORT: f64 = 1.12;
+
 /// Peaks, valley and impulse of one stance.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
@@ -14,8 +17,22 @@ pub(super) struct Shape {
     pub impulse_ns: f64,
     /// Humps that stand out by a tenth of the highest.
     pub humps: usize,
-    /// Whether the force nearly falls to nothing in the middle, as between two steps on one plate.
-    pub holds_two_steps: bool,
+    /// Whether the highest force lies in the middle fifth and stands out from the quarters.
+    pub peaks_in_the_middle: bool,
+    /// Share of the contact at which half of the impulse is reached.
+    middle: f64,
+}
+
+impl Shape {
+    /// Most of the impulse comes early: the heel of a foot whose toe is elsewhere.
+    pub fn is_early(&self) -> bool {
+        self.middle < 0.46
+    }
+
+    /// Most of the impulse comes late.
+    pub fn is_late(&self) -> bool {
+        self.middle > 0.54
+    }
 }
 
 /// Describes the force between two times, s from the first sample.
@@ -23,14 +40,21 @@ pub(super) struct Shape {
 /// The valley is the point that lies deepest below the lower of the highest points before and after it,
 /// between 15 % and 85 % of the stance; the peaks are those highest points. A stance whose valley does not
 /// stand out has one peak only.
-pub(super) fn shape(force: &[f64], rate_hz: f64, start_s: f64, end_s: f64) -> Shape {
+///
+/// `noise_n`: deviation of the unloaded reading, N; a peak between samples is put no higher above them.
+pub(super) fn shape(
+    force: &[f64],
+    rate_hz: f64,
+    (start_s, end_s): (f64, f64),
+    noise_n: f64,
+) -> Shape {
     let last = force.len().saturating_sub(1);
     let from = ((start_s * rate_hz).ceil() as usize).min(last);
     let to = ((end_s * rate_hz).floor() as usize).clamp(from, last);
     let samples = force.get(from..=to).unwrap_or(&[]);
     let duration = (end_s - start_s).max(1.0 / rate_hz);
     let point = |i: usize| {
-        let (force_n, shift) = vertex(samples, i);
+        let (force_n, shift) = vertex(samples, i, noise_n);
         let at = ((from + i) as f64 + shift) / rate_hz - start_s;
         Point {
             force_n,
@@ -47,6 +71,11 @@ pub(super) fn shape(force: &[f64], rate_hz: f64, start_s: f64, end_s: f64) -> Sh
     };
     let humps = humps(samples, 0.1 * top);
     let n = samples.len();
+    let at_quarter = |k: usize| samples.get(k * n / 4).copied().unwrap_or(0.0);
+    let flanks = at_quarter(1).max(at_quarter(3));
+    let peaks_in_the_middle = highest(0..n)
+        .is_some_and(|i| (2 * n..3 * n).contains(&(5 * i)) && samples[i] > DOUBLE_SUPPORT * flanks);
+    let middle = middle_of_impulse(samples);
     let valley = deepest(samples)
         .filter(|&(_, depth)| depth > VALLEY * top)
         .map(|(i, _)| i);
@@ -58,7 +87,8 @@ pub(super) fn shape(force: &[f64], rate_hz: f64, start_s: f64, end_s: f64) -> Sh
             p2: Some(point(b)),
             impulse_ns,
             humps,
-            holds_two_steps: samples[v] < 0.15 * top,
+            peaks_in_the_middle,
+            middle,
         },
         None => Shape {
             p1: point(highest(0..n).unwrap_or(0)),
@@ -66,15 +96,28 @@ pub(super) fn shape(force: &[f64], rate_hz: f64, start_s: f64, end_s: f64) -> Sh
             p2: None,
             impulse_ns,
             humps,
-            holds_two_steps: false,
+            peaks_in_the_middle,
+            middle,
         },
     }
 }
 
+/// Share of the samples at which half of their sum is reached.
+fn middle_of_impulse(samples: &[f64]) -> f64 {
+    let half = 0.5 * samples.iter().sum::<f64>();
+    let mut sum = 0.0;
+    let reached = samples.iter().position(|x| {
+        sum += x;
+        sum >= half
+    });
+    reached.unwrap_or(0) as f64 / samples.len().max(1) as f64
+}
+
 /// Top of the parabola through a sample and its neighbours: force and shift in samples.
 ///
-/// Only where the neighbours agree that it is an extremum; otherwise the sample itself.
-fn vertex(samples: &[f64], i: usize) -> (f64, f64) {
+/// Only where the neighbours agree that it is an extremum; otherwise the sample itself. The force leaves the
+/// sample by no more than the noise: a flat top beside a steep flank would throw the parabola far above it.
+fn vertex(samples: &[f64], i: usize, noise_n: f64) -> (f64, f64) {
     let Some(&y) = samples.get(i) else {
         return (0.0, 0.0);
     };
@@ -89,7 +132,8 @@ fn vertex(samples: &[f64], i: usize) -> (f64, f64) {
         return (y, 0.0);
     }
     let shift = 0.5 * (a - b) / bend;
-    (y - 0.25 * (a - b) * shift, shift)
+    let above = -0.25 * (a - b) * shift;
+    (y + above.clamp(-noise_n, noise_n), shift)
 }
 
 /// The valley: sample in the middle part whose distance below the lower of its flanking maxima is greatest.
@@ -146,7 +190,7 @@ mod tests {
         let n = 61;
         let f = |x: f64| 1000.0 * ((PI * x).sin() + 0.35 * (3.0 * PI * x).sin());
         let v: Vec<f64> = (0..n).map(|i| f(f64::from(i) / 60.0)).collect();
-        let s = shape(&v, 100.0, 0.0, 0.6);
+        let s = shape(&v, 100.0, (0.0, 0.6), 0.0);
         let x = (2.15f64 / 4.2).sqrt().acos() / PI;
         assert!((s.p1.at - x).abs() < 2e-3, "{s:?}");
         assert!((s.p1.force_n - f(x)).abs() < 1.0, "{s:?}");
@@ -157,11 +201,19 @@ mod tests {
     }
 
     #[test]
+    fn a_steep_flank_does_not_throw_the_peak_above_the_samples() {
+        // The parabola through 999, 1000 and 500 has its vertex 62 N above them.
+        let v = [0.0, 600.0, 999.0, 1000.0, 500.0, 200.0, 0.0];
+        let s = shape(&v, 60.0, (0.0, 0.1), 2.0);
+        assert!((1000.0..=1002.0).contains(&s.p1.force_n), "{s:?}");
+    }
+
+    #[test]
     fn one_hump_has_no_valley() {
         let v: Vec<f64> = (0..=60)
             .map(|i| 1500.0 * (PI * f64::from(i) / 60.0).sin())
             .collect();
-        let s = shape(&v, 240.0, 0.0, 0.25);
+        let s = shape(&v, 240.0, (0.0, 0.25), 0.0);
         assert!(s.valley.is_none() && s.p2.is_none());
         assert!((s.p1.at - 0.5).abs() < 1e-9 && (s.p1.force_n - 1500.0).abs() < 1e-9);
         assert!((s.impulse_ns - 1500.0 * 0.25 * 2.0 / PI).abs() < 0.1);

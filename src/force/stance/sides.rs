@@ -23,7 +23,11 @@ pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
         };
         if stances[open].foot.is_none()
             && let Some(foot) = stances[known].foot
-            && let Some(same) = same_foot(&(&stances[i - 1]).into(), &(&stances[i]).into())
+            && let Some(same) = same_foot(
+                &(&stances[i - 1]).into(),
+                &(&stances[i]).into(),
+                recording.runs(),
+            )
         {
             stances[open].foot = Some(if same { foot } else { foot.other() });
         }
@@ -67,15 +71,21 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
 
 /// Whether two stances that follow each other are of one foot; `None` where that cannot be told.
 ///
-/// In walking the next foot lands before this one has left; the same foot only after its swing.
-pub(crate) fn same_foot(a: &Footfall, b: &Footfall) -> Option<bool> {
+/// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
+/// a flight comes before the next foot, and more than twice as long a time before the same one.
+pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> {
     if let (Some(a), Some(b)) = (a.foot, b.foot) {
         return Some(a == b);
     }
     let duration = a.end_s - a.start_s;
     let pause = b.start_s - a.end_s;
-    if pause < 0.15 * duration {
+    let (next, same) = if runs {
+        (1.2, 1.2..5.5)
+    } else {
+        (0.15, 0.3..1.2)
+    };
+    if pause < next * duration && !(runs && a.channel == b.channel) {
         return Some(false);
     }
-    (a.channel == b.channel && (0.3..1.2).contains(&(pause / duration))).then_some(true)
+    (a.channel == b.channel && same.contains(&(pause / duration))).then_some(true)
 }

@@ -3,6 +3,8 @@
 use serde::Serialize;
 use strum::{IntoStaticStr, VariantNames};
 
+use crate::force::kind::Kind;
+use crate::force::note::Note;
 use crate::force::recording::Foot;
 
 /// One point of a stance: force and fraction of the stance.
@@ -13,6 +15,9 @@ pub struct Point {
     /// Time since heel strike over the duration of the stance, 0 to 1.
     pub at: f64,
 }
+
+/// A single peak later than this share of the stance is the push-off.
+const LATE: f64 = 0.6;
 
 /// A whole stance of one foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +40,33 @@ pub struct Stance {
     pub impulse_ns: f64,
     /// Mass of the walker, kg, where this stance has its own (tables of stances).
     pub mass_kg: Option<f64>,
+    /// Its duration, loading peak or impulse is unlike those of its channel: it counts in the sum of both feet
+    /// only.
+    pub unlike: bool,
+}
+
+impl Stance {
+    /// Time from heel strike to toe-off, s.
+    pub fn duration_s(&self) -> f64 {
+        self.end_s - self.start_s
+    }
+
+    /// The loading peak; `None` where the only peak comes later than loading does.
+    pub fn first_peak(&self) -> Option<Point> {
+        (self.valley.is_some() || self.p1.at < LATE).then_some(self.p1)
+    }
+
+    /// The push-off peak, which may be the only one.
+    pub fn second_peak(&self) -> Option<Point> {
+        self.p2
+            .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
+    }
+
+    /// Highest force, N.
+    pub fn peak_n(&self) -> f64 {
+        self.p2
+            .map_or(self.p1.force_n, |p| p.force_n.max(self.p1.force_n))
+    }
 }
 
 /// Why a contact is not used.
@@ -57,12 +89,20 @@ pub enum RejectReason {
     MissingSamples,
     /// It lasts too short for a step.
     TooShort,
-    /// One short hump.
+    /// A contact of running.
     Running,
+    /// A take-off or landing of both feet.
+    Jumping,
+    /// The force of a foot on another plate shows in this channel.
+    CrossTalk,
+    /// A whole stance at another speed than most.
+    OtherSpeed,
     /// It lasts too long for a step.
     Standing,
     /// Longer than the others: the other foot came onto the same plate.
     CrossOver,
+    /// Duration, loading peak or impulse are unlike those of the same channel.
+    Unlike,
     /// Two plates carried the foot at the same time.
     TwoPlates,
     /// Only a part of the foot was on the plate.
@@ -89,4 +129,10 @@ pub struct Stances {
     pub used: Vec<Stance>,
     /// The others.
     pub rejected: Vec<Rejected>,
+    /// What the contacts are recognised as.
+    pub recognised: Option<Kind>,
+    /// What they are averaged as: the kind asked for, otherwise the one recognised.
+    pub kind: Option<Kind>,
+    /// What was noticed when stances were compared with each other.
+    pub notes: Vec<Note>,
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::row::{Access, Idle, Key, Kind, Measure, Range, entry, number, other, plain};
 use super::value::Value;
-use crate::force::Feet;
+use crate::force::{Doubt, Feet, Kind as Movement};
 use crate::scene::{Band, Gait, Phase, PhaseWeight, Scene, Source};
 use crate::units::Dimension as D;
 
@@ -68,8 +68,6 @@ macro_rules! weight {
         }
     };
 }
-
-const FEET: [Feet; 4] = [Feet::Both, Feet::One, Feet::Left, Feet::Right];
 
 pub static ROWS: &[Key] = &[
     other(
@@ -142,8 +140,36 @@ pub static ROWS: &[Key] = &[
     .idle_when(of_recordings),
     plain("gait.mass", D::Mass, Range::Positive, gait_number!(mass)).idle_when(of_recordings),
     other(
+        "gait.kind",
+        Kind::Choice(|| Movement::ALL.map(Movement::name).to_vec()),
+        Access {
+            get: |s, _| Some(Value::Text(s.gait.as_ref()?.kind?.name().to_string())),
+            set: |s, _, v| {
+                gait(s).kind = Some(v.text().parse()?);
+                Ok(())
+            },
+        },
+    )
+    .idle_when(of_recordings),
+    other(
+        "gait.accept",
+        Kind::Text,
+        Access {
+            get: |s, _| {
+                let accept = &s.gait.as_ref()?.accept;
+                let names: Vec<&str> = accept.iter().map(|d| d.name()).collect();
+                (!names.is_empty()).then(|| Value::Text(names.join(", ")))
+            },
+            set: |s, _, v| {
+                gait(s).accept = Doubt::list(&v.text())?;
+                Ok(())
+            },
+        },
+    )
+    .idle_when(of_recordings),
+    other(
         "gait.feet",
-        Kind::Choice(|| FEET.map(Feet::name).to_vec()),
+        Kind::Choice(|| Feet::ALL.map(Feet::name).to_vec()),
         Access {
             get: |s, _| Some(Value::Text(s.gait.as_ref()?.feet.name().to_string())),
             set: |s, _, v| {

@@ -7,7 +7,11 @@ force-sample-not-finite = force sample { $sample } is not a finite number
 force-period-not-positive = invalid period { $period }
     .help = the period must be positive
 force-unknown-feet = invalid value "{ $word }" for feet
-    .help = use both, one, left or right
+    .help = use both, one, left, right or total
+force-unknown-kind = "{ $word }" is not a kind of movement
+    .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed of walking and running
+force-unknown-doubt = "{ $word }" cannot be accepted
+    .help = list what you accept about the recording: kind, clock, mass
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
@@ -24,8 +28,15 @@ force-both-feet-only = { $model } gives the force of both feet together, not of 
     .help = use feet = "both", or a single-foot model: li-2010, iso-22675
 force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is not walking
     .help = give the sampling rate (option rate): the column may count samples
-force-running = no complete walking stance in { $duration } of recording: all contacts are short and have a single peak, as in running
-    .help = give a recording of walking
+force-running = the recording of { $duration } is of running (short contacts, flight between them, less than half of the stride on the ground)
+    .help = use kind = "running" for a running cycle, or give a recording of walking
+force-not-walking = the recording of { $duration } is not of walking: { $kind ->
+        [standing] a person stands; the load hardly changes
+        [jumping] both feet leave the ground together
+        [sit-to-stand] the load rises from that of the feet alone to the body weight
+       *[other] no periodic gait is found
+    }
+    .help = give a recording of walking or running; for any other periodic force use gait.period
 force-total-of-both-feet = no complete stance of one foot in { $duration } of recording: the column is the total force of both feet, which does not return to zero
     .help = use feet = "both"
 force-no-stance = no complete walking stance in { $duration } of recording
@@ -76,14 +87,21 @@ note-one-foot-for-both = { $stances ->
        *[other] { $stances } stances of one foot are averaged and
     } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
 note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of 62 % of the stride
-note-stride-implausible = the stride time of { $period } is outside the range of walking (0.7 s to 2.2 s; children from 0.5 s): check the sampling rate
-note-duty-implausible = the stance takes { $duty } of the stride, outside the range of walking (52 % to 75 %): the recording is of running, or the sampling rate is wrong
-note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of walking (0.85 to 1.7; children to 2): the mass or the unit of force is wrong, or the recording is not of walking
+note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
+note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
+note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
 note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
         [half] half the
        *[whole] the
     } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
+note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
+note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
+note-kind-differs = kind { $asked } is given, but the contacts are those of { $found }
+note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
+note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most 20 % is expected: partial contacts, cross-talk or two feet on one plate
+note-total-column = the column is taken as the total force of both feet
+note-counts-scaled = the readings are converter counts without calibration; they are scaled so that the mean force is the weight of { $mass }
 
 cycle-whole-strides = { $strides ->
         [one] one whole stride
@@ -108,6 +126,24 @@ cycle-total-force = { $strides ->
        *[other] { $strides } strides
     } of the total force of both feet, between upward crossings of the mean force
 
+kind-walking = walking
+kind-running = running
+kind-standing = standing
+kind-jumping = jumping
+kind-sit-to-stand = sit-to-stand
+kind-other = another movement
+
+doubt-kind = the kind of movement
+doubt-clock = the time scale
+doubt-mass = the mass and the unit of force
+
+clock-user = given
+clock-times = time column
+clock-guessed-times = time column, unit guessed
+clock-header = from the header
+clock-guessed-rate = guessed
+
+name-file = one cycle, as given
 name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
 name-doubled-steps = twice the mean step time
@@ -131,7 +167,11 @@ contact-edge-fragment = partial contact at the edge of the recording, ignored
 contact-never-unloaded = never unloaded: standing, or both feet on one plate
 contact-missing-samples = samples are missing during the stance
 contact-too-short = too short for a step
-contact-running = single-peak stance of short duration, as in running
+contact-running = contact of running
+contact-jumping = take-off or landing of both feet
+contact-cross-talk = cross-talk of a foot on another plate
+contact-other-speed = whole stance at another speed
+contact-unlike = duration, peak or impulse differs from those of the other stances
 contact-standing = too long for a step: standing
 contact-cross-over = too long for one foot: both feet on one plate
 contact-two-plates = the foot lies across two plates
@@ -144,6 +184,10 @@ name-never-unloaded = { contact-never-unloaded }
 name-missing-samples = { contact-missing-samples }
 name-too-short = { contact-too-short }
 name-running = { contact-running }
+name-jumping = { contact-jumping }
+name-cross-talk = { contact-cross-talk }
+name-other-speed = { contact-other-speed }
+name-unlike = { contact-unlike }
 name-standing = { contact-standing }
 name-cross-over = { contact-cross-over }
 name-two-plates = { contact-two-plates }
@@ -157,6 +201,7 @@ format-nexus = Nexus device export
 format-insole = insole text export
 format-bio-ware = BioWare text export
 format-qualisys = Qualisys text export
+format-converter-counts = converter counts (.anc)
 format-amti = AMTI text without header
 format-stance-table = table of stances, one per row
 format-text = { $separator } separated text{ $decimal ->
@@ -169,6 +214,8 @@ format-headerless-text = { $separator } separated text{ $decimal ->
     } without header
 
 gait-format = format
+gait-kind = kind
+gait-kind-unknown = not recognised
 gait-rate = rate
 gait-mass = mass
 gait-mass-unknown = not known
@@ -186,4 +233,6 @@ gait-warning = warning
 gait-spread = spread
 gait-repeatability = repeats
 gait-samples = samples
+gait-doubt = open
+gait-doubts = Check { $list }; then give the option named, or accept with gait.accept = "{ $names }".
 gait-one-cycle = one force cycle, used as given (no stance detection)

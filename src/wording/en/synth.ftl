@@ -1,6 +1,9 @@
 # Reasons for the verdict on a design.
 reason-all-hold = All limits are satisfied; lift, velocity and acceleration are continuous over the whole cycle.
 reason-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
+reason-recording-kind = It is open whether the recording is of walking (see the notes). Set gait.kind, or gait.accept = "kind" if it is right.
+reason-recording-clock = The time scale of the recording is open (see the notes). Set gait.rate or gait.mass, or gait.accept = "clock" if it is right.
+reason-recording-mass = The mass of the walker and the size of the forces are open (see the notes). Set gait.mass and gait.unit, or gait.accept = "mass" if they are right.
 reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execute it.
 reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower.
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }: infinite jerk, and vibration at high speed.

@@ -7,7 +7,11 @@ force-sample-not-finite = la muestra de fuerza { $sample } no es un número fini
 force-period-not-positive = período no válido { $period }
     .help = el período debe ser positivo
 force-unknown-feet = valor no válido «{ $word }» para feet
-    .help = use both, one, left o right
+    .help = use both, one, left, right o total
+force-unknown-kind = «{ $word }» no es un tipo de movimiento
+    .help = los tipos son walking, running, standing, jumping, sit-to-stand y other; el ciclo medio se calcula para walking (marcha) y running (carrera)
+force-unknown-doubt = «{ $word }» no se puede aceptar
+    .help = indique lo que acepta del registro: kind (tipo), clock (tiempo), mass (masa)
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
     .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
@@ -24,8 +28,15 @@ force-both-feet-only = { $model } da la fuerza conjunta de ambos pies, no la de 
     .help = use feet = "both" o un modelo de un solo pie: li-2010, iso-22675
 force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es caminar
     .help = indique la frecuencia de muestreo (opción rate): la columna puede contar muestras
-force-running = ningún apoyo completo de marcha en { $duration } de registro: todos los contactos son cortos y de un solo pico, como al correr
-    .help = use un registro de marcha
+force-running = el registro de { $duration } es de carrera (contactos cortos, vuelo entre ellos, menos de la mitad de la zancada en el suelo)
+    .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
+force-not-walking = el registro de { $duration } no es de marcha: { $kind ->
+        [standing] una persona está de pie; la carga apenas cambia
+        [jumping] ambos pies dejan el suelo a la vez
+        [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
+       *[other] no se encuentra una marcha periódica
+    }
+    .help = dé un registro de marcha o carrera; para cualquier otra fuerza periódica use gait.period
 force-total-of-both-feet = ningún apoyo completo de un pie en { $duration } de registro: la columna es la fuerza total de ambos pies, que no vuelve a cero
     .help = use feet = "both"
 force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
@@ -76,14 +87,21 @@ note-one-foot-for-both = { $stances ->
        *[other] { $stances } apoyos de un pie se promedian y se repiten
     } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
 note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del 62 % de la zancada
-note-stride-implausible = la zancada de { $period } está fuera del intervalo de la marcha (0,7 s a 2,2 s; niños desde 0,5 s): compruebe la frecuencia de muestreo
-note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de la marcha (52 % a 75 %): el registro es de carrera o la frecuencia de muestreo es incorrecta
-note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de la marcha (0,85 a 1,7; niños hasta 2): la masa o la unidad de fuerza es incorrecta, o el registro no es de marcha
+note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
+note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
+note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
 note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
         [half] la mitad del
        *[whole] el
     } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
+note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
+note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
+note-kind-differs = se indica kind { $asked }, pero los contactos son de { $found }
+note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
+note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo 20 %: contactos parciales, diafonía o dos pies en una plataforma
+note-total-column = la columna se toma como la fuerza total de ambos pies
+note-counts-scaled = las lecturas son cuentas del convertidor sin calibración; se escalan de modo que la fuerza media sea el peso de { $mass }
 
 cycle-whole-strides = { $strides ->
         [one] una zancada completa
@@ -108,6 +126,24 @@ cycle-total-force = { $strides ->
        *[other] { $strides } zancadas
     } de la fuerza total de ambos pies, entre cruces ascendentes de la fuerza media
 
+kind-walking = marcha
+kind-running = carrera
+kind-standing = de pie
+kind-jumping = salto
+kind-sit-to-stand = levantarse de la silla
+kind-other = otro movimiento
+
+doubt-kind = el tipo de movimiento
+doubt-clock = la escala de tiempo
+doubt-mass = la masa y la unidad de fuerza
+
+clock-user = indicada
+clock-times = columna de tiempo
+clock-guessed-times = columna de tiempo, unidad supuesta
+clock-header = de la cabecera
+clock-guessed-rate = supuesta
+
+name-file = un ciclo, tal cual
 name-heel-strikes = contactos de talón consecutivos de un pie
 name-marked-strikes = contactos marcados consecutivos de un pie
 name-doubled-steps = el doble de la duración media del paso
@@ -131,7 +167,11 @@ contact-edge-fragment = contacto parcial en el borde del registro, no se usa
 contact-never-unloaded = nunca sin carga: de pie, o ambos pies en una plataforma
 contact-missing-samples = faltan muestras durante el apoyo
 contact-too-short = demasiado corto para un paso
-contact-running = apoyo corto de un solo pico, como al correr
+contact-running = contacto de carrera
+contact-jumping = despegue o caída de ambos pies
+contact-cross-talk = diafonía de un pie en otra plataforma
+contact-other-speed = apoyo completo a otra velocidad
+contact-unlike = su duración, pico o impulso difiere de los demás apoyos
 contact-standing = demasiado largo para un paso: de pie
 contact-cross-over = demasiado largo para un pie: ambos pies en una plataforma
 contact-two-plates = el pie pisa dos plataformas
@@ -144,6 +184,10 @@ name-never-unloaded = { contact-never-unloaded }
 name-missing-samples = { contact-missing-samples }
 name-too-short = { contact-too-short }
 name-running = { contact-running }
+name-jumping = { contact-jumping }
+name-cross-talk = { contact-cross-talk }
+name-other-speed = { contact-other-speed }
+name-unlike = { contact-unlike }
 name-standing = { contact-standing }
 name-cross-over = { contact-cross-over }
 name-two-plates = { contact-two-plates }
@@ -157,6 +201,7 @@ format-nexus = exportación de dispositivos de Nexus
 format-insole = exportación de texto de plantillas
 format-bio-ware = exportación de texto de BioWare
 format-qualisys = exportación de texto de Qualisys
+format-converter-counts = cuentas del convertidor (.anc)
 format-amti = texto de AMTI sin cabecera
 format-stance-table = tabla de apoyos, uno por fila
 format-text = texto separado por { $separator ->
@@ -181,6 +226,8 @@ format-headerless-text = texto separado por { $separator ->
     }, sin cabecera
 
 gait-format = formato
+gait-kind = tipo
+gait-kind-unknown = no reconocido
 gait-rate = muestreo
 gait-mass = masa
 gait-mass-unknown = no conocida
@@ -198,4 +245,6 @@ gait-warning = aviso
 gait-spread = dispersión
 gait-repeatability = repetib.
 gait-samples = muestras
+gait-doubt = abierto
+gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
 gait-one-cycle = un ciclo de fuerza, usado tal cual (sin detección de apoyos)

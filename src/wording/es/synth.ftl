@@ -1,6 +1,9 @@
 # Razones del veredicto sobre un diseño.
 reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
 reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
+reason-recording-kind = No está claro que el registro sea de marcha (véanse las notas). Indique gait.kind, o gait.accept = "kind" si es correcto.
+reason-recording-clock = La escala de tiempo del registro no está clara (véanse las notas). Indique gait.rate o gait.mass, o gait.accept = "clock" si es correcta.
+reason-recording-mass = La masa de la persona y la magnitud de las fuerzas no están claras (véanse las notas). Indique gait.mass y gait.unit, o gait.accept = "mass" si son correctas.
 reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla.
 reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor.
 reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.

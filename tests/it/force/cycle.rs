@@ -4,8 +4,8 @@ use std::path::Path;
 
 use gaitcam::error::{ErrorKind, ForceError};
 use gaitcam::force::{
-    Cycle, Feet, ReadOptions, Recording, Stances, csv, cycle, force_curve, json, overlay, read,
-    stances, table,
+    Cycle, Feet, Interpretation, ReadOptions, Recording, Stances, csv, cycle, force_curve, json,
+    overlay, read, stances, table,
 };
 use gaitcam::wording::Language;
 
@@ -173,8 +173,8 @@ fn both_feet_on_one_belt_give_their_stride_and_standing_gives_none() {
     assert!(
         matches!(
             e.kind,
-            ErrorKind::Force(ForceError::NoStance {
-                reason: "never-unloaded",
+            ErrorKind::Force(ForceError::NotWalking {
+                kind: "standing",
                 ..
             })
         ),
@@ -190,14 +190,14 @@ fn feet_that_land_together_do_not_make_a_stride_of_no_length() {
         .map(|t| format!("{t:.3},{0:.3},{0:.3}\n", stance((t - 0.4) / 0.68)))
         .collect();
     let text = format!("time,left fz,right fz\n{rows}");
-    let c = force_curve(
+    let e = force_curve(
         Path::new("jump.csv"),
         text.as_bytes(),
         &ReadOptions::default(),
         Feet::Both,
     )
-    .unwrap();
-    assert!((c.period_s - 0.68 / 0.62).abs() < 0.03, "{}", c.period_s);
+    .unwrap_err();
+    assert_eq!(fault(&e), "jump.csv: force-not-walking");
 }
 
 #[test]
@@ -223,7 +223,8 @@ fn the_written_cycle_reads_back_bit_for_bit() {
 fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     let (r, s) = walk(12.0, 0.0);
     let c = cycle(&r, &s, Feet::Both).unwrap();
-    let v = json(&r, &s, Some(&c));
+    let understood = Interpretation::of("walk.csv", &r, &s, Some(&c), Feet::Both);
+    let v = json(&understood, &r, &s, Some(&c));
     for key in [
         "format",
         "rate_hz",
@@ -233,6 +234,12 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
         "stances",
         "cycle",
         "warnings",
+        "kind",
+        "period_s",
+        "period_from",
+        "mass_from",
+        "contacts",
+        "doubts",
     ] {
         assert!(v.get(key).is_some(), "{key}");
     }
@@ -258,7 +265,7 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     assert_eq!(v["cycle"]["period_s"], c.curve.period_s);
     assert_eq!(v["cycle"]["mean_n"], c.curve.mean_n());
     assert_eq!(v["stances"].as_array().unwrap().len(), s.used.len());
-    let t = table(&r, &s, Ok(&c), Language::En);
+    let t = table(&understood, &r, &s, Ok(&c), Language::En);
     for part in [
         "500.00 Hz",
         "right fz",
@@ -266,7 +273,8 @@ fn json_has_the_promised_keys_and_the_table_the_same_numbers() {
     ] {
         assert!(t.contains(part), "{part} is not in\n{t}");
     }
-    assert!(table(&r, &s, Err("none"), Language::En).ends_with(": none\n"));
+    let refused = Interpretation::of("walk.csv", &r, &s, None, Feet::Both);
+    assert!(table(&refused, &r, &s, Err("none"), Language::En).ends_with(": none\n"));
 }
 
 #[test]
@@ -274,8 +282,13 @@ fn the_overlay_holds_the_stances_their_mean_and_band() {
     let (r, s) = walk(40.0, 0.03);
     let o = overlay(&r, &s, 10).unwrap();
     assert!(o.stances.len() <= 10 && o.stances.len() >= 8);
-    assert!((o.duration_s - 0.68).abs() < 0.01);
-    let middle = o.mean_n.len() / 2;
-    assert!((o.mean_n[middle] - 455.0).abs() < 3.0 && o.spread_n.is_some());
+    assert_eq!(o.means.len(), 2, "left and right");
+    for mean in &o.means {
+        assert!((mean.duration_s - 0.68).abs() < 0.01);
+        let middle = mean.mean_n.len() / 2;
+        assert!((mean.mean_n[middle] - 455.0).abs() < 3.0 && mean.spread_n.is_some());
+        let [p1, valley, p2] = mean.landmarks.map(|p| p.unwrap().force_n);
+        assert!((p1 - p2).abs() < 5.0 && (valley - 455.0).abs() < 3.0);
+    }
     assert_eq!(overlay(&r, &Stances::default(), 10), None);
 }

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use gaitcam::force::{
-    Feet, ForceUnit, ReadOptions, cycle, force_curve, json, read, stances, table,
+    Feet, ForceUnit, Interpretation, ReadOptions, cycle, force_curve, json, read, stances, table,
 };
 use gaitcam::wording::Language;
 
@@ -20,8 +20,15 @@ fn exercise(bytes: &[u8], options: &ReadOptions) {
         let s = stances(&r);
         for feet in [Feet::Both, Feet::One, Feet::Left] {
             let c = cycle(&r, &s, feet);
-            let _ = table(&r, &s, c.as_ref().map_err(|_| "refused"), Language::En);
-            let _ = json(&r, &s, c.as_ref().ok());
+            let understood = Interpretation::of("x", &r, &s, c.as_ref().ok(), feet);
+            let _ = table(
+                &understood,
+                &r,
+                &s,
+                c.as_ref().map_err(|_| "refused"),
+                Language::En,
+            );
+            let _ = json(&understood, &r, &s, c.as_ref().ok());
             if let Ok(c) = c {
                 assert!(c.curve.force_n.iter().all(|f| f.is_finite()));
             }

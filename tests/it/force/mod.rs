@@ -4,6 +4,7 @@ mod c3d;
 mod cycle;
 mod damaged_files;
 mod doubtful;
+mod hard;
 mod laboratories;
 mod layouts;
 mod models;

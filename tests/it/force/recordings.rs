@@ -66,7 +66,8 @@ const TABLE: &[(&str, Option<f64>, f64, &[Row], usize)] = &[
         "opensim/std_walking2_grfs.sto",
         None,
         20.02,
-        &[("f1_3", 1, 948.0), ("f2_3", 1, 756.0)],
+        // 948 and 756 N are both peaks of the first plate; the second reaches 741 N.
+        &[("f1_3", 1, 948.0), ("f2_3", 1, 741.0)],
         0,
     ),
     (

@@ -49,6 +49,7 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         }
         Kind::Flag => Some((numbers.below(2) == 0).to_string()),
         Kind::Text if key.name() == "motion" => Some("cycloidal".to_string()),
+        Kind::Text if key.name() == "accept" => Some("clock, mass".to_string()),
         Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
         _ => None,
     }

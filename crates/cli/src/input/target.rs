@@ -35,6 +35,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
                 unit,
                 rate_hz: gait.rate,
                 mass_kg: gait.mass,
+                kind: gait.kind,
                 metadata: metadata(&path),
             };
             force::force_curve(&path, &bytes, &options, gait.feet).map(Some)

@@ -248,6 +248,16 @@ figure-foot-unknown = foot not known
 figure-time = time, s
 figure-mean-cycle = mean cycle
 figure-body-weight = body weight
+figure-body-weights = BW
+figure-no-stance = no stance is used
+figure-more-notes = { $count ->
+        [one] and one more note
+       *[other] and { $count } more notes
+    }
+figure-stride = stride { $seconds } s ({ $from })
+figure-stride-spread = stride { $seconds } ± { $spread } s ({ $from })
+figure-mass = mass { $mass } kg ({ $from })
+figure-contacts = contacts: { $used } used, { $rejected } rejected
 figure-designs = designs
 
 # The sheet of the cam in the workbook.

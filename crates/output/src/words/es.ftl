@@ -253,6 +253,16 @@ figure-foot-unknown = pie no conocido
 figure-time = tiempo, s
 figure-mean-cycle = ciclo medio
 figure-body-weight = peso corporal
+figure-body-weights = PC
+figure-no-stance = no se usa ningún apoyo
+figure-more-notes = { $count ->
+        [one] y una nota más
+       *[other] y { $count } notas más
+    }
+figure-stride = zancada { $seconds } s ({ $from })
+figure-stride-spread = zancada { $seconds } ± { $spread } s ({ $from })
+figure-mass = masa { $mass } kg ({ $from })
+figure-contacts = contactos: { $used } usados, { $rejected } rechazados
 figure-designs = diseños
 
 # La hoja de la leva en el libro de cálculo.

@@ -18,6 +18,7 @@ use super::keys;
 use super::timebase::TimeBase;
 use super::vertical::{self, Facts};
 use crate::error::{Place, ReadError, Result};
+use crate::force::note::ClockSource;
 use crate::force::recording::{Foot, ReadOptions, Recording, Strike};
 
 /// Bytes of one block.
@@ -39,7 +40,13 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
     let mut notes = Vec::new();
     let analog = Analog::read(path, bytes, words_of, &parameters, &mut notes)?;
     let raw = plates::forces(path, &analog, &parameters, options, &mut notes)?;
-    let base = TimeBase::even(options.rate_hz.unwrap_or(analog.rate_hz));
+    let base = match options.rate_hz {
+        Some(rate) => TimeBase::even(rate, ClockSource::User),
+        None => {
+            let start_s = analog.first_frame.saturating_sub(1) as f64 / analog.frame_hz;
+            TimeBase::even(analog.rate_hz, ClockSource::Header).starting_at(start_s)
+        }
+    };
     let facts = Facts {
         format: analog.format(),
         samples: analog.samples,

@@ -1,6 +1,7 @@
 //! Recordings in delimited text: one row per sample.
 
 mod choose;
+mod converter;
 mod format;
 mod header;
 mod headerless;
@@ -25,8 +26,9 @@ use super::number::trim;
 use super::raw::RawForce;
 use super::vertical::{self, Facts};
 use crate::error::{Error, Place, ReadError, Result};
+use crate::force::format::Format;
 use crate::force::note::Note;
-use crate::force::recording::{ReadOptions, Recording};
+use crate::force::recording::{ForceUnit, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
 pub(super) use layout::{Layout, Lines, Position, detect, plain, text};
@@ -37,6 +39,9 @@ pub(super) use table::{Table, next_table, numbers};
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
     let bytes = &*plain(bytes);
     let layout = detect(bytes);
+    if let Some((table, rate)) = converter::table(bytes) {
+        return converter_counts(path, bytes, layout, &table, rate, options);
+    }
     let mut from = Position { offset: 0, line: 1 };
     let mut head: Vec<String> = Vec::new();
     let mut seen: Vec<String> = Vec::new();
@@ -64,6 +69,37 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         from = skip(bytes, layout, &table);
     }
     Err(nothing_found(path, bytes, layout, &seen))
+}
+
+/// Reads the plates of a file of converter counts.
+fn converter_counts(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    rate: Option<f64>,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
+    let Some(plan) = converter::plates(path, table, options)? else {
+        return Err(nothing_found(path, bytes, layout, &table.names));
+    };
+    let mut raw = extract(path, bytes, layout, table, &plan)?;
+    let mut notes: Vec<Note> = Vec::new();
+    notes.extend(converter::scale(path, &mut raw.forces, options)?);
+    let base = time_base(&raw, options, rate, &mut notes).map_err(place)?;
+    let facts = Facts {
+        format: Format::ConverterCounts,
+        samples: raw.samples,
+        mass_kg: None,
+        zero: None,
+        notes,
+    };
+    let mut forces = raw.forces;
+    for f in &mut forces {
+        f.unit = Some(ForceUnit::Newton);
+    }
+    vertical::recording(forces, base, facts, options).map_err(place)
 }
 
 fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {

@@ -10,7 +10,7 @@ use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
 use super::table::Table;
 use crate::error::{ReadError, Result};
 use crate::force::format::Format;
-use crate::force::note::{MassSource, Note};
+use crate::force::note::{ClockSource, MassSource, Note, UnitSource};
 use crate::force::quantity::{hertz, seconds};
 use crate::force::read::columns::{Role, foot, role, words};
 use crate::force::read::keys;
@@ -76,12 +76,13 @@ pub(super) fn read(
         return Err(ReadError::NoStanceRow.at_line(path, table.start.line));
     }
     let mut notes = vec![Note::StancePerRow { rows: rows.len() }];
-    scale(path, &mut force, &rows, options, &mut notes)?;
+    let (unit, unit_from) = scale(path, &mut force, &rows, options, &mut notes)?;
     let keys = keys::read(head, layout.comma);
-    let rate_hz = options
-        .rate_hz
-        .or(keys.rate_hz)
-        .unwrap_or_else(|| likely_rate(&rows, &mut notes));
+    let (rate_hz, clock) = match (options.rate_hz, keys.rate_hz) {
+        (Some(rate), _) => (rate, ClockSource::User),
+        (None, Some(rate)) => (rate, ClockSource::Header),
+        (None, None) => (likely_rate(&rows, &mut notes), ClockSource::GuessedRate),
+    };
     let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
     if masses.len() < rows.len() {
         notes.push(Note::MassesMissing {
@@ -100,6 +101,11 @@ pub(super) fn read(
     Ok(Recording {
         format: Format::StanceTable,
         rate_hz,
+        start_s: 0.0,
+        clock,
+        unit,
+        unit_from,
+        kind: options.kind,
         duration_s: (force.len() - 1) as f64 / rate_hz,
         mass_kg: mass.map(|m| m.0),
         mass_from: mass.map(|m| m.1),
@@ -166,7 +172,7 @@ fn scale(
     rows: &[Row],
     options: &ReadOptions,
     notes: &mut Vec<Note>,
-) -> Result<()> {
+) -> Result<(ForceUnit, UnitSource)> {
     let top = force
         .iter()
         .fold(0.0, |m: f64, x| if x.abs() > m.abs() { *x } else { m });
@@ -189,7 +195,11 @@ fn scale(
             *x *= sign * factor;
         }
     }
-    Ok(())
+    let from = match options.unit {
+        Some(_) => UnitSource::User,
+        None => UnitSource::Guessed,
+    };
+    Ok((unit, from))
 }
 
 /// The rate at which the middle one of the stances lasts a usual time.

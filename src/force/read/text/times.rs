@@ -3,7 +3,7 @@
 use super::raw::Raw;
 use super::table::Table;
 use crate::error::{ReadError, Result};
-use crate::force::note::Note;
+use crate::force::note::{ClockSource, Note};
 use crate::force::quantity::{self, hertz};
 use crate::force::read::columns::{bracketed, words};
 use crate::force::read::timebase::{TimeBase, usual_step};
@@ -49,19 +49,20 @@ pub(super) fn time_base(
 ) -> Result<TimeBase> {
     if let Some(rate) = options.rate_hz {
         notes.extend(overridden(raw, rate));
-        return Ok(TimeBase::even(rate));
+        return Ok(TimeBase::even(rate, ClockSource::User));
     }
     let times = match &raw.times {
         Some(times) if !raw.counts => times,
         _ => {
             let rate = key_rate.ok_or(ReadError::NoRate)?;
-            return Ok(TimeBase::even(rate));
+            return Ok(TimeBase::even(rate, ClockSource::Header));
         }
     };
     if times.len() < 2 {
         let samples = times.len();
         return Err(ReadError::FewSamples { samples }.into());
     }
+    let before = notes.len();
     let scale = match raw.time_unit {
         Some(unit) => unit,
         None => guessed_unit(times, key_rate, notes),
@@ -73,7 +74,10 @@ pub(super) fn time_base(
         seconds = times.iter().map(|t| t * scale).collect();
         &seconds
     };
-    let base = TimeBase::from_times(times)?;
+    let mut base = TimeBase::from_times(times)?;
+    if notes.len() > before {
+        base.source = ClockSource::GuessedTimes;
+    }
     if let Some((count, at)) = base.missed {
         let first = quantity::seconds(at);
         notes.push(Note::SamplesMissing { count, first });
@@ -81,7 +85,7 @@ pub(super) fn time_base(
     match key_rate {
         // Times are rounded; a stated rate that agrees is the exact one.
         Some(rate) if !base.is_uneven() && (rate / base.rate_hz - 1.0).abs() < 2e-3 => {
-            Ok(TimeBase::even(rate))
+            Ok(TimeBase::even(rate, ClockSource::Header).starting_at(base.start_s))
         }
         Some(rate) if (rate / base.rate_hz - 1.0).abs() > 0.01 => {
             notes.push(Note::RatesDiffer {

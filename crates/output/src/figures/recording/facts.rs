@@ -1,0 +1,123 @@
+//! What stands in words above the picture of a recording: kind, stride, mass, counts, warnings.
+
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use crate::plot::axes::Frame;
+use crate::plot::palette::{INK, QUIET, RED};
+use crate::plot::raster::text_width;
+use crate::plot::sheet::{Canvas, Lettering, write};
+use crate::words::Words;
+use gaitcam::force::{Interpretation, Note};
+use gaitcam::wording::{catalogue, sentence};
+use plotters::prelude::DrawingAreaErrorKind;
+
+/// Warnings written on the picture; all of them stand in the report and in JSON.
+const WARNINGS: usize = 3;
+/// Lines of one warning.
+const LINES: usize = 2;
+
+/// Writes the facts from the top of the frame; the place below them.
+pub(super) fn write_facts(
+    canvas: &Canvas,
+    understood: &Interpretation,
+    frame: Frame,
+    e: f64,
+    words: &Words,
+) -> Result<f64, DrawingAreaErrorKind<std::convert::Infallible>> {
+    let room = (frame.right - frame.left) / e;
+    let mut y = frame.top;
+    let left = 2.0 * e;
+    let text = |line: &str, colour, y: f64| {
+        let lettering = Lettering::new(e, colour).anchored(HPos::Left, VPos::Top);
+        write(canvas, line, [left, y], lettering)
+    };
+    for line in wrapped(&facts(understood, words), room + 4.0, 3) {
+        text(&line, INK, y)?;
+        y += 1.5 * e;
+    }
+    for note in worst(understood) {
+        let said = sentence(words.language(), "note", note);
+        let colour = if note.doubt().is_some() { RED } else { QUIET };
+        for line in wrapped(&said, room + 4.0, LINES) {
+            text(&line, colour, y)?;
+            y += 1.5 * e;
+        }
+    }
+    let more = understood.warnings.len().saturating_sub(WARNINGS);
+    if more > 0 {
+        let line = words.fill("figure-more-notes", &[("count", &more.to_string())]);
+        text(&line, QUIET, y)?;
+        y += 1.5 * e;
+    }
+    Ok(y + 0.6 * e)
+}
+
+/// The notes that are shown: what is open first.
+fn worst(understood: &Interpretation) -> Vec<&Note> {
+    let mut all: Vec<&Note> = understood.warnings.iter().collect();
+    all.sort_by_key(|n| n.doubt().is_none());
+    all.truncate(WARNINGS);
+    all
+}
+
+/// Kind, stride with its source, mass with its source, contacts used.
+fn facts(understood: &Interpretation, words: &Words) -> String {
+    let library = catalogue(words.language());
+    let name = |typed: &str| library.name(typed);
+    let mut parts = Vec::new();
+    if let Some(kind) = understood.kind {
+        parts.push(library.sentence("kind", &kind));
+    }
+    if let Some(period) = understood.period {
+        let seconds = format!("{:.3}", period.seconds);
+        let from = name(period.from.name());
+        parts.push(match period.spread_s {
+            Some(spread) => words.fill(
+                "figure-stride-spread",
+                &[
+                    ("seconds", seconds.as_str()),
+                    ("spread", &format!("{spread:.3}")),
+                    ("from", &from),
+                ],
+            ),
+            None => words.fill("figure-stride", &[("seconds", &seconds), ("from", &from)]),
+        });
+    }
+    if let Some((kg, from)) = understood.mass {
+        let from = library.sentence("mass-from", &from);
+        let mass = format!("{kg:.1}");
+        parts.push(words.fill("figure-mass", &[("mass", &mass), ("from", &from)]));
+    }
+    let (used, rejected) = understood.counts();
+    parts.push(words.fill(
+        "figure-contacts",
+        &[
+            ("used", &used.to_string()),
+            ("rejected", &rejected.to_string()),
+        ],
+    ));
+    parts.join(" · ")
+}
+
+/// Lines of at most `room` letter sizes; what does not fit into `most` of them ends in an ellipsis.
+fn wrapped(text: &str, room: f64, most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split(' ') {
+        let Some(line) = lines.last_mut() else { break };
+        let longer = format!("{line} {word}");
+        if line.is_empty() {
+            *line = word.to_string();
+        } else if text_width(&longer) < room {
+            *line = longer;
+        } else {
+            lines.push(word.to_string());
+        }
+    }
+    if lines.len() > most {
+        lines.truncate(most);
+        if let Some(last) = lines.last_mut() {
+            last.push_str(" …");
+        }
+    }
+    lines
+}

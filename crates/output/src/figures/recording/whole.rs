@@ -1,0 +1,183 @@
+//! The whole recording: force of every column over time, and below it a lane per column with its contacts.
+
+use std::collections::BTreeMap;
+
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::{Curve, colour, foot_name};
+use crate::plot::axes::{Frame, Panel, padded, ticks};
+use crate::plot::layout::key;
+use crate::plot::palette::{GREEN, INK, PURPLE, QUIET, RED};
+use crate::plot::raster::text_width;
+use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::words::Words;
+use gaitcam::force::{Column, Interpretation, RejectReason};
+use gaitcam::wording::sentence;
+
+/// Columns that get a lane; laboratories have up to a dozen plates, of which few are stepped on.
+const LANES: usize = 8;
+/// Height of a lane, letter sizes.
+const LANE: f64 = 1.35;
+/// Colours of columns whose foot is not known.
+const PLATES: [RGBAColor; 4] = [GREEN, PURPLE, QUIET, INK];
+
+/// Height of the lanes and of the key of reasons, points.
+pub(super) fn height(understood: &Interpretation, e: f64, words: &Words) -> f64 {
+    let lanes = loaded(understood).len() as f64;
+    (LANE * lanes + 1.6 * reasons(understood, words).len() as f64 + 0.8) * e
+}
+
+/// Columns with contacts, or at least with a load.
+fn loaded(understood: &Interpretation) -> Vec<usize> {
+    let columns = understood.columns.iter().enumerate();
+    let live = columns.filter(|(_, c)| c.idle.is_none()).map(|(i, _)| i);
+    let touched = |i: &usize| understood.contacts.iter().any(|c| c.column == *i);
+    let some: Vec<usize> = live.clone().filter(touched).take(LANES).collect();
+    if some.is_empty() {
+        live.take(LANES).collect()
+    } else {
+        some
+    }
+}
+
+/// Reasons of rejection with their number and how often each occurs.
+fn reasons(understood: &Interpretation, words: &Words) -> Vec<(RejectReason, String)> {
+    let mut counts: BTreeMap<RejectReason, usize> = BTreeMap::new();
+    let rejected = understood.contacts.iter().filter_map(|c| c.rejected);
+    for reason in rejected {
+        *counts.entry(reason).or_default() += 1;
+    }
+    let said = |(reason, count): (RejectReason, usize)| {
+        let words = sentence(words.language(), "contact", &reason);
+        (reason, format!("{words} ({count})"))
+    };
+    counts.into_iter().map(said).collect()
+}
+
+pub(super) fn draw(
+    canvas: &Canvas,
+    frame: Frame,
+    understood: &Interpretation,
+    e: f64,
+    words: &Words,
+) -> Drawn {
+    let clock = understood.clock;
+    let x = [clock.start_s, clock.start_s + clock.duration_s];
+    let shown = loaded(understood);
+    let all = shown
+        .iter()
+        .flat_map(|&i| &understood.columns[i].envelope_n);
+    let y = padded(all.flatten().copied().chain([0.0]), 0.06);
+    let panel = Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)?;
+    for (k, &i) in shown.iter().enumerate() {
+        let column = &understood.columns[i];
+        panel.curve(&trace(column, x), own_colour(column, k), 1.3)?;
+    }
+    panel.quantity(&words.text("figure-force"), 5.7 * e)?;
+    panel.across(&words.text("figure-time"))?;
+    let names: Vec<(RGBAColor, String)> = shown
+        .iter()
+        .enumerate()
+        .map(|(k, &i)| {
+            let column = &understood.columns[i];
+            (own_colour(column, k), shortened(column, words))
+        })
+        .collect();
+    let entries: Vec<_> = names
+        .iter()
+        .take(4)
+        .map(|(c, n)| (*c, 2.6, n.as_str()))
+        .collect();
+    key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)?;
+    draw_lanes(canvas, frame, understood, &shown, e, words)
+}
+
+fn own_colour(column: &Column, k: usize) -> RGBAColor {
+    match column.foot {
+        Some(_) => colour(column.foot),
+        None => PLATES[k % PLATES.len()],
+    }
+}
+
+/// The name of a column with its foot, cut where it is long.
+fn shortened(column: &Column, words: &Words) -> String {
+    let name: String = column.name.chars().take(24).collect();
+    match column.foot {
+        Some(_) => format!("{name} ({})", foot_name(column.foot, words)),
+        None => name,
+    }
+}
+
+/// Up and down through the lowest and highest force of each piece.
+fn trace(column: &Column, x: [f64; 2]) -> Curve {
+    let n = column.envelope_n.len().max(1) as f64;
+    let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
+    for (i, [low, high]) in column.envelope_n.iter().enumerate() {
+        let t = x[0] + (x[1] - x[0]) * (i as f64 + 0.5) / n;
+        // Rising pieces are drawn from below, falling ones from above.
+        let rising = column.envelope_n.get(i + 1).is_none_or(|n| n[1] > *high);
+        let ends = if rising { [*low, *high] } else { [*high, *low] };
+        curve.extend(ends.map(|f| (t, f)));
+    }
+    curve
+}
+
+/// A bar for each contact: full in the colour of its foot where it is used, an outline with the number of its
+/// reason where it is not.
+fn draw_lanes(
+    canvas: &Canvas,
+    frame: Frame,
+    understood: &Interpretation,
+    shown: &[usize],
+    e: f64,
+    words: &Words,
+) -> Drawn {
+    let clock = understood.clock;
+    let reasons = reasons(understood, words);
+    let across = |t: f64| {
+        let part = (t - clock.start_s) / clock.duration_s.max(1e-9);
+        frame.left + part.clamp(0.0, 1.0) * (frame.right - frame.left)
+    };
+    let top = frame.bottom + 4.2 * e;
+    for (k, &i) in shown.iter().enumerate() {
+        let middle = top + (k as f64 + 0.5) * LANE * e;
+        let ends = [[frame.left, middle], [frame.right, middle]];
+        line(canvas, &ends, stroke(QUIET.mix(0.3), 1.0))?;
+        let name: String = understood.columns[i].name.chars().take(9).collect();
+        let side = Lettering::new(0.8 * e, QUIET).anchored(HPos::Right, VPos::Center);
+        write(canvas, &name, [frame.left - 0.6 * e, middle], side)?;
+        for c in understood.contacts.iter().filter(|c| c.column == i) {
+            let (from, to) = (across(c.from_s), across(c.to_s).max(across(c.from_s) + 2.0));
+            let half = 0.45 * e;
+            let corners = [
+                (units(from), units(middle - half)),
+                (units(to), units(middle + half)),
+            ];
+            let Some(reason) = c.rejected else {
+                let fill = match c.foot.or(understood.columns[i].foot) {
+                    None => own_colour(&understood.columns[i], k),
+                    foot => colour(foot),
+                };
+                canvas.draw(&Rectangle::new(corners, fill.filled()))?;
+                continue;
+            };
+            canvas.draw(&Rectangle::new(corners, RED.mix(0.22).filled()))?;
+            canvas.draw(&Rectangle::new(corners, stroke(RED, 1.2)))?;
+            let number = reasons.iter().position(|r| r.0 == reason);
+            let number = number.map_or_else(String::new, |n| (n + 1).to_string());
+            if to - from > 1.2 * e * text_width(&number) {
+                let small = Lettering::new(0.78 * e, INK).anchored(HPos::Center, VPos::Center);
+                write(canvas, &number, [0.5 * (from + to), middle], small)?;
+            }
+        }
+    }
+    let mut y = top + (shown.len() as f64 * LANE + 1.0) * e;
+    for (number, (_, said)) in reasons.iter().enumerate() {
+        let text = format!("{}  {said}", number + 1);
+        let plain = Lettering::new(0.9 * e, QUIET).anchored(HPos::Left, VPos::Center);
+        write(canvas, &text, [frame.left, y], plain)?;
+        y += 1.6 * e;
+    }
+    Ok(())
+}
