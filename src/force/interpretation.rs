@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::cycle::{Cycle, MeanStanceCurve, Overlay, Period, overlay};
 use super::feet::Feet;
 use super::format::Format;
-use super::kind::{Doubt, Kind};
+use super::kind::{Kind, OpenQuestion};
 use super::note::{ClockSource, CycleSource, MassSource, Note, UnitSource};
 use super::recording::{Channel, Foot, ForceUnit, Idle, Recording};
 use super::stance::{RejectReason, Stances};
@@ -140,8 +140,8 @@ impl Interpretation {
     }
 
     /// What is open about kind, clock or mass, each once.
-    pub fn doubts(&self) -> Vec<Doubt> {
-        let mut all: Vec<Doubt> = self.warnings.iter().filter_map(Note::doubt).collect();
+    pub fn doubts(&self) -> Vec<OpenQuestion> {
+        let mut all: Vec<OpenQuestion> = self.warnings.iter().filter_map(Note::doubt).collect();
         all.sort_unstable();
         all.dedup();
         all

@@ -64,7 +64,7 @@ impl FromStr for Kind {
 )]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
-pub enum Doubt {
+pub enum OpenQuestion {
     /// What was recorded.
     Kind,
     /// The duration of a stride.
@@ -73,9 +73,10 @@ pub enum Doubt {
     Mass,
 }
 
-impl Doubt {
+impl OpenQuestion {
     /// Every doubt.
-    pub const ALL: [Doubt; 3] = [Doubt::Kind, Doubt::Clock, Doubt::Mass];
+    pub const ALL: [OpenQuestion; 3] =
+        [OpenQuestion::Kind, OpenQuestion::Clock, OpenQuestion::Mass];
 
     /// The name used in scenes and JSON.
     pub fn name(self) -> &'static str {
@@ -87,10 +88,10 @@ impl Doubt {
     /// # Errors
     ///
     /// On a word that is none of the three.
-    pub fn list(words: &str) -> Result<Vec<Doubt>> {
+    pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
         let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
         let read = parts.map(|word| {
-            let known = Doubt::ALL.into_iter().find(|d| d.name() == word);
+            let known = OpenQuestion::ALL.into_iter().find(|d| d.name() == word);
             known.ok_or_else(|| {
                 let word = word.to_string();
                 Error::from(ForceError::UnknownDoubt { word })
@@ -111,9 +112,9 @@ mod tests {
         }
         assert_eq!("sit-to-stand".parse(), Ok(Kind::SitToStand));
         assert!("dancing".parse::<Kind>().is_err());
-        let all = Doubt::list("kind, clock,mass").unwrap();
-        assert_eq!(all, Doubt::ALL);
-        assert_eq!(Doubt::list("").unwrap(), []);
-        assert!(Doubt::list("time").is_err());
+        let all = OpenQuestion::list("kind, clock,mass").unwrap();
+        assert_eq!(all, OpenQuestion::ALL);
+        assert_eq!(OpenQuestion::list("").unwrap(), []);
+        assert!(OpenQuestion::list("time").is_err());
     }
 }

@@ -25,7 +25,7 @@ pub use cycle::{Cycle, MeanStanceCurve, Overlay, Period, cycle, overlay};
 pub use feet::Feet;
 pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
 pub use interpretation::{Clock, Column, Contact, Interpretation};
-pub use kind::{Doubt, Kind};
+pub use kind::{Kind, OpenQuestion};
 pub use models::{ModelInfo, Status, catalogue, fourier, model};
 pub use note::{
     Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::Serialize;
 use strum::{IntoStaticStr, VariantNames};
 
-use super::kind::Doubt;
+use super::kind::OpenQuestion;
 use super::recording::{Foot, ForceUnit};
 use crate::units::Quantity;
 use crate::wording::{Language, sentence};
@@ -252,19 +252,19 @@ pub enum CycleSource {
 
 impl Note {
     /// What the note leaves open until the user answers; `None` where it only informs.
-    pub fn doubt(&self) -> Option<Doubt> {
+    pub fn doubt(&self) -> Option<OpenQuestion> {
         match self {
-            Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(Doubt::Kind),
+            Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(OpenQuestion::Kind),
             Note::CountOrMilliseconds { .. }
             | Note::StrideAssumed { .. }
             | Note::StrideImplausible { .. }
             | Note::DurationsLost { .. }
-            | Note::RatesDiffer { .. } => Some(Doubt::Clock),
+            | Note::RatesDiffer { .. } => Some(OpenQuestion::Clock),
             Note::UnitUnconfirmed { .. }
             | Note::PeakImplausible { .. }
             | Note::MeanForceNotWeight { .. }
             | Note::MassImplausible { .. }
-            | Note::StancesDiffer { .. } => Some(Doubt::Mass),
+            | Note::StancesDiffer { .. } => Some(OpenQuestion::Mass),
             _ => None,
         }
     }

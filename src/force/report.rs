@@ -195,7 +195,7 @@ fn write_doubts(
     if doubts.is_empty() {
         return Ok(());
     }
-    let said: Vec<String> = doubts.iter().map(|d| words.sentence("doubt", d)).collect();
+    let said: Vec<String> = doubts.iter().map(|d| words.sentence("open", d)).collect();
     let names: Vec<&str> = doubts.iter().map(|d| d.name()).collect();
     let doubts = Label::Doubts {
         list: said.join(", "),

@@ -22,7 +22,7 @@ use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Result, SynthError};
-use crate::force::{Doubt, ForceCurve, implausible, spread_rms_n};
+use crate::force::{ForceCurve, OpenQuestion, implausible, spread_rms_n};
 use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
@@ -75,7 +75,7 @@ pub struct Problem {
     /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
     pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
-    pub open_doubts: Vec<Doubt>,
+    pub open_doubts: Vec<OpenQuestion>,
     /// Numbers of spans already found for this force and law.
     pub spans: SpanMemo,
     /// When searches are to end.
@@ -451,7 +451,7 @@ impl Problem {
 }
 
 /// What is open about a recording and was not accepted by the scene.
-pub(crate) fn open_doubts(gait: Option<&Gait>, force: Option<&ForceCurve>) -> Vec<Doubt> {
+pub(crate) fn open_doubts(gait: Option<&Gait>, force: Option<&ForceCurve>) -> Vec<OpenQuestion> {
     let recording = force.and_then(|f| f.recording.as_ref());
     let (Some(gait), Some(recording)) = (gait, recording) else {
         return Vec::new();

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::force::{Doubt, Feet, Kind};
+use crate::force::{Feet, Kind, OpenQuestion};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -38,7 +38,7 @@ pub struct Gait {
     /// Recordings: what was recorded; `None` leaves it to the reader.
     pub kind: Option<Kind>,
     /// Recordings: doubts that the user has settled.
-    pub accept: Vec<Doubt>,
+    pub accept: Vec<OpenQuestion>,
     /// Whose feet count.
     pub feet: Feet,
     /// Scale the target so that its mean is M·g.

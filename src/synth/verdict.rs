@@ -6,7 +6,7 @@ use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
-use crate::force::Doubt;
+use crate::force::OpenQuestion;
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
 
@@ -48,11 +48,11 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
 }
 
 /// What is open about the recording as a reason.
-fn open(doubt: Doubt) -> Reason {
+fn open(doubt: OpenQuestion) -> Reason {
     match doubt {
-        Doubt::Kind => Reason::RecordingKind,
-        Doubt::Clock => Reason::RecordingClock,
-        Doubt::Mass => Reason::RecordingMass,
+        OpenQuestion::Kind => Reason::RecordingKind,
+        OpenQuestion::Clock => Reason::RecordingClock,
+        OpenQuestion::Mass => Reason::RecordingMass,
     }
 }
 

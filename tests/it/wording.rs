@@ -11,7 +11,8 @@ use gaitcam::error::{
     SegmentName, SweepError, SynthError, UnitsError, WriteError,
 };
 use gaitcam::force::{
-    ClockSource, CycleSource, Doubt, Format, Idle, Kind, LABELS, MassSource, Note, RejectReason,
+    ClockSource, CycleSource, Format, Idle, Kind, LABELS, MassSource, Note, OpenQuestion,
+    RejectReason,
 };
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
@@ -43,7 +44,7 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("cycle", CycleSource::VARIANTS),
         ("mass-from", MassSource::VARIANTS),
         ("kind", Kind::VARIANTS),
-        ("doubt", Doubt::VARIANTS),
+        ("open", OpenQuestion::VARIANTS),
         ("clock", ClockSource::VARIANTS),
         ("channel", Idle::VARIANTS),
         ("contact", RejectReason::VARIANTS),

@@ -364,7 +364,12 @@ fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet
 
 /// What a person should know of a mean cycle beside its mass.
 fn warnings(recording: &Recording, stances: &Stances, cycle: &Cycle, total: bool) -> Vec<Note> {
-    let mut notes = stances.notes.clone();
+    let mut notes = Vec::new();
+    if let CycleSource::AnyFoot { stances, .. } = cycle.source {
+        // What changes the whole curve comes before what was guessed.
+        notes.push(Note::OneFootForBoth { stances });
+    }
+    notes.extend(stances.notes.iter().cloned());
     let period_s = cycle.curve.period_s;
     if cycle.period_from == PeriodSource::UsualDuty {
         let period = seconds(period_s);

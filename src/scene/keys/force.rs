@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::row::{Access, Idle, Key, Kind, Measure, Range, entry, number, other, plain};
 use super::value::Value;
-use crate::force::{Doubt, Feet, Kind as Movement};
+use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::scene::{Band, Gait, Phase, PhaseWeight, Scene, Source};
 use crate::units::Dimension as D;
 
@@ -161,7 +161,7 @@ pub static ROWS: &[Key] = &[
                 (!names.is_empty()).then(|| Value::Text(names.join(", ")))
             },
             set: |s, _, v| {
-                gait(s).accept = Doubt::list(&v.text())?;
+                gait(s).accept = OpenQuestion::list(&v.text())?;
                 Ok(())
             },
         },

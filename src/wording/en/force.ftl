@@ -133,9 +133,9 @@ kind-jumping = jumping
 kind-sit-to-stand = sit-to-stand
 kind-other = another movement
 
-doubt-kind = the kind of movement
-doubt-clock = the time scale
-doubt-mass = the mass and the unit of force
+open-kind = the kind of movement
+open-clock = the time scale
+open-mass = the mass and the unit of force
 
 clock-user = given
 clock-times = time column

@@ -133,9 +133,9 @@ kind-jumping = salto
 kind-sit-to-stand = levantarse de la silla
 kind-other = otro movimiento
 
-doubt-kind = el tipo de movimiento
-doubt-clock = la escala de tiempo
-doubt-mass = la masa y la unidad de fuerza
+open-kind = el tipo de movimiento
+open-clock = la escala de tiempo
+open-mass = la masa y la unidad de fuerza
 
 clock-user = indicada
 clock-times = columna de tiempo

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use gaitcam::error::Result;
 use gaitcam::force::{
-    Cycle, Doubt, Feet, Note, PeriodSource, ReadOptions, Recording, cycle, force_curve, read,
-    stances,
+    Cycle, Feet, Note, OpenQuestion, PeriodSource, ReadOptions, Recording, cycle, force_curve,
+    read, stances,
 };
 
 use super::fault;
@@ -80,7 +80,7 @@ fn what_was_guessed_goes_with_the_curve() {
     let guessed = |n: &&Note| matches!(n, Note::MillisecondsGuessed { .. });
     assert!(curve.warnings().any(|n| guessed(&n)));
     let understood = curve.recording.unwrap();
-    assert_eq!(understood.doubts(), [Doubt::Clock]);
+    assert_eq!(understood.doubts(), [OpenQuestion::Clock]);
 }
 
 #[test]

@@ -8,6 +8,7 @@ use crate::figures::cam::cam_in;
 use crate::figures::curvature::geometry_in;
 use crate::figures::force::{force_frame, force_in};
 use crate::figures::law::svaj_in;
+use crate::figures::recording::{figure_layout, recording_in};
 use crate::number::{millimetres, number, range};
 use crate::plot::axes::Frame;
 use crate::plot::layout::Layout;
@@ -19,6 +20,7 @@ use gaitcam::synth::Design;
 /// The diagrams.
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {
     force(out, synthesis, words);
+    recording(out, synthesis, words);
     let taller = Layout::figure(660);
     heading(out, &words.text("report-law-section"));
     let alt = law_words(synthesis, words);
@@ -99,6 +101,24 @@ fn force(out: &mut String, synthesis: &Design, words: &Words) {
     let picture = force_in(synthesis, tall, words);
     let alt = force_words(synthesis, words);
     figure(out, "force", Some(force_frame(tall)), &alt, &picture, words);
+}
+
+/// The recording that the target was made from, with every contact.
+fn recording(out: &mut String, synthesis: &Design, words: &Words) {
+    let target = synthesis.target.as_ref();
+    let Some(understood) = target.and_then(|t| t.recording.as_ref()) else {
+        return;
+    };
+    heading(out, &words.text("report-recording-section"));
+    let (used, rejected) = understood.counts();
+    let arguments = [
+        ("file", understood.file.as_str()),
+        ("used", &used.to_string()),
+        ("rejected", &rejected.to_string()),
+    ];
+    let alt = words.fill("report-alt-recording", &arguments);
+    let picture = recording_in(understood, None, figure_layout(understood, words), words);
+    figure(out, "recording", None, &alt, &picture, words);
 }
 
 fn force_words(synthesis: &Design, words: &Words) -> String {

@@ -30,6 +30,8 @@ report-speed = Speed
 # Diagrams.
 report-animation = Animation
 report-force-section = Force
+report-recording-section = Recording
+report-alt-recording = Recording { $file }: force over time with { $used } contacts used and { $rejected } rejected, and the mean stances of the feet.
 report-moment-section = Moment on the arm
 report-law-section = Law of motion
 report-cam-section = Cam and follower

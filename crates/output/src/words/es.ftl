@@ -30,6 +30,8 @@ report-speed = Velocidad
 # Diagramas.
 report-animation = Animación
 report-force-section = Fuerza
+report-recording-section = Registro
+report-alt-recording = Registro { $file }: fuerza en el tiempo con { $used } contactos usados y { $rejected } rechazados, y los apoyos medios de los pies.
 report-moment-section = Momento en el brazo
 report-law-section = Ley de movimiento
 report-cam-section = Leva y seguidor

@@ -19,8 +19,12 @@ use gaitcam::wording::Language;
 /// A curve as it is drawn.
 type Curve = Vec<(f64, f64)>;
 
-/// Height of a figure of the report, points.
-pub(crate) const FIGURE_HEIGHT: u32 = 760;
+/// The layout of a figure of the report: as tall as its lanes of contacts ask.
+pub(crate) fn figure_layout(understood: &Interpretation, words: &Words) -> Layout {
+    let letters = Layout::figure(0).letters;
+    let lanes = whole::height(understood, letters, words);
+    Layout::figure(700 + lanes as u32)
+}
 
 /// The whole recording with contacts marked used or rejected (and why), the mean stances of the left and the right
 /// foot with loading peak, valley and push-off, and below them the mean cycle, where there is one.
@@ -29,11 +33,13 @@ pub fn recording(
     cycle: Option<&ForceCurve>,
     language: Language,
 ) -> Picture {
+    let words = &Words::new(language);
+    let lanes = whole::height(understood, Layout::ALONE.letters, words) as u32;
     let layout = Layout {
-        size: (1200, if cycle.is_some() { 1400 } else { 1060 }),
+        size: (1200, lanes + if cycle.is_some() { 1330 } else { 980 }),
         ..Layout::ALONE
     };
-    recording_in(understood, cycle, layout, &Words::new(language))
+    recording_in(understood, cycle, layout, words)
 }
 
 pub(crate) fn recording_in(
