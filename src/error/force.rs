@@ -49,7 +49,7 @@ pub enum ForceError {
     Running { duration: Quantity },
     /// The recording is of another movement than walking or running.
     NotWalking {
-        kind: &'static str,
+        movement: &'static str,
         duration: Quantity,
     },
     /// The column is the total of both feet, and one foot was asked for.

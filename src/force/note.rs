@@ -115,8 +115,8 @@ pub enum Note {
     CountOrMilliseconds { stride: Quantity },
     /// The contacts are of another kind than the one asked for.
     KindDiffers {
-        asked: &'static str,
-        found: &'static str,
+        typed: &'static str,
+        movement: &'static str,
     },
     /// The speed changes; the mean is of the stances whose durations lie in one range.
     SpeedChanges {

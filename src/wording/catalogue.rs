@@ -30,6 +30,7 @@ const AS_TYPED: &[&str] = &[
     "list",
     "model",
     "motion",
+    "movement",
     "name",
     "pair",
     "near",

@@ -101,6 +101,7 @@ impl Sources {
             unit: unit.transpose()?,
             rate_hz: gait.rate,
             mass_kg: gait.mass,
+            kind: gait.kind,
             metadata: subjects.map(|bytes| bytes.to_vec()),
         })
     }
@@ -113,7 +114,8 @@ impl Sources {
         };
         let (source, feet) = (&gait.source, gait.feet);
         let model = (gait.step_frequency, gait.body_weight);
-        let read = (&gait.time, &gait.force, &gait.unit, gait.rate, gait.mass);
+        let how = (gait.unit.as_ref(), gait.kind);
+        let read = (&gait.time, &gait.force, how, gait.rate, gait.mass);
         format!("{source:?} {feet:?} {model:?} {read:?} {stamp}")
     }
 

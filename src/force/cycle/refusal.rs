@@ -75,8 +75,8 @@ fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError>
     match kind {
         Kind::Running => Some(ForceError::Running { duration }),
         Kind::Jumping | Kind::Standing | Kind::SitToStand => {
-            let kind = kind.name();
-            Some(ForceError::NotWalking { kind, duration })
+            let movement = kind.name();
+            Some(ForceError::NotWalking { movement, duration })
         }
         Kind::Walking | Kind::Other => None,
     }

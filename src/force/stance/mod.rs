@@ -127,8 +127,8 @@ fn settle_kind(out: &mut Stances, contacts: &[Contact], recording: &Recording) {
     if let (Some(asked), Some(found)) = (recording.kind, out.recognised)
         && asked != found
     {
-        let (asked, found) = (asked.name(), found.name());
-        out.notes.push(Note::KindDiffers { asked, found });
+        let (typed, movement) = (asked.name(), found.name());
+        out.notes.push(Note::KindDiffers { typed, movement });
     }
 }
 

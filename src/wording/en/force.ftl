@@ -30,7 +30,7 @@ force-clock-implausible = with the time column in milliseconds a stride takes { 
     .help = give the sampling rate (option rate): the column may count samples
 force-running = the recording of { $duration } is of running (short contacts, flight between them, less than half of the stride on the ground)
     .help = use kind = "running" for a running cycle, or give a recording of walking
-force-not-walking = the recording of { $duration } is not of walking: { $kind ->
+force-not-walking = the recording of { $duration } is not of walking: { $movement ->
         [standing] a person stands; the load hardly changes
         [jumping] both feet leave the ground together
         [sit-to-stand] the load rises from that of the feet alone to the body weight
@@ -97,7 +97,7 @@ note-mean-force-not-weight = the mean force over a stride is { $ratio } times { 
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
 note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
 note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
-note-kind-differs = kind { $asked } is given, but the contacts are those of { $found }
+note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement }
 note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
 note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most 20 % is expected: partial contacts, cross-talk or two feet on one plate
 note-total-column = the column is taken as the total force of both feet

@@ -30,7 +30,7 @@ force-clock-implausible = con la columna de tiempo en milisegundos una zancada d
     .help = indique la frecuencia de muestreo (opción rate): la columna puede contar muestras
 force-running = el registro de { $duration } es de carrera (contactos cortos, vuelo entre ellos, menos de la mitad de la zancada en el suelo)
     .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
-force-not-walking = el registro de { $duration } no es de marcha: { $kind ->
+force-not-walking = el registro de { $duration } no es de marcha: { $movement ->
         [standing] una persona está de pie; la carga apenas cambia
         [jumping] ambos pies dejan el suelo a la vez
         [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
@@ -97,7 +97,7 @@ note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces 
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
 note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
-note-kind-differs = se indica kind { $asked }, pero los contactos son de { $found }
+note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement }
 note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
 note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo 20 %: contactos parciales, diafonía o dos pies en una plataforma
 note-total-column = la columna se toma como la fuerza total de ambos pies

@@ -174,7 +174,7 @@ fn both_feet_on_one_belt_give_their_stride_and_standing_gives_none() {
         matches!(
             e.kind,
             ErrorKind::Force(ForceError::NotWalking {
-                kind: "standing",
+                movement: "standing",
                 ..
             })
         ),

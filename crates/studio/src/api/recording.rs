@@ -10,11 +10,8 @@ use crate::http::Head;
 use crate::studio::Studio;
 use crate::words;
 use gaitcam::error::Result;
-use gaitcam::force::{self, Feet, ReadOptions, Stances};
+use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};
 use gaitcam_output::recording;
-
-/// Stances drawn in the picture; the mean is of all.
-const DRAWN: usize = 60;
 
 /// Keeps a dropped file and says what it holds.
 ///
@@ -100,19 +97,17 @@ fn described(name: &str, bytes: &[u8], without: &[usize], feet: Feet) -> Result<
         .filter(|(i, _)| !without.contains(i));
     let stances = Stances {
         used: kept.map(|(_, s)| s.clone()).collect(),
-        rejected: all.rejected.clone(),
+        ..all.clone()
     };
     let cycle = force::cycle(&recording, &stances, feet)?;
-    let mut found = force::json(&recording, &all, Some(&cycle));
+    let understood = Interpretation::of(name, &recording, &stances, Some(&cycle), feet);
+    let mut found = force::json(&understood, &recording, &all, Some(&cycle));
     found["file"] = name.into();
     found["use"] = name.into();
-    found["table"] = force::table(&recording, &stances, Ok(&cycle), language).into();
+    found["table"] = force::table(&understood, &recording, &stances, Ok(&cycle), language).into();
     found["without"] = json!(without);
-    if let Some(overlay) = force::overlay(&recording, &stances, DRAWN) {
-        found["picture"] = recording::stances(name, &overlay, &cycle, language)
-            .svg()
-            .into();
-    }
+    let picture = recording::recording(&understood, Some(&cycle.curve), language);
+    found["picture"] = picture.svg().into();
     let source = cycle.source.to_string();
     found["csv"] = force::csv(&cycle.curve, &[name, &source]).into();
     Ok(found)

@@ -36,7 +36,15 @@ pub fn recording(
     let words = &Words::new(language);
     let lanes = whole::height(understood, Layout::ALONE.letters, words) as u32;
     let layout = Layout {
-        size: (1200, lanes + if cycle.is_some() { 1330 } else { 980 }),
+        size: (
+            1200,
+            lanes
+                + match (cycle, &understood.overlay) {
+                    (Some(_), _) => 1330,
+                    (None, Some(_)) => 980,
+                    (None, None) => 740,
+                },
+        ),
         ..Layout::ALONE
     };
     recording_in(understood, cycle, layout, words)
