@@ -128,6 +128,7 @@ function fault(error) {
 let waiting = 0;
 function working(on, since) {
   clearInterval(waiting);
+  clock.hold(on);
   $("design").setAttribute("aria-busy", String(on));
   if (!on) {
     $("design").classList.remove("busy");
@@ -137,6 +138,7 @@ function working(on, since) {
   waiting = setInterval(() => {
     const passed = performance.now() - since;
     if (passed < 180) return;
+    clock.hold(false);
     $("design").classList.add("busy");
     $("working").hidden = false;
     $("working-time").textContent = t("studio-working", { seconds: words.number(passed / 1000, 2) });

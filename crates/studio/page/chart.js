@@ -55,9 +55,14 @@ export class Chart {
   // `pinned` are designs to compare with: each has curves and a colour.
   show(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
-    this.heading.textContent = t(`studio-chart-${panel.id}`) + (panel.unit ? `, ${panel.unit}` : "");
+    this.heading.textContent = `${this.name()}, ${panel.unit}`;
     this.draw();
     this.follow();
+  }
+
+  name() {
+    const alone = this.id === "force" && !this.panel.lines.some((l) => l.role === "target");
+    return t(alone ? "studio-chart-force-alone" : `studio-chart-${this.id}`);
   }
 
   range() {
@@ -165,7 +170,7 @@ export class Chart {
     const low = main.reduce((m, y) => Math.min(m, y), Infinity);
     const high = main.reduce((m, y) => Math.max(m, y), -Infinity);
     this.picture.setAttribute("aria-label", t("studio-chart-alt", {
-      name: t(`studio-chart-${this.id}`), low: quantity(low, this.panel.unit), high: quantity(high, this.panel.unit),
+      name: this.name(), low: quantity(low, this.panel.unit), high: quantity(high, this.panel.unit),
     }));
   }
 
@@ -197,8 +202,7 @@ export class Chart {
       this.dot.setAttribute("cx", at);
       this.dot.setAttribute("cy", this.y(main).toFixed(1));
     }
-    this.value.textContent = target === undefined ? quantity(main, this.panel.unit)
-      : `${quantity(main, this.panel.unit)} / ${quantity(target, this.panel.unit)}`;
+    this.value.textContent = target === undefined ? number(main) : `${number(main)} / ${number(target)}`;
   }
 
   drag() {

@@ -5,6 +5,7 @@ let theta = 0;
 let playing = false;
 let backwards = false;
 let pace = 0.1;
+let held = false;
 let last = 0;
 const listeners = [];
 const watchers = [];
@@ -39,12 +40,16 @@ export function setPace(next) {
   pace = next;
 }
 
+function wrapped(next) {
+  const turn = (next - motion.start) / motion.length;
+  const within = turn >= 0 && turn <= 1 ? turn : turn - Math.floor(turn);
+  return motion.start + within * motion.length;
+}
+
 // Sets the angle; beyond its ends a turn begins anew.
 export function set(next) {
   if (!motion) return;
-  const turn = (next - motion.start) / motion.length;
-  const within = turn >= 0 && turn <= 1 ? turn : turn - Math.floor(turn);
-  theta = motion.start + within * motion.length;
+  theta = wrapped(next);
   for (const listener of listeners) listener(theta);
 }
 
@@ -54,6 +59,11 @@ export function play(on) {
   last = performance.now();
   if (on) requestAnimationFrame(frame);
   for (const watcher of watchers) watcher();
+}
+
+// While a design is on its way the cam turns on unseen: the answer's picture must not wait for others.
+export function hold(on) {
+  held = on;
 }
 
 export function reverse() {
@@ -67,7 +77,9 @@ function frame(now) {
   last = now;
   if (motion) {
     const way = motion.back !== backwards ? -1 : 1;
-    set(theta + way * passed * pace / motion.period * motion.length);
+    const next = theta + way * passed * pace / motion.period * motion.length;
+    if (held) theta = wrapped(next);
+    else set(next);
   }
   requestAnimationFrame(frame);
 }

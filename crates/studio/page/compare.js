@@ -55,6 +55,8 @@ function build() {
     make("button", { type: "button", class: "main", onclick: () => pin(answer) }, t("studio-pin")), make("div", { id: "slate" }),
     make("h2", {}, t("studio-sensitivity")), make("p", { class: "lead" }, t("studio-sensitivity-lead")));
   const quantity = make("select", { id: "watched", "aria-label": t("studio-sensitivity-of") }, ...start.quantities.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
+  if (answer && !answer.curves.panels[0].lines.some((l) => l.role === "target")) quantity.value = "acceleration";
+  if (bars) quantity.value = bars.quantity;
   root.append(make("div", { class: "buttons" }, quantity, make("button", { type: "button", id: "vary", onclick: () => vary(quantity.value) }, t("studio-compute"))), make("div", { id: "tornado" }),
     make("h2", {}, t("studio-front")), make("p", { class: "lead" }, t("studio-front-lead")));
   const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));

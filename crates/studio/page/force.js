@@ -158,7 +158,7 @@ function begin() {
     const i = curves.theta.findIndex((x) => x >= wanted - 1e-9);
     points.push([period * k / (count - 1), Math.round(10 * (target.y[Math.max(i, 0)] ?? 0)) / 10]);
   }
-  drawn = { file: "force-by-hand.csv", period_s: period, points };
+  drawn = { period_s: period, points };
   keep();
   build();
 }
@@ -167,7 +167,8 @@ let version = 0;
 async function keep() {
   version += 1;
   const mine = version;
-  const body = { ...drawn, file: `force-by-hand-${mine % 2}.csv` };
+  // Two names in turn: the scene is seen to change.
+  const body = { file: `force-by-hand-${mine % 2}.csv`, period_s: drawn.period_s, points: drawn.points };
   try {
     const kept = await post("force", body);
     if (mine !== version) return;

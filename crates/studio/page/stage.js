@@ -252,7 +252,10 @@ function hand() {
     if (event.key in steps) {
       clock.play(false);
       clock.set(clock.angle() + steps[event.key]);
-    } else if (event.key === "Home") clock.set(answer.motion.start);
+    } else if (event.key === "Home") {
+      clock.play(false);
+      clock.set(answer.motion.start);
+    }
     else if (event.key === " ") clock.play(!clock.isPlaying());
     else return;
     event.preventDefault();

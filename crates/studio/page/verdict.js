@@ -83,8 +83,13 @@ function limits(answer) {
     make("ul", {}, ...answer.notes.map((n) => make("li", {}, n)))));
 }
 
-// The report's own tables; the server escapes what stands in them.
+// The report's own tables; the server escapes what stands in them. They lie below the picture and follow when the
+// hand rests.
+let resting = 0;
 function tables(answer) {
-  const { checks, active, data, solution } = answer.tables;
-  $("tables").innerHTML = `<div>${checks}${active}</div><div>${data}${solution}</div>`;
+  clearTimeout(resting);
+  resting = setTimeout(() => {
+    const { checks, active, data, solution } = answer.tables;
+    $("tables").innerHTML = `<div>${checks}${active}</div><div>${data}${solution}</div>`;
+  }, 150);
 }

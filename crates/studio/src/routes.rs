@@ -72,9 +72,9 @@ impl Studio {
 }
 
 /// Reads a question and answers it.
-fn asked<Q: serde::de::DeserializeOwned>(
+fn asked<Q: serde::de::DeserializeOwned, A: serde::Serialize>(
     request: &Request,
-    reply: impl Fn(&Q) -> gaitcam::error::Result<serde_json::Value>,
+    reply: impl Fn(&Q) -> gaitcam::error::Result<A>,
 ) -> Response {
     match body::<Q>(request) {
         Ok(question) => answer(reply(&question)),

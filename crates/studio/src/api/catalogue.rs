@@ -66,6 +66,7 @@ fn outline(studio: &Studio, name: &str) -> Option<String> {
     if scene::read(&table).is_err() {
         // The picture of a scene that still waits for its recording is that of a load model.
         scene::set(&mut table, "gait.model=young").ok()?;
+        scene::set(&mut table, "gait.step_frequency=1.85 Hz").ok()?;
     }
     let scene = scene::read(&table).ok()?;
     let target = studio.sources.target(&studio.folder, &scene).ok()?;

@@ -44,7 +44,7 @@ pub struct Ask {
 
 /// Everything that the page shows of a design.
 #[derive(Serialize)]
-struct Answer {
+pub struct Answer {
     id: String,
     number: u64,
     name: String,
@@ -96,10 +96,34 @@ struct Eased {
     gain: f64,
 }
 
-/// Designs the scene; `{superseded: true}` where the page has asked again meanwhile.
-pub fn design(studio: &Studio, ask: &Ask) -> Result<Value> {
+/// What a page hears: its design, or that it has asked again meanwhile.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Heard {
+    /// The design.
+    Answer(Box<Answer>),
+    /// Nothing: a newer question is on its way.
+    Overtaken {
+        /// Always true.
+        superseded: bool,
+        /// The number of the question.
+        number: u64,
+    },
+}
+
+/// Designs the scene.
+///
+/// # Errors
+/// Faults of the changes, of the scene and of its force.
+pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
     let start = Instant::now();
-    let overtaken = || Ok(json!({"superseded": true, "number": ask.number}));
+    let number = ask.number;
+    let overtaken = || {
+        Ok(Heard::Overtaken {
+            superseded: true,
+            number,
+        })
+    };
     let asked = studio.turns.ask(&ask.page, ask.number);
     let Some(turn) = studio.turns.take(&asked) else {
         return overtaken();
@@ -117,7 +141,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Value> {
     let mut answer = answer(&kept, id, language);
     answer.number = ask.number;
     answer.server_ms = 1e3 * start.elapsed().as_secs_f64();
-    Ok(serde_json::to_value(answer).unwrap_or_default())
+    Ok(Heard::Answer(Box::new(answer)))
 }
 
 /// The design of a table.

@@ -104,6 +104,7 @@ studio-colour-undefined = Not defined for this design.
 # Diagrams.
 studio-diagrams = Diagrams over the cam angle
 studio-chart-force = Force, achieved / target
+studio-chart-force-alone = Force
 studio-chart-s = Lift s
 studio-chart-v = Velocity v
 studio-chart-a = Acceleration a

@@ -104,6 +104,7 @@ studio-colour-undefined = No definido para este diseño.
 # Diagramas.
 studio-diagrams = Diagramas según el ángulo de leva
 studio-chart-force = Fuerza, obtenida / objetivo
+studio-chart-force-alone = Fuerza
 studio-chart-s = Elevación s
 studio-chart-v = Velocidad v
 studio-chart-a = Aceleración a

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Drives the studio in a real Chromium: crates/studio/tests/browser/run.sh target/release/gaitcam [TEST …]
+# Makes a virtual environment with Playwright below target/; where it or Chromium is missing the tests are skipped,
+# and the last line says so.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../../../.." && pwd)
+binary=$(realpath "${1:-$root/target/release/gaitcam}")
+shift || true
+venv="$root/target/browser-tests"
+chromium=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+if [ -z "$chromium" ]; then
+  echo "studio in the browser: SKIPPED, no Chromium (install it, or set CHROMIUM)"
+  exit 0
+fi
+if [ ! -x "$venv/bin/python" ]; then
+  python3 -m venv "$venv" || { echo "studio in the browser: SKIPPED, no virtual environment"; exit 0; }
+fi
+if ! "$venv/bin/python" -c "import playwright, axe_playwright_python" 2>/dev/null; then
+  "$venv/bin/pip" install --quiet playwright axe-playwright-python ||
+    { echo "studio in the browser: SKIPPED, Playwright cannot be installed"; exit 0; }
+fi
+cd "$here"
+GAITCAM=$binary CHROMIUM=$chromium GAITCAM_ROOT=$root "$venv/bin/python" -m unittest -v "${@:-test_studio}"

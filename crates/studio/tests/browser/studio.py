@@ -1,0 +1,113 @@
+"""A running studio and a page on it, for tests."""
+
+import os
+import re
+import signal
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+BINARY = os.environ["GAITCAM"]
+CHROMIUM = os.environ["CHROMIUM"]
+ROOT = Path(os.environ["GAITCAM_ROOT"])
+PATIENCE = 30.0
+
+
+class Server:
+    """`gaitcam studio` on a folder of its own."""
+
+    def __init__(self, port=0):
+        self.folder = Path(tempfile.mkdtemp(prefix="gaitcam-studio-"))
+        self.start(port)
+
+    def start(self, port=0):
+        command = [BINARY, "studio", str(self.folder), "--no-open", "--port", str(port), "--lang", "en"]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        self.url = self.process.stdout.readline().strip()
+        assert re.fullmatch(r"http://127\.0\.0\.1:\d+/\?token=[0-9a-f]+", self.url), self.url
+        self.port = int(re.search(r":(\d+)/", self.url).group(1))
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def interrupt(self):
+        """Ends it as Ctrl-C does; returns the exit code."""
+        self.process.send_signal(signal.SIGINT)
+        code = self.process.wait(timeout=10)
+        self.process.stdout.close()
+        return code
+
+
+class Browser:
+    """One Chromium for all tests."""
+
+    def __init__(self):
+        self.driver = sync_playwright().start()
+        self.chromium = self.driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+
+    def page(self, url, width=1400, height=900, theme="light", context=None):
+        context = context or self.chromium.new_context(
+            viewport={"width": width, "height": height}, color_scheme=theme, accept_downloads=True
+        )
+        return Page(context.new_page(), url)
+
+    def close(self):
+        self.chromium.close()
+        self.driver.stop()
+
+
+class Page:
+    """A page of the studio with what its console said."""
+
+    def __init__(self, page, url=None):
+        self.page = page
+        self.said = []
+        page.on("console", lambda m: self.said.append(m.text) if m.type in ("error", "warning") else None)
+        page.on("pageerror", lambda e: self.said.append(str(e)))
+        if url:
+            page.goto(url)
+            self.shown(0)
+            if page.is_visible("#welcome-close"):
+                page.click("#welcome-close")
+
+    def revision(self):
+        return int(self.page.get_attribute("#design", "data-revision"))
+
+    def verdict(self):
+        return self.page.get_attribute("#verdict", "data-verdict")
+
+    def ms(self):
+        return float(self.page.get_attribute("#design", "data-ms"))
+
+    def until(self, what, holds):
+        end = time.monotonic() + PATIENCE
+        while not holds():
+            assert time.monotonic() < end, f"in vain: {what}; the console says {self.said}"
+            self.page.wait_for_timeout(15)
+
+    def shown(self, before):
+        """Waits for a design after revision `before` and for the last one that is asked."""
+        self.until("a design is shown", lambda: self.revision() > before)
+        self.until("it is at rest", lambda: self.page.get_attribute("#design", "aria-busy") == "false")
+
+    def does(self, action):
+        """An action that leads to a new design."""
+        before = self.revision()
+        action()
+        self.shown(before)
+
+    def sets(self, key, value):
+        self.does(lambda: self.page.fill(f'[name="{key}"]', value))
+
+    def opens(self, scene):
+        self.page.click("#open-scenes")
+        self.page.wait_for_selector(f'[data-scene="{scene}"]')
+        self.does(lambda: self.page.click(f'[data-scene="{scene}"]'))
+
+    def value(self, key):
+        return self.page.input_value(f'[name="{key}"]')
