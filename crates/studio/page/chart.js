@@ -1,7 +1,7 @@
 // One diagram over the cam's angle: axes, curves, limits, cursor.
 
 import { make, svg, clear } from "./dom.js";
-import { t, number, quantity } from "./words.js";
+import { t, number, quantity, language } from "./words.js";
 import * as clock from "./clock.js";
 
 const LEFT = 46;
@@ -24,7 +24,8 @@ function tickText(x, all) {
   const decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
   const fine = Math.abs(step * 10 ** decimals % 1) > 1e-6 ? decimals + 1 : decimals;
   if (Math.abs(x) >= 1e5) return x.toExponential(0).replace("+", "").replace("-", "−");
-  return x.toFixed(fine).replace("-", "−");
+  const text = x.toFixed(fine).replace("-", "−");
+  return language() === "es" ? text.replace(".", ",") : text;
 }
 
 export class Chart {

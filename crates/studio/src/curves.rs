@@ -234,7 +234,14 @@ fn force(design: &Design, samples: &[Sample]) -> Panel {
 
 fn radius(design: &Design, samples: &[Sample]) -> Panel {
     let cam = &design.cam;
-    let most = STRAIGHT * cam.follower.prime_radius().max(cam.law.stroke());
+    let mut most = STRAIGHT * cam.follower.prime_radius().max(cam.law.stroke());
+    if cam.follower.is_unrolled() {
+        // What is unrolled has no size to compare with: three quarters of its radii are shown.
+        let mut all: Vec<f64> = samples.iter().map(|s| s.point.rho.abs()).collect();
+        all.retain(|r| r.is_finite());
+        all.sort_by(f64::total_cmp);
+        most = all.get(all.len() * 3 / 4).map_or(most, |r| r.max(most));
+    }
     let rho = |s: &Sample| {
         if s.point.rho.abs() > most {
             f64::NAN
