@@ -7,12 +7,15 @@ use std::sync::Arc;
 ///
 /// ```
 /// use gaitcam::halt::Halt;
-/// use std::time::{Duration, Instant};
+/// use std::sync::Arc;
+/// use std::sync::atomic::{AtomicBool, Ordering};
 ///
-/// let end = Instant::now() + Duration::from_secs(5);
-/// let halt = Halt::when(move || Instant::now() >= end);
+/// let cancelled = Arc::new(AtomicBool::new(false));
+/// let asked = Arc::clone(&cancelled);
+/// let halt = Halt::when(move || asked.load(Ordering::Relaxed));
 /// assert!(!halt.is_asked());
-/// assert!(!Halt::never().is_asked());
+/// cancelled.store(true, Ordering::Relaxed);
+/// assert!(halt.is_asked() && !Halt::never().is_asked());
 /// ```
 #[derive(Clone, Default)]
 pub struct Halt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);

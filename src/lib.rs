@@ -48,6 +48,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod criterion;
 pub mod halt;
 mod quantity;
 pub mod wording;

@@ -80,6 +80,10 @@ pub enum SynthError {
         degree: usize,
         missing: usize,
     },
+    ManyDemands {
+        given: usize,
+        most: usize,
+    },
     LawOpen {
         rise: Quantity,
     },

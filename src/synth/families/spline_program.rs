@@ -1,7 +1,7 @@
 //! The spline program before any limit: demands, and what is minimised.
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
-use crate::error::Result;
+use crate::error::{Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::{Minimise, Weigh};
 use crate::synth::qp::{Basis, Program, Quadratic};
@@ -9,6 +9,8 @@ use crate::synth::qp::{Basis, Program, Quadratic};
 /// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
 /// leaves open (phases of zero weight) and is far below any accuracy.
 const JERK_TERM: f64 = 1e-12;
+/// Exact demands on one law: their dense system costs the cube of their number.
+const MOST_DEMANDS: usize = 2000;
 /// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
 /// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
@@ -21,6 +23,10 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
     let mut equalities = point_demands(problem, &basis)?;
     equalities.extend(implied_by_limits(problem, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
+    if equalities.len() > MOST_DEMANDS {
+        let (given, most) = (equalities.len(), MOST_DEMANDS);
+        return Err(SynthError::ManyDemands { given, most }.at_key("law"));
+    }
     let force = force_distance(problem, &basis);
     let mut quadratic = match problem.objective() {
         Minimise::ForceError => force.clone(),

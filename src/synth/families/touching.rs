@@ -19,7 +19,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::cam::Criterion;
+use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::Minimise;

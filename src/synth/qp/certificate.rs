@@ -14,7 +14,7 @@ use super::basis::apply;
 use super::program::{EXTRAS, Meaning, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution};
 use serde::Serialize;
 
-use crate::cam::Criterion;
+use crate::criterion::Criterion;
 
 /// How near to the optimum a law is proved to be.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

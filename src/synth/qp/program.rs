@@ -11,7 +11,7 @@ use super::demand::Demand;
 use super::lifted::Lifted;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
-use crate::cam::Criterion;
+use crate::criterion::Criterion;
 use crate::halt::Halt;
 use crate::poly::{Peak, PiecewisePoly};
 use serde::Serialize;

@@ -4,7 +4,7 @@ use super::basis::Basis;
 use super::demand::Demand;
 use super::objective::{Quadratic, pointwise};
 use super::program::{Equality, Failure, Limit, Meaning, PEAK, Program};
-use crate::cam::{Criterion, LimitKind};
+use crate::criterion::{Criterion, LimitKind};
 use crate::poly::SplineSpace;
 use std::f64::consts::PI;
 

@@ -87,6 +87,8 @@ synth-degree-too-low = { $conditions } conditions fix a polynomial of degree { $
     .help = write degree = { $fixed }, or remove { $excess } of them
 synth-degree-too-high = { $conditions } conditions fix a polynomial of degree { $fixed }, not { $degree }
     .help = write degree = { $fixed }, or add { $missing } conditions
+synth-many-demands = points and dwells make { $given } conditions on one law; at most { $most } are solved
+    .help = describe a measured curve as a force or a band, or leave out points
 synth-law-open = the law ends { $rise } above its start and cannot close
     .help = give the last point the lift of the first
 synth-force-gives-no-lift = this drive does not turn a force into a lift

@@ -87,6 +87,8 @@ synth-degree-too-low = { $conditions } condiciones fijan un polinomio de grado {
     .help = escriba degree = { $fixed }, o elimine { $excess } de ellas
 synth-degree-too-high = { $conditions } condiciones fijan un polinomio de grado { $fixed }, no { $degree }
     .help = escriba degree = { $fixed }, o añada { $missing } condiciones
+synth-many-demands = los puntos y reposos imponen { $given } condiciones a una sola ley; se resuelven como máximo { $most }
+    .help = describa una curva medida como fuerza o como banda, u omita puntos
 synth-law-open = la ley termina { $rise } por encima de su inicio y no puede cerrarse
     .help = dé al último punto la elevación del primero
 synth-force-gives-no-lift = este accionamiento no convierte una fuerza en una elevación

@@ -1,15 +1,17 @@
 //! What is checked on a cam, binds its law or may be relaxed.
 
+mod limit_kind;
+
+pub use limit_kind::LimitKind;
+
 use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use super::LimitKind;
-
 /// What a check, an active limit or a relaxation is about.
 ///
 /// ```
-/// use gaitcam::cam::{Criterion, LimitKind};
+/// use gaitcam::criterion::{Criterion, LimitKind};
 ///
 /// assert_eq!(Criterion::from(LimitKind::PressureAngleRise).name(), "pressure_angle_rise");
 /// assert_eq!(Criterion::Limit(LimitKind::Curvature).of_second_cam().name(), "second_curvature");

@@ -7,7 +7,7 @@ use super::Criterion;
 /// Every limit that a scene may set.
 ///
 /// ```
-/// use gaitcam::cam::LimitKind;
+/// use gaitcam::criterion::LimitKind;
 ///
 /// assert_eq!(LimitKind::named("hertz_pressure"), Some(LimitKind::HertzPressure));
 /// assert!(LimitKind::ALL.contains(&LimitKind::Power));
