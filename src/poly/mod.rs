@@ -18,4 +18,4 @@ pub use fourier::{amplitudes, sums};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
 pub use proxy::{stand_in, stand_in_for_difference};
-pub(crate) use trigonometric::{harmonic_extremes, harmonic_maximum, harmonic_sum};
+pub(crate) use trigonometric::{harmonic_extremes, harmonic_sum};

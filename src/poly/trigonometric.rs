@@ -52,11 +52,6 @@ pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     }
 }
 
-/// The largest value alone.
-pub fn harmonic_maximum(terms: &[(f64, f64)]) -> Extreme {
-    Grid::of(terms).map_or(NOTHING, |grid| grid.search(terms, 1.0))
-}
-
 /// Extreme of a sum without terms.
 const NOTHING: Extreme = Extreme {
     value: 0.0,

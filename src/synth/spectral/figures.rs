@@ -1,5 +1,7 @@
 //! The figures of a spectral design in closed form.
 
+use std::sync::Arc;
+
 use super::machine::Load;
 use super::{Fit, HarmonicTarget, LawRanges, Terms};
 use crate::cam::FollowerKind;
@@ -34,6 +36,8 @@ pub struct Motion {
     pub factor: f64,
     /// The constant.
     pub level: f64,
+    /// The force's harmonics and s + a of the curve on a grid.
+    pub grid: Arc<Vec<(f64, f64)>>,
 }
 
 impl Motion {
@@ -92,10 +96,14 @@ const RESONANCE: f64 = 1e-8;
 /// Pure inertia and pure spring share a curve between rows; any other drive has its own.
 fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
     let [k, c, m, _] = drive.weights();
-    let (unit, terms, factor) = if c == 0.0 && k == 0.0 && m > 0.0 {
-        (*fit.inertia(), fit.inertia_terms(), scale / m)
+    let (unit, terms, factor, grid) = if c == 0.0 && k == 0.0 && m > 0.0 {
+        let terms = fit.inertia_terms();
+        let grid = fit.inertia_grid(&terms);
+        (*fit.inertia(), terms, scale / m, grid)
     } else if c == 0.0 && m == 0.0 && k > 0.0 {
-        (*fit.spring(), fit.harmonics().to_vec(), scale / k)
+        let terms = fit.harmonics().to_vec();
+        let grid = fit.spring_grid(&terms);
+        (*fit.spring(), terms, scale / k, grid)
     } else {
         let clear = (1..=fit.count()).all(|n| {
             let (re, im) = drive.gain(n);
@@ -106,7 +114,8 @@ fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
             return None;
         }
         let terms = fit.divided(|n| drive.gain(n));
-        (fit.ranges(&terms), terms, scale)
+        let grid = Arc::new(fit.grid(&terms));
+        (fit.ranges(&terms), terms, scale, grid)
     };
     let level = if k == 0.0 {
         // Nothing fixes the lift: the lowest point stands on the base circle.
@@ -119,6 +128,7 @@ fn motion(drive: &Drive, fit: &Fit, scale: f64, mean: f64) -> Option<Motion> {
         terms,
         factor,
         level,
+        grid,
     })
 }
 

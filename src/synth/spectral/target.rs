@@ -1,12 +1,12 @@
 //! A force taken apart into its harmonics, and what laws of its first harmonics give, each found once.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use super::limited_slopes::LimitedSlopes;
 use super::{MOST_AUTO, Range};
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes};
+use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes, harmonic_sum};
 
 /// A remainder this near to what is asked (as part of the whole power) leaves the count to the solver.
 const UNDECIDED: f64 = 1e-10;
@@ -65,8 +65,6 @@ pub struct Fit {
     mean: f64,
     /// Range of the force's harmonics without the mean, N.
     pub force: Range,
-    /// Where they are highest, rad.
-    pub highest_at: f64,
     /// Range of the difference to the target, both without their mean, N.
     pub error: Range,
     /// Its mean, N.
@@ -75,6 +73,8 @@ pub struct Fit {
     pub error_square: f64,
     inertia: OnceLock<LawRanges>,
     spring: OnceLock<LawRanges>,
+    inertia_grid: OnceLock<Arc<Vec<(f64, f64)>>>,
+    spring_grid: OnceLock<Arc<Vec<(f64, f64)>>>,
 }
 
 impl HarmonicTarget {
@@ -161,12 +161,13 @@ impl HarmonicTarget {
             harmonics: harmonics.to_vec(),
             mean: self.mean,
             force: (low.value, high.value),
-            highest_at: high.at,
             error,
             error_mean,
             error_square,
             inertia: OnceLock::new(),
             spring: OnceLock::new(),
+            inertia_grid: OnceLock::new(),
+            spring_grid: OnceLock::new(),
         })
     }
 }
@@ -232,6 +233,29 @@ impl Fit {
             ((a * re - b * im) / square, (b * re + a * im) / square)
         });
         divided.collect()
+    }
+
+    /// The force's harmonics and s + a of a law of these harmonics at even steps, 16 for the fastest wave.
+    pub fn grid(&self, law: &[(f64, f64)]) -> Vec<(f64, f64)> {
+        let steps = (16 * law.len()).max(64);
+        let at = |i: usize| {
+            let theta = std::f64::consts::TAU * i as f64 / steps as f64;
+            let [lift, _, bend] = harmonic_sum(law, theta);
+            (harmonic_sum(&self.harmonics, theta)[0], lift + bend)
+        };
+        (0..steps).map(at).collect()
+    }
+
+    /// The same of the law for pure inertia, found once.
+    pub fn inertia_grid(&self, law: &[(f64, f64)]) -> Arc<Vec<(f64, f64)>> {
+        let found = self.inertia_grid.get_or_init(|| Arc::new(self.grid(law)));
+        found.clone()
+    }
+
+    /// The same of the law for a pure spring, found once.
+    pub fn spring_grid(&self, law: &[(f64, f64)]) -> Arc<Vec<(f64, f64)>> {
+        let found = self.spring_grid.get_or_init(|| Arc::new(self.grid(law)));
+        found.clone()
     }
 
     /// The ranges of a law of these harmonics, and its torque under the target's force.
