@@ -10,8 +10,6 @@ mod batch;
 mod front;
 mod kernel;
 mod key;
-#[cfg(feature = "parquet")]
-pub mod parquet;
 mod plan;
 mod results;
 mod sample;

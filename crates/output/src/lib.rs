@@ -13,6 +13,8 @@ mod escape;
 mod figures;
 pub mod folder;
 mod number;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 mod plot;
 mod pose;
 pub mod report;

@@ -50,7 +50,7 @@ pub enum Row<'a> {
     Csv(&'a csv::StringRecord),
     /// Of a Parquet file.
     #[cfg(feature = "parquet")]
-    Parquet(&'a arrow_array::RecordBatch, usize),
+    Parquet(&'a gaitcam_output::parquet::RecordBatch, usize),
 }
 
 impl Row<'_> {
@@ -63,7 +63,7 @@ impl Row<'_> {
                 .unwrap_or(f64::NAN),
             #[cfg(feature = "parquet")]
             Row::Parquet(batch, row) => {
-                gaitcam::sweep::parquet::number_at(batch.column(column), *row)
+                gaitcam_output::parquet::number_at(batch.column(column), *row)
             }
         }
     }
@@ -78,7 +78,7 @@ impl Row<'_> {
             Row::Csv(record) => Cow::Borrowed(record.get(column).unwrap_or("")),
             #[cfg(feature = "parquet")]
             Row::Parquet(batch, row) => {
-                use gaitcam::sweep::parquet::{number_at, word_at};
+                use gaitcam_output::parquet::{number_at, word_at};
                 let column = batch.column(column);
                 let number = number_at(column, *row);
                 if number.is_nan() {
@@ -122,7 +122,7 @@ fn parquet_rows(
     mut each: impl FnMut(&Columns, Row) -> Result<()>,
 ) -> Result<Columns> {
     let mut columns: Option<Columns> = None;
-    gaitcam::sweep::parquet::read(file, |batch| {
+    gaitcam_output::parquet::read(file, |batch| {
         if columns.is_none() {
             let schema = batch.schema();
             let names = schema.fields().iter().map(|f| f.name().clone());

@@ -35,8 +35,8 @@ impl Format {
 /// Writes the rows of a complete CSV table as Parquet.
 #[cfg(feature = "parquet")]
 pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
-    use gaitcam::sweep::parquet::{GROUP_ROWS, Writer, record_batch, schema};
     use gaitcam::sweep::{Results, Row};
+    use gaitcam_output::parquet::{GROUP_ROWS, Writer, record_batch, schema};
 
     let fault = |e: std::io::Error| {
         let fault = e.to_string();

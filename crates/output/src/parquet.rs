@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
-use arrow_array::{Array, ArrayRef, Float64Array, RecordBatch, StringArray, UInt64Array};
+use arrow_array::{Array, ArrayRef, Float64Array, StringArray, UInt64Array};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -15,12 +15,10 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::ChunkReader;
 use parquet::schema::types::ColumnPath;
 
-use super::batch::{Batch, Column};
-use super::kernel::Kernel;
-use super::key::Key;
-use super::results::{NUMBERS, Results, TIME, WORDS};
-use super::table::unit_of;
-use crate::error::{Error, Place, Result, SweepError};
+use gaitcam::error::{Error, Place, Result, SweepError};
+use gaitcam::sweep::{Batch, Column, Kernel, Key, NUMBERS, Results, TIME, WORDS, table::unit_of};
+
+pub use arrow_array::RecordBatch;
 
 /// Rows of a row group.
 pub const GROUP_ROWS: usize = 131_072;
@@ -249,9 +247,10 @@ pub fn word_at(column: &ArrayRef, row: usize) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::halt::Halt;
-    use crate::scene::{self, Scene};
-    use crate::sweep::{Axis, NamedScene, Plan, Sampling};
+    use gaitcam::error::SynthError;
+    use gaitcam::halt::Halt;
+    use gaitcam::scene::{self, Scene};
+    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling};
 
     #[test]
     fn a_record_batch_of_parameters_gives_the_rows_of_the_plain_kernel() {
