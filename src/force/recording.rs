@@ -130,6 +130,10 @@ pub struct ReadOptions {
     pub mass_kg: Option<f64>,
     /// What was recorded.
     pub kind: Option<Kind>,
+    /// The file is exactly one cycle of this duration, s.
+    pub period_s: Option<f64>,
+    /// The file covers this part of a turn, rad; the force is zero in the rest.
+    pub span_rad: Option<f64>,
     /// The bytes of the table of subjects that belongs to a table of stances
     /// (see [`metadata_name`](super::metadata_name)).
     pub metadata: Option<Vec<u8>>,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Result, SynthError};
 use crate::force::ForceCurve;
-use crate::scene::DriveSpec;
+use crate::scene::{DriveSpec, ForceScale};
 use crate::units::Quantity;
 
 /// The drive with every number, and the force scaled to its mass where that is asked for.
@@ -14,17 +14,26 @@ use crate::units::Quantity;
 /// No speed or no mass where no force gives one; a mean force that no mass can rest under.
 pub fn settled(
     spec: &DriveSpec,
-    to_mass: bool,
+    scale: ForceScale,
     force: Option<ForceCurve>,
 ) -> Result<(Drive, Option<ForceCurve>)> {
     let known = force.as_ref().map(|curve| (curve.mean_n(), curve.period_s));
     let drive = drive_of(spec, known)?;
-    match force {
-        Some(curve) if to_mass && drive.kind == DriveKind::MovingAxis => {
+    let on_mass = drive.kind == DriveKind::MovingAxis;
+    match (force, scale) {
+        (Some(curve), ForceScale::ToMass) if on_mass => {
             let scaled = scaled_to(&curve, drive.rest_force)?;
             Ok((drive, Some(scaled)))
         }
-        other => Ok((drive, other)),
+        (Some(curve), ForceScale::Alternating) if on_mass => {
+            let shift = drive.rest_force - curve.mean_n();
+            let shifted = ForceCurve {
+                force_n: curve.force_n.iter().map(|f| f + shift).collect(),
+                ..curve
+            };
+            Ok((drive, Some(shifted)))
+        }
+        (other, _) => Ok((drive, other)),
     }
 }
 

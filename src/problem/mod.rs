@@ -26,8 +26,8 @@ use crate::force::{ForceCurve, OpenQuestion, implausible, spread_rms_n};
 use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
-    Band, CamSpec, DriveSpec, Family, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase,
-    PhaseWeight, Scene,
+    Band, CamSpec, DriveSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Minimise,
+    Phase, PhaseWeight, Scene,
 };
 use target::{band_about, weight_at};
 
@@ -89,7 +89,7 @@ pub struct Problem {
 struct Given {
     force: Option<ForceCurve>,
     band: Option<Band>,
-    to_mass: bool,
+    scale: ForceScale,
     drive: DriveSpec,
     remarks: Vec<Note>,
 }
@@ -157,7 +157,7 @@ impl Problem {
             given: Given {
                 force,
                 band: gait.and_then(|g| g.band),
-                to_mass: gait.is_some_and(|g| g.to_mass),
+                scale: gait.map_or(ForceScale::None, |g| g.scale),
                 drive: scene.drive.clone(),
                 remarks,
             },
@@ -174,7 +174,7 @@ impl Problem {
             Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
             other => other.clone(),
         };
-        let (drive, force) = machine::settled(&self.given.drive, self.given.to_mass, force)?;
+        let (drive, force) = machine::settled(&self.given.drive, self.given.scale, force)?;
         if force.is_some() && drive.weights() == [0.0; 4] {
             return Err(SynthError::NoLiftChangesForce.at_key("drive"));
         }

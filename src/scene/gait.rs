@@ -41,8 +41,12 @@ pub struct Gait {
     pub accept: Vec<OpenQuestion>,
     /// Whose feet count.
     pub feet: Feet,
-    /// Scale the target so that its mean is M·g.
-    pub to_mass: bool,
+    /// The file is exactly one cycle of this duration, s, of any machine; no stance is sought.
+    pub period: Option<f64>,
+    /// The file covers this part of the turn, rad; the force is zero in the rest.
+    pub span: Option<f64>,
+    /// How the force of a moving axis is brought to its mass.
+    pub scale: ForceScale,
     /// Stay inside a band about the target instead of near to it.
     pub band: Option<Band>,
     /// Ranges of the cycle whose force error counts more or less than once.
@@ -75,7 +79,9 @@ impl Gait {
             kind: None,
             accept: Vec::new(),
             feet: Feet::Both,
-            to_mass: false,
+            scale: ForceScale::None,
+            period: None,
+            span: None,
             band: None,
             weights: Vec::new(),
             phase: Phase::default(),
@@ -97,6 +103,36 @@ impl Default for Gait {
     /// No force is named yet.
     fn default() -> Gait {
         Gait::file("")
+    }
+}
+
+/// How the force of a moving axis is brought to its mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ForceScale {
+    /// Not at all.
+    #[default]
+    None,
+    /// Multiplied, so that its mean is M·g.
+    ToMass,
+    /// Shifted, so that its mean is M·g: only the alternating part is compared.
+    Alternating,
+}
+
+impl ForceScale {
+    /// Every choice.
+    pub const ALL: [ForceScale; 3] = [
+        ForceScale::None,
+        ForceScale::ToMass,
+        ForceScale::Alternating,
+    ];
+
+    /// The name used in scenes.
+    pub fn name(self) -> &'static str {
+        match self {
+            ForceScale::None => "none",
+            ForceScale::ToMass => "to-mass",
+            ForceScale::Alternating => "alternating",
+        }
     }
 }
 

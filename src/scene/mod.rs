@@ -22,7 +22,7 @@ pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in};
 pub use cam::{CamSpec, ConjugateSpec};
 pub use drive::DriveSpec;
-pub use gait::{Band, Gait, Phase, PhaseWeight, Source};
+pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
 pub use limits::Limits;
 pub use machine::MachineSpec;

@@ -61,6 +61,7 @@ mod families;
 mod figures;
 mod infeasible;
 mod limits;
+mod load_factors;
 mod machine;
 mod method;
 mod named;
@@ -83,6 +84,7 @@ pub use design::{
 };
 pub use figures::Figures;
 pub use infeasible::{in_units, relaxed, relaxed_with};
+pub use load_factors::LoadFactor;
 pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use named::unit;

@@ -174,6 +174,7 @@ fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
             .map(|k| k.parse().map_err(input::at_flag("--kind")))
             .transpose()?,
         metadata: metadata(path),
+        ..ReadOptions::default()
     })
 }
 

@@ -102,6 +102,8 @@ impl Sources {
             rate_hz: gait.rate,
             mass_kg: gait.mass,
             kind: gait.kind,
+            period_s: gait.period,
+            span_rad: gait.span,
             metadata: subjects.map(|bytes| bytes.to_vec()),
         })
     }
@@ -114,7 +116,7 @@ impl Sources {
         };
         let (source, feet) = (&gait.source, gait.feet);
         let model = (gait.step_frequency, gait.body_weight);
-        let how = (gait.unit.as_ref(), gait.kind);
+        let how = (gait.unit.as_ref(), gait.kind, gait.period, gait.span);
         let read = (&gait.time, &gait.force, how, gait.rate, gait.mass);
         format!("{source:?} {feet:?} {model:?} {read:?} {stamp}")
     }

@@ -3,6 +3,7 @@
 //! A comment line says so, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
 //! table below has a time and a force column and perhaps one of spread.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use super::columns::{Role, role, words};
@@ -33,7 +34,9 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
         .filter(|(_, l)| l.first() == Some(&b'#'))
         .map(|(_, l)| text(l).trim_start_matches('#').trim().to_string())
         .collect();
-    let Some(kind) = comments.iter().find_map(|c| kind(c)) else {
+    let asked = options.period_s.is_some() || options.span_rad.is_some();
+    let said = comments.iter().find_map(|c| kind(c));
+    let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
         return Ok(None);
     };
     let layout = detect(bytes);
@@ -58,13 +61,21 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     for x in force.iter_mut().chain(spread.iter_mut().flatten()) {
         *x *= factor;
     }
-    let period = comments.iter().find_map(|c| period(c));
+    let said = comments.iter().find_map(|c| period(c));
+    let period = options.period_s.or(said);
+    let times = match kind {
+        Kind::Cycle if asked => stretched(times, options),
+        _ => times,
+    };
     let name = path.file_name().and_then(|n| n.to_str());
     let name = name.unwrap_or("cycle");
     let place = |e: Error| e.at(Place::File(path.to_path_buf()));
     let mut curve = match kind {
         Kind::CriticalPoints => critical(name, &times, &force, period),
-        Kind::Cycle => sampled(name, &times, &force, period),
+        Kind::Cycle => match options.span_rad {
+            Some(span) => spanned(name, &times, &force, span / TAU, period),
+            None => sampled(name, &times, &force, period),
+        },
     }
     .map_err(place)?;
     if let (Kind::Cycle, Some(spread)) = (kind, spread) {
@@ -210,6 +221,59 @@ fn sampled(name: &str, times: &[f64], force: &[f64], period: Option<f64>) -> Res
     through(name, points, period)
 }
 
+/// Times of a file that is one cycle whatever its clock says: its rows fill the period, or the part of it that the
+/// span covers.
+fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
+    let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
+        return times;
+    };
+    let covered = options.span_rad.map_or(period, |s| period * s / TAU);
+    let step = (last - first) / (times.len() - 1) as f64;
+    // A file that ends where it began, or that covers a span, holds both ends.
+    let holds_ends = options.span_rad.is_some() || ((last - first) / period - 1.0).abs() < 1e-6;
+    let length = if holds_ends {
+        last - first
+    } else {
+        last - first + step
+    };
+    let (first, factor) = (*first, covered / length);
+    times.iter().map(|t| (t - first) * factor).collect()
+}
+
+/// A force over a part of the turn, zero in the rest of it.
+fn spanned(
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    share: f64,
+    period: Option<f64>,
+) -> Result<ForceCurve> {
+    let n = times.len();
+    if n < 4 {
+        return Err(ForceError::FewSamples { samples: n }.into());
+    }
+    let length = times[n - 1] - times[0];
+    let period = period.unwrap_or(length / share);
+    let mut piece = 0;
+    let samples = (0..SAMPLES).map(|k| {
+        let t = period * k as f64 / SAMPLES as f64;
+        if t > length {
+            return 0.0;
+        }
+        while piece + 2 < n && times[piece + 1] - times[0] <= t {
+            piece += 1;
+        }
+        let (a, b) = (times[piece] - times[0], times[piece + 1] - times[0]);
+        let x = if b > a {
+            ((t - a) / (b - a)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        force[piece] + x * (force[piece + 1] - force[piece])
+    });
+    ForceCurve::from_samples(name, period, samples.collect())
+}
+
 /// A curve through critical points, level at every peak and valley, monotone between them.
 fn critical(name: &str, times: &[f64], force: &[f64], period: Option<f64>) -> Result<ForceCurve> {
     let period = period.ok_or(ReadError::CyclePeriodMissing)?;
@@ -286,6 +350,36 @@ mod tests {
         assert_eq!(c.spread_n.unwrap(), [0.1, 0.2, 0.3, 0.4]);
         let closed = curve("# cycle\n# period 0.6 s\ntime_s,force_lbf\n0,1\n0.2,2\n0.4,3\n0.6,1\n");
         assert!(closed.is_err(), "three samples are too few");
+    }
+
+    #[test]
+    fn a_period_makes_any_file_one_cycle_and_a_span_leaves_the_rest_zero() {
+        let text: String = (0..101)
+            .map(|i| format!("{},{}\n", f64::from(i) * 0.01, -50.0 + f64::from(i)))
+            .collect();
+        let text = format!("time,force\n{text}");
+        let open = |period_s, span_rad| {
+            let options = ReadOptions {
+                period_s,
+                span_rad,
+                ..ReadOptions::default()
+            };
+            let c = read(Path::new("m.csv"), text.as_bytes(), &options);
+            c.unwrap().unwrap()
+        };
+        let whole = open(Some(0.5), None);
+        assert_eq!((whole.period_s, whole.force_n.len()), (0.5, 101));
+        assert_eq!(
+            (whole.force_n[0], whole.force_n[100]),
+            (-50.0, 50.0),
+            "forces keep their sign"
+        );
+        let half = open(Some(2.0), Some(0.5 * TAU));
+        let n = half.force_n.len();
+        assert_eq!(half.period_s, 2.0);
+        assert!((half.force_n[n / 4]).abs() < 1e-9 && half.force_n[3 * n / 4] == 0.0);
+        // Without a period the rows take as long as they say.
+        assert!((open(None, Some(0.25 * TAU)).period_s - 4.0).abs() < 1e-9);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::row::{Access, Idle, Key, Kind, Measure, Range, entry, number, other, plain};
 use super::value::Value;
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
-use crate::scene::{Band, Gait, Phase, PhaseWeight, Scene, Source};
+use crate::scene::{Band, ForceScale, Gait, Phase, PhaseWeight, Scene, Source};
 use crate::units::Dimension as D;
 
 /// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
@@ -139,6 +139,20 @@ pub static ROWS: &[Key] = &[
     )
     .idle_when(of_recordings),
     plain("gait.mass", D::Mass, Range::Positive, gait_number!(mass)).idle_when(of_recordings),
+    plain(
+        "gait.period",
+        D::Time,
+        Range::Positive,
+        gait_number!(period),
+    )
+    .idle_when(of_recordings),
+    plain(
+        "gait.span",
+        D::Angle,
+        Range::Between(0.0, std::f64::consts::TAU),
+        gait_number!(span),
+    )
+    .idle_when(of_recordings),
     other(
         "gait.kind",
         Kind::Choice(|| Movement::ALL.map(Movement::name).to_vec()),
@@ -181,18 +195,13 @@ pub static ROWS: &[Key] = &[
     .default("both"),
     other(
         "gait.scale",
-        Kind::Choice(|| vec!["none", "to-mass"]),
+        Kind::Choice(|| ForceScale::ALL.map(ForceScale::name).to_vec()),
         Access {
-            get: |s, _| {
-                let word = if s.gait.as_ref()?.to_mass {
-                    "to-mass"
-                } else {
-                    "none"
-                };
-                Some(Value::Text(word.to_string()))
-            },
+            get: |s, _| Some(Value::Text(s.gait.as_ref()?.scale.name().to_string())),
             set: |s, _, v| {
-                gait(s).to_mass = v.text() == "to-mass";
+                let word = v.text();
+                let known = ForceScale::ALL.into_iter().find(|k| k.name() == word);
+                gait(s).scale = known.unwrap_or_default();
                 Ok(())
             },
         },

@@ -7,7 +7,7 @@ use super::{Fit, HarmonicTarget, LawRanges, Terms};
 use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::problem::{USUAL_ACCURACY, drive_of, outside_bore};
-use crate::scene::{Family, LimitKind, Minimise, Scene};
+use crate::scene::{Family, ForceScale, LimitKind, Minimise, Scene};
 use crate::synth::limits::GEOMETRY;
 use crate::synth::{Figures, ForceReport, MachineReport};
 
@@ -53,7 +53,7 @@ impl Motion {
 /// has to answer.
 pub fn figures(scene: &Scene, target: &HarmonicTarget, scale: f64) -> Option<Figures> {
     let gait = scene.gait.as_ref()?;
-    let (drive, scale) = settled(scene, target, scale, gait.to_mass)?;
+    let (drive, scale) = settled(scene, target, scale, gait.scale)?;
     let mean = scale * target.mean;
     if !(mean > 0.0 && drive.speed > 0.0) {
         return None;
@@ -74,7 +74,7 @@ fn settled(
     scene: &Scene,
     target: &HarmonicTarget,
     scale: f64,
-    to_mass: bool,
+    how: ForceScale,
 ) -> Option<(Drive, f64)> {
     let mean = scale * target.mean;
     let drive = drive_of(&scene.drive, Some((mean, target.period_s))).ok()?;
@@ -82,10 +82,10 @@ fn settled(
     if on_mass && mean <= 0.0 {
         return None;
     }
-    let scale = if on_mass && to_mass {
-        scale * (drive.rest_force / mean)
-    } else {
-        scale
+    let scale = match how {
+        ForceScale::ToMass if on_mass => scale * (drive.rest_force / mean),
+        ForceScale::Alternating => return None,
+        ForceScale::None | ForceScale::ToMass => scale,
     };
     Some((drive, scale))
 }

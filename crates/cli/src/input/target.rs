@@ -36,6 +36,8 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
                 rate_hz: gait.rate,
                 mass_kg: gait.mass,
                 kind: gait.kind,
+                period_s: gait.period,
+                span_rad: gait.span,
                 metadata: metadata(&path),
             };
             force::force_curve(&path, &bytes, &options, gait.feet).map(Some)

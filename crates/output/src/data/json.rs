@@ -7,7 +7,7 @@ use crate::Timing;
 use gaitcam::cam::{Continuity, Criterion};
 use gaitcam::synth::{
     Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Functions, Infeasible,
-    MachineReport, Reason, Relaxation,
+    LoadFactor, MachineReport, Reason, Relaxation,
 };
 use gaitcam::wording::Language;
 
@@ -62,6 +62,10 @@ struct Summary<'a> {
     law: LawSummary<'a>,
     cam: CamSummary,
     machine: MachineSummary,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    load_factors: Vec<LoadFactor>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recording: Option<Value>,
     checks: Vec<CheckSummary>,
     binding: &'a [Binding],
     easing: &'a [Easing],
@@ -243,6 +247,10 @@ impl<'a> Summary<'a> {
             law: LawSummary::new(synthesis),
             cam: CamSummary::new(synthesis),
             machine: MachineSummary::new(synthesis.machine()),
+            load_factors: synthesis.load_factors(),
+            recording: (synthesis.target.as_ref())
+                .and_then(|t| t.recording.as_ref())
+                .map(|r| r.json()),
             checks: synthesis
                 .checks
                 .iter()
