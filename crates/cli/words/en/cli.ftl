@@ -132,6 +132,7 @@ synth-law = { $family }{ $degree ->
     }, stroke { $stroke }
 synth-offset = {" "}offset { $offset } mm,
 synth-cam = { $follower }, base radius { $base } mm, prime radius { $prime } mm,{ $offset } smallest convex radius { $convex } mm
+synth-load-factors = dynamic load factors 1 to 4: { $list }
 synth-torque = torque { $most } N·m maximum, { $rms } N·m RMS
 synth-power = power { $most } W maximum
 synth-lift-off = lift-off at { $speed }

@@ -132,6 +132,7 @@ synth-law = { $family }{ $degree ->
     }, carrera { $stroke }
 synth-offset = {" "}excentricidad { $offset } mm,
 synth-cam = { $follower }, radio base { $base } mm, radio primario { $prime } mm,{ $offset } menor radio convexo { $convex } mm
+synth-load-factors = factores de carga dinámica 1 a 4: { $list }
 synth-torque = par máximo { $most } N·m, RMS { $rms } N·m
 synth-power = potencia máxima { $most } W
 synth-lift-off = pérdida de contacto a { $speed }

@@ -206,7 +206,40 @@ pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     if !machine.is_empty() {
         table(out, words, "report-loads", &machine);
     }
+    load_factors(out, synthesis, words);
     out.push_str("</div>\n");
+}
+
+/// Harmonics of target and achieved force as parts of the mean, as codes for footbridges quote them.
+fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
+    let all = synthesis.load_factors();
+    if all.is_empty() {
+        return;
+    }
+    let name = escaped(&words.text("report-load-factors"));
+    let _ = write!(out, "<div><h3>{name}</h3><table><tr>");
+    let heads = [
+        "report-harmonic",
+        "report-frequency",
+        "report-factor-target",
+        "report-factor-achieved",
+    ];
+    for head in heads {
+        let _ = write!(out, "<th scope=\"col\">{}</th>", escaped(&words.text(head)));
+    }
+    out.push_str("</tr>\n");
+    for f in &all {
+        row(out, &f.harmonic.to_string());
+        let angled = |factor: f64, phase: f64| {
+            let angle = number(phase.to_degrees(), 3);
+            format!("{factor:.4} ∠ {angle}°")
+        };
+        let frequency = format!("{} Hz", number(f.frequency_hz, 4));
+        let target = angled(f.target, f.target_phase_rad);
+        let achieved = angled(f.achieved, f.achieved_phase_rad);
+        cells(out, &[&frequency, &target, &achieved]);
+    }
+    out.push_str("</table></div>\n");
 }
 
 /// Keys of the names, and values.
