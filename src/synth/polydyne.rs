@@ -134,7 +134,7 @@ const OTHERS: [LimitKind; 4] = [
 ];
 
 /// The scene's number behind a check, where rows of the program can hold it.
-fn own_limit<'a>(limits: &'a mut Limits, check: Criterion) -> Option<&'a mut f64> {
+fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| !OTHERS.contains(kind))?;
     limits.slot(kind).as_mut()
 }

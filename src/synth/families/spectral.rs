@@ -49,11 +49,11 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
     }
     let touched = match touching::solve(problem, program) {
         Ok(touched) => touched,
-        Err((program, failure)) => {
+        Err(refused) => {
             return Err(NoLaw::Stuck(Box::new(Stuck {
                 family: Family::Harmonic,
-                program,
-                failure,
+                program: refused.program,
+                failure: refused.failure,
                 nonconvex: None,
             })));
         }

@@ -163,7 +163,7 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
     };
     let touched = match touching::solve(problem, program) {
         Ok(touched) => touched,
-        Err((program, failure)) => return Err(stuck(program, failure, None)),
+        Err(refused) => return Err(stuck(refused.program, refused.failure, None)),
     };
     let mut fitted = Fitted {
         touched,

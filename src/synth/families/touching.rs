@@ -56,6 +56,14 @@ pub struct Touched {
     pub bound: Option<f64>,
 }
 
+/// A program that has no solution at any angle that was tried.
+pub struct Refused {
+    /// The program.
+    pub program: Program,
+    /// How its solver ended.
+    pub failure: Failure,
+}
+
 impl Touched {
     /// A law whose level is known.
     pub fn known(program: Program, solution: Solution) -> Touched {
@@ -110,11 +118,11 @@ impl Touched {
 
 /// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
 /// it is.
-pub fn solve(problem: &Problem, program: Program) -> Result<Touched, (Program, Failure)> {
+pub fn solve(problem: &Problem, program: Program) -> Result<Touched, Box<Refused>> {
     if !program.limits.iter().any(|l| l.from_base_circle) {
         return match program.solve() {
             Ok(solution) => Ok(Touched::known(program, solution)),
-            Err(failure) => Err((program, failure)),
+            Err(failure) => Err(Box::new(Refused { program, failure })),
         };
     }
     // Where the law is lowest without limits is a fair guess.
@@ -205,7 +213,7 @@ struct Search {
 
 impl Search {
     /// The first law: at the given angle, or where something ties the law to its angles at another.
-    fn begin(&mut self, first: f64) -> Result<(), (Program, Failure)> {
+    fn begin(&mut self, first: f64) -> Result<(), Box<Refused>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
         let mut refused = None;
@@ -219,7 +227,10 @@ impl Search {
             }
         }
         let failure = refused.unwrap_or(Failure::Infeasible);
-        Err((self.touching(first), failure))
+        Err(Box::new(Refused {
+            program: self.touching(first),
+            failure,
+        }))
     }
 
     /// The program with this touching angle.
