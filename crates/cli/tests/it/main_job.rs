@@ -258,7 +258,11 @@ fn fitted_heel_tester_meets_the_peaks_and_never_exceeds_them() {
     assert_eq!(run.code, 0);
     let s = &run.summary;
     assert_eq!(s["verdict"], "acceptable");
-    assert_eq!(s["solver"]["certified"], true);
+    // The roller's curvature is not convex: a local optimum, with its distance to a lower bound.
+    assert_eq!(s["solver"]["certified"], false);
+    assert_eq!(s["solver"]["doubt"], "local");
+    assert!(number(s, "solver.certificate.relative_gap") < 1e-4);
+    assert!(number(s, "solver.certificate.global_gap") < 1.0);
     close("peak", number(s, "force.max_n") / POUND, 110.282, 0.008);
     let points = synth(&["scenes/heel_tester_fitted.toml", "--points", "36000"]);
     let (_, law) = table(&points.folder.path().join("law.csv"));
