@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::error::{Result, SynthError};
-use crate::poly::SplineSpace;
+use crate::poly::{Span, SplineSpace};
 use crate::problem::Problem;
 use crate::scene::Dwell;
 use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
@@ -147,8 +147,9 @@ pub fn point_demands(problem: &Problem, basis: &Basis) -> Result<Vec<Equality>> 
 const TOUCHES: f64 = 1e-12;
 
 /// What demands imply: where a point stands on the base circle, or at the other end of a stroke that the
-/// demands fill, the law touches its bound, and its velocity is zero there. Written down, the touching point
-/// is one equality; otherwise limits would close in on it from both sides without an end.
+/// demands fill, the law touches its bound, and its velocity is zero there; with an acceleration of zero so is
+/// its jerk. Written down, the touching point is one equality; otherwise limits would close in on it from both
+/// sides without an end.
 pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
     let law = &problem.law;
     let dwelt = law.dwells.iter().filter_map(|d| d.lift);
@@ -162,14 +163,40 @@ pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
         let base = problem.above_base_circle && lift.abs() <= near;
         base || filled && (lift - least <= near || most - lift <= near)
     };
-    (law.points.iter().enumerate())
-        .filter(|(_, p)| p.velocity.is_none() && p.lift.is_some_and(touches))
-        .map(|(i, p)| Equality {
-            name: named(i, p.angle, Given::Lift),
-            entries: basis.row(p.angle, &[0.0, 1.0]),
-            value: 0.0,
-        })
-        .collect()
+    let mut out = Vec::new();
+    for (i, p) in law.points.iter().enumerate() {
+        if !p.lift.is_some_and(touches) {
+            continue;
+        }
+        let level = |a: f64| a.abs() <= near;
+        let flat = p.acceleration.is_some_and(level) && p.jerk.is_none();
+        let orders = [
+            p.velocity.is_none().then_some(1),
+            (flat && is_smooth(basis, p.angle)).then_some(3),
+        ];
+        out.extend(orders.into_iter().flatten().map(|order| {
+            let mut weights = [0.0; 4];
+            weights[order] = 1.0;
+            Equality {
+                name: named(i, p.angle, Given::Lift),
+                entries: basis.row(p.angle, &weights),
+                value: 0.0,
+            }
+        }));
+    }
+    out
+}
+
+/// Whether the jerk cannot jump at an angle.
+fn is_smooth(basis: &Basis, angle: f64) -> bool {
+    let Basis::Spline { space, .. } = basis else {
+        return true;
+    };
+    let starts = || space.spans().iter().map(|s| s.start);
+    let at_break = starts().any(|x| (x - angle).abs() < 1e-9);
+    // Every break of multiplicity 1 has its own function.
+    let plain = space.dimension() == space.spans().len();
+    !at_break || plain && space.degree() > 3
 }
 
 /// A demand at a point.
@@ -186,12 +213,22 @@ pub fn dwell_demands(dwells: &[Dwell], basis: &Basis) -> Vec<Equality> {
     let Basis::Spline { space, .. } = basis else {
         return Vec::new();
     };
+    let middle = |span: &Span| span.start + 0.5 * span.width;
     let mut out: Vec<Equality> = Vec::new();
     for (d, dwell) in dwells.iter().enumerate() {
         let name = Demand::InDwell { dwell: d + 1 };
+        // From the dwell's first span on, so that neighbours in the list are neighbours on the turn.
+        let mut spans: Vec<usize> = (0..space.spans().len()).collect();
+        spans.rotate_left(
+            space
+                .spans()
+                .iter()
+                .filter(|s| middle(s) < dwell.from)
+                .count(),
+        );
         let mut resting: Vec<usize> = Vec::new();
-        for (i, span) in space.spans().iter().enumerate() {
-            let mid = span.start + 0.5 * span.width;
+        for i in spans {
+            let mid = middle(&space.spans()[i]);
             let inside = if dwell.from < dwell.to {
                 mid > dwell.from && mid < dwell.to
             } else {

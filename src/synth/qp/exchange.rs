@@ -168,6 +168,11 @@ impl Program {
                 rounds: round,
                 violation,
             };
+            if violation < self.settings.contacts.from
+                && let Some(settled) = super::contacts::settled(self, &solution)
+            {
+                return Ok(settled);
+            }
             if broken.is_empty() {
                 return Ok(solution);
             }

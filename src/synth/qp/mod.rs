@@ -22,6 +22,7 @@
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
 //! | `clarabel` | the interior-point method |
+//! | `contacts` | Newton's method on the contacts, for programs with variables beside the law |
 //! | `polish` | active rows solved as equalities, for the last digits |
 //! | `nearest` | the last digits where limits leave a hair |
 //! | `settings` | every tuning constant with its reason |
@@ -32,6 +33,7 @@ mod band;
 mod basis;
 mod certificate;
 mod clarabel;
+mod contacts;
 mod demand;
 mod equality;
 mod exchange;
@@ -56,6 +58,6 @@ pub use program::{
     RISE, Row, Solution, Stop,
 };
 pub use settings::{
-    ActiveSetSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,
+    ActiveSetSettings, ContactSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,
     LocalReductionSettings, Settings, TOLERANCE,
 };

@@ -16,6 +16,8 @@ pub struct Settings {
     pub active_set: ActiveSetSettings,
     /// Newton's method on the contact points.
     pub local_reduction: LocalReductionSettings,
+    /// The same with variables beside the law.
+    pub contacts: ContactSettings,
     /// Rounds of separation and interior-point solution.
     pub exchange: ExchangeSettings,
     /// Interior-point method.
@@ -77,6 +79,25 @@ pub struct LocalReductionSettings {
     pub flat: f64,
     /// A multiplier below zero by this part of the largest means that the row is not active.
     pub negative_multiplier: f64,
+}
+
+/// Settings of Newton's method on the contacts of a program with variables beside the law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactSettings {
+    /// Limits exceeded by less than this part of their scale are near enough to begin.
+    pub from: f64,
+    /// Rows whose multiplier is below this part of the largest are no contacts.
+    pub weakest: f64,
+    /// Steps; a handful is usual.
+    pub steps: usize,
+    /// Systems solved in all: rows leave one by one.
+    pub solves: usize,
+    /// Steps to violations this many times those at the start have lost their contacts.
+    pub divergence: f64,
+    /// Weight that holds a step where neither objective nor contacts do, in the solver's units.
+    pub held: f64,
+    /// The same for multipliers of rows that depend on each other.
+    pub light: f64,
 }
 
 /// Settings of the rounds of separation and interior-point solution.
@@ -145,6 +166,15 @@ impl Default for Settings {
                 below: 0.05,
                 flat: 1e-6,
                 negative_multiplier: 1e-9,
+            },
+            contacts: ContactSettings {
+                from: 1e-3,
+                weakest: 1e-6,
+                steps: 12,
+                solves: 40,
+                divergence: 30.0,
+                held: 1e-9,
+                light: 1e-13,
             },
             exchange: ExchangeSettings {
                 rounds: 60,

@@ -4,6 +4,7 @@ mod certificate;
 mod coefficients;
 mod every_limit;
 mod families;
+mod guard;
 mod loads;
 mod machine;
 mod power;

@@ -1,0 +1,188 @@
+//! What a scene of the guard asks for, in SI units, and its scene file.
+
+use gaitcam::force::ForceCurve;
+use std::fmt::Write;
+
+/// The quantity that is minimised.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Objective {
+    ForceError,
+    PeakForceError,
+    /// Mean square of a derivative by angle.
+    Energy(usize),
+    /// Largest absolute value of a derivative by angle.
+    Peak(usize),
+    /// Base radius of a flat-faced cam.
+    Size,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    pub angle: f64,
+    pub lift: f64,
+    pub velocity: Option<f64>,
+    pub acceleration: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dwell {
+    pub from: f64,
+    pub to: f64,
+    pub lift: Option<f64>,
+}
+
+/// Limits by time, SI.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Limits {
+    pub stroke: Option<f64>,
+    pub velocity: Option<f64>,
+    pub acceleration: Option<f64>,
+    pub jerk: Option<f64>,
+    pub force_min: Option<f64>,
+    pub force_max: Option<f64>,
+    pub curvature: Option<f64>,
+    pub prime_radius: Option<f64>,
+    /// On the rise and on the fall, rad.
+    pub pressure_angle: [Option<f64>; 2],
+}
+
+/// The follower.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Follower {
+    /// A flat face, on a base circle where one is given, m.
+    Flat { base: Option<f64> },
+    /// A knife edge on a given prime circle with an offset, m.
+    Knife { prime: f64, offset: f64 },
+}
+
+/// One scene.
+#[derive(Debug, Clone)]
+pub struct Asked {
+    pub degree: usize,
+    pub spans: usize,
+    /// Force per lift, per v and per a: k, cω, mω².
+    pub weights: [f64; 3],
+    /// Force at lift 0, N.
+    pub rest: f64,
+    /// rad/s.
+    pub speed: f64,
+    /// The wanted force as the drive scales it, and as the library is given it.
+    pub target: Option<(ForceCurve, ForceCurve)>,
+    pub objective: Objective,
+    pub follower: Follower,
+    pub points: Vec<Point>,
+    pub dwells: Vec<Dwell>,
+    pub limits: Limits,
+    /// `[gait]` and `[drive]` of the scene file.
+    pub machine: String,
+}
+
+impl Asked {
+    /// Whether spring, points or dwells fix the level of the law.
+    pub fn level_is_known(&self) -> bool {
+        let dwelt = self.dwells.iter().any(|d| d.lift.is_some());
+        self.weights[0] != 0.0 || !self.points.is_empty() || dwelt
+    }
+
+    /// Whether the law must be put on its base circle to say what its limits mean.
+    pub fn touches(&self) -> bool {
+        let sized = match self.follower {
+            Follower::Flat { base } => {
+                self.limits.curvature.is_some() && (base.or(self.limits.prime_radius)).is_some()
+            }
+            Follower::Knife { .. } => true,
+        };
+        sized && !self.level_is_known()
+    }
+
+    /// Largest lift that is written or that the force alone would need, m.
+    pub fn length(&self) -> f64 {
+        let dwelt = self.dwells.iter().filter_map(|d| d.lift);
+        let written = self.points.iter().map(|p| p.lift).chain(dwelt);
+        let gain: f64 = self.weights.iter().sum();
+        let forced = self
+            .target
+            .as_ref()
+            .filter(|_| gain > 0.0)
+            .map_or(0.0, |t| {
+                let far = t.0.force_n.iter().map(|f| (f - self.rest).abs());
+                far.fold(0.0, f64::max) / gain
+            });
+        written.fold(forced, |most, x| most.max(x.abs()))
+    }
+
+    /// The scene file.
+    pub fn toml(&self) -> String {
+        let mut out = String::from("name = \"guard\"\n");
+        self.write(&mut out).expect("text grows");
+        out
+    }
+
+    fn write(&self, out: &mut String) -> std::fmt::Result {
+        write!(out, "{}", self.machine)?;
+        match self.follower {
+            Follower::Flat { base } => {
+                writeln!(out, "[cam]\nfollower = \"flat-translating\"")?;
+                if let Some(base) = base {
+                    writeln!(out, "base_radius = \"{base} m\"")?;
+                }
+            }
+            Follower::Knife { prime, offset } => writeln!(
+                out,
+                "[cam]\nfollower = \"knife-translating\"\nprime_radius = \"{prime} m\"\noffset = \"{offset} m\""
+            )?,
+        }
+        let limits = &self.limits;
+        writeln!(out, "[limits]")?;
+        for (key, value, unit) in [
+            ("stroke", limits.stroke, "m"),
+            ("velocity", limits.velocity, "m/s"),
+            ("acceleration", limits.acceleration, "m/s^2"),
+            ("jerk", limits.jerk, "m/s^3"),
+            ("force_min", limits.force_min, "N"),
+            ("force_max", limits.force_max, "N"),
+            ("curvature", limits.curvature, "m"),
+            ("prime_radius", limits.prime_radius, "m"),
+            ("pressure_angle_rise", limits.pressure_angle[0], "rad"),
+            ("pressure_angle_fall", limits.pressure_angle[1], "rad"),
+        ] {
+            if let Some(value) = value {
+                writeln!(out, "{key} = \"{value} {unit}\"")?;
+            }
+        }
+        let (degree, spans) = (self.degree, self.spans);
+        writeln!(
+            out,
+            "[law]\nfamily = \"spline\"\ndegree = {degree}\nspans = {spans}"
+        )?;
+        let derivative = |k: usize| ["lift", "velocity", "acceleration", "jerk", "snap"][k];
+        match self.objective {
+            Objective::ForceError => {}
+            Objective::PeakForceError => writeln!(out, "minimise = \"peak-force-error\"")?,
+            Objective::Energy(k) => writeln!(out, "minimise = \"{}\"", derivative(k))?,
+            Objective::Peak(k) => writeln!(out, "minimise = \"peak-{}\"", derivative(k))?,
+            Objective::Size => writeln!(out, "minimise = \"size\"")?,
+        }
+        for p in &self.points {
+            writeln!(out, "[[law.point]]\nangle = \"{} rad\"", p.angle)?;
+            writeln!(out, "lift = \"{} m\"", p.lift)?;
+            if let Some(v) = p.velocity {
+                writeln!(out, "velocity = \"{v} m/rad\"")?;
+            }
+            if let Some(a) = p.acceleration {
+                writeln!(out, "acceleration = \"{a} m/rad^2\"")?;
+            }
+        }
+        for d in &self.dwells {
+            writeln!(
+                out,
+                "[[law.dwell]]\nfrom = \"{} rad\"\nto = \"{} rad\"",
+                d.from, d.to
+            )?;
+            if let Some(lift) = d.lift {
+                writeln!(out, "lift = \"{lift} m\"")?;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,293 @@
+//! One scene by both routes.
+
+use super::asked::Asked;
+use super::judge::{Judged, judge};
+use super::reference::Reference;
+use super::solve::{self, HELD, Optimum, Outcome};
+use gaitcam::scene;
+use gaitcam::synth::{Design, synthesise};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// Part of the objective within which both routes agree.
+pub const AGREED: f64 = 1e-6;
+/// A force error below this part of the mean force, in RMS, is rounding: its square is the floor of a
+/// difference of two objectives.
+const FORCE_FLOOR: f64 = 1e-6;
+/// What a limit is eased or tightened by before its scene counts as refused or built wrongly.
+const EDGE: f64 = 1e-6;
+/// Angles at which a law of open level is tried.
+pub const ANGLES: usize = 72;
+
+/// What became of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Seen {
+    Built(Built),
+    /// Both say that there is no law.
+    Refused,
+    /// The limits leave something that a millionth takes away.
+    Edge,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Built {
+    pub certified: bool,
+    /// Objective above the reference's, as a part of it: where the law keeps no limit to better than 1e-9,
+    /// it may be below.
+    pub above: f64,
+    /// Largest excess of a limit.
+    pub excess: f64,
+    /// An objective below the floor.
+    pub is_rounding: bool,
+    pub by: Judgement,
+}
+
+/// What was needed to agree.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Judgement {
+    /// Nothing: within 1e-6 of the sampled optimum.
+    Sampled,
+    /// Within the interval that tolerances of 1e-9 in the limits open.
+    Interval,
+}
+
+pub fn design(asked: &Asked) -> Result<Design, String> {
+    let table: toml::Table = asked.toml().parse().map_err(|e| format!("{e}"))?;
+    let scene = scene::read(&table).map_err(|e| e.to_string())?;
+    let force = asked.target.as_ref().map(|t| &t.1);
+    synthesise(&scene, force).map_err(|e| e.to_string())
+}
+
+/// Compares both routes; the words say where they differ.
+pub fn compare(asked: &Asked) -> Result<Seen, String> {
+    let design = design(asked)?;
+    let reference = Reference::new(asked);
+    if design.infeasible.is_some() {
+        return refused(asked, &reference);
+    }
+    let x = coefficients(&reference, &design)?;
+    let judged = judge(&reference, &x);
+    if judged.excess > 1.01 * HELD {
+        return Err(format!("{} exceeded by {:e}", judged.worst, judged.excess));
+    }
+    let built = if asked.touches() {
+        touching(&reference, &x, &judged)?
+    } else {
+        let Some(space) = reference.space(None) else {
+            return Err("built, and the demands contradict each other".to_string());
+        };
+        within(&reference, &space, &judged)?
+    };
+    let certified = design.solver.certified;
+    Ok(Seen::Built(Built { certified, ..built }))
+}
+
+/// The scene has no law.
+fn refused(asked: &Asked, reference: &Reference) -> Result<Seen, String> {
+    let angles: Vec<Option<f64>> = if asked.touches() {
+        (0..ANGLES)
+            .map(|k| Some(TAU * k as f64 / ANGLES as f64))
+            .collect()
+    } else {
+        vec![None]
+    };
+    let mut seen = Seen::Refused;
+    for angle in angles {
+        let Some(space) = reference.space(angle) else {
+            continue;
+        };
+        match solve::solve(reference, &space, 0.0) {
+            Outcome::Infeasible => {}
+            Outcome::Undecided(words) => return Err(format!("refused, reference: {words}")),
+            Outcome::Optimum(_) => match solve::solve(reference, &space, -EDGE) {
+                Outcome::Optimum(o) => {
+                    return Err(format!(
+                        "refused, but has a law of {:e} at {angle:?}",
+                        o.value
+                    ));
+                }
+                _ => seen = Seen::Edge,
+            },
+        }
+    }
+    Ok(seen)
+}
+
+/// Holds the law's objective against the reference's interval.
+fn within(
+    reference: &Reference,
+    space: &super::reference::Space,
+    judged: &Judged,
+) -> Result<Built, String> {
+    let optimum = match solve::solve(reference, space, 0.0) {
+        Outcome::Optimum(optimum) => optimum,
+        Outcome::Infeasible => match solve::solve(reference, space, 2.0 * HELD) {
+            Outcome::Optimum(optimum) => optimum,
+            Outcome::Infeasible => return Err("built, and the sampled limits leave nothing".into()),
+            Outcome::Undecided(words) => return Err(format!("reference: {words}")),
+        },
+        Outcome::Undecided(words) => return Err(format!("reference: {words}")),
+    };
+    against(reference, space, judged, &optimum)
+}
+
+/// Part of which a difference counts: the optimum, or the floor of a force error.
+fn size(reference: &Reference, value: f64) -> (f64, bool) {
+    let mean = reference
+        .asked
+        .target
+        .as_ref()
+        .map_or(0.0, |t| t.0.mean_n());
+    let floor = match reference.asked.objective {
+        super::asked::Objective::ForceError => 0.5 * (FORCE_FLOOR * mean).powi(2) / AGREED,
+        super::asked::Objective::PeakForceError => FORCE_FLOOR * mean / AGREED,
+        _ => 0.0,
+    };
+    (value.abs().max(floor), value.abs() < floor)
+}
+
+fn against(
+    reference: &Reference,
+    space: &super::reference::Space,
+    judged: &Judged,
+    optimum: &Optimum,
+) -> Result<Built, String> {
+    let (size, is_rounding) = size(reference, optimum.value);
+    let above = (judged.value - optimum.bound) / size;
+    let mut built = Built {
+        certified: false,
+        above,
+        excess: judged.excess,
+        is_rounding,
+        by: Judgement::Sampled,
+    };
+    if above.abs() <= AGREED {
+        return Ok(built);
+    }
+    built.by = Judgement::Interval;
+    if above < 0.0 {
+        // Below the optimum, as its own tolerance in the limits allows?
+        return match solve::solve(reference, space, HELD) {
+            Outcome::Optimum(o) if judged.value >= o.bound - AGREED * size => Ok(built),
+            Outcome::Optimum(o) => Err(format!(
+                "{above:e} below the optimum, {:e} with limits eased by 1e-9 (excess {:e} of {})",
+                (judged.value - o.bound) / size,
+                judged.excess,
+                judged.worst
+            )),
+            _ => Err(format!("{above:e} below the optimum")),
+        };
+    }
+    match solve::solve(reference, space, -2.0 * HELD) {
+        Outcome::Optimum(o) if judged.value <= o.value + AGREED * size => Ok(built),
+        Outcome::Optimum(o) => Err(format!(
+            "{above:e} above the lower bound, {:e} above a law that keeps the limits (value {:e})",
+            (judged.value - o.value) / size,
+            o.value
+        )),
+        _ => Err(format!(
+            "{above:e} above the lower bound {:e}",
+            optimum.bound
+        )),
+    }
+}
+
+/// At its own touching angle the law is the optimum; at no other is there a better one.
+fn touching(reference: &Reference, x: &[f64], judged: &Judged) -> Result<Built, String> {
+    let lowest = lowest(reference, x);
+    let space = reference
+        .space(Some(lowest))
+        .ok_or("no law touches at its lowest angle")?;
+    let built = within(reference, &space, judged)?;
+    let (size, _) = size(reference, judged.value);
+    let enough = judged.value - AGREED * size;
+    for k in 0..ANGLES {
+        let angle = TAU * k as f64 / ANGLES as f64;
+        let Some(space) = reference.space(Some(angle)) else {
+            continue;
+        };
+        if let Outcome::Optimum(o) = solve::solve_below(reference, &space, 0.0, enough)
+            && o.value < enough
+        {
+            return Err(format!(
+                "{:e} better where the law touches at {angle} instead of {lowest}",
+                (judged.value - o.value) / size
+            ));
+        }
+    }
+    Ok(built)
+}
+
+/// Where a law is lowest, to rounding of its slope.
+fn lowest(reference: &Reference, x: &[f64]) -> f64 {
+    let lift =
+        |place: &&super::reference::Place| reference.splines.law(place.span, place.theta, x)[0];
+    let least = (reference.scan.iter()).min_by(|a, b| lift(a).total_cmp(&lift(b)));
+    let mut theta = least.map_or(0.0, |p| p.theta);
+    for _ in 0..20 {
+        let at = reference
+            .splines
+            .law(reference.splines.span_of(theta), theta, x);
+        if at[2] > 0.0 {
+            theta = (theta - (at[1] / at[2]).clamp(-0.01, 0.01)).rem_euclid(TAU);
+        }
+    }
+    theta
+}
+
+/// The law over this test's own functions, which must hold it with its derivatives.
+fn coefficients(reference: &Reference, design: &Design) -> Result<Vec<f64>, String> {
+    let (n, law) = (reference.splines.count(), &design.cam.law);
+    let mut matrix = DMatrix::<f64>::zeros(n, n);
+    let lift = |place: &super::reference::Place| {
+        let inside = reference.splines.breaks()[place.span + 1] - 1e-12;
+        law.svaj(place.theta.min(inside)).s
+    };
+    let pull = |x: &DVector<f64>| {
+        let mut out = DVector::<f64>::zeros(n);
+        for place in &reference.scan {
+            let columns = || reference.splines.columns(place.span).zip(&place.values[0]);
+            let miss = lift(place) - columns().map(|(i, b)| b * x[i]).sum::<f64>();
+            columns().for_each(|(i, b)| out[i] += b * miss);
+        }
+        out
+    };
+    for place in &reference.scan {
+        let columns = || reference.splines.columns(place.span).zip(&place.values[0]);
+        for (i, b) in columns() {
+            columns().for_each(|(j, c)| matrix[(i, j)] += b * c);
+        }
+    }
+    let factor = matrix
+        .cholesky()
+        .ok_or("functions that depend on each other")?;
+    let mut x = DVector::zeros(n);
+    for _ in 0..3 {
+        x += factor.solve(&pull(&x));
+    }
+    let x = x.as_slice().to_vec();
+    let (mut largest, mut apart) = ([reference.asked.length(); 3], [0.0_f64; 3]);
+    for place in &reference.scan {
+        let ends = &reference.splines.breaks()[place.span..place.span + 2];
+        if place.theta <= ends[0] || place.theta >= ends[1] {
+            continue;
+        }
+        let (own, at) = (
+            reference.splines.law(place.span, place.theta, &x),
+            law.svaj(place.theta),
+        );
+        for (k, theirs) in [at.s, at.v, at.a].into_iter().enumerate() {
+            largest[k] = largest[k].max(theirs.abs());
+            apart[k] = apart[k].max((own[k] - theirs).abs());
+        }
+    }
+    for (k, allowed) in [1e-11, 1e-9, 1e-8].into_iter().enumerate() {
+        if apart[k] > allowed * largest[k] {
+            return Err(format!(
+                "derivative {k} misses the spline by {:e} of {:e}",
+                apart[k], largest[k]
+            ));
+        }
+    }
+    Ok(x)
+}

@@ -1,0 +1,119 @@
+//! Standing guard: random scenes against a second route that shares nothing with the first but the wanted
+//! force. Its own B-splines, its own quadrature, limits sampled at angles, Clarabel.
+//!
+//! Rows at some angles are fewer than the limits ask, so the reference's dual value is below every law that
+//! keeps them; rows are added where its law exceeds a limit until none is exceeded by 1e-9. What is asked of
+//! each scene:
+//!
+//! - the law keeps every limit to 1e-9 on a fine grid, and its objective is within 1e-6 of the reference's. The floor of
+//!   a force error is an RMS of 1e-6 of the mean force;
+//! - where the objective is that sensitive to its limits, it lies in the interval between the optima under
+//!   limits eased and tightened by 1e-9;
+//! - a law of open level is the optimum at its own touching angle, and at none of 72 others is there a better one;
+//! - where the answer is that there is no law, the reference has none under limits tightened by 1e-6.
+
+mod asked;
+mod compare;
+mod judge;
+mod machines;
+mod named;
+mod reference;
+mod rows;
+mod scenes;
+mod solve;
+mod splines;
+
+use compare::{Built, Judgement, Seen, compare};
+use rayon::prelude::*;
+use scenes::{KINDS, Kind};
+
+/// Scenes that are drawn, and those that have to be built, of each kind.
+fn share(kind: Kind) -> (usize, usize) {
+    match kind {
+        Kind::Moving => (620, 600),
+        Kind::Fixed => (360, 340),
+        Kind::Hydraulic => (220, 200),
+        Kind::Points => (420, 280),
+        Kind::Dwells => (240, 180),
+        Kind::Touching => (60, 50),
+        Kind::FlatSize => (180, 160),
+        Kind::PressureAngle => (220, 180),
+        Kind::Peaks => (220, 190),
+    }
+}
+
+/// Without optimisation one scene in this many is drawn.
+const THINNED: usize = if cfg!(debug_assertions) { 10 } else { 1 };
+/// Scenes that have to be built in all.
+const BUILT: usize = 2000;
+
+#[test]
+fn two_thousand_random_scenes_are_solved_as_a_second_route_solves_them() {
+    let mut disagreements = Vec::new();
+    let mut all = 0;
+    println!("one scene in {THINNED} is drawn");
+    for kind in KINDS {
+        let (drawn, least) = share(kind);
+        let seen: Vec<(usize, Result<Seen, String>)> = (0..drawn)
+            .into_par_iter()
+            .step_by(THINNED)
+            .map(|seed| (seed, without_panic(kind, seed)))
+            .collect();
+        let built: Vec<Built> = (seen.iter())
+            .filter_map(|(_, s)| match s {
+                Ok(Seen::Built(built)) => Some(*built),
+                _ => None,
+            })
+            .collect();
+        println!("{}", line(kind, &seen, &built));
+        all += built.len();
+        if built.len() < least / THINNED {
+            disagreements.push(format!(
+                "{kind:?}: {} built, fewer than {}",
+                built.len(),
+                least / THINNED
+            ));
+        }
+        let differ = seen
+            .iter()
+            .filter_map(|(seed, s)| Some((seed, s.as_ref().err()?)));
+        disagreements.extend(differ.map(|(seed, words)| format!("{kind:?} {seed}: {words}")));
+    }
+    println!("{all} built in all");
+    assert!(disagreements.is_empty(), "{}", disagreements.join("\n"));
+    assert!(all >= BUILT / THINNED, "{all} built");
+}
+
+/// The counts of a kind.
+fn line(kind: Kind, seen: &[(usize, Result<Seen, String>)], built: &[Built]) -> String {
+    let count = |wanted: Seen| seen.iter().filter(|(_, s)| *s == Ok(wanted)).count();
+    let of = |f: &dyn Fn(&Built) -> bool| built.iter().filter(|b| f(b)).count();
+    let most = |f: &dyn Fn(&Built) -> f64| built.iter().map(f).fold(0.0, f64::max);
+    format!(
+        "{kind:?}: {} built ({} certified, {} by the interval, {} below the floor), {} refused, {} at the edge; \
+         furthest above {:.1e}, below {:.1e}, excess {:.1e}",
+        built.len(),
+        of(&|b| b.certified),
+        of(&|b| b.by == Judgement::Interval),
+        of(&|b| b.is_rounding),
+        count(Seen::Refused),
+        count(Seen::Edge),
+        most(&|b| if b.by == Judgement::Sampled {
+            b.above
+        } else {
+            0.0
+        }),
+        most(&|b| if b.by == Judgement::Sampled {
+            -b.above
+        } else {
+            0.0
+        }),
+        most(&|b| b.excess),
+    )
+}
+
+/// A panic is a disagreement like any other.
+fn without_panic(kind: Kind, seed: usize) -> Result<Seen, String> {
+    let seen = std::panic::catch_unwind(|| compare(&scenes::scene(kind, seed)));
+    seen.unwrap_or_else(|_| Err("panic".to_string()))
+}

@@ -1,0 +1,311 @@
+//! Random scenes by kind. Limits are drawn about what the law without them does, so that most of them bind and
+//! some leave nothing.
+
+use super::asked::{Asked, Dwell, Follower, Limits, Objective, Point};
+use super::machines::{Random, fixed, hydraulic, light, moving};
+use super::reference::Reference;
+use super::splines::ORDERS;
+use std::f64::consts::TAU;
+
+/// Kinds of scenes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Moving axis, force error, limits.
+    Moving,
+    /// Fixed axis with spring and damping, force error, limits.
+    Fixed,
+    /// Hydraulic, force error, limits.
+    Hydraulic,
+    /// Points, smallest jerk or acceleration.
+    Points,
+    /// Dwells with points or another dwell.
+    Dwells,
+    /// Flat face on a moving axis with curvature on a base circle that is given or limited.
+    Touching,
+    /// Flat face as small as its curvature allows, or limited in size.
+    FlatSize,
+    /// Pressure angle on a given prime circle.
+    PressureAngle,
+    /// Smallest peak of acceleration, jerk or force error.
+    Peaks,
+}
+
+pub const KINDS: [Kind; 9] = [
+    Kind::Moving,
+    Kind::Fixed,
+    Kind::Hydraulic,
+    Kind::Points,
+    Kind::Dwells,
+    Kind::Touching,
+    Kind::FlatSize,
+    Kind::PressureAngle,
+    Kind::Peaks,
+];
+
+/// The scene of a kind and seed.
+pub fn scene(kind: Kind, seed: usize) -> Asked {
+    let mut random = Random::new(kind, seed);
+    let r = &mut random;
+    match kind {
+        Kind::Moving => limited(moving(r), r),
+        Kind::Fixed => limited(fixed(r), r),
+        Kind::Hydraulic => limited(hydraulic(r), r),
+        Kind::Points => {
+            let limits = r.chance(0.5);
+            let asked = points(r);
+            if limits { limited(asked, r) } else { asked }
+        }
+        Kind::Dwells => {
+            let limits = r.chance(0.4);
+            let asked = dwells(r);
+            if limits { limited(asked, r) } else { asked }
+        }
+        Kind::Touching => touching(r),
+        Kind::FlatSize => flat_size(r),
+        Kind::PressureAngle => pressure_angle(r),
+        Kind::Peaks => peaks(r),
+    }
+}
+
+fn points(r: &mut Random) -> Asked {
+    let count = 2 + r.below(3);
+    let begin = r.within(0.0, 0.5);
+    let mut points = Vec::new();
+    for k in 0..count {
+        let angle = begin + (TAU - 0.6) * (k as f64 + r.within(0.0, 0.6)) / count as f64;
+        let lift = if k == 0 || k > 1 && r.chance(0.2) {
+            0.0
+        } else {
+            r.within(0.002, 0.03)
+        };
+        let level = r.chance(0.4);
+        points.push(Point {
+            angle,
+            lift,
+            velocity: level.then_some(0.0),
+            acceleration: if level { r.maybe(0.2, 0.0) } else { None },
+        });
+    }
+    Asked { points, ..light(r) }
+}
+
+fn dwells(r: &mut Random) -> Asked {
+    let turned = if r.chance(0.3) {
+        r.within(0.1, 0.6)
+    } else {
+        0.0
+    };
+    let place = |x: f64| (x - turned).rem_euclid(TAU);
+    let first = Dwell {
+        from: place(0.0),
+        to: place(r.within(0.7, 1.5)),
+        lift: r.maybe(0.7, 0.0),
+    };
+    let lift = r.within(0.005, 0.03);
+    let (from, to) = (r.within(2.6, 3.2), r.within(3.6, 4.6));
+    let (mut dwells, mut points) = (vec![first], Vec::new());
+    if first.lift.is_none() || r.chance(0.5) {
+        dwells.push(Dwell {
+            from: place(from),
+            to: place(to),
+            lift: Some(lift),
+        });
+        if first.lift.is_none() {
+            points.push(Point {
+                angle: place(5.2),
+                lift: 0.5 * lift,
+                velocity: None,
+                acceleration: None,
+            });
+        }
+    } else {
+        points.push(Point {
+            angle: place(from),
+            lift,
+            velocity: r.maybe(0.5, 0.0),
+            acceleration: None,
+        });
+    }
+    Asked {
+        dwells,
+        points,
+        ..light(r)
+    }
+}
+
+/// Lowest and highest s, v, a, j and force of the law without limits.
+struct Free {
+    ranges: [(f64, f64); ORDERS],
+    force: (f64, f64),
+    x: Vec<f64>,
+}
+
+fn free(asked: &Asked) -> Free {
+    let mut own = asked.clone();
+    own.limits = Limits::default();
+    own.objective = match asked.objective {
+        Objective::Peak(_) | Objective::Size => Objective::Energy(asked.degree.min(4) - 1),
+        Objective::PeakForceError => Objective::ForceError,
+        other => other,
+    };
+    let reference = Reference::new(&own);
+    let x = reference
+        .space(None)
+        .expect("demands that go together")
+        .origin;
+    let x = x.as_slice().to_vec();
+    let (mut ranges, mut force) = ([(f64::MAX, f64::MIN); ORDERS], (f64::MAX, f64::MIN));
+    let widen = |range: &mut (f64, f64), value: f64| {
+        *range = (range.0.min(value), range.1.max(value));
+    };
+    for place in &reference.scan {
+        let at = reference.splines.law(place.span, place.theta, &x);
+        for (range, value) in ranges.iter_mut().zip(at) {
+            widen(range, value);
+        }
+        let [k, c, m] = own.weights;
+        widen(&mut force, own.rest + k * at[0] + c * at[1] + m * at[2]);
+    }
+    Free { ranges, force, x }
+}
+
+/// One to three limits.
+fn limited(mut asked: Asked, r: &mut Random) -> Asked {
+    let free = free(&asked);
+    let largest = |order: usize| free.ranges[order].1.max(-free.ranges[order].0);
+    let timed = |order: usize| largest(order) * asked.speed.powi(order as i32);
+    let stroke = free.ranges[0].1 - free.ranges[0].0;
+    let mean = asked.target.as_ref().map_or(0.0, |t| t.0.mean_n());
+    let mut limits = asked.limits;
+    for _ in 0..1 + r.below(3) {
+        let share = r.within(0.75, 1.02);
+        match r.below(if asked.target.is_some() { 6 } else { 4 }) {
+            0 => limits.acceleration = Some(share * timed(2)),
+            1 => limits.jerk = Some(share * timed(3)),
+            2 => limits.stroke = Some(share * stroke),
+            3 => limits.velocity = Some(r.within(0.9, 1.05) * timed(1)),
+            4 => limits.force_min = Some(mean - share * (mean - free.force.0).max(0.01 * mean)),
+            _ => limits.force_max = Some(mean + share * (free.force.1 - mean).max(0.01 * mean)),
+        }
+    }
+    asked.limits = limits;
+    asked
+}
+
+fn touching(r: &mut Random) -> Asked {
+    let mut asked = moving(r);
+    asked.spans = [8, 10, 12, 16][r.below(4)];
+    let free = free(&asked);
+    let reference = Reference::new(&asked);
+    let lowest = free.ranges[0].0;
+    let sharpest = reference.scan.iter().map(|p| {
+        let at = reference.splines.law(p.span, p.theta, &free.x);
+        at[0] - lowest + at[2]
+    });
+    let rho = r.within(0.005, 0.03);
+    // Smallest base circle for the law as it is: ρ − min (s + a).
+    let needed = (rho - sharpest.fold(f64::MAX, f64::min)).max(0.005);
+    let base = r.within(0.6, 1.0) * needed;
+    asked.limits.curvature = Some(rho);
+    if r.chance(0.7) {
+        asked.follower = Follower::Flat { base: Some(base) };
+    } else {
+        asked.limits.prime_radius = Some(base);
+    }
+    let stroke = free.ranges[0].1 - lowest;
+    let share = r.within(0.8, 1.0);
+    asked.limits.stroke = r.maybe(0.3, share * stroke);
+    asked
+}
+
+fn flat_size(r: &mut Random) -> Asked {
+    let mut asked = points(r);
+    asked.degree = asked.degree.max(4);
+    let rho = r.within(0.002, 0.02);
+    if r.chance(0.6) {
+        asked.objective = Objective::Size;
+        asked.limits.curvature = r.maybe(0.7, rho);
+        if r.chance(0.5) {
+            let curvature = asked.limits.curvature;
+            let loose = limited(asked.clone(), r);
+            let speed = asked.speed;
+            let largest = |order: usize| {
+                free(&asked).ranges[order]
+                    .1
+                    .max(-free(&asked).ranges[order].0)
+                    * speed.powi(order as i32)
+            };
+            asked.limits = Limits {
+                curvature,
+                jerk: loose.limits.jerk.map(|_| r.within(1.0, 2.0) * largest(3)),
+                acceleration: Some(r.within(1.0, 2.0) * largest(2)),
+                ..Limits::default()
+            };
+        }
+        return asked;
+    }
+    let free = free(&asked);
+    let reference = Reference::new(&asked);
+    let sharpest = reference.scan.iter().map(|p| {
+        let at = reference.splines.law(p.span, p.theta, &free.x);
+        at[0] + at[2]
+    });
+    let needed = (rho - sharpest.fold(f64::MAX, f64::min)).max(0.005);
+    asked.limits.curvature = Some(rho);
+    asked.limits.prime_radius = Some(r.within(0.85, 1.0) * needed);
+    asked
+}
+
+fn pressure_angle(r: &mut Random) -> Asked {
+    let mut asked = match r.below(4) {
+        0 => hydraulic(r),
+        1 => fixed(r),
+        _ => points(r),
+    };
+    if !asked.level_is_known() {
+        asked = hydraulic(r);
+    }
+    let free = free(&asked);
+    let prime = r.within(1.0, 3.0) * (free.ranges[0].1 - free.ranges[0].0).max(0.01);
+    let offset = if r.chance(0.5) {
+        r.within(-0.3, 0.3) * prime
+    } else {
+        0.0
+    };
+    let rise = (prime * prime - offset * offset).sqrt();
+    let reference = Reference::new(&asked);
+    let (mut up, mut down) = (0.05_f64, 0.05_f64);
+    for p in &reference.scan {
+        let at = reference.splines.law(p.span, p.theta, &free.x);
+        let tan = (at[1] - offset) / (at[0] + rise).max(0.2 * rise);
+        (up, down) = (up.max(tan.atan()), down.max((-tan).atan()));
+    }
+    asked.follower = Follower::Knife { prime, offset };
+    let share = r.within(0.8, 1.0);
+    asked.limits.pressure_angle = [r.maybe(0.8, share * up), r.maybe(0.6, share * down)];
+    asked
+}
+
+fn peaks(r: &mut Random) -> Asked {
+    if r.chance(0.4) {
+        let mut asked = match r.below(3) {
+            0 => moving(r),
+            1 => hydraulic(r),
+            _ => fixed(r),
+        };
+        asked.spans = [8, 10, 12][r.below(3)];
+        asked.objective = Objective::PeakForceError;
+        return if r.chance(0.5) {
+            limited(asked, r)
+        } else {
+            asked
+        };
+    }
+    let mut asked = points(r);
+    asked.objective = Objective::Peak(if asked.degree > 3 { 2 + r.below(2) } else { 2 });
+    if r.chance(0.3) {
+        let free = free(&asked);
+        asked.limits.stroke = Some(r.within(1.0, 1.2) * (free.ranges[0].1 - free.ranges[0].0));
+    }
+    asked
+}
