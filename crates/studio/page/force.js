@@ -1,22 +1,22 @@
-// The wanted force: recordings dropped on the page with their contacts, and points drawn by hand.
+// The wanted force: recordings dropped on the page, with their contacts.
 
-import { $, make, clear, notice, svg } from "./dom.js";
+import { $, make, clear, notice } from "./dom.js";
 import { t, number, onLanguage } from "./words.js";
 import { post, send, get } from "./net.js";
 import { addFile } from "./store.js";
 import { onTab, openTab, tab } from "./view.js";
+import * as hand from "./hand.js";
 
 let edit = () => {};
 let openScene = () => {};
 let recording = null;
 let without = new Set();
-let drawn = null;
-let answer = null;
 let folderFiles = [];
 
 export function load(onEdit, onScene) {
   edit = onEdit;
   openScene = onScene;
+  hand.load(onEdit);
   drops();
   onTab("force", async () => {
     try {
@@ -29,8 +29,8 @@ export function load(onEdit, onScene) {
   onLanguage(() => { if (openTab() === "force") build(); });
 }
 
-export function show(next) {
-  answer = next;
+export function show(answer) {
+  hand.show(answer);
 }
 
 // --- dropping ------------------------------------------------------------------------------------
@@ -103,8 +103,7 @@ function build() {
   }
   if (recording) root.append(found());
   root.append(make("h2", {}, t("studio-force-hand")), make("p", { class: "lead" }, t("studio-force-hand-lead")));
-  if (drawn) root.append(editor());
-  else root.append(make("button", { type: "button", id: "draw-force", class: "main", onclick: begin }, t("studio-force-draw")));
+  root.append(hand.section(build));
 }
 
 function found() {
@@ -142,145 +141,4 @@ async function again() {
     notice(error.message);
   }
   build();
-}
-
-// --- points by hand ------------------------------------------------------------------------------
-
-// Begins with the present target, or a hump.
-function begin() {
-  const { curves, motion } = answer ?? {};
-  const target = curves?.panels[0].lines.find((l) => l.role === "target") ?? curves?.panels[0].lines[0];
-  const period = motion?.period ?? 1;
-  const count = 13;
-  const points = [];
-  for (let k = 0; k < count - 1; k += 1) {
-    const wanted = curves.start + curves.length * k / (count - 1);
-    const i = curves.theta.findIndex((x) => x >= wanted - 1e-9);
-    points.push([period * k / (count - 1), Math.round(10 * (target.y[Math.max(i, 0)] ?? 0)) / 10]);
-  }
-  drawn = { period_s: period, points };
-  keep();
-  build();
-}
-
-let version = 0;
-async function keep() {
-  version += 1;
-  const mine = version;
-  // Two names in turn: the scene is seen to change.
-  const body = { file: `force-by-hand-${mine % 2}.csv`, period_s: drawn.period_s, points: drawn.points };
-  try {
-    const kept = await post("force", body);
-    if (mine !== version) return;
-    addFile(kept.use, kept.csv);
-    drawn.curve = kept.force_n;
-    edit([{ set: { key: "gait.file", value: kept.use } }], `drawn ${drawn.gesture ?? 0}`);
-    redraw();
-  } catch (error) {
-    notice(error.message);
-  }
-}
-
-let redraw = () => {};
-
-function editor() {
-  const [width, height, pad] = [320, 190, 28];
-  const picture = svg("svg", { class: "editor", viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": t("studio-force-hand") });
-  const period = make("input", { type: "text", id: "hand-period", size: 8, value: `${number(drawn.period_s, 5).replace(",", ".")}`, onchange: () => {
-    const next = parseFloat(period.value.replace(",", "."));
-    if (!(next > 0)) return;
-    const factor = next / drawn.period_s;
-    for (const p of drawn.points) p[0] *= factor;
-    drawn.period_s = next;
-    keep();
-  } });
-  let chosen = 0;
-  const range = () => {
-    const all = drawn.points.map((p) => p[1]).concat(drawn.curve ?? []);
-    const [low, high] = [Math.min(0, ...all), Math.max(1, ...all)];
-    return [low, high + 0.1 * (high - low)];
-  };
-  let scale = range();
-  const x = (time) => pad + time / drawn.period_s * (width - pad - 8);
-  const y = (force) => height - 18 - (force - scale[0]) / (scale[1] - scale[0]) * (height - 26);
-  const back = (event) => {
-    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
-    const time = (p.x - pad) / (width - pad - 8) * drawn.period_s;
-    const force = scale[0] + (height - 18 - p.y) / (height - 26) * (scale[1] - scale[0]);
-    return [Math.max(0, Math.min(drawn.period_s * 0.999, time)), Math.round(force * 10) / 10];
-  };
-  const paint = () => {
-    clear(picture);
-    picture.append(svg("path", { class: "axis", d: `M${pad} ${y(0)}H${width - 8}M${pad} 8V${height - 18}` }));
-    if (drawn.curve) {
-      const step = drawn.period_s / drawn.curve.length;
-      picture.append(svg("path", { class: "line target", d: drawn.curve.map((f, i) => `${i ? "L" : "M"}${x(i * step).toFixed(1)} ${y(f).toFixed(1)}`).join("") }));
-    }
-    drawn.points.forEach((point, i) => {
-      const dot = svg("circle", { class: i === chosen ? "knot chosen" : "knot", cx: x(point[0]), cy: y(point[1]), r: 6, tabindex: 0, role: "button",
-        "aria-label": t("studio-point", { number: i + 1, time: number(point[0], 3), force: number(point[1], 4) }) });
-      dot.addEventListener("pointerdown", (event) => {
-        chosen = i;
-        scale = range();
-        drawn.gesture = (drawn.gesture ?? 0) + 1;
-        picture.setPointerCapture(event.pointerId);
-        event.stopPropagation();
-        paint();
-      });
-      dot.addEventListener("keydown", (event) => {
-        const size = (scale[1] - scale[0]) / 100;
-        const step = { ArrowUp: [0, size], ArrowDown: [0, -size], ArrowRight: [drawn.period_s / 100, 0], ArrowLeft: [-drawn.period_s / 100, 0] }[event.key];
-        if (event.key === "Delete" && drawn.points.length > 3) drawn.points.splice(i, 1);
-        else if (step) move(i, [point[0] + step[0], point[1] + step[1]]);
-        else return;
-        event.preventDefault();
-        chosen = Math.min(i, drawn.points.length - 1);
-        paint();
-        picture.querySelectorAll(".knot")[chosen]?.focus();
-        keep();
-      });
-      dot.addEventListener("dblclick", () => { if (drawn.points.length > 3) { drawn.points.splice(i, 1); paint(); keep(); } });
-      picture.append(dot);
-    });
-  };
-  // A point stays between its neighbours.
-  const move = (i, [time, force]) => {
-    const gap = drawn.period_s / 200;
-    const low = i > 0 ? drawn.points[i - 1][0] + gap : 0;
-    const high = i + 1 < drawn.points.length ? drawn.points[i + 1][0] - gap : drawn.period_s - gap;
-    drawn.points[i] = [i === 0 ? 0 : Math.max(low, Math.min(high, time)), force];
-  };
-  picture.addEventListener("pointermove", (event) => {
-    if (!picture.hasPointerCapture(event.pointerId)) return;
-    move(chosen, back(event));
-    paint();
-    keep();
-  });
-  picture.addEventListener("dblclick", (event) => {
-    if (event.target.classList.contains("knot")) return;
-    const point = back(event);
-    drawn.points.push(point);
-    drawn.points.sort((a, b) => a[0] - b[0]);
-    chosen = drawn.points.indexOf(point);
-    paint();
-    keep();
-  });
-  redraw = () => { paint(); };
-  paint();
-  const add = make("button", { type: "button", onclick: () => {
-    const next = drawn.points[chosen + 1] ?? [drawn.period_s, drawn.points[0][1]];
-    const [a, b] = [drawn.points[chosen], next];
-    drawn.points.splice(chosen + 1, 0, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
-    paint();
-    keep();
-  } }, t("studio-point-add"));
-  const remove = make("button", { type: "button", onclick: () => {
-    if (drawn.points.length <= 3) return;
-    drawn.points.splice(chosen, 1);
-    chosen = Math.max(0, chosen - 1);
-    paint();
-    keep();
-  } }, t("studio-point-remove"));
-  return make("div", { class: "hand" }, picture, make("div", { class: "buttons" }, add, remove,
-    make("label", { for: "hand-period" }, t("studio-force-period")), period));
 }

@@ -25,16 +25,26 @@ async function read(response) {
   return value;
 }
 
+// An idle connection may be closed at the moment of asking: every question may be asked again.
+async function ask(path, options) {
+  try {
+    return await fetch(address(path), options);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    return fetch(address(path), options);
+  }
+}
+
 export async function get(path) {
-  return read(await fetch(address(path)));
+  return read(await ask(path));
 }
 
 export async function post(path, question, signal) {
-  return read(await fetch(address(path), { method: "POST", body: JSON.stringify(question), signal }));
+  return read(await ask(path, { method: "POST", body: JSON.stringify(question), signal }));
 }
 
 export async function send(path, body) {
-  return read(await fetch(address(path), { method: "POST", body }));
+  return read(await ask(path, { method: "POST", body }));
 }
 
 export function link(path) {

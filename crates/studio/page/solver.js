@@ -17,7 +17,6 @@ export function on(more) {
 // Asks for the design of the present state. `since` is when the input came.
 export function ask(since = performance.now()) {
   if (running) {
-    waiting = waiting ?? since;
     waiting = since;
     return;
   }

@@ -29,6 +29,7 @@ const FILES: &[(&str, &str, &str)] = files![
     "force.js": SCRIPT,
     "form.js": SCRIPT,
     "gallery.js": SCRIPT,
+    "hand.js": SCRIPT,
     "net.js": SCRIPT,
     "programme.js": SCRIPT,
     "solver.js": SCRIPT,

@@ -17,7 +17,7 @@ const BUILT_IN: &[(&str, &[u8])] = &[(
 )];
 
 /// Dropped files and mean cycles that are kept.
-const DROPPED: usize = 12;
+const DROPPED: usize = 6;
 const CURVES: usize = 12;
 
 /// Files dropped on the page, held in memory, and the curves of late.
