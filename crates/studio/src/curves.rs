@@ -105,6 +105,9 @@ pub struct Place {
     pub broken: bool,
 }
 
+/// One of lift, velocity, acceleration and jerk.
+type Pick = fn(&Svaj) -> f64;
+
 /// What is known at one angle.
 struct Sample {
     theta: f64,
@@ -172,7 +175,7 @@ fn panels(design: &Design, samples: &[Sample]) -> Vec<Panel> {
     let measures = design.cam.follower.measures();
     let speed = design.drive.speed;
     let mut out = vec![force(design, samples)];
-    let picks: [(&str, fn(&Svaj) -> f64); 4] = [
+    let picks: [(&str, Pick); 4] = [
         ("s", |m| m.s),
         ("v", |m| m.v),
         ("a", |m| m.a),

@@ -145,7 +145,7 @@ impl Folder {
                 Some("csv" | "txt" | "tsv") if depth == 0 => false,
                 _ => continue,
             };
-            let recording = !path.extension().is_some_and(|e| e == "toml");
+            let recording = path.extension().is_none_or(|e| e != "toml");
             if let (true, true, Ok(inside)) = (
                 kind.is_file(),
                 scene || recording,

@@ -1,6 +1,6 @@
 //! Where the wanted force comes from: load models, recordings of the folder, files dropped on the page.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::SystemTime;
 
@@ -121,7 +121,7 @@ impl Sources {
         format!("{source:?} {feet:?} {model:?} {read:?} {stamp}")
     }
 
-    fn stamp(&self, folder: &Folder, path: &PathBuf) -> String {
+    fn stamp(&self, folder: &Folder, path: &Path) -> String {
         if let Some(bytes) = self.dropped(path) {
             // The same allocation is the same file: a new one under the same name is another.
             return format!("{:p}", Arc::as_ptr(&bytes));
