@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 
 use crate::exit_code::BUILT;
 use crate::terminal::{print, print_json};
-use crate::words;
+use crate::words::{self, fixed};
 use gaitcam::error::Result;
-use gaitcam::law::{Ends, Factors, Rise};
+use gaitcam::law::{End, Ends, Factors, Rise};
 
 const EXAMPLES: &str = "Examples:
   gaitcam laws
@@ -24,9 +24,10 @@ pub struct LawsArgs {
 
 /// What the two ends can join, once where they agree.
 fn joined(ends: &Ends) -> String {
-    let (start, end) = (ends.start.joins(), ends.end.joins());
+    let said = |end: &End| words::text(&format!("laws-joins-{}", end.joins().replace(' ', "-")));
+    let (start, end) = (said(&ends.start), said(&ends.end));
     if start == end {
-        start.to_string()
+        start
     } else {
         format!("{start} → {end}")
     }
@@ -74,15 +75,15 @@ fn table(rows: &[Row]) -> String {
     ];
     for (name, f, ends) in rows {
         let jerk = if f.cj.is_finite() {
-            format!("{:.4}", f.cj)
+            fixed(f.cj, 4)
         } else {
             "∞".to_string()
         };
         out.push(format!(
-            "{name:<22} {:>9.5} {:>9.5} {jerk:>10} {:>9.5}  {}",
-            f.cv,
-            f.ca,
-            f.ct,
+            "{name:<22} {:>9} {:>9} {jerk:>10} {:>9}  {}",
+            fixed(f.cv, 5),
+            fixed(f.ca, 5),
+            fixed(f.ct, 5),
             joined(ends)
         ));
     }

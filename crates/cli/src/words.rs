@@ -41,6 +41,21 @@ pub fn name(typed: &str) -> String {
     gaitcam::wording::catalogue(language::current()).name(typed)
 }
 
+/// A table's column with its unit, SI: `force error RMS, N`; the column of a scene's key keeps the key's name.
+pub fn column(name: &str) -> String {
+    let label = gaitcam::sweep::table::label(name);
+    let (quantity, unit) = label.rsplit_once(", ").unwrap_or((&label, ""));
+    let key = format!("column-{}", quantity.replace(' ', "-"));
+    let quantity = match text(&key) {
+        missing if missing == key => quantity.to_string(),
+        quantity => quantity,
+    };
+    match unit {
+        "" => quantity,
+        unit => format!("{quantity}, {unit}"),
+    }
+}
+
 /// A number with a fixed count of decimals, with the decimal sign of the language.
 pub fn fixed(value: f64, decimals: usize) -> String {
     signed(format!("{value:.decimals$}"))

@@ -77,26 +77,34 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
 fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
     let names: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
     let across = match designs.iter().filter(|d| d.slides()).count() {
-        0 => "cam angle θ, degrees",
-        n if n == designs.len() => "travel of the cam x, mm",
-        _ => "cam angle θ, degrees; of a sliding cam its travel, mm",
+        0 => "compare-over-angle",
+        n if n == designs.len() => "compare-over-travel",
+        _ => "compare-over-both",
     };
+    let across = words::text(across);
+    let [heads, lifts, profile, scale, force] = [
+        "compare-laws",
+        "compare-lifts",
+        "compare-profiles",
+        "compare-scale",
+        "compare-forces",
+    ]
+    .map(words::text);
     let (forces, force_names) = forces(designs, &names);
     let laws = laws(designs);
-    let what = "lift and its derivatives";
     let outlines = outlines(designs);
     [
         (
             "compare_svaj",
-            diagrams_over(across, "Laws", what, &names, &laws),
+            diagrams_over(&across, &heads, &lifts, &names, &laws),
         ),
         (
             "compare_profiles",
-            profiles("Profiles", "at one scale", &names, &outlines),
+            profiles(&profile, &scale, &names, &outlines),
         ),
         (
             "compare_force",
-            diagrams_over(across, "Forces", "", &force_names, &[forces]),
+            diagrams_over(&across, &force, "", &force_names, &[forces]),
         ),
     ]
 }
@@ -110,11 +118,11 @@ fn forces(designs: &[Design], names: &[String]) -> (Strip, Vec<String>) {
         let target = curve(d, "target_n");
         if !target.is_empty() && !curves[designs.len()..].contains(&target) {
             curves.push(target);
-            names.push(format!("target of {}", d.name));
+            names.push(words::fill("compare-target", &json!({"name": d.name})));
         }
     }
     let strip = Strip {
-        quantity: "force, N".to_string(),
+        quantity: words::text("compare-force"),
         curves,
     };
     (strip, names)

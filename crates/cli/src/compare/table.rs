@@ -13,7 +13,7 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
     type Cell = fn(&Design) -> String;
     let cells: [(&'static str, Cell); 24] = [
         ("compare-verdict", |d| word(&d.summary["verdict"])),
-        ("compare-outcome", |d| word(&d.summary["outcome"])),
+        ("compare-outcome", |d| outcome(&d.summary["outcome"])),
         ("compare-law", |d| word(&d.summary["law"]["family"])),
         ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
         ("compare-rms", |d| force(d, "rms_error_n", 4, "N")),
@@ -62,14 +62,22 @@ pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
 }
 
 fn word(value: &Value) -> String {
-    value.as_str().unwrap_or(NONE).to_string()
+    value.as_str().map_or_else(|| NONE.to_string(), words::name)
+}
+
+fn outcome(value: &Value) -> String {
+    match value.as_str() {
+        Some("built") => words::text("compare-built"),
+        Some("infeasible") => words::text("compare-infeasible"),
+        _ => word(value),
+    }
 }
 
 fn shown(value: Option<f64>, decimals: usize, unit: &str) -> String {
     match value {
         None => NONE.to_string(),
         Some(x) if x.is_infinite() => "∞".to_string(),
-        Some(x) => format!("{x:.decimals$} {unit}"),
+        Some(x) => format!("{} {unit}", words::fixed(x, decimals)),
     }
 }
 

@@ -1,9 +1,9 @@
 //! What is minimised or maximised: a column, and the sense in which it counts.
 
 use crate::input::at_flag;
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::objective;
-use gaitcam::sweep::table::label;
 use gaitcam_output::sweep_plots::unit_for_people;
 
 /// Minimised when nothing is said.
@@ -65,12 +65,12 @@ impl Objective {
 
     /// Its name with the unit in which people read it.
     pub fn label(&self) -> String {
-        unit_for_people(&label(&self.name)).0
+        unit_for_people(&words::column(&self.name)).0
     }
 
     /// A cost as people read it.
     pub fn shown(&self, cost: f64) -> String {
-        let value = unit_for_people(&label(&self.name)).1 * self.value(cost);
-        format!("{value:.6}")
+        let value = unit_for_people(&words::column(&self.name)).1 * self.value(cost);
+        words::fixed(value, 6)
     }
 }

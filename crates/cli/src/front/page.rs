@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use serde_json::json;
+
 use super::{Found, SHOWN, row_name};
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Point;
-use gaitcam::sweep::table::label;
 use gaitcam_output::Picture;
 use gaitcam_output::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity, unit_for_people};
@@ -15,7 +17,7 @@ use gaitcam_output::sweep_report;
 const DRAWN: usize = 3000;
 
 /// A picture with its file's name and its heading.
-type Drawn = (&'static str, &'static str, Picture);
+type Drawn = (&'static str, String, Picture);
 
 /// Writes the pictures and report.html.
 pub fn write(
@@ -55,40 +57,31 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
     let goals: Vec<Quantity> = (kept.goals.iter())
         .zip(&found.objectives)
         .map(|(values, objective)| Quantity {
-            label: label(&objective.name),
+            label: words::column(&objective.name),
             values: values.clone(),
             words: Vec::new(),
         })
         .collect();
     let mut drawn = Vec::new();
     if let [x, y, ..] = &goals[..] {
-        drawn.push(("front", "Front", plane(name, found, [x, y], front, best)));
+        let picture = plane(name, found, [x, y], front, best);
+        drawn.push(("front", words::text("front-heading-front"), picture));
     }
     if let ([x, y], Some(z)) = (&inputs[..], goals.first()) {
         let shown = unit_for_people(&z.label).0;
-        let (title, z, sense) = if found.objectives[0].maximised {
-            (
-                format!("{name}: largest {shown}"),
-                z,
-                sweep_plots::Best::Largest,
-            )
+        let (title, sense) = if found.objectives[0].maximised {
+            ("front-picture-largest", sweep_plots::Best::Largest)
         } else {
-            (
-                format!("{name}: least {shown}"),
-                z,
-                sweep_plots::Best::Least,
-            )
+            ("front-picture-least", sweep_plots::Best::Least)
         };
-        drawn.push((
-            "heat",
-            "Heat map",
-            sweep_plots::heat_map(&title, x, y, z, sense),
-        ));
+        let title = words::fill(title, &json!({"name": name, "text": shown}));
+        let picture = sweep_plots::heat_map(&title, x, y, z, sense);
+        drawn.push(("heat", words::text("front-heading-heat"), picture));
     }
     if inputs.len() + goals.len() > 1 {
         let all: Vec<Quantity> = inputs.into_iter().chain(goals).map(fewer).collect();
         let picture = parallel(name, found, &varied, all, front, best);
-        drawn.push(("parallel", "Parallel coordinates", picture));
+        drawn.push(("parallel", words::text("front-heading-parallel"), picture));
     }
     drawn
 }
@@ -104,7 +97,7 @@ fn plane(
     let [a, b] = [0, 1].map(|k| &found.objectives[k]);
     let place = |p: &Point| (a.value(p.values[0]), b.value(p.values[1]));
     let points: Vec<(f64, f64)> = front.iter().map(|p| place(p)).collect();
-    let title = format!("{name}: front");
+    let title = words::fill("front-picture-front", &json!({"name": name}));
     let (x, y) = (fewer(x.clone()), fewer(y.clone()));
     sweep_plots::front(&title, &x, &y, &points, Some(place(best)))
 }
@@ -134,7 +127,7 @@ fn parallel(
         .iter()
         .position(|p| p.row == best.row)
         .map(|i| start + i);
-    let title = format!("{name}: designs, front in blue");
+    let title = words::fill("front-picture-parallel", &json!({"name": name}));
     sweep_plots::parallel(&title, &all, &lines, winner)
 }
 
@@ -150,19 +143,14 @@ fn page<'a>(
         let both = found.objectives.iter().zip(&p.values);
         both.map(|(o, cost)| o.shown(*cost)).collect()
     };
-    let mut words = format!(
-        "{} designs, {} of them acceptable; {} are non-dominated in {}. The best compromise is row {}.",
-        found.kept.seen,
-        found.kept.candidates,
-        front.len(),
-        labels.join(" and "),
-        best.row
-    );
+    let counts = json!({"seen": found.kept.seen.to_string(),
+        "candidates": found.kept.candidates.to_string(), "front": front.len().to_string(),
+        "text": labels.join("; "), "row": best.row.to_string()});
+    let mut said = words::fill("front-page-counts", &counts);
     if found.left_out > 0 {
-        words.push_str(&format!(
-            " {} designs that are not for high speed are left out.",
-            found.left_out
-        ));
+        let count = json!({"count": found.left_out});
+        said.push(' ');
+        said.push_str(&words::fill("front-page-low-speed", &count));
     }
     let rows = front.iter().take(SHOWN).map(|p| {
         let name = row_name(&found.columns, p);
@@ -171,27 +159,29 @@ fn page<'a>(
     let cards = labels.iter().cloned().zip(shown(best));
     let cells = found.columns.names.iter().zip(&best.cells);
     sweep_report::Page {
-        title: format!("Sweep {name}"),
-        words,
+        title: words::fill("front-page-title", &json!({"name": name})),
+        words: said,
         cards: cards
-            .map(|(label, value)| (label, value, "best compromise".to_string()))
+            .map(|(label, value)| (label, value, words::text("front-best")))
             .collect(),
         pictures: drawn
             .iter()
-            .map(|(_, heading, picture)| (*heading, picture))
+            .map(|(_, heading, picture)| (heading.as_str(), picture))
             .collect(),
         tables: vec![
             (
-                "The front",
+                words::text("front-table"),
                 sweep_report::Table {
-                    head: std::iter::once("row".to_string()).chain(labels).collect(),
+                    head: std::iter::once(words::text("front-row"))
+                        .chain(labels)
+                        .collect(),
                     rows: rows.collect(),
                 },
             ),
             (
-                "The best compromise",
+                words::text("front-best-table"),
                 sweep_report::Table {
-                    head: vec!["column".to_string(), "value".to_string()],
+                    head: vec![words::text("front-column"), words::text("front-value")],
                     rows: cells.map(|(a, b)| vec![a.clone(), b.clone()]).collect(),
                 },
             ),

@@ -7,8 +7,8 @@ use std::path::Path;
 use super::objective::Objective;
 use crate::error::CliError;
 use crate::input::files::cannot_be_read;
+use crate::words;
 use gaitcam::error::Result;
-use gaitcam::sweep::table::label;
 use gaitcam::sweep::{Key, NUMBERS};
 use gaitcam_output::sweep_plots::Quantity;
 
@@ -169,7 +169,7 @@ impl Input {
     /// The values for a picture.
     pub fn quantity(&self) -> Quantity {
         Quantity {
-            label: label(&self.name),
+            label: words::column(&self.name),
             values: self.values.clone(),
             words: self.words.clone(),
         }

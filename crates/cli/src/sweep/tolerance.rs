@@ -143,58 +143,54 @@ fn report(
     band: Option<f64>,
 ) -> String {
     let quantity = Quantity {
-        label: "force error RMS, % of the mean".to_string(),
+        label: words::text("scatter-axis"),
         values: percents,
         words: Vec::new(),
     };
-    let mut levels = vec![(own, "by design")];
+    let (by_design, limit) = (words::text("scatter-own"), words::text("scatter-band"));
+    let mut levels = vec![(own, by_design.as_str())];
     if let Some(band) = band {
-        levels.push((100.0 * band, "band"));
+        levels.push((100.0 * band, limit.as_str()));
     }
+    let named = serde_json::json!({"name": name});
     let picture = histogram(
-        &format!("{name}: force error of manufactured samples"),
+        &words::fill("scatter-picture", &named),
         &quantity,
         &levels,
         crate::language::current(),
     );
-    let percent = |x: f64| format!("{x:.3} %");
-    let mut cards = vec![
-        (
-            "By design".to_string(),
-            percent(own),
-            "of the mean force, RMS".to_string(),
-        ),
-        (
-            "Median of the samples".to_string(),
-            percent(s.quantiles[1]),
-            String::new(),
-        ),
-        (
-            "95 % stay below".to_string(),
-            percent(s.quantiles[2]),
-            String::new(),
-        ),
-        ("Largest".to_string(), percent(s.largest), String::new()),
-    ];
-    if let (Some(band), Some(within)) = (band, s.within) {
-        cards.push((
-            "Yield".to_string(),
-            percent(100.0 * within),
-            format!("within {:.3} %", 100.0 * band),
-        ));
-    }
+    let heading = words::text("scatter-heading");
     let page = Page {
-        title: format!("{name}: manufacturing scatter"),
-        words: "Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.".to_string(),
-        cards,
-        pictures: vec![("Force error of manufactured samples", &picture)],
+        title: words::fill("scatter-title", &named),
+        words: words::text("scatter-how"),
+        cards: cards(own, s, band),
+        pictures: vec![(&heading, &picture)],
         tables: vec![(
-            "Tolerances",
+            words::text("scatter-tolerances"),
             Table {
-                head: vec!["tolerance".to_string()],
+                head: vec![words::text("scatter-tolerance")],
                 rows: args.tolerance.iter().map(|t| vec![t.clone()]).collect(),
             },
         )],
     };
     html(&page, crate::language::current())
+}
+
+/// The figures one looks for first.
+fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String)> {
+    let percent = |x: f64| format!("{} %", fixed(x, 3));
+    let card = |key: &str, x: f64| (words::text(key), percent(x), String::new());
+    let (name, value, _) = card("scatter-by-design", own);
+    let mut out = vec![
+        (name, value, words::text("scatter-of-mean")),
+        card("scatter-median", s.quantiles[1]),
+        card("scatter-below", s.quantiles[2]),
+        card("scatter-largest", s.largest),
+    ];
+    if let (Some(band), Some(within)) = (band, s.within) {
+        let (name, value, _) = card("scatter-yield", 100.0 * within);
+        let band = serde_json::json!({"band": fixed(100.0 * band, 3)});
+        out.push((name, value, words::fill("scatter-within", &band)));
+    }
+    out
 }

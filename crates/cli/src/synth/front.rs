@@ -6,9 +6,8 @@ use super::SynthArgs;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::input;
 use crate::terminal::{print, print_json, report};
-use crate::words;
+use crate::words::{self, fixed};
 use gaitcam::error::Result;
-use gaitcam::sweep::table::label;
 use gaitcam::synth::{Against, Trade, trade};
 use gaitcam_output::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
@@ -46,7 +45,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     }
     folder.write("front.csv", csv(against, &front).as_bytes())?;
     let column = |name: &str, of: &dyn Fn(&Trade) -> f64| Quantity {
-        label: label(name),
+        label: words::column(name),
         values: front.iter().map(of).collect(),
         words: Vec::new(),
     };
@@ -55,7 +54,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         label: format!("{}, {unit}", quantity_name(against)),
         ..column(against.column(), &|t| factor * against.of(&t.design))
     };
-    let y = column("rms_error_n", &|t| t.design.force.rms_error_n);
+    let y = column("force_rms_error_n", &|t| t.design.force.rms_error_n);
     let line: Vec<(f64, f64)> = x
         .values
         .iter()
@@ -163,11 +162,11 @@ fn table(name: &str, against: Against, front: &[Trade]) -> String {
     for t in front {
         let f = &t.design.force;
         out.push(format!(
-            "  {:>16.4} {:<5} {:>14.4} {:>12.4}",
-            factor * against.of(&t.design),
+            "  {:>16} {:<5} {:>14} {:>12}",
+            fixed(factor * against.of(&t.design), 4),
             "",
-            f.rms_error_n,
-            f.rms_error_percent_of_mean
+            fixed(f.rms_error_n, 4),
+            fixed(f.rms_error_percent_of_mean, 4)
         ));
     }
     out.join("\n")

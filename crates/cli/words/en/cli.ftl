@@ -196,6 +196,24 @@ sweep-yield = yield     { $within } % stay within { $band } %
 sweep-scatter-files = Samples in { $file }, pictures in { $page }.
 sweep-designs = designs
 
+# sweep --tolerance: the report.
+scatter-title = { $name }: manufacturing scatter
+scatter-how = Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.
+scatter-heading = Force error of manufactured samples
+scatter-picture = { $name }: force error of manufactured samples
+scatter-axis = force error RMS, % of the mean
+scatter-own = by design
+scatter-band = band
+scatter-by-design = By design
+scatter-of-mean = of the mean force, RMS
+scatter-median = Median of the samples
+scatter-below = 95 % stay below
+scatter-largest = Largest
+scatter-yield = Yield
+scatter-within = within { $band } %
+scatter-tolerances = Tolerances
+scatter-tolerance = tolerance
+
 # front.
 front-none-built = { $file }: no design was built
 front-none-feasible = { $file }: no design is acceptable (--all includes the others)
@@ -207,6 +225,51 @@ front-low-speed = { $count ->
 front-row = row
 front-best = best compromise
 front-more = … { $count } more in front.csv; best compromise: row { $row }
+front-page-title = Sweep { $name }
+front-page-counts = { $seen } designs, { $candidates } of them admitted; { $front } are non-dominated in { $text }. The best compromise is row { $row }.
+front-page-low-speed = { $count ->
+        [one] One design that is not for high speed is
+       *[other] { $count } designs that are not for high speed are
+    } left out.
+front-heading-front = Front
+front-heading-heat = Heat map
+front-heading-parallel = Parallel coordinates
+front-picture-front = { $name }: front
+front-picture-least = { $name }: least { $text }
+front-picture-largest = { $name }: largest { $text }
+front-picture-parallel = { $name }: designs, front in blue
+front-table = The front
+front-best-table = The best compromise
+front-column = column
+front-value = value
+
+# Columns of a sweep's table.
+column-force-rms-error = force error RMS
+column-force-max-error = force error maximum
+column-target-mean = target mean
+column-force-mean = force mean
+column-force-min = force minimum
+column-force-max = force maximum
+column-mass = mass
+column-speed = speed
+column-stroke = stroke
+column-velocity-max = velocity maximum
+column-acceleration-max = acceleration maximum
+column-jerk-max = jerk maximum
+column-base-radius = base radius
+column-prime-radius = prime radius
+column-offset = offset
+column-rho-min = radius of curvature minimum
+column-pressure-angle-max = pressure angle maximum
+column-face-width = face width
+column-torque-max = torque maximum
+column-torque-rms = torque RMS
+column-power-max = power maximum
+column-power-mean = power mean
+column-liftoff-speed = lift-off speed
+column-hertz-pressure-max = Hertz pressure maximum
+column-time = time
+column-row = row
 
 # compare.
 compare-diagrams = Diagrams in { $folder }
@@ -234,11 +297,27 @@ compare-power-max = largest power
 compare-power-mean = mean power
 compare-lift-off = lift-off speed
 compare-hertz = largest Hertz pressure
+compare-built = built
+compare-infeasible = infeasible
+compare-over-angle = cam angle θ, degrees
+compare-over-travel = travel of the cam x, mm
+compare-over-both = cam angle θ, degrees; of a sliding cam its travel, mm
+compare-laws = Laws
+compare-lifts = lift and its derivatives
+compare-profiles = Profiles
+compare-scale = at one scale
+compare-forces = Forces
+compare-force = force, N
+compare-target = target of { $name }
 
 # laws.
 laws-head = Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|
 laws-law = law
 laws-joins = joins
+laws-joins-dwell = dwell
+laws-joins-return-of-equal-acceleration = return of equal acceleration
+laws-joins-constant-velocity = constant velocity
+laws-joins-nothing-but-a-general-polynomial = nothing but a general polynomial
 
 # synth --explain.
 explain-title = { $name }: model selection

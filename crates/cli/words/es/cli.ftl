@@ -196,6 +196,24 @@ sweep-yield = rendimiento { $within } % queda dentro de { $band } %
 sweep-scatter-files = Muestras en { $file }, figuras en { $page }.
 sweep-designs = diseños
 
+# sweep --tolerance: el informe.
+scatter-title = { $name }: dispersión de fabricación
+scatter-how = Cada muestra es la leva con errores distribuidos uniformemente en las tolerancias; de ellos se calcula su error de fuerza.
+scatter-heading = Error de fuerza de las muestras fabricadas
+scatter-picture = { $name }: error de fuerza de las muestras fabricadas
+scatter-axis = error de fuerza RMS, % de la media
+scatter-own = diseño
+scatter-band = banda
+scatter-by-design = Del diseño
+scatter-of-mean = de la fuerza media, RMS
+scatter-median = Mediana de las muestras
+scatter-below = El 95 % queda por debajo de
+scatter-largest = Máximo
+scatter-yield = Rendimiento
+scatter-within = dentro de { $band } %
+scatter-tolerances = Tolerancias
+scatter-tolerance = tolerancia
+
 # front.
 front-none-built = { $file }: no se construyó ningún diseño
 front-none-feasible = { $file }: ningún diseño es aceptable (--all incluye los demás)
@@ -207,6 +225,51 @@ front-low-speed = { $count ->
 front-row = fila
 front-best = mejor compromiso
 front-more = … { $count } más en front.csv; mejor compromiso: fila { $row }
+front-page-title = Barrido { $name }
+front-page-counts = { $seen } diseños, de los que cuentan { $candidates }; { $front } son no dominados en { $text }. El mejor compromiso es la fila { $row }.
+front-page-low-speed = { $count ->
+        [one] Se omite un diseño que no es
+       *[other] Se omiten { $count } diseños que no son
+    } para alta velocidad.
+front-heading-front = Frente
+front-heading-heat = Mapa de calor
+front-heading-parallel = Coordenadas paralelas
+front-picture-front = { $name }: frente
+front-picture-least = { $name }: mínimo de { $text }
+front-picture-largest = { $name }: máximo de { $text }
+front-picture-parallel = { $name }: diseños, el frente en azul
+front-table = El frente
+front-best-table = El mejor compromiso
+front-column = columna
+front-value = valor
+
+# Columnas de la tabla de un barrido.
+column-force-rms-error = error de fuerza RMS
+column-force-max-error = error de fuerza máximo
+column-target-mean = media del objetivo
+column-force-mean = fuerza media
+column-force-min = fuerza mínima
+column-force-max = fuerza máxima
+column-mass = masa
+column-speed = velocidad
+column-stroke = carrera
+column-velocity-max = velocidad máxima
+column-acceleration-max = aceleración máxima
+column-jerk-max = sobreaceleración máxima
+column-base-radius = radio base
+column-prime-radius = radio primario
+column-offset = excentricidad
+column-rho-min = radio de curvatura mínimo
+column-pressure-angle-max = ángulo de presión máximo
+column-face-width = longitud de la cara
+column-torque-max = par máximo
+column-torque-rms = par RMS
+column-power-max = potencia máxima
+column-power-mean = potencia media
+column-liftoff-speed = velocidad de despegue
+column-hertz-pressure-max = presión de Hertz máxima
+column-time = tiempo
+column-row = fila
 
 # compare.
 compare-diagrams = Diagramas en { $folder }
@@ -234,11 +297,27 @@ compare-power-max = potencia máxima
 compare-power-mean = potencia media
 compare-lift-off = velocidad de despegue
 compare-hertz = presión de Hertz máxima
+compare-built = construida
+compare-infeasible = no factible
+compare-over-angle = ángulo de leva θ, grados
+compare-over-travel = recorrido de la leva x, mm
+compare-over-both = ángulo de leva θ, grados; de una leva de traslación su recorrido, mm
+compare-laws = Leyes
+compare-lifts = elevación y sus derivadas
+compare-profiles = Perfiles
+compare-scale = a la misma escala
+compare-forces = Fuerzas
+compare-force = fuerza, N
+compare-target = objetivo de { $name }
 
 # laws.
 laws-head = Subida de 1 en tiempo 1: máximos de velocidad Cv, aceleración Ca, sobreaceleración Cj, par Ct = max|a·v|
 laws-law = ley
 laws-joins = enlaza con
+laws-joins-dwell = detenimiento
+laws-joins-return-of-equal-acceleration = retorno de igual aceleración
+laws-joins-constant-velocity = velocidad constante
+laws-joins-nothing-but-a-general-polynomial = solo un polinomio general
 
 # synth --explain.
 explain-title = { $name }: selección del modelo

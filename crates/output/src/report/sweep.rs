@@ -29,7 +29,7 @@ pub struct Page<'a> {
     /// Pictures with their headings.
     pub pictures: Vec<(&'a str, &'a Picture)>,
     /// Tables with their headings.
-    pub tables: Vec<(&'a str, Table)>,
+    pub tables: Vec<(String, Table)>,
 }
 
 /// The page.
