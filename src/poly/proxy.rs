@@ -1,11 +1,15 @@
 //! Polynomial stand-ins for smooth functions, so that their extremes come from roots, not from samples.
 
+use std::f64::consts::PI;
+
 use super::{PiecewisePoly, bernstein};
 
 /// Degree of the stand-in on each part; the part is halved until this is enough.
 const DEGREE: usize = 12;
 /// A part is not halved more often than this: a cusp or jump inside a piece ends there.
 const MAX_HALVINGS: u32 = 30;
+/// One piece is not cut into more parts than this: a cusp takes two for each halving, noise takes all.
+const MOST_PARTS: usize = 512;
 /// Last coefficients below this share of the scale that halving does not make smaller are rounding noise
 /// of the function itself: halving on would chase it through every part.
 const NOISE: f64 = 1e-9;
@@ -52,6 +56,7 @@ pub fn stand_in_for_difference(
             &mut scale,
             f64::INFINITY,
             0,
+            out_breaks.len() + MOST_PARTS,
             &mut out_breaks,
             &mut coef,
         );
@@ -61,6 +66,8 @@ pub fn stand_in_for_difference(
 
 struct Transform {
     nodes: [f64; DEGREE + 1],
+    /// T_k at the nodes.
+    waves: [[f64; DEGREE + 1]; DEGREE + 1],
     /// Bernstein coefficients of T_k(2u − 1).
     chebyshev: Vec<Vec<f64>>,
 }
@@ -70,7 +77,7 @@ impl Transform {
         let n = DEGREE + 1;
         let mut nodes = [0.0; DEGREE + 1];
         for (i, x) in nodes.iter_mut().enumerate() {
-            *x = (std::f64::consts::PI * (i as f64 + 0.5) / n as f64).cos();
+            *x = (PI * (i as f64 + 0.5) / n as f64).cos();
         }
         let chebyshev = (0..=DEGREE)
             .map(|k| {
@@ -83,7 +90,14 @@ impl Transform {
                 bernstein::elevate(&own, DEGREE)
             })
             .collect();
-        Transform { nodes, chebyshev }
+        let waves = std::array::from_fn(|k| {
+            std::array::from_fn(|i| (PI * k as f64 * (i as f64 + 0.5) / n as f64).cos())
+        });
+        Transform {
+            nodes,
+            waves,
+            chebyshev,
+        }
     }
 }
 
@@ -97,6 +111,7 @@ fn refine(
     scale: &mut f64,
     parent_tail: f64,
     halvings: u32,
+    most: usize,
     breaks: &mut Vec<f64>,
     coef: &mut Vec<f64>,
 ) {
@@ -113,13 +128,14 @@ fn refine(
         let sum: f64 = values
             .iter()
             .enumerate()
-            .map(|(i, v)| v * (std::f64::consts::PI * k as f64 * (i as f64 + 0.5) / n as f64).cos())
+            .map(|(i, v)| v * transform.waves[k][i])
             .sum();
         *ck = sum * if k == 0 { 1.0 } else { 2.0 } / n as f64;
     }
     let tail = c[DEGREE - 2..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let mid = 0.5 * (a + b);
-    let splittable = halvings < MAX_HALVINGS && mid > a && mid < b && largest.is_finite();
+    let few = halvings < MAX_HALVINGS && breaks.len() < most;
+    let splittable = few && mid > a && mid < b && largest.is_finite();
     let noise = tail < NOISE * *scale && tail > 0.5 * parent_tail;
     if tail > tolerance * *scale && splittable && !noise {
         refine(
@@ -131,6 +147,7 @@ fn refine(
             scale,
             tail,
             halvings + 1,
+            most,
             breaks,
             coef,
         );
@@ -143,6 +160,7 @@ fn refine(
             scale,
             tail,
             halvings + 1,
+            most,
             breaks,
             coef,
         );

@@ -183,13 +183,13 @@ fn not_here(path: &str, scene: &Scene) -> SceneError {
 /// Refuses scenes that leave out what they need.
 fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     for key in KEYS.iter().filter(|k| k.is_required(scene)) {
-        let given = |i: usize| {
-            let mut mine = leaves.iter().filter(|l| l.pattern == key.path);
-            mine.any(|l| l.index == i && l.value.as_str() != Some("auto"))
-        };
         let example = key.example(scene);
         let entries = key.list().map(|list| entries(table, list));
-        if let Some(i) = (0..entries.unwrap_or(1)).find(|&i| !given(i)) {
+        let mut given = vec![false; entries.unwrap_or(1)];
+        for leaf in leaves.iter().filter(|l| l.pattern == key.path) {
+            given[leaf.index] = leaf.value.as_str() != Some("auto");
+        }
+        if let Some(i) = given.iter().position(|given| !given) {
             let fault = match (entries, key.section()) {
                 (Some(_), _) => SceneError::NeededInEntry { example },
                 (None, "drive") => SceneError::NeededByDrive {
