@@ -117,7 +117,7 @@ impl Outcome {
     pub fn table(&self, measures: Measures, language: Language) -> String {
         let say = Say { language, measures };
         let mut lines = vec![
-            ("model", self.model.name().to_string()),
+            ("model", say.name(self.model.name())),
             ("why", self.why.sentence(language)),
             ("contact", self.contact_words(say)),
         ];
@@ -229,6 +229,10 @@ impl Say {
         wording::sentence(self.language, "simulation", &json!({ message: values }))
     }
 
+    fn name(self, typed: &str) -> String {
+        wording::catalogue(self.language).name(typed)
+    }
+
     /// A number that is written already, with the decimal sign of the language.
     fn number(self, written: String) -> String {
         match self.language {
@@ -280,7 +284,7 @@ impl Difference {
     pub fn sentence(&self, language: Language) -> String {
         let measures = Measures::Translating;
         let say = Say { language, measures };
-        let model = self.model.name();
+        let model = say.name(self.model.name());
         if let Some(fault) = &self.failed {
             let fault = fault.sentence(language);
             return say.fill("next-failed", json!({"model": model, "fault": fault}));

@@ -21,7 +21,7 @@ pub use batch::{Batch, Column};
 pub use front::{Front, Point, objective};
 pub use kernel::{Clock, Halts, Kernel, Targets};
 pub use key::Key;
-pub use plan::{List, NamedScene, Plan, Sampling, differences};
+pub use plan::{Difference, List, NamedScene, Plan, Sampling, differences};
 pub use results::{NUMBERS, Outcome, Results, Row, TIME, WORDS};
 pub use sample::Method;
 pub use tolerance::{Made, Part, Scatter, Spread, Tolerance};

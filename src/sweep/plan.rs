@@ -1,5 +1,6 @@
 //! What a sweep tries: base scenes, a list, a grid or a sample. Every row follows from its number.
 
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 use toml::Table;
 
@@ -306,17 +307,51 @@ fn trial_values(axis: &Axis) -> Vec<AxisValue> {
     }
 }
 
-/// What differs between two descriptions, one line each.
-pub fn differences(old: &Value, new: &Value) -> Vec<String> {
+/// A difference between two descriptions of sweeps; `path` names its place, `limits.stroke` of `vary`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Difference {
+    /// A value, `None` where a description has none.
+    Value {
+        /// Its place.
+        path: String,
+        /// In the first description.
+        old: Option<String>,
+        /// In the second.
+        new: Option<String>,
+    },
+    /// A value too long to quote.
+    Long {
+        /// Its place.
+        path: String,
+    },
+    /// A line of a scene that only the first description has.
+    OnlyOld {
+        /// Place of the scene.
+        path: String,
+        /// The line.
+        text: String,
+    },
+    /// A line of a scene that only the second has.
+    OnlyNew {
+        /// Place of the scene.
+        path: String,
+        /// The line.
+        text: String,
+    },
+}
+
+/// What differs between two descriptions.
+pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
     let mut out = Vec::new();
     compare("", old, new, &mut out);
     out
 }
 
-/// Longest value that a difference quotes whole.
+/// Longest value that a difference quotes.
 const QUOTED: usize = 80;
 
-fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<String>) {
+fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<Difference>) {
     let join = |key: &str| {
         if path.is_empty() {
             key.to_string()
@@ -338,39 +373,45 @@ fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<String>) {
                 compare(&join(&format!("{}", i + 1)), x, y, out);
             }
         }
-        _ if old != new => {
-            let shown = |v: &Value| match v {
-                Value::Null => "nothing".to_string(),
-                v => {
-                    let text = v.as_str().map_or_else(|| v.to_string(), str::to_string);
-                    if text.chars().count() > QUOTED {
-                        "another text".to_string()
-                    } else {
-                        text
-                    }
-                }
-            };
-            match (old, new) {
-                (Value::String(a), Value::String(b)) if a.contains('\n') || b.contains('\n') => {
-                    out.extend(differing_lines(path, a, b));
-                }
-                _ => out.push(format!("{path}: {} before, {} now", shown(old), shown(new))),
-            }
+        (Value::String(a), Value::String(b))
+            if a != b && (a.contains('\n') || b.contains('\n')) =>
+        {
+            differing_lines(path, a, b, out);
         }
+        _ if old != new => out.push(differing_values(path.to_string(), old, new)),
         _ => {}
     }
 }
 
+fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
+    let shown = |v: &Value| match v {
+        Value::Null => None,
+        Value::String(text) => Some(text.clone()),
+        other => Some(other.to_string()),
+    };
+    let (old, new) = (shown(old), shown(new));
+    let long = |text: &Option<String>| {
+        text.as_ref()
+            .is_some_and(|text| text.chars().count() > QUOTED)
+    };
+    if long(&old) || long(&new) {
+        return Difference::Long { path };
+    }
+    Difference::Value { path, old, new }
+}
+
 /// Lines that only one of two texts has.
-fn differing_lines(path: &str, old: &str, new: &str) -> Vec<String> {
-    let only = |a: &str, b: &str, when: &str| {
+fn differing_lines(path: &str, old: &str, new: &str, out: &mut Vec<Difference>) {
+    let only = |a: &str, b: &str| -> Vec<String> {
         let there: Vec<&str> = b.lines().collect();
         a.lines()
             .filter(|l| !l.trim().is_empty() && !there.contains(l))
-            .map(|l| format!("{path}: \"{l}\" only {when}"))
-            .collect::<Vec<_>>()
+            .map(str::to_string)
+            .collect()
     };
-    [only(old, new, "before"), only(new, old, "now")].concat()
+    let path = || path.to_string();
+    out.extend((only(old, new).into_iter()).map(|text| Difference::OnlyOld { path: path(), text }));
+    out.extend((only(new, old).into_iter()).map(|text| Difference::OnlyNew { path: path(), text }));
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ use crate::error::CliError;
 use crate::exit_code::BUILT;
 use crate::language;
 use crate::terminal::{print, print_json};
+use crate::words;
 
 /// Which keys to print, and how.
 #[derive(Args, Debug)]
@@ -63,9 +64,13 @@ pub fn keys(args: &KeysArgs) -> Result<u8> {
         found = true;
         let default = match key.default {
             "" => String::new(),
-            text => format!(", default {text}"),
+            text => format!(", {}", words::fill("keys-default", &json!({"text": text}))),
         };
-        print(&format!("{}  {}{default}", key.path, keys::takes(key)));
+        print(&format!(
+            "{}  {}{default}",
+            key.path,
+            keys::takes(key, language::current())
+        ));
         print(&format!("    {}", key_doc(language::current(), key.path)));
     }
     if !found {

@@ -58,15 +58,16 @@ pub fn column(name: &str) -> String {
 
 /// A number with a fixed count of decimals, with the decimal sign of the language.
 pub fn fixed(value: f64, decimals: usize) -> String {
-    signed(format!("{value:.decimals$}"))
+    decimal(format!("{value:.decimals$}"))
 }
 
 /// A small number as a power of ten: `1.2e-15`.
 pub fn power(value: f64, decimals: usize) -> String {
-    signed(format!("{value:.decimals$e}"))
+    decimal(format!("{value:.decimals$e}"))
 }
 
-fn signed(number: String) -> String {
+/// A number that is written already, with the decimal sign of the language.
+pub fn decimal(number: String) -> String {
     match language::current() {
         Language::En => number,
         Language::Es => number.replace('.', ","),

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::{KEYS, Key, Kind, Range};
-use crate::wording::{Language, key_doc};
+use crate::wording::{Language, catalogue, key_doc};
 
 /// Every key as data: a list of `{key, section, kind, unit, units, default, range, choices, limit, relax, doc}`.
 pub fn json() -> Value {
@@ -49,14 +49,16 @@ fn row(key: &Key) -> Value {
 }
 
 /// What a key takes, in short: `length > 0`, `3 … 9`, `true | false`.
-pub fn takes(key: &Key) -> String {
+pub fn takes(key: &Key, language: Language) -> String {
+    let name = |typed: &str| catalogue(language).name(typed);
+    let or = format!(" {} ", name("or"));
     let number = |word: Option<&str>| {
         let units: Vec<&str> = key
             .measure()
             .map(|m| m.each().iter().map(|d| d.si()).collect())
             .unwrap_or_default();
-        let unit = match units.join(" or ") {
-            unit if unit.is_empty() => "number".to_string(),
+        let unit = match units.join(&or) {
+            unit if unit.is_empty() => name("number"),
             unit => unit.replace("ratio", "%"),
         };
         let range = match key.range {
@@ -66,7 +68,7 @@ pub fn takes(key: &Key) -> String {
             Range::Between(low, high) => format!(" {low} … {high}"),
             Range::Acute => " < 90 deg".to_string(),
         };
-        let word = word.map_or(String::new(), |w| format!(" or {w}"));
+        let word = word.map_or(String::new(), |w| format!("{or}{w}"));
         format!("{unit}{range}{word}")
     };
     match key.kind {
@@ -75,8 +77,8 @@ pub fn takes(key: &Key) -> String {
         Kind::Count(low, high) => format!("{low} … {high}"),
         Kind::Choice(words) => words().join(" | "),
         Kind::Flag => "true | false".to_string(),
-        Kind::Text => "text".to_string(),
-        Kind::Texts => "text or list of texts".to_string(),
+        Kind::Text => name("text"),
+        Kind::Texts => name("text_or_list"),
     }
 }
 
@@ -105,7 +107,7 @@ pub fn markdown() -> String {
         out.push_str(&format!(
             "| `{}` | {} | {default} | {} |\n",
             key.path,
-            takes(key).replace('|', "\\|"),
+            takes(key, Language::En).replace('|', "\\|"),
             key_doc(Language::En, key.path),
         ));
     }

@@ -68,7 +68,11 @@ fn another_grid_is_described_by_what_differs() {
     let lines = differences(&a.description(), &b.description());
     assert_eq!(
         lines,
-        ["vary limits.stroke: 0.001 m:0.002 m:3 before, 0.001 m:0.003 m:3 now"]
+        [Difference::Value {
+            path: "vary limits.stroke".to_string(),
+            old: Some("0.001 m:0.002 m:3".to_string()),
+            new: Some("0.001 m:0.003 m:3".to_string()),
+        }]
     );
     assert!(differences(&a.description(), &a.description()).is_empty());
 }

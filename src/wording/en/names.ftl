@@ -122,3 +122,21 @@ name-family = family
 name-solver = solver
 name-dynamics = dynamics
 name-points = points
+
+# Tiers of the solver.
+name-spectral = spectral
+name-equality = equality
+name-qp = qp
+name-socp = socp
+name-scp = scp
+
+# Models of a run.
+name-rigid = rigid
+name-flexible = flexible
+name-contact = contact
+
+# What a key takes.
+name-or = or
+name-number = number
+name-text = text
+name-text-or-list = text or list of texts

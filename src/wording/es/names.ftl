@@ -122,3 +122,21 @@ name-family = familia
 name-solver = método
 name-dynamics = dinámica
 name-points = puntos
+
+# Niveles del método.
+name-spectral = espectral
+name-equality = de igualdades
+name-qp = QP
+name-socp = SOCP
+name-scp = SCP
+
+# Modelos de una simulación.
+name-rigid = rígido
+name-flexible = flexible
+name-contact = contacto
+
+# Lo que admite una clave.
+name-or = o
+name-number = número
+name-text = texto
+name-text-or-list = texto o lista de textos

@@ -333,10 +333,12 @@ fn described(path: &Path) -> Option<Value> {
 }
 
 fn agree(path: &Path, before: &Value, now: &Value) -> Result<()> {
-    let lines = differences(before, now);
-    if lines.is_empty() {
+    let all = differences(before, now);
+    if all.is_empty() {
         return Ok(());
     }
-    let differences = lines.join("; ");
+    let words = crate::words::catalogue();
+    let said: Vec<String> = all.iter().map(|d| words.sentence("differs", d)).collect();
+    let differences = said.join("; ");
     Err(CliError::AnotherSweep { differences }.file(path))
 }

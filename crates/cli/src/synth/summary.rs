@@ -71,13 +71,13 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
 }
 
 fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
-    let value = |x: f64| in_units(measures, check.name, x);
+    let value = |x: f64| words::decimal(in_units(measures, check.name, x));
     row(
         mark,
         &words::fill(
             "synth-check",
             &json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
-                "at": measures.place(check.at, 2)}),
+                "at": words::decimal(measures.place(check.at, 2))}),
         ),
     )
 }
@@ -172,7 +172,7 @@ fn drive(design: &Design) -> String {
         0.0 => String::new(),
         mass => format!("{} {}, ", fixed(mass, 4), measures.mass().name),
     };
-    let speed = measures.speed_words(design.drive.speed, 4);
+    let speed = words::decimal(measures.speed_words(design.drive.speed, 4));
     row(
         "drive",
         &format!("{}, {mass}{speed}", words::name(design.drive.kind.name())),
@@ -213,7 +213,7 @@ fn machine(design: &Design) -> Option<String> {
         m.liftoff_speed_rad_per_s.map(|w| {
             words::fill(
                 "synth-lift-off",
-                &json!({"speed": measures.speed_words(w, 4)}),
+                &json!({"speed": words::decimal(measures.speed_words(w, 4))}),
             )
         }),
         m.hertz_pressure_max_pa
@@ -254,7 +254,7 @@ fn active_limits(design: &Design) -> Vec<String> {
     let size = |a: &ActiveLimit| a.strongest.multiplier.abs();
     limits.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let lines = limits.iter().map(|a| {
-        let at = measures.place(a.strongest.at, 2);
+        let at = words::decimal(measures.place(a.strongest.at, 2));
         let said =
             json!({"limit": words::name(a.strongest.limit.name()), "points": a.points, "at": at});
         row("active", &words::fill("synth-active", &said))
@@ -270,7 +270,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
             "relaxing",
             &words::fill(
                 "synth-relaxing",
-                &json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to),
+                &json!({"limit": words::name(easing.limit.name()), "to": words::decimal(in_units(measures, easing.limit, easing.to)),
                     "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
                     "before": fixed(factor * easing.before, 5)}),
             ),
@@ -293,7 +293,7 @@ fn solver(design: &Design, time: Timing) -> Vec<String> {
         "solved",
         &words::fill(
             "synth-solved",
-            &json!({"tier": solver.tier.name(), "solve": fixed(1e3 * time.solve_s, 3),
+            &json!({"tier": words::name(solver.tier.name()), "solve": fixed(1e3 * time.solve_s, 3),
                 "total": fixed(1e3 * time.total_s, 0), "status": status(solver)}),
         ),
     )];

@@ -86,7 +86,7 @@ fn said(fault: &Error) -> Value {
 }
 
 fn gouge(gouge: &Gouge, measures: Measures) -> String {
-    let place = |at: f64| measures.place(at, 2);
+    let place = |at: f64| words::decimal(measures.place(at, 2));
     match gouge {
         Gouge::Hollow { at, radius } => words::fill(
             "synth-gouge-hollow",

@@ -21,7 +21,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// Twelve seconds of a walk at 200 Hz, both feet, every stride alike.
-fn walk(path: &Path) {
+pub fn walk(path: &Path) {
     wobbling_walk(path, 0.0);
 }
 

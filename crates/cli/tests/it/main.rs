@@ -9,6 +9,7 @@ mod front_and_compare;
 mod gait_command;
 mod gait_doubts;
 mod input_and_output;
+mod language;
 mod main_job;
 mod sweep;
 mod verdicts;

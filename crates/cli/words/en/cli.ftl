@@ -196,6 +196,18 @@ sweep-yield = yield     { $within } % stay within { $band } %
 sweep-scatter-files = Samples in { $file }, pictures in { $page }.
 sweep-designs = designs
 
+# sweep --resume: what differs from the sweep that was stopped.
+differs-value = { $path }: { $old ->
+        [none] nothing
+       *[other] { $old }
+    } before, { $new ->
+        [none] nothing
+       *[other] { $new }
+    } now
+differs-long = { $path }: another text
+differs-only-old = { $path }: "{ $text }" only before
+differs-only-new = { $path }: "{ $text }" only now
+
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter
 scatter-how = Each sample is the cam with errors distributed uniformly over the tolerances; its force error is computed from them.
@@ -353,3 +365,6 @@ explain-change-of-mean = the force changes by { $change } N RMS ({ $percent } % 
 explain-forces-move = the smallest and the largest force change by { $least } and { $most } N
 explain-chords = chords { $chord } µm from the profile
 explain-chords-force = chords { $chord } µm from the profile, the force of the points { $force } N RMS from the law's
+
+# keys.
+keys-default = default { $text }

@@ -196,6 +196,18 @@ sweep-yield = rendimiento { $within } % queda dentro de { $band } %
 sweep-scatter-files = Muestras en { $file }, figuras en { $page }.
 sweep-designs = diseños
 
+# sweep --resume: en qué difiere del barrido detenido.
+differs-value = { $path }: antes { $old ->
+        [none] nada
+       *[other] { $old }
+    }, ahora { $new ->
+        [none] nada
+       *[other] { $new }
+    }
+differs-long = { $path }: otro texto
+differs-only-old = { $path }: "{ $text }" solo antes
+differs-only-new = { $path }: "{ $text }" solo ahora
+
 # sweep --tolerance: el informe.
 scatter-title = { $name }: dispersión de fabricación
 scatter-how = Cada muestra es la leva con errores distribuidos uniformemente en las tolerancias; de ellos se calcula su error de fuerza.
@@ -353,3 +365,6 @@ explain-change-of-mean = la fuerza cambia { $change } N RMS ({ $percent } % de l
 explain-forces-move = las fuerzas mínima y máxima cambian { $least } y { $most } N
 explain-chords = cuerdas a { $chord } µm del perfil
 explain-chords-force = cuerdas a { $chord } µm del perfil, la fuerza de los puntos a { $force } N RMS de la de la ley
+
+# keys.
+keys-default = por defecto { $text }

@@ -96,12 +96,17 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
                     &json!({"least": fixed(next.force_min, 4), "most": fixed(next.force_max, 4)}),
                 ),
             };
-            instead(next.model.name(), &change, seconds, own)
+            instead(
+                &crate::words::name(next.model.name()),
+                &change,
+                seconds,
+                own,
+            )
         }
     };
     Some(Line {
         subject: "dynamics",
-        chosen: chosen.model.name().to_string(),
+        chosen: crate::words::name(chosen.model.name()),
         because: chosen.why.sentence(language::current()),
         next,
     })
