@@ -62,7 +62,8 @@ pub fn settled(program: &Program, start: &Solution) -> Option<Solution> {
     for _ in 0..settings.steps {
         let mut next = contacts.step(&current, &mut solves)?;
         next.violation = program.violation(&next.x, &next.extra);
-        if !(next.violation <= settings.divergence * start.violation.max(settings.from)) {
+        let most = settings.divergence * start.violation.max(settings.from);
+        if next.violation.is_nan() || next.violation > most {
             return None;
         }
         next.active = contacts.gathered(&next);

@@ -34,8 +34,11 @@ pub struct Case {
     pub plain: bool,
 }
 
+/// Name of a family of cases, how many are drawn, and how one is.
+pub type Family = (&'static str, usize, fn(&mut Dice) -> Case);
+
 /// Every family of cases with how many seeds it gets.
-pub const FAMILIES: &[(&str, usize, fn(&mut Dice) -> Case)] = &[
+pub const FAMILIES: &[Family] = &[
     ("two belts or insoles", 260, two_belts),
     ("plates in a row", 260, plates_in_a_row),
     ("OpenSim, old and new header", 120, open_sim),
