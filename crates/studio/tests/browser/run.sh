@@ -1,14 +1,20 @@
 #!/usr/bin/env bash
 # Drives the studio in a real Chromium: crates/studio/tests/browser/run.sh target/release/gaitcam [TEST …]
-# Makes a virtual environment with Playwright below target/; where it or Chromium is missing the tests are skipped,
-# and the last line says so.
+# Makes a virtual environment with Playwright below target/ and, as root on Debian, installs Chromium. Where one of
+# the two cannot be had the tests are skipped, and the last line says so.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../../.." && pwd)
 binary=$(realpath "${1:-$root/target/release/gaitcam}")
 shift || true
 venv="$root/target/browser-tests"
-chromium=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+found() { command -v chromium || command -v chromium-browser || command -v google-chrome || true; }
+chromium=${CHROMIUM:-$(found)}
+if [ -z "$chromium" ] && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+  { timeout 120 apt-get -qq update && timeout 300 apt-get -qq install -y --no-install-recommends chromium; } \
+    >/dev/null 2>&1 || true
+  chromium=$(found)
+fi
 if [ -z "$chromium" ]; then
   echo "studio in the browser: SKIPPED, no Chromium (install it, or set CHROMIUM)"
   exit 0
