@@ -8,7 +8,7 @@ use super::{PiecewisePoly, bernstein};
 const DEGREE: usize = 12;
 /// A part is not halved more often than this: a cusp or jump inside a piece ends there.
 const MAX_HALVINGS: u32 = 30;
-/// One piece is not cut into more parts than this: a cusp takes two for each halving, noise takes all.
+/// One piece is not cut into more parts than this: a cusp takes one for each halving, noise all it gets.
 const MOST_PARTS: usize = 512;
 /// Last coefficients below this share of the scale that halving does not make smaller are rounding noise
 /// of the function itself: halving on would chase it through every part.
@@ -47,19 +47,10 @@ pub fn stand_in_for_difference(
     }
     for (piece, w) in breaks.windows(2).enumerate() {
         let on_piece = |x: f64| f(piece, x);
-        refine(
-            &transform,
-            &on_piece,
-            w[0],
-            w[1],
-            tolerance,
-            &mut scale,
-            f64::INFINITY,
-            0,
-            out_breaks.len() + MOST_PARTS,
-            &mut out_breaks,
-            &mut coef,
-        );
+        for part in parts(&transform, &on_piece, [w[0], w[1]], tolerance, &mut scale) {
+            out_breaks.push(part.ends[1]);
+            coef.extend(transform.bernstein(&part.chebyshev));
+        }
     }
     PiecewisePoly::new(out_breaks, DEGREE, coef)
 }
@@ -99,81 +90,100 @@ impl Transform {
             chebyshev,
         }
     }
+
+    /// Chebyshev coefficients of the polynomial with these values at the nodes.
+    fn of(&self, values: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
+        std::array::from_fn(|k| {
+            let terms = values.iter().zip(&self.waves[k]);
+            let sum: f64 = terms.map(|(v, wave)| v * wave).sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / (DEGREE + 1) as f64
+        })
+    }
+
+    /// Bernstein coefficients of a polynomial in Chebyshev form.
+    fn bernstein(&self, chebyshev: &[f64; DEGREE + 1]) -> [f64; DEGREE + 1] {
+        let mut out = [0.0; DEGREE + 1];
+        for (c, row) in chebyshev.iter().zip(&self.chebyshev) {
+            for (o, r) in out.iter_mut().zip(row) {
+                *o += c * r;
+            }
+        }
+        out
+    }
 }
 
-#[allow(clippy::too_many_arguments)] // one recursion, its state spelled out
-fn refine(
-    transform: &Transform,
-    f: &impl Fn(f64) -> f64,
-    a: f64,
-    b: f64,
-    tolerance: f64,
-    scale: &mut f64,
+/// The interpolant on one part of a piece.
+struct Part {
+    ends: [f64; 2],
+    chebyshev: [f64; DEGREE + 1],
+    /// Largest of the last coefficients, here and before the last halving.
+    tail: f64,
     parent_tail: f64,
     halvings: u32,
-    most: usize,
-    breaks: &mut Vec<f64>,
-    coef: &mut Vec<f64>,
-) {
-    let n = DEGREE + 1;
-    let values: Vec<f64> = transform
-        .nodes
-        .iter()
-        .map(|x| f(a + (b - a) * 0.5 * (1.0 + x)))
-        .collect();
-    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    *scale = scale.max(largest);
-    let mut c = [0.0; DEGREE + 1];
-    for (k, ck) in c.iter_mut().enumerate() {
-        let sum: f64 = values
-            .iter()
-            .enumerate()
-            .map(|(i, v)| v * transform.waves[k][i])
-            .sum();
-        *ck = sum * if k == 0 { 1.0 } else { 2.0 } / n as f64;
-    }
-    let tail = c[DEGREE - 2..].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-    let mid = 0.5 * (a + b);
-    let few = halvings < MAX_HALVINGS && breaks.len() < most;
-    let splittable = few && mid > a && mid < b && largest.is_finite();
-    let noise = tail < NOISE * *scale && tail > 0.5 * parent_tail;
-    if tail > tolerance * *scale && splittable && !noise {
-        refine(
-            transform,
-            f,
-            a,
-            mid,
-            tolerance,
-            scale,
-            tail,
-            halvings + 1,
-            most,
-            breaks,
-            coef,
-        );
-        refine(
-            transform,
-            f,
-            mid,
-            b,
-            tolerance,
-            scale,
-            tail,
-            halvings + 1,
-            most,
-            breaks,
-            coef,
-        );
-        return;
-    }
-    breaks.push(b);
-    let start = coef.len();
-    coef.resize(start + n, 0.0);
-    for (ck, row) in c.iter().zip(&transform.chebyshev) {
-        for (o, r) in coef[start..].iter_mut().zip(row) {
-            *o += ck * r;
+    is_finite: bool,
+}
+
+impl Part {
+    fn new(
+        transform: &Transform,
+        f: &impl Fn(f64) -> f64,
+        ends: [f64; 2],
+        (parent_tail, halvings): (f64, u32),
+        scale: &mut f64,
+    ) -> Part {
+        let [a, b] = ends;
+        let values = transform.nodes.map(|x| f(a + (b - a) * 0.5 * (1.0 + x)));
+        let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        *scale = scale.max(largest);
+        let chebyshev = transform.of(&values);
+        let last = &chebyshev[DEGREE - 2..];
+        Part {
+            ends,
+            chebyshev,
+            tail: last.iter().fold(0.0_f64, |m, x| m.max(x.abs())),
+            parent_tail,
+            halvings,
+            is_finite: largest.is_finite(),
         }
     }
+
+    /// Whether halving it would bring anything.
+    fn is_rough(&self, tolerance: f64, scale: f64) -> bool {
+        let [a, b] = self.ends;
+        let mid = 0.5 * (a + b);
+        let splittable = self.halvings < MAX_HALVINGS && mid > a && mid < b && self.is_finite;
+        let noise = self.tail < NOISE * scale && self.tail > 0.5 * self.parent_tail;
+        self.tail > tolerance * scale && splittable && !noise
+    }
+}
+
+/// A piece in parts, from left to right: the roughest is halved until none is, or there are too many.
+fn parts(
+    transform: &Transform,
+    f: &impl Fn(f64) -> f64,
+    ends: [f64; 2],
+    tolerance: f64,
+    scale: &mut f64,
+) -> Vec<Part> {
+    let mut rough: Vec<Part> = vec![Part::new(transform, f, ends, (f64::INFINITY, 0), scale)];
+    let mut done: Vec<Part> = Vec::new();
+    while !rough.is_empty() && rough.len() + done.len() < MOST_PARTS {
+        let by_tail = |a: &usize, b: &usize| rough[*a].tail.total_cmp(&rough[*b].tail);
+        let roughest = (0..rough.len()).max_by(by_tail).unwrap_or(0);
+        let part = rough.swap_remove(roughest);
+        if !part.is_rough(tolerance, *scale) {
+            done.push(part);
+            continue;
+        }
+        let [a, b] = part.ends;
+        let mid = 0.5 * (a + b);
+        let from = (part.tail, part.halvings + 1);
+        rough.push(Part::new(transform, f, [a, mid], from, scale));
+        rough.push(Part::new(transform, f, [mid, b], from, scale));
+    }
+    done.append(&mut rough);
+    done.sort_by(|p, q| p.ends[0].total_cmp(&q.ends[0]));
+    done
 }
 
 #[cfg(test)]
