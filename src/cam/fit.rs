@@ -14,7 +14,7 @@ impl Cam {
     /// synthesis names them.
     ///
     /// # Errors
-    /// The length or angle at fault, as a [`CamError`](crate::error::CamError).
+    /// The length or angle at fault, as a [`CamError`].
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
         match self.follower {
