@@ -37,7 +37,11 @@ export function open(answer) {
       if (mine.length === 0) continue;
       const list = make("ul", {}, ...mine.map((name) => {
         const a = make("a", { href: link(`export/${answer.id}/${name}`), download: name }, name);
-        if (name === "cutter.csv") a.addEventListener("click", () => { a.href = link(`export/${answer.id}/${name}?tool=${encodeURIComponent(tool.value)}`); });
+        if (name === "cutter.csv") {
+          const own = () => { a.href = link(`export/${answer.id}/${name}?tool=${encodeURIComponent(tool.value)}`); };
+          tool.addEventListener("input", own);
+          own();
+        }
         return make("li", {}, a, make("small", {}, t(`studio-file-${name.replaceAll(".", "-")}`)));
       }));
       body.append(make("section", {}, make("h3", {}, t(`studio-export-${group}`)), list));
