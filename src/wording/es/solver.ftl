@@ -31,7 +31,7 @@ ended-small-gain = el último paso mejoró el objetivo en menos de una parte en 
 # Por qué no se certifica que la ley sea el óptimo.
 doubt-limits = un límite se supera en más de la tolerancia del método
 doubt-gap = no se pudo cerrar la brecha de dualidad hasta una parte en un millón
-doubt-touching-angle = el ángulo en que la ley toca la circunferencia base se buscó, sin demostrar que sea el mejor
+doubt-touching-angle = el ángulo en que la ley toca el círculo base se buscó, sin demostrar que sea el mejor
 doubt-local = con límites no convexos solo se obtiene un óptimo local; la brecha es respecto a la mejor cota inferior conocida
 
 # Por qué se descartó una familia más sencilla.

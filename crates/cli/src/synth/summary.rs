@@ -306,6 +306,13 @@ fn solver(design: &Design, time: Timing) -> Vec<String> {
                     "violation": power(c.violation, 1)}),
             ),
         ));
+        if let Some(doubt) = solver.doubt {
+            let why = doubt.sentence(language::current());
+            out.push(row(
+                "",
+                &words::fill("synth-uncertified", &json!({ "why": why })),
+            ));
+        }
     }
     out
 }

@@ -143,6 +143,7 @@ synth-active = limit { $limit } { $points ->
     }
 synth-relaxing = { $limit } by 1 % to { $to }: { $name } { $after } { $unit } instead of { $before } { $unit }
 synth-solved = { $tier } tier, { $solve } ms of { $total } ms: { $status }
+synth-uncertified = not certified as the optimum: { $why }
 synth-optimum = relative duality gap { $gap }, KKT residual { $kkt }, constraint violation { $violation }
 synth-no-sequence = none: one convex program or less was sufficient
 synth-sequence = { $count } convex programs

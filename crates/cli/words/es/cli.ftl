@@ -143,6 +143,7 @@ synth-active = límite { $limit } { $points ->
     }
 synth-relaxing = { $limit } un 1 % hasta { $to }: { $name } { $after } { $unit } en lugar de { $before } { $unit }
 synth-solved = nivel { $tier }, { $solve } ms de { $total } ms: { $status }
+synth-uncertified = no se certifica como óptimo: { $why }
 synth-optimum = brecha de dualidad relativa { $gap }, residuo KKT { $kkt }, violación de restricciones { $violation }
 synth-no-sequence = ninguna: bastó con un programa convexo o menos
 synth-sequence = { $count } programas convexos

@@ -431,11 +431,16 @@ pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Word
     text += &sentence(&solver.status(words.language()));
     if built {
         text.push(' ');
-        text += &words.text(if solver.certified {
-            "report-certified"
-        } else {
-            "report-uncertified"
-        });
+        text += &words.text("report-verified");
+        text.push(' ');
+        text += &match solver.doubt {
+            Some(doubt) => {
+                let why = doubt.sentence(words.language());
+                words.fill("report-uncertified", &[("why", why.as_str())])
+            }
+            None if solver.certificate.is_some() => words.text("report-certified"),
+            None => String::new(),
+        };
     }
     super::paragraph(out, &text);
     if let Some(c) = &solver.certificate {

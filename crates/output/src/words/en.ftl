@@ -134,8 +134,9 @@ report-solved = { $how }: { $time }, { $iterations ->
         [one] { $iterations } iteration
        *[other] { $iterations } iterations
     }.
-report-certified = All limits are verified on the continuous law.
-report-uncertified = The limits are verified at the samples only.
+report-verified = All limits are verified on the continuous law.
+report-certified = No law of the family has an objective lower by more than one part in a million.
+report-uncertified = Not certified as the optimum: { $why }.
 report-certificate = Relative duality gap { $gap }; KKT residual { $stationarity }; constraint violation { $violation }.
 report-remarks = Remarks
 report-footer = Lengths in millimetres, angles in degrees, θ counter-clockwise from the start of the cycle. Extrema are computed on the continuous law.

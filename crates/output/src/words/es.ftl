@@ -134,8 +134,9 @@ report-solved = { $how }: { $time }, { $iterations ->
         [one] { $iterations } iteración
        *[other] { $iterations } iteraciones
     }.
-report-certified = Todos los límites están verificados en la ley continua.
-report-uncertified = Los límites están verificados solo en las muestras.
+report-verified = Todos los límites están verificados en la ley continua.
+report-certified = Ninguna ley de la familia tiene un objetivo menor en más de una parte en un millón.
+report-uncertified = No se certifica como óptimo: { $why }.
 report-certificate = Brecha dual relativa { $gap }; residuo KKT { $stationarity }; violación de restricciones { $violation }.
 report-remarks = Observaciones
 report-footer = Longitudes en milímetros, ángulos en grados, θ en sentido antihorario desde el inicio del ciclo. Los extremos se calculan en la ley continua.
