@@ -1,45 +1,155 @@
 #!/usr/bin/env python3
-"""Runs the commands of README.md.
+"""Runs or checks every code block of README.md, of the guide in both languages and of the reference.
 
-    python3 docs/commands.py target/release/gaitcam
+    python3 docs/commands.py target/release/gaitcam [--python INTERPRETER] [PAGE.md …]
 
-Every line `gaitcam …` of a `sh` block is run in a copy of scenes/ and data/; a `toml` block that begins
-with the comment `# NAME.toml` is written to that file first. Fails at the first exit code other than 0.
+Each page has a temporary folder with copies of scenes/ and data/, in which its blocks take effect in order:
+
+- `sh`: every line `gaitcam …` is run; an exit code other than 0 stands behind it as `# exit code 3`;
+- `text` after `sh`: each of its lines must occur in what those commands printed; a line that ends in ` …` is the
+  beginning of a printed line, a line `…` stands for lines left out;
+- `toml` and `csv` that begin with the comment `# NAME.toml` are written to that file; other `toml` is set, key by key, in
+  the scene written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
+- `rust`: the text of a file of examples/, which the tests run, or a block of the README, which is a documentation test;
+- `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
+  without --python it is only compiled;
+- `json`: parsed.
+
+Pages below docs/guia/ are run in Spanish.
 """
 
+import argparse
+import json
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+FOLDERS = ("docs/guide", "docs/guia", "docs/reference")
 
 
-def main(binary):
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"(?ms)^```(\w+)\n(.*?)^```$", text)
-    with tempfile.TemporaryDirectory() as folder:
+def pages():
+    return [ROOT / "README.md", *(page for folder in FOLDERS for page in sorted((ROOT / folder).glob("*.md")))]
+
+
+class Page:
+    """One page and the folder in which its blocks take effect."""
+
+    def __init__(self, path, binary, folder, python=None):
+        self.path, self.binary, self.folder, self.interpreter = path, binary, Path(folder), python
+        self.scene, self.printed, self.program = "footbridge", "", ""
+        self.language = "es" if path.parent.name == "guia" else "en"
         for name in ("scenes", "data"):
-            shutil.copytree(ROOT / name, Path(folder) / name)
-        subprocess.run([binary, "synth"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-        for kind, block in blocks:
-            named = re.match(r"# (\S+\.toml)\n", block)
-            if kind == "toml" and named:
-                (Path(folder) / named.group(1)).write_text(block, encoding="utf-8")
-            for line in block.splitlines() if kind == "sh" else []:
-                if line.startswith("gaitcam "):
-                    print(line, flush=True)
-                    words = shlex.split(line, comments=True)[1:]
-                    subprocess.run([binary, *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+            shutil.copytree(ROOT / name, self.folder / name)
+
+    def run(self):
+        before = None
+        for found in re.finditer(r"(?ms)^```(\w+)\n(.*?)^```$", self.path.read_text(encoding="utf-8")):
+            kind, block = found.groups()
+            if kind == "text" and before != "sh":
+                continue  # a formula or a picture in characters
+            check = getattr(self, kind, None)
+            fault = check(block) if check else f"nothing checks blocks of kind {kind}"
+            if fault:
+                line = self.path.read_text(encoding="utf-8").count("\n", 0, found.start()) + 1
+                sys.exit(f"{self.path.relative_to(ROOT)}:{line}: {fault}")
+            before = kind
+        if self.program:
+            self.run_python()
+
+    def sh(self, block):
+        self.printed = ""
+        for line in block.splitlines():
+            if line.startswith("gaitcam studio"):
+                self.printed += self.first_line(line)
+            elif line.startswith("gaitcam "):
+                expected = re.search(r"# exit code (\d+)", line)
+                code, printed = self.shell(line)
+                self.printed += printed
+                if code != int(expected.group(1) if expected else 0):
+                    return f"exit code {code}: {line}\n{printed}"
+
+    def shell(self, line):
+        command = f'gaitcam() {{ {shlex.quote(self.binary)} --lang {self.language} "$@"; }}; set -o pipefail; {line}'
+        done = subprocess.run(["bash", "-c", command], cwd=self.folder, timeout=120,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        return done.returncode, done.stdout
+
+    def first_line(self, line):
+        """What the studio prints when it serves; it is stopped then."""
+        words = [self.binary, "--lang", self.language, *shlex.split(line, comments=True)[1:], "--no-open"]
+        served = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        first = served.stdout.readline()
+        served.send_signal(signal.SIGINT)
+        served.wait(timeout=20)
+        return first
+
+    def text(self, block):
+        printed = [" ".join(line.split()) for line in self.printed.splitlines()]
+        for line in filter(None, (" ".join(line.split()) for line in block.splitlines())):
+            begun = line.endswith(" …") and any(p.startswith(line[:-2]) for p in printed)
+            if line not in printed and line != "…" and not begun:
+                return f"not printed by the commands above: {line}\nprinted:\n{self.printed}"
+
+    def toml(self, block):
+        named = re.match(r"# (\S+\.toml)\n", block)
+        if named:
+            self.scene = named.group(1)
+            (self.folder / self.scene).write_text(block, encoding="utf-8")
+            return
+        values = shlex.join(word for key, value in leaves(tomllib.loads(block)) for word in ("--set", f"{key}={value}"))
+        code, printed = self.shell(f"gaitcam synth {self.scene} {values} --json")
+        return None if code in (0, 3) else f"exit code {code} with {values}\n{printed}"
+
+    def csv(self, block):
+        name = re.match(r"# (\S+\.csv)\n", block)
+        (self.folder / name.group(1)).write_text(block, encoding="utf-8")
+
+    def rust(self, block):
+        same = any(block.strip() in example.read_text(encoding="utf-8") for example in (ROOT / "examples").glob("*.rs"))
+        return None if same or self.path.name == "README.md" else "not in any file of examples/"
+
+    def python(self, block):
+        self.program += block
+
+    def json(self, block):
+        json.loads(block)
+
+    def run_python(self):
+        compile(self.program, str(self.path), "exec")
+        if not self.interpreter:
+            return print(f"{self.path.relative_to(ROOT)}: python blocks compiled, not run (no --python)")
+        subprocess.run([self.interpreter, "-c", self.program], cwd=self.folder, check=True, timeout=120)
+
+
+def leaves(value, key=""):
+    """Key and value of every entry, as they are typed after --set; entries of a list count from 1."""
+    if isinstance(value, list):
+        value = {str(number): entry for number, entry in enumerate(value, 1)}
+    if not isinstance(value, dict):
+        yield key, json.dumps(value).strip('"') if isinstance(value, bool) else str(value)
+        return
+    for name, entry in value.items():
+        yield from leaves(entry, f"{key}.{name}" if key else name)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("binary")
+    arguments.add_argument("--python", metavar="INTERPRETER")
+    arguments.add_argument("pages", nargs="*", metavar="PAGE.md")
+    given = arguments.parse_args()
+    for path in [Path(page).resolve() for page in given.pages] or pages():
+        with tempfile.TemporaryDirectory() as folder:
+            print(path.relative_to(ROOT), flush=True)
+            Page(path, str(Path(given.binary).resolve()), folder, given.python).run()
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    try:
-        main(str(Path(sys.argv[1]).resolve()))
-    except subprocess.CalledProcessError as error:
-        sys.exit(f"exit code {error.returncode}: {shlex.join(error.cmd)}")
+    main()
