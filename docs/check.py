@@ -2,6 +2,7 @@
 """Checks that what the documents and comments point at exists.
 
     python3 docs/check.py
+    python3 docs/check.py --book target/book      the links of the HTML that docs/book.sh has built
 
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
@@ -11,6 +12,7 @@
 
 import re
 import sys
+from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
@@ -66,7 +68,40 @@ def faults(path, sections):
                 yield f"`{named}`, which does not exist"
 
 
+class Links(HTMLParser):
+    """What a page of HTML points at, and the anchors that it has."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.links, self.ids = [], set()
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.ids.add(given.get("id"))
+        if tag != "base":
+            self.links += [given[name] for name in ("href", "src") if given.get(name)]
+
+
+def broken_book_links(folder):
+    pages = {path: Links(path) for path in sorted(folder.rglob("*.html")) if path.name not in ("404.html", "toc.html")}
+    for path, page in pages.items():
+        for link in page.links:
+            target, _, anchor = unquote(link).partition("#")
+            file = (path.parent / target).resolve() if target else path
+            if re.match(r"[a-z]+:|//", link):
+                continue
+            if not file.is_file() or folder not in file.parents:
+                yield f"{path.relative_to(folder)}: link to {link}, which is not in the book"
+            elif anchor and file in pages and anchor not in pages[file].ids:
+                yield f"{path.relative_to(folder)}: link to {link}, an anchor that the page does not have"
+    print(f"{len(pages)} pages, {sum(len(page.links) for page in pages.values())} links")
+
+
 def main():
+    if sys.argv[1:2] == ["--book"]:
+        found = list(broken_book_links(Path(sys.argv[2]).resolve()))
+        sys.exit("\n".join(found) or 0)
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     sections = {int(n) for n in re.findall(r"(?m)^## (\d+)\. ", theory)}
     found = [f"{p.relative_to(ROOT)}: {f}" for p in files() for f in faults(p, sections)]

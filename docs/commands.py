@@ -8,8 +8,9 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `sh`: every line `gaitcam …` is run; an exit code other than 0 stands behind it as `# exit code 3`;
 - `text` after `sh`: each of its lines must occur in what those commands printed; a line that ends in ` …` is the
   beginning of a printed line, a line `…` stands for lines left out;
-- `toml` and `csv` that begin with the comment `# NAME.toml` are written to that file; other `toml` is set, key by key, in
-  the scene written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
+- `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
+- `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
+  written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
 - `rust`: the text of a file of examples/, which the tests run, or a block of the README, which is a documentation test;
 - `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
   without --python it is only compiled;
@@ -20,6 +21,7 @@ Pages below docs/guia/ are run in Spanish.
 
 import argparse
 import json
+import os
 import re
 import shlex
 import shutil
@@ -35,7 +37,7 @@ FOLDERS = ("docs/guide", "docs/guia", "docs/reference")
 
 
 def pages():
-    return [ROOT / "README.md", *(page for folder in FOLDERS for page in sorted((ROOT / folder).glob("*.md")))]
+    return [ROOT / "README.md", ROOT / "docs/start.md", *(page for folder in FOLDERS for page in sorted((ROOT / folder).glob("*.md")))]
 
 
 class Page:
@@ -50,8 +52,8 @@ class Page:
 
     def run(self):
         before = None
-        for found in re.finditer(r"(?ms)^```(\w+)\n(.*?)^```$", self.path.read_text(encoding="utf-8")):
-            kind, block = found.groups()
+        for found in re.finditer(r"(?ms)(?:`(\S+)`:\n\n)?^```(\w+)\n(.*?)^```$", self.path.read_text(encoding="utf-8")):
+            self.named, kind, block = found.groups()
             if kind == "text" and before != "sh":
                 continue  # a formula or a picture in characters
             check = getattr(self, kind, None)
@@ -108,8 +110,9 @@ class Page:
         return None if code in (0, 3) else f"exit code {code} with {values}\n{printed}"
 
     def csv(self, block):
-        name = re.match(r"# (\S+\.csv)\n", block)
-        (self.folder / name.group(1)).write_text(block, encoding="utf-8")
+        if not self.named:
+            return "the line before a csv block names its file: `NAME.csv`:"
+        (self.folder / self.named).write_text(block, encoding="utf-8")
 
     def rust(self, block):
         same = any(block.strip() in example.read_text(encoding="utf-8") for example in (ROOT / "examples").glob("*.rs"))
@@ -125,7 +128,9 @@ class Page:
         compile(self.program, str(self.path), "exec")
         if not self.interpreter:
             return print(f"{self.path.relative_to(ROOT)}: python blocks compiled, not run (no --python)")
-        subprocess.run([self.interpreter, "-c", self.program], cwd=self.folder, check=True, timeout=120)
+        path = f"{Path(self.binary).parent}{os.pathsep}{os.environ['PATH']}"
+        subprocess.run([self.interpreter, "-c", self.program], cwd=self.folder, check=True, timeout=300,
+                       env={**os.environ, "PATH": path})
 
 
 def leaves(value, key=""):

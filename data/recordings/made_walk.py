@@ -35,7 +35,7 @@ def foot(time_s, first_strike_s, scatter):
 def main():
     chance = random.Random(19)
     feet = [[chance.gauss(1, 0.03) for _ in range(16)] for _ in range(2)]
-    rows = ["# made by made_walk.py, not measured: 700 N, 1.9 steps/s", "time (s),Left Fz (N),Right Fz (N)"]
+    rows = ["# made by made_walk.py, not measured; forces in N", "time (s),Left Fz,Right Fz"]
     for i in range(round(RATE_HZ * DURATION_S)):
         t = i / RATE_HZ
         left = foot(t, 0.3, feet[0]) + 4 + chance.gauss(0, 2)

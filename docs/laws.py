@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""Writes docs/reference/laws.md and its picture from the catalogue of the program and the formulas of docs/theory.md.
+
+    python3 docs/laws.py target/release/gaitcam [--check]
+
+Every formula is evaluated: its peak velocity and acceleration must be those of the catalogue. With --check nothing is
+written, and the page in the repository must be what would be written.
+"""
+
+import json
+import re
+import subprocess
+import sys
+from math import cos, pi, sin
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE, PICTURE = ROOT / "docs/reference/laws.md", ROOT / "docs/pictures/laws.svg"
+STEPS = 600
+
+
+def scca(b, c, d):
+    """Sine, constant, cosine acceleration, integrated twice; peak and duration 1."""
+
+    def shape(x):
+        if x > 0.5:
+            return -shape(1 - x)
+        if x < b / 2:
+            return sin(pi * x / b)
+        return 1.0 if x <= (b + c) / 2 else cos(pi * (x - (b + c) / 2) / d)
+
+    fine, v, s, rows = 40, 0.0, 0.0, [0.0]
+    for i in range(STEPS * fine):
+        step = 1 / (STEPS * fine)
+        a = shape((i + 0.5) * step)
+        s += v * step + a * step * step / 2
+        v += a * step
+        if (i + 1) % fine == 0:
+            rows.append(s)
+    return lambda x: rows[round(x * STEPS)] / rows[-1]
+
+
+def powers(*terms):
+    return lambda x: sum(c * x**k for k, c in terms)
+
+
+def sines(*terms):
+    return lambda x: x - sum(c * sin(k * pi * x) for k, c in terms)
+
+
+ALPHA = 1125 / 1192
+# Name in the catalogue: name in the table of theory §7 or, if it is not there, the formula; the function.
+LAWS = {
+    "constant-velocity": ("x", lambda x: x),
+    "parabolic": ("@parabolic", lambda x: 2 * x * x if x < 0.5 else 1 - 2 * (1 - x) ** 2),
+    "cubic": ("@cubic 2-3", powers((2, 3), (3, -2))),
+    "simple-harmonic": ("@simple harmonic", lambda x: (1 - cos(pi * x)) / 2),
+    "double-harmonic": ("@double harmonic (rise)", lambda x: (1 - cos(pi * x) - (1 - cos(2 * pi * x)) / 4) / 2),
+    "cycloidal": ("@cycloidal", sines((2, 1 / (2 * pi)))),
+    "semiharmonic-start": ("1 − cos(πx/2)", lambda x: 1 - cos(pi * x / 2)),
+    "semiharmonic-end": ("sin(πx/2)", lambda x: sin(pi * x / 2)),
+    "semicycloidal-start": ("x − sin(πx)/π", sines((1, 1 / pi))),
+    "semicycloidal-end": ("x + sin(πx)/π", sines((1, -1 / pi))),
+    "modified-trapezoid": ("@modified trapezoid", scca(0.25, 0.5, 0.25)),
+    "modified-sine": ("@modified sine", scca(0.25, 0, 0.75)),
+    "scca": ("SCCA: sine, constant, cosine acceleration; b = c = ¼, d = ½", scca(0.25, 0.25, 0.5)),
+    "3-4-5": ("@3-4-5", powers((3, 10), (4, -15), (5, 6))),
+    "4-5-6-7": ("@4-5-6-7", powers((4, 35), (5, -84), (6, 70), (7, -20))),
+    "5-6-7-8-9": ("@5-6-7-8-9", powers((5, 126), (6, -420), (7, 540), (8, -315), (9, 70))),
+    "polynomial-5": ("between rests 3-4-5; otherwise the degree 5 that joins its neighbours", None),
+    "polynomial-7": ("between rests 4-5-6-7; otherwise the degree 7 that joins its neighbours", None),
+    "berzak-d": ("12.1x³ − 25.5x⁴ + 24.9x⁵ − 14.7x⁶ + 4.2x⁷", powers((3, 12.1), (4, -25.5), (5, 24.9), (6, -14.7), (7, 4.2))),
+    "gutman-1-3": ("@Gutman 1-3", sines((2, 15 / (32 * pi)), (6, 1 / (96 * pi)))),
+    "freudenstein-1-3": ("@Freudenstein 1-3", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 54)))),
+    "freudenstein-1-3-at-rest": ("x − (27/56π)(sin 2πx + sin(6πx)/81)", sines((2, 27 / (56 * pi)), (6, 27 / (56 * pi * 81)))),
+    "freudenstein-1-3-5": ("@Freudenstein 1-3-5", sines((2, ALPHA / (2 * pi)), (6, ALPHA / (108 * pi)), (10, ALPHA / (2500 * pi)))),
+    "eccentric": ("½(1 − cos πx) under a flat face; of a disc under a roller its ratio matters", None),
+}
+HEAD = """# Rise laws
+
+![Lift, velocity, acceleration and jerk of the laws](../pictures/laws.svg)
+
+```sh
+gaitcam laws
+```
+
+The names are those of `law.segment.N.motion`. A rise by h over the angle β, x = θ/β from 0 to 1, has
+
+    lift s = h·f(x),  velocity ≤ Cv·h/β,  acceleration ≤ Ca·h/β²,  jerk ≤ Cj·h/β³
+
+and in time with ω in addition: ω, ω², ω³. Ct = max|a·v| scales the peak of the inertia torque. A fall is the rise
+upside down; of an unsymmetrical law the rise seen backwards.
+
+| law | f(x) | Cv | Ca | Cj | Ct | joins at its start → end |
+|---|---|---|---|---|---|---|
+"""
+TAIL = """
+*Joins* says what may stand before and after without a jump of velocity or acceleration: a dwell, a constant velocity,
+or a fall that begins with the same acceleration. Next to a dwell a law that is made for an equal return gives a jump of
+the acceleration: `not-for-high-speed`.
+
+| wanted | law |
+|---|---|
+| the smallest peak acceleration between dwells | `modified-trapezoid` |
+| the smallest peak velocity, torque and pressure angle between dwells | `modified-sine` |
+| jerk without jumps between dwells, little vibration at high speed | `4-5-6-7`, `5-6-7-8-9` |
+| a simple law for most machines | `cycloidal`, `3-4-5` |
+| rise and return without dwell | `simple-harmonic` |
+| constant velocity in the middle | `semicycloidal-start`, `constant-velocity`, `semicycloidal-end` |
+| the force of a walker, a law that no catalogue has | none: `law.family = "spline"` computes it |
+
+`scca b c d` and `eccentric ratio` take their parameters behind the name. Formulas, numbers and sources:
+[theory §7](../theory.md#7-rise-laws). This page is written by `docs/laws.py`, which evaluates every formula.
+"""
+
+
+def curves(function):
+    """Lift and its first three derivatives at the middles of the steps, by differences."""
+    rows = [[function(i / STEPS) for i in range(STEPS + 1)]]
+    for _ in range(3):
+        rows.append([(b - a) * STEPS for a, b in zip(rows[-1], rows[-1][1:])])
+    return rows
+
+
+def verify(law, rows):
+    for key, row, allowed in (("cv", rows[1], 2e-3), ("ca", rows[2], 2e-2)):
+        peak = max(map(abs, row))
+        assert abs(peak - law[key]) <= allowed * max(1, law[key]), f"{law['name']}: {key} {law[key]}, formula {peak}"
+
+
+def cell(name, rows, left, top):
+    """One law: four curves, each scaled to its own peak."""
+    out = [f'<text x="{left + 2}" y="{top + 14}" font-weight="bold">{name}</text>']
+    for row, colour in zip(rows, ("#0072b2", "#009e73", "#d55e00", "#be5f9b")):
+        # Differences over a jump are no jerk: what is far beyond the rest is left out.
+        size = max(sorted(map(abs, row))[: max(1, len(row) - 12)])
+        size = size if size > 1e-3 else 1  # zero but for rounding
+        points = ((i / len(row), y / size) for i, y in enumerate(row) if i % 6 == 0 and abs(y) <= 1.15 * size)
+        text = " ".join(f"{left + 2 + 176 * x:.1f},{top + 72 - 48 * y:.1f}" for x, y in points)
+        out.append(f'<polyline points="{text}" fill="none" stroke="{colour}" stroke-width="1.4"/>')
+    out.insert(1, f'<path d="M{left + 2} {top + 72}h176" stroke="#9ea6b1"/>')
+    return out
+
+
+def main(binary, check):
+    theory = (ROOT / "docs/theory.md").read_text(encoding="utf-8")
+    table = re.search(r"(?ms)^\| law \| s\(x\).*?\n\n", theory).group()
+    formulas = dict(re.findall(r"(?m)^\| ([^|]+?) \| ([^|]+?) \|", table))
+    catalogue = json.loads(subprocess.run([binary, "laws", "--json"], capture_output=True, check=True, text=True).stdout)
+    assert {law["name"] for law in catalogue} == set(LAWS), "the catalogue has other laws than this script"
+    lines, drawn = [], []
+    for law in catalogue:
+        formula, function = LAWS[law["name"]]
+        formula = formulas[formula[1:]] if formula.startswith("@") else formula
+        numbers = " | ".join("∞" if law[k] is None else f"{law[k]:.5g}" for k in ("cv", "ca", "cj", "ct"))
+        lines.append(f"| `{law['name']}` | {formula} | {numbers} | {' → '.join(dict.fromkeys(law['joins']))} |")
+        if function:
+            rows = curves(function)
+            verify(law, rows)
+            drawn += cell(law["name"], rows, 10 + 190 * (len(drawn) // 6 % 4), 24 + 130 * (len(drawn) // 24))
+    height = 40 + 130 * -(-len(drawn) // 24)
+    key = "".join(f'<tspan fill="{c}">{n}  </tspan>' for c, n in
+                  (("#0072b2", "lift"), ("#009e73", "velocity"), ("#d55e00", "acceleration"), ("#be5f9b", "jerk")))
+    picture = (f'<svg xmlns="http://www.w3.org/2000/svg" width="780" height="{height}" viewBox="0 0 780 {height}" '
+               f'font-family="sans-serif" font-size="12"><rect width="780" height="{height}" fill="#fff"/>'
+               f'<text x="12" y="16" xml:space="preserve">{key}</text>{"".join(drawn)}</svg>\n')
+    page = HEAD + "\n".join(lines) + "\n" + TAIL
+    if check and PAGE.read_text(encoding="utf-8") != page:
+        sys.exit("docs/reference/laws.md is not up to date: run python3 docs/laws.py")
+    if not check:
+        PAGE.write_text(page, encoding="utf-8")
+        PICTURE.write_text(picture, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    main(sys.argv[1], "--check" in sys.argv)

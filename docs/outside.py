@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Preprocessor of the book: a link to a file of the repository that is no page of the book becomes the file's name.
+
+mdBook calls it (docs/book.toml). On the repository's own pages such links work; in the book they would lead nowhere.
+"""
+
+import json
+import re
+import sys
+from posixpath import join, dirname, normpath
+
+
+def chapters(items):
+    for item in items:
+        chapter = item.get("Chapter") if isinstance(item, dict) else None
+        if chapter:
+            yield chapter
+            yield from chapters(chapter["sub_items"])
+
+
+def main():
+    _, book = json.load(sys.stdin)
+    found = list(chapters(book.get("items") or book["sections"]))
+    pages = {chapter["path"] for chapter in found}
+    for chapter in found:
+
+        def inside(link, folder=dirname(chapter["path"])):
+            target = normpath(join(folder, link.group(2)))
+            if target in pages or (not target.startswith("..") and not target.endswith(".md")):
+                return link.group()
+            return f"{link.group(1)} (`{target.removeprefix('../')}`)"
+
+        chapter["content"] = re.sub(r"(?<!!)\[([^\]\n]+)\]\((?![a-z]+:|#)([^)#\s]+)(#[^)\s]*)?\)", inside, chapter["content"])
+    json.dump(book, sys.stdout)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] != ["supports"]:  # it serves every renderer
+        main()

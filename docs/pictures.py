@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Writes docs/pictures/: the pictures that the program makes when the commands of the guide's pages are run.
+
+    python3 docs/pictures.py target/release/gaitcam
+
+Nothing is drawn here: every SVG is a file that gaitcam wrote, or a diagram of its report. The picture of the studio is
+a screenshot; it is taken where Playwright and Chromium are installed (CHROMIUM names the browser).
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from commands import ROOT, Page
+
+TARGET = ROOT / "docs" / "pictures"
+# Page and, where there is one, its Spanish translation; picture and the file it is, `FILE.html#ID` for a diagram in it.
+PICTURES = {
+    ("first-cam", "primera-leva"): {"cam": "out/footbridge/cam.svg", "force": "out/footbridge/force.svg"},
+    ("recording", "registro"): {"stances": "walk.svg"},
+    ("heel-tester", "tacones"): {"force": "out/heel_tester_fitted/force.svg", "svaj": "out/heel_tester/svaj.svg"},
+    ("footbridge-shaker", "pasarela"): {"torque": "out/footbridge-front/front.svg"},
+    ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
+    ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
+    ("run", "marcha"): {"run": "out/fast/report.html#run"},
+    ("sweeps", None): {"heat": "out/grid/heat.svg"},
+    ("workshop", None): {"profile": "out/shop/profile.svg"},
+    ("teachers", None): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
+    ("python", None): {"svaj": "out/footbridge/svaj.svg"},
+}
+LARGEST = 150_000
+
+
+def diagram(report, name):
+    """A diagram of a report as a file of its own: with the report's light colours and a white ground."""
+    colours = re.search(r":root \{(.*?)color-scheme", report, re.S).group(1)
+    svg = re.search(rf'<svg id="{name}".*?</svg>', report, re.S).group()
+    width, height = re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups()
+    start = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+    style = f'<style>svg {{ {" ".join(colours.split())} font-family: sans-serif }}</style>'
+    return re.sub(r"^<svg ([^>]*>)", rf'{start}\1{style}<rect width="{width}" height="{height}" fill="#fff"/>', svg)
+
+
+def content(folder, source):
+    file, _, name = source.partition("#")
+    text = (folder / file).read_text(encoding="utf-8")
+    text = diagram(text, name) if name else text
+    if len(text.encode()) > LARGEST:
+        text = re.sub(r"(\d\.\d)\d+", r"\1", text)  # a tenth of a pixel is enough for a page
+    assert len(text.encode()) <= LARGEST, f"{source}: {len(text.encode())} bytes"
+    return text
+
+
+def studio(binary):
+    """The studio with the heel tester open, as a browser shows it."""
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        return print("the picture of the studio is left as it is: no Playwright")
+    chromium = os.environ.get("CHROMIUM") or shutil.which("chromium") or shutil.which("google-chrome")
+    served = subprocess.Popen([binary, "studio", str(ROOT / "scenes/heel_tester_fitted.toml"), "--no-open", "--lang", "en"],
+                              stdout=subprocess.PIPE, text=True)
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        page = browser.new_page(viewport={"width": 1280, "height": 760})
+        page.goto(served.stdout.readline().strip())
+        page.wait_for_selector('#design[aria-busy="false"]:not([data-revision="0"])', timeout=60_000)
+        if page.is_visible("#welcome-close"):
+            page.click("#welcome-close")
+        page.wait_for_timeout(1000)
+        page.screenshot(path=str(TARGET / "studio-page.png"))
+        browser.close()
+    served.terminate()
+    served.wait()
+
+
+def main(binary):
+    TARGET.mkdir(exist_ok=True)
+    for names, pictures in PICTURES.items():
+        for name, folder_of_pages, suffix in zip(names, ("guide", "guia"), ("", "-es")):
+            path = ROOT / "docs" / folder_of_pages / f"{name}.md"
+            if name is None or not path.exists():
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                Page(path, binary, folder).run()
+                for picture, source in pictures.items():
+                    file = TARGET / f"{names[0]}-{picture}{suffix}.svg"
+                    file.write_text(content(Path(folder), source), encoding="utf-8")
+                    print(f"{file.relative_to(ROOT)} {file.stat().st_size}")
+    studio(binary)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(str(Path(sys.argv[1]).resolve()))
