@@ -125,8 +125,16 @@ pub enum Reason {
     Relaxations { changes: Vec<Change> },
     /// No change of a single limit is enough.
     NoRelaxation,
+    /// Changes of which one is enough, all of them by more than ten times.
+    FarRelaxations { changes: Vec<Change> },
     /// Only all limits together help, by this share.
     AllTogether { share: Quantity },
+    /// Limits that cannot hold even alone; these values are enough, the other limits as they are.
+    FarTogether { changes: Vec<Change> },
+    /// The same where the other limits do not hold beside these values either.
+    OutOfReach { changes: Vec<Change> },
+    /// The design fails without any limit too; what it fails by follows.
+    NotTheLimits,
 }
 
 /// The change of one limit that is enough.

@@ -5,17 +5,22 @@
 //! where h = w^{3/2}/ρ − (w + vY − aX) ≥ 0 (theory §6). That is not convex. It is linearised about the last
 //! law at the places where it is near zero, the convex program is solved again, and the step is shortened
 //! until the true h holds all around: every limit that is convex holds along the whole step.
+//! A whole step that breaks h is linearised once more about its own end (Newton's method on the contacts), and cut
+//! short only where that does not mend it.
 //! The first steps use the restriction a ≥ X − X²/ρ with X² ≥ 2X₀X − X₀², which is sufficient for X ≥ 4ρ/3
 //! and needs no trust in the linearisation. Followers on an arm go the same way with the h of their own
 //! geometry. A concave profile needs no row: its radius is the pitch curve's plus the roller's, so the
 //! roller always fits.
 
+mod corrected;
 mod start;
+
+use corrected::corrected;
 
 use super::design::Step;
 use super::limits::{NonconvexLimits, ProfileSize, clearance, relative};
 use super::method::Ended;
-use super::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
+use super::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
 use crate::cam::LimitKind;
 use crate::poly::{Peak, PiecewisePoly};
 
@@ -40,6 +45,10 @@ const NEARLY: f64 = 1e-3;
 const HELD_ROUNDS: usize = 6;
 /// Part by which the last law's size is held larger than the sequence's.
 pub const ENLARGED: f64 = 4.0 * STEP_TOLERANCE;
+/// A mended step that gains less than this part of what the step promised is held against its parts.
+const WORTH_MENDING: f64 = 0.5;
+/// Limits with this part of their size to spare, or less, may bind after the next step.
+const SOON: f64 = 0.03;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
@@ -78,22 +87,37 @@ pub fn refine(
         let here = sized(&current.extra);
         let mut next = program.clone();
         next.fixed = linearised(program, &current, &here, &present, 2.0 * ROOM);
-        next.seeds = contacts(&current);
+        next.seeds = contacts(program, &current);
         let Ok(target) = next.solve() else {
             ended = Ended::NoSolution;
             break;
         };
+        let gained = |trial: &Solution| merit(&current) - merit(trial);
+        let whole = corrected(program, &target, &sized).filter(|(trial, _)| gained(trial) > 0.0);
         let mut taken = 1.0;
-        let accepted = loop {
-            let trial = blend(&current, &target, taken, program);
-            let room = clearance(&program.basis.law(&trial.x), &sized(&trial.extra));
-            if room >= ROOM && merit(&trial) < merit(&current) {
-                break Some((trial, room));
-            }
-            taken *= 0.5;
-            if taken < SHORTEST {
-                break None;
-            }
+        // Where mending the whole step costs most of what it promised, a part of it may bring more.
+        let enough = WORTH_MENDING * gained(&target);
+        let accepted = if whole
+            .as_ref()
+            .is_some_and(|(trial, _)| gained(trial) >= enough)
+        {
+            whole
+        } else {
+            let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
+            let mut part = 1.0;
+            let shortened = loop {
+                let trial = blend(&current, &target, part, program);
+                let room = clearance(&program.basis.law(&trial.x), &sized(&trial.extra));
+                if room >= ROOM && gained(&trial) > least {
+                    taken = part;
+                    break Some((trial, room));
+                }
+                part *= 0.5;
+                if part < SHORTEST {
+                    break None;
+                }
+            };
+            shortened.or(whole)
         };
         let Some((mut trial, room)) = accepted else {
             ended = Ended::NoImprovement;
@@ -101,8 +125,8 @@ pub fn refine(
         };
         let gain = merit(&current) - merit(&trial);
         let old = merit(&current);
-        trial.iterations = current.iterations + target.iterations;
-        trial.rounds = current.rounds + target.rounds;
+        trial.iterations = current.iterations + trial.iterations.max(target.iterations);
+        trial.rounds = current.rounds + trial.rounds.max(target.rounds);
         current = trial;
         let there = sized(&current.extra).size();
         steps.push(Step {
@@ -196,14 +220,21 @@ fn held(program: &Program, current: &Solution, limits: NonconvexLimits) -> Optio
     None
 }
 
-/// Where the limits themselves touched in the last program.
-fn contacts(solution: &Solution) -> Vec<Row> {
-    solution
-        .active
-        .iter()
-        .filter(|r| r.limit.is_some())
-        .cloned()
-        .collect()
+/// Where the limits themselves touched in the last program, or soon may: rows that the next one need not find.
+fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
+    let own = solution.active.iter().filter(|r| r.limit.is_some());
+    let mut out: Vec<Row> = own.cloned().collect();
+    let soon = |limit: &Limit| {
+        let room = program.room(limit, &solution.x, &solution.extra);
+        room - SOON * limit.size(room)
+    };
+    program.each_peak_above(&solution.x, soon, |index, peak| {
+        let known = |r: &Row| r.limit == Some(index) && r.peak.piece == peak.piece;
+        if !out.iter().any(known) {
+            out.push(program.row(index, peak));
+        }
+    });
+    out
 }
 
 /// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter.

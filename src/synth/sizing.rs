@@ -16,6 +16,8 @@ const BISECTION: f64 = 1e-12;
 const LARGEST_GROWTH: f64 = 1e6;
 /// A size found by halving is enlarged by this share, so that its own limits hold in spite of rounding.
 const ROUNDING: f64 = 1e-9;
+/// Part of the follower's travel that is next to nothing.
+const NOTHING: f64 = 1e-4;
 /// s(θ) + s(θ + π) may vary by this share of the stroke and still be constant.
 const BREADTH: f64 = 1e-9;
 /// Angles at which the breadth is compared.
@@ -202,7 +204,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
             .sqrt(),
         circle.offset,
     );
-    let least = (problem.outside_bore() + spec.roller_radius).max(1e-6);
+    let least = (problem.outside_bore() + spec.roller_radius).max(next_to_nothing(problem, law));
     let wanted = problem.limits.curvature.unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
     let press = limits::Press {
@@ -248,6 +250,18 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
     Ok(make(high.hypot(offset), offset))
 }
 
+/// A radius where nothing asks for one: a cam has some.
+fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
+    let swings = problem.cam.follower.is_oscillating();
+    let arm = problem.cam.pivot_distance.filter(|_| swings);
+    let travel = law.stroke() * arm.map_or(1.0, f64::abs);
+    if travel > 0.0 {
+        NOTHING * travel
+    } else {
+        NOTHING
+    }
+}
+
 /// A follower of any other kind, on the base circle given or the smallest that holds the limits.
 fn sized(problem: &Problem, law: Law) -> Result<Cam> {
     let spec = &problem.cam;
@@ -289,7 +303,9 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
             .max(spec.roller_radius * (1.0 + 1e-6))
             + depth(problem)
     } else {
-        smallest.max(problem.outside_bore()).max(1e-6)
+        smallest
+            .max(problem.outside_bore())
+            .max(next_to_nothing(problem, &cam.law))
     };
     let base = base * (1.0 + ROUNDING);
     let new = if spec.pivot_beside {

@@ -78,26 +78,46 @@ fn weighed(problem: &Problem, basis: &Basis, force: &Quadratic, weigh: Weigh) ->
 /// ½ mean((F − F*)²) over the turn, weighed by phase where the problem says so; 0 where no force is wanted.
 pub fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
     let mut force = Quadratic::zero(basis);
-    if let Some(target) = &problem.target {
-        let w = problem.drive.weights();
-        let pieces = basis.breaks().len() - 1;
-        let degree = match basis {
-            Basis::Spline { space, .. } => space.degree(),
-            Basis::Harmonic { .. } => 6,
-        };
-        let weight = |x: f64| problem.weight(x);
-        let weighed = problem.is_weighed();
-        let nodes = (degree + 2).max(target.curve.force_n.len().div_ceil(pieces));
-        force.add_distance(
-            basis,
-            &w,
-            nodes,
-            |start, width, places, out| {
-                target.on(start, width, places, out);
-                out.iter_mut().for_each(|f| *f -= problem.drive.rest_force);
-            },
-            weighed.then_some(&weight),
-        );
+    let Some(target) = &problem.target else {
+        return force;
+    };
+    let (w, rest) = (problem.drive.weights(), problem.drive.rest_force);
+    match basis {
+        // Against polynomials the target is its nearest polynomial on every span.
+        Basis::Spline { space, .. } if !problem.is_weighed() => {
+            let degree = space.degree();
+            force.add_distance(
+                basis,
+                &w,
+                degree + 1,
+                |start, width, places, out| {
+                    target.nearest((start, width), degree, places, out);
+                    out.iter_mut().for_each(|f| *f -= rest);
+                },
+                None,
+            );
+            force.constant = 0.5 * target.mean_square_from(rest);
+        }
+        _ => {
+            let pieces = basis.breaks().len() - 1;
+            let degree = match basis {
+                Basis::Spline { space, .. } => space.degree(),
+                Basis::Harmonic { .. } => 6,
+            };
+            let nodes = (degree + 2).max(target.curve.force_n.len().div_ceil(pieces));
+            let weight = |x: f64| problem.weight(x);
+            let weighed = problem.is_weighed();
+            force.add_distance(
+                basis,
+                &w,
+                nodes,
+                |start, width, places, out| {
+                    target.on(start, width, places, out);
+                    out.iter_mut().for_each(|f| *f -= rest);
+                },
+                weighed.then_some(&weight),
+            );
+        }
     }
     force
 }

@@ -20,19 +20,22 @@ pub fn conflicting(conflict: &[Criterion]) -> Reason {
     }
 }
 
+/// Relaxations with their units; those without a value are left out.
+pub fn changes(relaxations: &[Relaxation], measures: Measures) -> Vec<Change> {
+    let change = |r: &Relaxation| {
+        Some(Change::Change {
+            key: r.key,
+            limit: r.limit,
+            from: quantity(measures, r.limit, r.from),
+            to: quantity(measures, r.limit, r.to?),
+        })
+    };
+    relaxations.iter().filter_map(change).collect()
+}
+
 /// What would help.
 pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> Reason {
-    let changes: Vec<Change> = relaxations
-        .iter()
-        .filter_map(|r| {
-            Some(Change::Change {
-                key: r.key,
-                limit: r.limit,
-                from: quantity(measures, r.limit, r.from),
-                to: quantity(measures, r.limit, r.to?),
-            })
-        })
-        .collect();
+    let changes = changes(relaxations, measures);
     match changes.len() {
         0 => Reason::NoRelaxation,
         1 => Reason::Relaxation { changes },

@@ -7,7 +7,7 @@ use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::named::criterion_of;
 
 /// A limit is first lifted by this factor, to see whether it is what stands in the way …
-pub const AWAY: f64 = 1e4;
+const AWAY: f64 = 1e4;
 /// … a size of the cam by this one.
 const FAR_LARGER: f64 = 30.0;
 /// Pressure angle that is no limit any more, rad.

@@ -5,8 +5,8 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
-use super::reasons::smallest_relaxations;
-use super::relaxable::{AWAY, Relaxable, relaxables};
+use super::reasons::{changes, smallest_relaxations};
+use super::relaxable::{Relaxable, relaxables};
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::halt::Halt;
@@ -23,6 +23,10 @@ const COARSE: f64 = 1e-3;
 const ROOMS: [f64; 3] = [0.0, 1e-4, 1e-3];
 /// … and a value from the search.
 const EDGES: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
+/// A change by more than this factor, or by this share, makes another scene.
+const FAR: f64 = 10.0;
+/// The share that is tried first.
+const SMALL: f64 = 0.01;
 /// Part by which a value must be able to come back towards the old one for a better one to be sought.
 const BACK: f64 = 1e-3;
 
@@ -81,24 +85,22 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
         if let Some(to) = search.smallest(number, from, hint) {
-            found.push(Relaxation {
-                limit: number.criterion(),
-                key: number.key.path,
-                from,
-                to: Some(to),
-            });
+            found.push(told(number, from, to));
         }
     }
-    let together = if found.is_empty() {
-        search.together(&numbers)
+    let measures = problem.cam.measures();
+    let (cures, together) = if found.is_empty() && !problem.halt.is_asked() {
+        search.several(&numbers)
     } else {
-        None
-    };
-    let cure = match &together {
-        None => smallest_relaxations(&found, problem.cam.measures()),
-        Some((part, _)) => Reason::AllTogether {
-            share: Quantity::share(*part),
-        },
+        let far = found.iter().all(|r| search.is_far(r)) && !found.is_empty();
+        let cure = if far {
+            Reason::FarRelaxations {
+                changes: changes(&found, measures),
+            }
+        } else {
+            smallest_relaxations(&found, measures)
+        };
+        (vec![cure], Vec::new())
     };
     match &mut design.infeasible {
         Some(infeasible) => {
@@ -114,23 +116,40 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
                 })
                 .collect();
             infeasible.reasons.truncate(1);
-            infeasible.reasons.push(cure);
+            infeasible.reasons.extend(cures);
             infeasible.relaxations = [found.clone(), helpless].concat();
             design.reasons.clone_from(&infeasible.reasons);
         }
-        None => design.reasons.push(cure),
+        None => design.reasons.extend(cures),
     }
     design.relaxations = found;
     if problem.halt.is_asked() && !design.out_of_time {
         design.out_of_time = true;
         design.notes.push(Note::OutOfTime);
     }
-    design.together = together.map_or_else(Vec::new, |(_, all)| all);
+    design.together = together;
     design
 }
 
 fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
+}
+
+/// The problem with these values.
+fn changed(problem: &Problem, values: &[(Relaxable, f64)]) -> Problem {
+    let start = problem.clone();
+    (values.iter()).fold(start, |problem, (number, value)| {
+        number.with(&problem, *value)
+    })
+}
+
+fn told(number: Relaxable, from: f64, to: f64) -> Relaxation {
+    Relaxation {
+        limit: number.criterion(),
+        key: number.key.path,
+        from,
+        to: Some(to),
+    }
 }
 
 /// The whole design, where it passes.
@@ -222,44 +241,100 @@ impl Search<'_> {
         }
     }
 
+    /// Whether a relaxation changes the scene beyond recognition.
+    fn is_far(&self, relaxation: &Relaxation) -> bool {
+        let Some(to) = relaxation.to else {
+            return false;
+        };
+        let (from, to) = (relaxation.from.abs(), to.abs());
+        from.max(to) > FAR * from.min(to).max(1e-3 * self.force_or(from))
+    }
+
+    fn force_or(&self, other: f64) -> f64 {
+        if other > 0.0 { 0.0 } else { self.force }
+    }
+
+    /// What helps where no change of a single number does, with the values.
+    fn several(&self, numbers: &[(Relaxable, f64)]) -> (Vec<Reason>, Vec<Relaxation>) {
+        if let Some((share, all)) = self.together(numbers) {
+            let share = Quantity::share(share);
+            return (vec![Reason::AllTogether { share }], all);
+        }
+        let measures = self.problem.cam.measures();
+        let free: Vec<(Relaxable, f64)> = (numbers.iter())
+            .map(|&(number, from)| (number, number.away(from, self.force)))
+            .collect();
+        let without = changed(self.problem, &free);
+        match crate::synth::designed(without) {
+            Ok(design) if !passes(&design) => {
+                let mut reasons = vec![Reason::NotTheLimits];
+                reasons.extend(design.reasons);
+                return (reasons, Vec::new());
+            }
+            Ok(_) => {}
+            Err(_) => return (vec![Reason::NoRelaxation], Vec::new()),
+        }
+        // Those out of reach even where nothing else is asked.
+        let mut hopeless = Vec::new();
+        for (at, &(number, from)) in numbers.iter().enumerate() {
+            let mut others = free.clone();
+            others[at].1 = from;
+            let alone = changed(self.problem, &others);
+            if self.problem.halt.is_asked() || passing(alone.clone()).is_some() {
+                continue;
+            }
+            let search = Search {
+                problem: &alone,
+                ..*self
+            };
+            if let Some(to) = search.smallest(number, from, None) {
+                hopeless.push((number, from, to));
+            }
+        }
+        if hopeless.is_empty() {
+            return (vec![Reason::NoRelaxation], Vec::new());
+        }
+        let told: Vec<Relaxation> = (hopeless.iter())
+            .map(|&(number, from, to)| told(number, from, to))
+            .collect();
+        let values: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
+        let list = changes(&told, measures);
+        if passing(changed(self.problem, &values)).is_some() {
+            (vec![Reason::FarTogether { changes: list }], told)
+        } else {
+            (vec![Reason::OutOfReach { changes: list }], Vec::new())
+        }
+    }
+
     /// The smallest share by which all limits can be relaxed together, with the values.
     fn together(&self, numbers: &[(Relaxable, f64)]) -> Option<(f64, Vec<Relaxation>)> {
         let eased = |part: f64| -> Vec<(Relaxable, f64)> {
             let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, part, self.force));
             numbers.iter().map(by).collect()
         };
-        let holds = |part: f64| {
-            let changed = eased(part)
-                .into_iter()
-                .fold(self.problem.clone(), |problem, (k, v)| k.with(&problem, v));
-            passing(changed).is_some()
-        };
-        let mut works = 0.01;
-        while !holds(works) {
-            works *= 2.0;
-            if works > AWAY || self.problem.halt.is_asked() {
-                return None;
-            }
+        let holds = |part: f64| passing(changed(self.problem, &eased(part))).is_some();
+        if !holds(FAR) {
+            return None;
         }
-        let mut fails = if works > 0.01 { 0.5 * works } else { 0.0 };
-        while works - fails > 1e-2 * works {
-            let middle = 0.5 * (works + fails);
+        let (mut works, mut fails) = (FAR, 0.0);
+        while works - fails > 1e-2 * works && !self.problem.halt.is_asked() {
+            // A small share is sought first, then far apart the middle by ratio.
+            let middle = match works / fails {
+                apart if apart.is_infinite() => SMALL,
+                apart if apart > 4.0 => (works * fails).sqrt(),
+                _ => 0.5 * (works + fails),
+            };
+            if works <= SMALL && fails == 0.0 {
+                break;
+            }
             if holds(middle) {
                 works = middle;
             } else {
                 fails = middle;
             }
         }
-        let all = eased(works)
-            .into_iter()
-            .zip(numbers)
-            .map(|((k, to), &(_, from))| Relaxation {
-                limit: k.criterion(),
-                key: k.key.path,
-                from,
-                to: Some(to),
-            })
-            .collect();
-        Some((works, all))
+        let all = (eased(works).into_iter().zip(numbers))
+            .map(|((number, to), &(_, from))| told(number, from, to));
+        Some((works, all.collect()))
     }
 }

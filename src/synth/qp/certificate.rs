@@ -27,7 +27,7 @@ pub struct Certificate {
     /// Objective less the best lower bound known, as a part of the objective's size: larger than the relative gap
     /// where a sequence of convex programs proves a local optimum only.
     pub global_gap: f64,
-    /// Size of the objective: its value, or its fall from the law at rest if that is larger.
+    /// Size of the objective: its value, or a millionth of the terms that it is the sum of, which rounding leaves.
     pub size: f64,
     /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
     pub stationarity: f64,
@@ -62,6 +62,8 @@ pub struct Sensitivity {
     pub gain: f64,
 }
 
+/// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
+const NOTHING: f64 = 1e-6;
 /// Part of a limit by which it is eased to say what it costs.
 const RELAXED: f64 = 0.01;
 /// A demand whose part outside the span of those before it is below this share of its square length says
@@ -151,7 +153,7 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     }
 }
 
-/// Size of the objective: its value, or its fall from the law at rest if that is larger.
+/// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
 fn scale(program: &Program, solution: &Solution) -> f64 {
     let x = &solution.x[..program.basis.columns()];
     let linear: f64 = program
@@ -164,7 +166,7 @@ fn scale(program: &Program, solution: &Solution) -> f64 {
         .map(|k| (program.cost[k] * solution.extra[k]).abs())
         .sum();
     let whole = program.objective(x) + program.constant;
-    let value = whole.abs().max(linear).max(beside);
+    let value = whole.abs().max(NOTHING * linear).max(beside);
     if value > 0.0 { value } else { 1.0 }
 }
 

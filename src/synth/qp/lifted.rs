@@ -102,13 +102,13 @@ impl Lifted {
         out
     }
 
-    /// Adds Σ over pieces and nodes of ½·share·(w·svaj − wanted)²; `asked` gives (share, wanted) at node u of
-    /// quadrature weight w of a piece.
+    /// Adds Σ over pieces and nodes of ½·share·(w·svaj − wanted)²; `asked` gives (share, wanted) of a piece at a
+    /// node of the rule.
     pub fn add_distance(
         &mut self,
         weights: &[f64],
         rule: &[(f64, f64)],
-        asked: impl Fn(usize, f64, f64) -> (f64, f64),
+        asked: impl Fn(usize, usize) -> (f64, f64),
     ) {
         self.used = self.used.max(self.highest(weights));
         let n = self.dimension();
@@ -148,8 +148,8 @@ impl Lifted {
             }
             gram.clear();
             gram.resize(m * m, 0.0);
-            for (row, &(u, w)) in rows.chunks_exact(m).zip(rule) {
-                let (share, wanted) = asked(piece, u, w);
+            for (node, row) in rows.chunks_exact(m).enumerate() {
+                let (share, wanted) = asked(piece, node);
                 for (k, &a) in row.iter().enumerate() {
                     self.gradient[columns[k]] -= share * wanted * a;
                     for (g, b) in gram[k * m..=k * m + k].iter_mut().zip(row) {
@@ -309,7 +309,9 @@ mod tests {
         plain.add_distance(&basis, &weights, 7, pointwise(f64::cos), None);
         let mut lifted = Lifted::of(&space(n));
         let width = TAU / n as f64;
-        lifted.add_distance(&weights, &gauss_legendre(7), |piece, u, w| {
+        let rule = gauss_legendre(7);
+        lifted.add_distance(&weights, &rule, |piece, node| {
+            let (u, w) = rule[node];
             (w / n as f64, ((piece as f64 + u) * width).cos())
         });
         let d = lifted.derivatives(&x);

@@ -48,9 +48,14 @@ impl Quadratic {
         let rule = gauss_legendre(nodes);
         let mut values = vec![0.0; rule.len()];
         let mut table = Table::default();
+        self.lifted = self.lifted.take().filter(|l| l.carries(weights));
+        let mut all = Vec::new();
         for (i, ends) in breaks.windows(2).enumerate() {
             let (start, width) = (ends[0], ends[1] - ends[0]);
             wanted(start, width, &rule, &mut values);
+            if self.lifted.is_some() {
+                all.extend_from_slice(&values);
+            }
             match basis {
                 Basis::Spline { space, .. } => {
                     let as_before = table.fit(space, i, &rule, weights);
@@ -72,14 +77,12 @@ impl Quadratic {
                 }
             }
         }
-        self.lifted = self.lifted.take().filter(|l| l.carries(weights));
         if let Some(lifted) = &mut self.lifted {
-            lifted.add_distance(weights, &rule, |i, u, w| {
+            lifted.add_distance(weights, &rule, |i, node| {
                 let (start, width) = (breaks[i], breaks[i + 1] - breaks[i]);
-                let mut value = [0.0];
-                wanted(start, width, &[(u, w)], &mut value);
+                let (u, w) = rule[node];
                 let own = weight.map_or(1.0, |f| f(start + u * width));
-                (w * width / total * own, value[0])
+                (w * width / total * own, all[i * rule.len() + node])
             });
         }
     }

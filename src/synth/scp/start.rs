@@ -44,7 +44,7 @@ pub fn feasible(
             }
             _ => linearised(program, &current, &here, &program.present(), room),
         };
-        next.seeds = contacts(&current);
+        next.seeds = contacts(program, &current);
         let solved = next.solve().ok()?;
         current = Solution {
             iterations: current.iterations + solved.iterations,
@@ -90,7 +90,7 @@ pub fn climbed(
             let limits = sized(&trial.extra).with_rho(goal);
             let mut next = program.clone();
             next.fixed = linearised(program, &trial, &limits, &present, kept);
-            next.seeds = contacts(&trial);
+            next.seeds = contacts(program, &trial);
             let Ok(solved) = next.solve() else { break };
             // Where the whole step overshoots, the part of it that comes nearest.
             let clear = |part: f64| {

@@ -3,7 +3,7 @@
 use super::asked::Asked;
 use super::judge::{Judged, judge};
 use super::reference::Reference;
-use super::solve::{self, HELD, Optimum, Outcome};
+use super::solve::{Aim, EDGE, HELD, Outcome, WHOLE, least_room, solve};
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 use nalgebra::{DMatrix, DVector};
@@ -14,8 +14,6 @@ pub const AGREED: f64 = 1e-6;
 /// A force error below this part of the mean force, in RMS, is rounding: its square is the floor of a
 /// difference of two objectives.
 const FORCE_FLOOR: f64 = 1e-6;
-/// What a limit is eased or tightened by before its scene counts as refused or built wrongly.
-const EDGE: f64 = 1e-6;
 /// Angles at which a law of open level is tried.
 pub const ANGLES: usize = 72;
 
@@ -76,7 +74,7 @@ pub fn compare(asked: &Asked) -> Result<Seen, String> {
         let Some(space) = reference.space(None) else {
             return Err("built, and the demands contradict each other".to_string());
         };
-        within(&reference, &space, &judged)?
+        within(&reference, &space, &x, &judged)?
     };
     let certified = design.solver.certified;
     Ok(Seen::Built(Built { certified, ..built }))
@@ -96,18 +94,16 @@ fn refused(asked: &Asked, reference: &Reference) -> Result<Seen, String> {
         let Some(space) = reference.space(angle) else {
             continue;
         };
-        match solve::solve(reference, &space, 0.0) {
-            Outcome::Infeasible => {}
-            Outcome::Undecided(words) => return Err(format!("refused, reference: {words}")),
-            Outcome::Optimum(_) => match solve::solve(reference, &space, -EDGE) {
-                Outcome::Optimum(o) => {
-                    return Err(format!(
-                        "refused, but has a law of {:e} at {angle:?}",
-                        o.value
-                    ));
-                }
-                _ => seen = Seen::Edge,
-            },
+        match least_room(reference, &space) {
+            Err(words) => return Err(format!("refused, reference: {words}")),
+            Ok([_, most]) if most < -EDGE => {
+                return Err(format!(
+                    "refused, but a law leaves a room of {:e} at {angle:?}",
+                    -most
+                ));
+            }
+            Ok([least, _]) if least > HELD => {}
+            Ok(_) => seen = Seen::Edge,
         }
     }
     Ok(seen)
@@ -117,18 +113,26 @@ fn refused(asked: &Asked, reference: &Reference) -> Result<Seen, String> {
 fn within(
     reference: &Reference,
     space: &super::reference::Space,
+    x: &[f64],
     judged: &Judged,
 ) -> Result<Built, String> {
-    let optimum = match solve::solve(reference, space, 0.0) {
-        Outcome::Optimum(optimum) => optimum,
-        Outcome::Infeasible => match solve::solve(reference, space, 2.0 * HELD) {
-            Outcome::Optimum(optimum) => optimum,
+    // A lower bound that close is all that is asked; rows where the law touches its limits reach it at once.
+    let aim = Aim {
+        near: Some(x),
+        enough: judged.value - AGREED * size(reference, judged.value).0,
+    };
+    let bound = match solve(reference, space, 0.0, aim) {
+        Outcome::Above(bound) => bound,
+        Outcome::Optimum(optimum) => optimum.bound,
+        Outcome::Infeasible => match solve(reference, space, 2.0 * HELD, WHOLE) {
+            Outcome::Optimum(optimum) => optimum.bound,
+            Outcome::Above(bound) => bound,
             Outcome::Infeasible => return Err("built, and the sampled limits leave nothing".into()),
             Outcome::Undecided(words) => return Err(format!("reference: {words}")),
         },
         Outcome::Undecided(words) => return Err(format!("reference: {words}")),
     };
-    against(reference, space, judged, &optimum)
+    against(reference, space, judged, bound)
 }
 
 /// Part of which a difference counts: the optimum, or the floor of a force error.
@@ -150,10 +154,10 @@ fn against(
     reference: &Reference,
     space: &super::reference::Space,
     judged: &Judged,
-    optimum: &Optimum,
+    bound: f64,
 ) -> Result<Built, String> {
-    let (size, is_rounding) = size(reference, optimum.value);
-    let above = (judged.value - optimum.bound) / size;
+    let (size, is_rounding) = size(reference, judged.value);
+    let above = (judged.value - bound) / size;
     let mut built = Built {
         certified: false,
         above,
@@ -167,7 +171,7 @@ fn against(
     built.by = Judgement::Interval;
     if above < 0.0 {
         // Below the optimum, as its own tolerance in the limits allows?
-        return match solve::solve(reference, space, HELD) {
+        return match solve(reference, space, HELD, WHOLE) {
             Outcome::Optimum(o) if judged.value >= o.bound - AGREED * size => Ok(built),
             Outcome::Optimum(o) => Err(format!(
                 "{above:e} below the optimum, {:e} with limits eased by 1e-9 (excess {:e} of {})",
@@ -178,17 +182,14 @@ fn against(
             _ => Err(format!("{above:e} below the optimum")),
         };
     }
-    match solve::solve(reference, space, -2.0 * HELD) {
+    match solve(reference, space, -2.0 * HELD, WHOLE) {
         Outcome::Optimum(o) if judged.value <= o.value + AGREED * size => Ok(built),
         Outcome::Optimum(o) => Err(format!(
             "{above:e} above the lower bound, {:e} above a law that keeps the limits (value {:e})",
             (judged.value - o.value) / size,
             o.value
         )),
-        _ => Err(format!(
-            "{above:e} above the lower bound {:e}",
-            optimum.bound
-        )),
+        _ => Err(format!("{above:e} above the lower bound {bound:e}")),
     }
 }
 
@@ -198,7 +199,7 @@ fn touching(reference: &Reference, x: &[f64], judged: &Judged) -> Result<Built, 
     let space = reference
         .space(Some(lowest))
         .ok_or("no law touches at its lowest angle")?;
-    let built = within(reference, &space, judged)?;
+    let built = within(reference, &space, x, judged)?;
     let (size, _) = size(reference, judged.value);
     let enough = judged.value - AGREED * size;
     for k in 0..ANGLES {
@@ -206,7 +207,11 @@ fn touching(reference: &Reference, x: &[f64], judged: &Judged) -> Result<Built, 
         let Some(space) = reference.space(Some(angle)) else {
             continue;
         };
-        if let Outcome::Optimum(o) = solve::solve_below(reference, &space, 0.0, enough)
+        let aim = Aim {
+            near: Some(x),
+            enough,
+        };
+        if let Outcome::Optimum(o) = solve(reference, &space, 0.0, aim)
             && o.value < enough
         {
             return Err(format!(
@@ -268,7 +273,7 @@ fn coefficients(reference: &Reference, design: &Design) -> Result<Vec<f64>, Stri
     let x = x.as_slice().to_vec();
     let (mut largest, mut apart) = ([reference.asked.length(); 3], [0.0_f64; 3]);
     for place in &reference.scan {
-        let ends = &reference.splines.breaks()[place.span..place.span + 2];
+        let ends = place.ends;
         if place.theta <= ends[0] || place.theta >= ends[1] {
             continue;
         }

@@ -8,6 +8,8 @@ pub struct Judged {
     pub extras: Vec<f64>,
     pub value: f64,
     pub excess: f64,
+    /// The same, negative where every limit leaves room.
+    pub room: f64,
     pub worst: &'static str,
 }
 
@@ -36,7 +38,7 @@ pub fn crests(
     for (i, place) in reference.scan.iter().enumerate() {
         let beside = |k: usize| {
             (reference.scan.get(k))
-                .filter(|p| p.span == place.span)
+                .filter(|p| p.ends == place.ends)
                 .map(|p| (p.theta, samples[k]))
         };
         let (before, after) = (beside(i.wrapping_sub(1)), beside(i + 1));
@@ -53,7 +55,7 @@ pub fn crests(
         }
         let mut best = (place.span, place.theta, samples[i]);
         let mut step = after.or(before).map_or(0.0, |o| (o.0 - place.theta).abs());
-        let ends = &reference.splines.breaks()[place.span..place.span + 2];
+        let ends = place.ends;
         for _ in 0..3 {
             let at = |t: f64| reference.excess(limit, place.span, t, x);
             let middle = best.1.clamp(ends[0] + step, ends[1] - step);
@@ -123,6 +125,7 @@ pub fn judge(reference: &Reference, x: &[f64]) -> Judged {
         value: reference.square(x) + costs,
         extras,
         excess: excess.max(0.0),
+        room: excess,
         worst,
     }
 }

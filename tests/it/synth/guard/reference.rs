@@ -9,12 +9,16 @@ use std::f64::consts::TAU;
 
 /// Jerk, in lifts per rad³, whose mean square weighs as much as one lift of radius where size is minimised.
 const SIZE_JERK: f64 = 1e3;
-/// Places per span at which limits are scanned.
+/// Parts of a span at whose ends limits are scanned …
 const SCANNED: usize = 20;
+/// … and of what lies between two samples of the wanted force, where a limit follows it.
+const SCANNED_BETWEEN: usize = 3;
 
 /// A place with the functions that live there.
 pub struct Place {
     pub span: usize,
+    /// First and last angle of the piece on which limits are smooth.
+    pub ends: [f64; 2],
     pub theta: f64,
     pub values: [Vec<f64>; ORDERS],
 }
@@ -48,21 +52,23 @@ impl<'a> Reference<'a> {
     pub fn new(asked: &'a Asked) -> Self {
         let splines = splines(asked);
         let (limits, extras) = limits(asked);
-        let per_span = if limits.iter().any(|l| l.shape != 0.0) {
-            SCANNED.max(1024 / asked.spans)
+        let follows = limits.iter().any(|l| l.shape != 0.0);
+        let (cuts, parts) = if follows {
+            (cut_at_samples(asked, &splines), SCANNED_BETWEEN)
         } else {
-            SCANNED
+            (splines.breaks().to_vec(), SCANNED)
         };
         let mut scan = Vec::new();
-        for span in 0..splines.spans() {
-            let (a, b) = (splines.breaks()[span], splines.breaks()[span + 1]);
-            for k in 0..=per_span {
-                let theta = a + (b - a) * k as f64 / per_span as f64;
-                let values = splines.values(span, theta);
+        for ends in cuts.windows(2) {
+            let [a, b] = [ends[0], ends[1]];
+            let span = splines.span_of(0.5 * (a + b));
+            for k in 0..=parts {
+                let theta = a + (b - a) * k as f64 / parts as f64;
                 scan.push(Place {
                     span,
+                    ends: [a, b],
                     theta,
-                    values,
+                    values: splines.values(span, theta),
                 });
             }
         }
@@ -279,6 +285,18 @@ fn splines(asked: &Asked) -> Splines {
     Splines::new(asked.degree, breaks, &multiplicity)
 }
 
+/// The breaks of the splines and of the wanted force.
+fn cut_at_samples(asked: &Asked, splines: &Splines) -> Vec<f64> {
+    let mut cuts = splines.breaks().to_vec();
+    if let Some((target, _)) = &asked.target {
+        let n = target.force_n.len();
+        cuts.extend((1..n).map(|i| TAU * i as f64 / n as f64));
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
+    }
+    cuts
+}
+
 /// Gauss points of the square part of the objective; for a force on every piece of span and target, where four
 /// are exact for the target's square.
 fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
@@ -288,13 +306,11 @@ fn nodes(asked: &Asked, splines: &Splines) -> Vec<Node> {
         Objective::Size => (Some(3), 1.0 / (asked.length() * SIZE_JERK * SIZE_JERK)),
         Objective::Peak(_) | Objective::PeakForceError => return Vec::new(),
     };
-    let mut cuts = splines.breaks().to_vec();
-    if let (None, Some((target, _))) = (order, &asked.target) {
-        let n = target.force_n.len();
-        cuts.extend((1..n).map(|i| TAU * i as f64 / n as f64));
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup_by(|a, b| (*a - *b).abs() < 1e-12);
-    }
+    let cuts = if order.is_none() {
+        cut_at_samples(asked, splines)
+    } else {
+        splines.breaks().to_vec()
+    };
     let rule = gauss(if order.is_some() { asked.degree + 1 } else { 4 });
     let [k, c, m] = asked.weights;
     let weights = order.map_or([k, c, m, 0.0], |order| {

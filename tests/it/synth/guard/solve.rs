@@ -4,31 +4,20 @@
 use super::judge::{Judged, crests, judge};
 use super::reference::{Reference, Space};
 use super::rows::Limit;
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
-};
 use nalgebra::DVector;
 
 /// An excess below this part of its limit is none.
 pub const HELD: f64 = 1e-9;
+/// A law this near to a limit, as a part of its scale, may touch it.
+const NEAR: f64 = 0.02;
+/// What limits are eased or tightened by before a scene counts as refused or built wrongly.
+pub const EDGE: f64 = 1e-6;
 /// Rounds of rows.
 const ROUNDS: usize = 60;
-/// Units and tolerances: where rounding stops the solver under the first, others may do.
-const TRIES: [(f64, f64); 5] = [
-    (1.0, 1e-12),
-    (1.0, 1e-10),
-    (0.1, 1e-11),
-    (10.0, 1e-11),
-    (1.0, 1e-9),
-];
-/// Residuals and gap, in the solver's own units, with which an answer counts.
-const GOOD: f64 = 1e-7;
-/// The same of the dual residual, by which the bound is lowered.
-const GOOD_DUAL: f64 = 1e-5;
-
 pub enum Outcome {
     Optimum(Optimum),
+    /// No law is below this bound, and that was enough.
+    Above(f64),
     Infeasible,
     /// The solver did not end.
     Undecided(String),
@@ -43,46 +32,130 @@ pub struct Optimum {
     pub excess: f64,
 }
 
-/// u, the variables beside the law, and the dual value. `Err(None)`: the rows leave nothing.
-type Answer = Result<(DVector<f64>, Vec<f64>, f64), Option<String>>;
-
 /// A limit at one place, over u and the variables beside the law.
-struct Row {
-    own: DVector<f64>,
-    extra: Option<(usize, f64)>,
-    bound: f64,
+pub struct Row {
+    pub own: DVector<f64>,
+    pub beside: Vec<(usize, f64)>,
+    pub bound: f64,
 }
 
-struct Exchange<'a> {
-    reference: &'a Reference<'a>,
-    space: &'a Space,
+impl Row {
+    /// What the variables beside the law take of its bound.
+    pub fn taken(&self, beside: &[f64]) -> f64 {
+        self.beside.iter().map(|(k, e)| e * beside[*k]).sum()
+    }
+}
+
+/// Rows that come and go.
+pub struct Exchange<'a> {
+    pub reference: &'a Reference<'a>,
+    pub space: &'a Space,
     /// Every bound is moved out by this part of its scale.
     room: f64,
-    rows: Vec<Row>,
+    /// That part is a variable of its own, the last, and it is what is minimised.
+    pub seeks_room: bool,
+    pub rows: Vec<Row>,
     /// A row that no law moves is broken.
     hopeless: bool,
-    /// Bounds above this are of no interest.
-    enough: f64,
+    aim: Aim<'a>,
 }
+
+/// How a search begins, and what is enough of it.
+#[derive(Clone, Copy)]
+pub struct Aim<'a> {
+    /// A law whose contacts are the first rows: any row of a limit is as good a lower bound, and these are the few
+    /// that bind where the law is the optimum. Without one, a grid.
+    pub near: Option<&'a [f64]>,
+    /// A lower bound of this ends the search.
+    pub enough: f64,
+}
+
+/// The optimum itself, from a grid.
+pub const WHOLE: Aim = Aim {
+    near: None,
+    enough: f64::INFINITY,
+};
 
 /// The optimum with every limit moved out by a part `room` of its scale (inwards where negative).
-pub fn solve(reference: &Reference, space: &Space, room: f64) -> Outcome {
-    solve_below(reference, space, room, f64::INFINITY)
+pub fn solve(reference: &Reference, space: &Space, room: f64, aim: Aim) -> Outcome {
+    let mut exchange = Exchange::new(reference, space, room, aim);
+    exchange.touched();
+    exchange.at_demands();
+    if let Some(law) = aim.near {
+        exchange.contacts(law);
+    }
+    // What is linear has an optimum only between rows.
+    let open = !space.is_square || reference.extras.iter().any(|e| e.cost != 0.0);
+    if aim.near.is_none() || open {
+        exchange.coarse();
+    }
+    exchange.run()
 }
 
-/// The same, given up once the optimum is known to be above `enough`.
-pub fn solve_below(reference: &Reference, space: &Space, room: f64, enough: f64) -> Outcome {
-    let mut exchange = Exchange {
-        reference,
-        space,
-        room,
-        rows: Vec::new(),
-        hopeless: false,
-        enough,
-    };
+/// The least part of their scales by which all limits have to move out to leave a law: negative where they leave
+/// room. A lower bound, and what a law needs. Both are 0 or more where demands alone break a limit.
+pub fn least_room(reference: &Reference, space: &Space) -> Result<[f64; 2], String> {
+    let mut exchange = Exchange::new(reference, space, 0.0, WHOLE);
+    exchange.seeks_room = true;
     exchange.touched();
+    exchange.at_demands();
     exchange.coarse();
-    exchange.run()
+    let start = judge(reference, space.origin.as_slice());
+    if exchange.hopeless || space.free.ncols() == 0 {
+        return Ok([start.room; 2]);
+    }
+    let (mut unit, mut least, mut most) = (1.0, f64::NEG_INFINITY, start.room);
+    if space.is_square {
+        unit = exchange.first_unit(&start);
+    }
+    for _ in 0..ROUNDS {
+        let beside: Vec<f64> = start.extras.iter().copied().chain([start.room]).collect();
+        let (u, beside, bound) = match exchange.solved(unit, &beside) {
+            Ok(answer) => answer,
+            Err(words) => return Err(words.unwrap_or_else(|| "no law at all".to_string())),
+        };
+        least = f64::max(least, bound);
+        let x = &space.origin + &space.free * &u;
+        most = f64::min(most, judge(reference, x.as_slice()).room);
+        if least > HELD || most < -EDGE || most - least < EDGE {
+            return Ok([least, most]);
+        }
+        exchange.room = beside[beside.len() - 1];
+        let added = exchange.add_crests(x.as_slice(), &beside);
+        exchange.room = 0.0;
+        if !added {
+            break;
+        }
+    }
+    Err(format!("no end between a room of {least:e} and {most:e}"))
+}
+
+impl<'a> Exchange<'a> {
+    fn new(reference: &'a Reference<'a>, space: &'a Space, room: f64, aim: Aim<'a>) -> Self {
+        Exchange {
+            reference,
+            space,
+            room,
+            seeks_room: false,
+            rows: Vec::new(),
+            hopeless: false,
+            aim,
+        }
+    }
+
+    /// Costs of the variables beside the law.
+    pub fn costs(&self) -> Vec<f64> {
+        let own = self.reference.extras.iter().map(|e| e.cost);
+        if self.seeks_room {
+            own.map(|_| 0.0).chain([1.0]).collect()
+        } else {
+            own.collect()
+        }
+    }
+
+    pub fn is_square(&self) -> bool {
+        self.space.is_square && !self.seeks_room
+    }
 }
 
 impl Exchange<'_> {
@@ -94,8 +167,11 @@ impl Exchange<'_> {
         // In a dwell and at the touching angle no law moves it.
         let moved = own.norm() > 1e-11 * row.norm() * self.space.free.norm();
         if moved || limit.extra.is_some() {
-            let extra = limit.extra;
-            self.rows.push(Row { own, extra, bound });
+            let mut beside: Vec<(usize, f64)> = limit.extra.into_iter().collect();
+            if self.seeks_room {
+                beside.push((self.reference.extras.len(), -limit.scale));
+            }
+            self.rows.push(Row { own, beside, bound });
         } else if bound < -HELD * limit.scale {
             self.hopeless = true;
         }
@@ -117,6 +193,17 @@ impl Exchange<'_> {
         }
     }
 
+    /// Rows where the law is asked for: what demands fix there no law moves, and beside there only a wild one.
+    fn at_demands(&mut self) {
+        let reference = self.reference;
+        for limit in &reference.limits {
+            for point in &reference.asked.points {
+                let span = reference.splines.span_of(point.angle);
+                self.push(limit, span, point.angle);
+            }
+        }
+    }
+
     fn coarse(&mut self) {
         let splines = &self.reference.splines;
         for limit in &self.reference.limits {
@@ -125,6 +212,18 @@ impl Exchange<'_> {
                 for u in [0.0, 0.3, 0.7, 1.0] {
                     self.push(limit, span, a + u * (b - a));
                 }
+            }
+        }
+    }
+
+    /// Rows where a law all but reaches its limits.
+    fn contacts(&mut self, law: &[f64]) {
+        let reference = self.reference;
+        let extras = judge(reference, law).extras;
+        for limit in &reference.limits {
+            let taken = limit.extra.map_or(0.0, |(k, e)| e * extras[k]);
+            for (span, theta, _) in crests(reference, limit, law, -taken - NEAR * limit.scale) {
+                self.push(limit, span, theta);
             }
         }
     }
@@ -142,8 +241,8 @@ impl Exchange<'_> {
                 Err(Some(words)) => return Outcome::Undecided(words),
                 Err(None) => return Outcome::Infeasible,
             };
-            if bound > self.enough {
-                return Outcome::Infeasible;
+            if bound >= self.aim.enough {
+                return Outcome::Above(bound);
             }
             let x = &self.space.origin + &self.space.free * &u;
             let judged = judge(self.reference, x.as_slice());
@@ -199,136 +298,5 @@ impl Exchange<'_> {
             }
         }
         self.rows.len() > before
-    }
-
-    fn solved(&self, unit: f64, from: &[f64]) -> Answer {
-        let mut answer = Err(Some(String::new()));
-        for (times, tolerance) in TRIES {
-            if matches!(answer, Err(Some(_))) {
-                answer = self.clarabel(times * unit, tolerance, from);
-            }
-        }
-        answer
-    }
-
-    /// How far u has to go: the farthest row that the law without limits breaks.
-    fn first_unit(&self, start: &Judged) -> f64 {
-        if !self.space.is_square {
-            return 1.0;
-        }
-        let longest = self.rows.iter().map(|r| r.own.norm()).fold(0.0, f64::max);
-        let long = self.rows.iter().filter(|r| r.own.norm() > 1e-3 * longest);
-        let far = long.map(|r| {
-            let taken = r.extra.map_or(0.0, |(k, e)| e * start.extras[k]);
-            (taken - r.bound) / r.own.norm()
-        });
-        let far = far.filter(|f| f.is_finite());
-        let far = far.fold(0.0, f64::max);
-        if far > 0.0 {
-            far
-        } else {
-            start.value.abs().sqrt()
-        }
-    }
-
-    /// Lengths of the rows for laws of size `unit`, and the units of the variables beside the law: what moves
-    /// their rows as far as the law does.
-    fn scales(&self, unit: f64) -> (Vec<f64>, Vec<f64>) {
-        let longest = self.rows.iter().map(|r| r.own.norm()).fold(0.0, f64::max);
-        let length = |r: &Row| match r.extra {
-            // A row of a variable alone is as long as that makes it.
-            Some(_) => r.own.norm().max(1e-3 * longest) * unit,
-            None => r.own.norm() * unit,
-        };
-        let lengths: Vec<f64> = self.rows.iter().map(length).collect();
-        let of = |k: usize| {
-            let mine = self.rows.iter().zip(&lengths);
-            let mine = mine.filter(|(r, _)| r.extra.is_some_and(|e| e.0 == k));
-            mine.map(|(_, l)| *l).fold(0.0, f64::max).max(1e-300)
-        };
-        let units = (0..self.reference.extras.len()).map(of).collect();
-        (lengths, units)
-    }
-
-    /// The rows as Clarabel takes them, over u and the variables beside the law counted `from` where they are.
-    fn matrix(
-        &self,
-        unit: f64,
-        lengths: &[f64],
-        units: &[f64],
-        from: &[f64],
-    ) -> (CscMatrix<f64>, Vec<f64>) {
-        let n = self.space.free.ncols();
-        let (mut i, mut j, mut v, mut b) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        for (at, (row, length)) in self.rows.iter().zip(lengths).enumerate() {
-            let mut put = |column: usize, value: f64| {
-                i.push(at);
-                j.push(column);
-                v.push(value / length);
-            };
-            (row.own.iter().enumerate()).for_each(|(column, a)| put(column, a * unit));
-            let mut bound = row.bound;
-            if let Some((k, e)) = row.extra {
-                put(n + k, e * units[k]);
-                bound -= e * from[k];
-            }
-            b.push(bound / length);
-        }
-        let columns = n + units.len();
-        (CscMatrix::new_from_triplets(b.len(), columns, i, j, v), b)
-    }
-
-    fn clarabel(&self, unit: f64, tolerance: f64, from: &[f64]) -> Answer {
-        let (n, extras) = (self.space.free.ncols(), &self.reference.extras);
-        let (lengths, units) = self.scales(unit);
-        let (a, b) = self.matrix(unit, &lengths, &units, from);
-        let costs = extras.iter().zip(&units).map(|(e, unit)| e.cost * unit);
-        let square = if self.space.is_square {
-            unit * unit
-        } else {
-            0.0
-        };
-        let weight = costs.clone().fold(square, f64::max);
-        let all = n + extras.len();
-        let diagonal = vec![square / weight; n];
-        let p =
-            CscMatrix::new_from_triplets(all, all, (0..n).collect(), (0..n).collect(), diagonal);
-        let q: Vec<f64> = std::iter::repeat_n(0.0, n)
-            .chain(costs.map(|c| c / weight))
-            .collect();
-        let settings = DefaultSettingsBuilder::default()
-            .verbose(false)
-            .max_threads(1)
-            .tol_gap_abs(tolerance)
-            .tol_gap_rel(tolerance)
-            .tol_feas(tolerance)
-            .build()
-            .map_err(|e| Some(e.to_string()))?;
-        let cones = [SupportedConeT::NonnegativeConeT(b.len())];
-        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings)
-            .map_err(|e| Some(e.to_string()))?;
-        solver.solve();
-        let answer = &solver.solution;
-        let gap = (answer.obj_val - answer.obj_val_dual).abs();
-        match answer.status {
-            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                return Err(None);
-            }
-            SolverStatus::Solved => {}
-            _ if answer.r_prim < GOOD
-                && answer.r_dual < GOOD_DUAL
-                && gap < GOOD * answer.obj_val.abs().max(1.0) => {}
-            status => return Err(Some(format!("{status:?}, gap {gap:e}"))),
-        }
-        let u = DVector::from_fn(n, |k, _| unit * answer.x[k]);
-        let beside = (0..extras.len()).map(|k| from[k] + units[k] * answer.x[n + k]);
-        let constant: f64 = extras.iter().zip(from).map(|(e, y)| e.cost * y).sum();
-        let length = answer.x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let dual = answer.obj_val_dual - answer.r_dual * length;
-        Ok((
-            u,
-            beside.collect(),
-            self.space.least + constant + weight * dual,
-        ))
     }
 }
