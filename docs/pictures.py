@@ -49,8 +49,6 @@ def content(folder, source):
     file, _, name = source.partition("#")
     text = (folder / file).read_text(encoding="utf-8")
     text = diagram(text, name) if name else text
-    if len(text.encode()) > LARGEST:
-        text = re.sub(r"(\d\.\d)\d+", r"\1", text)  # a tenth of a pixel is enough for a page
     assert len(text.encode()) <= LARGEST, f"{source}: {len(text.encode())} bytes"
     return text
 
