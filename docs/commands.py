@@ -11,16 +11,14 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
 - `csv` is written to the file that the line before names, `NAME.csv`: in backquotes;
 - `toml` that begins with the comment `# NAME.toml` is written to that file; any other is set, key by key, in the scene
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
-- `rust`: the text of a file of examples/, which the tests run, or a block of the README, which is a documentation test;
+- `rust`: stands in a file of examples/, which the tests run, or in the README, which is a documentation test;
 - `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
-  without --python it is only compiled;
-- `json`: parsed.
+  without --python it is only compiled.
 
 Pages below docs/guia/ are run in Spanish.
 """
 
 import argparse
-import json
 import os
 import re
 import shlex
@@ -33,11 +31,7 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-FOLDERS = ("docs/guide", "docs/guia", "docs/reference")
-
-
-def pages():
-    return [ROOT / "README.md", ROOT / "docs/start.md", *(page for folder in FOLDERS for page in sorted((ROOT / folder).glob("*.md")))]
+PAGES = ("README.md", "docs/start.md", "docs/guide/*.md", "docs/guia/*.md", "docs/reference/*.md")
 
 
 class Page:
@@ -56,9 +50,8 @@ class Page:
             self.named, kind, block = found.groups()
             if kind == "text" and before != "sh":
                 continue  # a formula or a picture in characters
-            check = getattr(self, kind, None)
-            fault = check(block) if check else f"nothing checks blocks of kind {kind}"
-            if fault:
+            check = getattr(self, kind, lambda _: f"nothing checks blocks of kind {kind}")
+            if fault := check(block):
                 line = self.path.read_text(encoding="utf-8").count("\n", 0, found.start()) + 1
                 sys.exit(f"{self.path.relative_to(ROOT)}:{line}: {fault}")
             before = kind
@@ -70,6 +63,8 @@ class Page:
         for line in block.splitlines():
             if line.startswith("gaitcam studio"):
                 self.printed += self.first_line(line)
+                if not self.printed.endswith("\n"):
+                    return f"it does not serve: {line}"
             elif line.startswith("gaitcam "):
                 expected = re.search(r"# exit code (\d+)", line)
                 code, printed = self.shell(line)
@@ -100,18 +95,15 @@ class Page:
                 return f"not printed by the commands above: {line}\nprinted:\n{self.printed}"
 
     def toml(self, block):
-        named = re.match(r"# (\S+\.toml)\n", block)
-        if named:
+        if named := re.match(r"# (\S+\.toml)\n", block):
             self.scene = named.group(1)
             (self.folder / self.scene).write_text(block, encoding="utf-8")
-            return
-        values = shlex.join(word for key, value in leaves(tomllib.loads(block)) for word in ("--set", f"{key}={value}"))
+            return None
+        values = " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in leaves(tomllib.loads(block)))
         code, printed = self.shell(f"gaitcam synth {self.scene} {values} --json")
         return None if code in (0, 3) else f"exit code {code} with {values}\n{printed}"
 
     def csv(self, block):
-        if not self.named:
-            return "the line before a csv block names its file: `NAME.csv`:"
         (self.folder / self.named).write_text(block, encoding="utf-8")
 
     def rust(self, block):
@@ -120,9 +112,6 @@ class Page:
 
     def python(self, block):
         self.program += block
-
-    def json(self, block):
-        json.loads(block)
 
     def run_python(self):
         compile(self.program, str(self.path), "exec")
@@ -138,10 +127,10 @@ def leaves(value, key=""):
     if isinstance(value, list):
         value = {str(number): entry for number, entry in enumerate(value, 1)}
     if not isinstance(value, dict):
-        yield key, json.dumps(value).strip('"') if isinstance(value, bool) else str(value)
-        return
-    for name, entry in value.items():
-        yield from leaves(entry, f"{key}.{name}" if key else name)
+        yield key, str(value).lower() if isinstance(value, bool) else value
+    else:
+        for name, entry in value.items():
+            yield from leaves(entry, f"{key}.{name}" if key else name)
 
 
 def main():
@@ -150,7 +139,8 @@ def main():
     arguments.add_argument("--python", metavar="INTERPRETER")
     arguments.add_argument("pages", nargs="*", metavar="PAGE.md")
     given = arguments.parse_args()
-    for path in [Path(page).resolve() for page in given.pages] or pages():
+    every = (page for pattern in PAGES for page in sorted(ROOT.glob(pattern)))
+    for path in [Path(page).resolve() for page in given.pages] or every:
         with tempfile.TemporaryDirectory() as folder:
             print(path.relative_to(ROOT), flush=True)
             Page(path, str(Path(given.binary).resolve()), folder, given.python).run()
