@@ -60,7 +60,7 @@ class Page:
 
     def sh(self, block):
         self.printed = ""
-        for line in block.splitlines():
+        for line in block.replace("\\\n", " ").splitlines():
             if line.startswith("gaitcam studio"):
                 self.printed += self.first_line(line)
                 if not self.printed.endswith("\n"):

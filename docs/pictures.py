@@ -27,7 +27,7 @@ PICTURES = {
     ("limits", "limites"): {"stroke": "out/footbridge-front/front.svg"},
     ("no-cam", "sin-leva"): {"force": "out/short/force.svg"},
     ("run", "marcha"): {"run": "out/fast/report.html#run"},
-    ("sweeps", None): {"heat": "out/grid/heat.svg"},
+    ("sweeps", None): {"heat": "out/grid/heat.svg", "front": "out/grid/front.svg"},
     ("workshop", None): {"profile": "out/shop/profile.svg"},
     ("teachers", None): {"svaj": "out/camdas_09_eight_motions/svaj.svg"},
     ("python", None): {"svaj": "out/footbridge/svaj.svg"},
