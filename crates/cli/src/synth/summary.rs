@@ -204,12 +204,12 @@ fn machine(design: &Design) -> Option<String> {
     let parts = [
         torque.map(|(most, rms)| {
             words::fill(
-                "synth-torque",
+                "synth-torque-values",
                 &json!({"most": fixed(most, 4), "rms": fixed(rms, 4)}),
             )
         }),
         m.power_max_w
-            .map(|most| words::fill("synth-power", &json!({"most": fixed(most, 3)}))),
+            .map(|most| words::fill("synth-power-value", &json!({"most": fixed(most, 3)}))),
         m.liftoff_speed_rad_per_s.map(|w| {
             words::fill(
                 "synth-lift-off",
