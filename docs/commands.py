@@ -13,9 +13,7 @@ Each page has a temporary folder with copies of scenes/ and data/, in which its 
   written last (else in the built-in footbridge), which must then be designed with exit code 0 or 3;
 - `rust`: stands in a file of examples/, which the tests run, or in the README, which is a documentation test;
 - `python`: the blocks of a page are one program, run by INTERPRETER, in which the package of python/ is installed;
-  without --python it is only compiled.
-
-Pages below docs/guia/ are run in Spanish.
+  without --python it is only compiled. Pages below docs/guia/ are run in Spanish.
 """
 
 import argparse
@@ -38,7 +36,8 @@ class Page:
     """One page and the folder in which its blocks take effect."""
 
     def __init__(self, path, binary, folder, python=None):
-        self.path, self.binary, self.folder, self.interpreter = path, binary, Path(folder), python
+        self.path, self.binary, self.folder = path, binary, Path(folder)
+        self.interpreter = python and Path(shutil.which(python)).absolute()
         self.scene, self.printed, self.program = "footbridge", "", ""
         self.language = "es" if path.parent.name == "guia" else "en"
         for name in ("scenes", "data"):
@@ -118,8 +117,8 @@ class Page:
         if not self.interpreter:
             return print(f"{self.path.relative_to(ROOT)}: python blocks compiled, not run (no --python)")
         path = f"{Path(self.binary).parent}{os.pathsep}{os.environ['PATH']}"
-        subprocess.run([self.interpreter, "-c", self.program], cwd=self.folder, check=True, timeout=300,
-                       env={**os.environ, "PATH": path})
+        done = subprocess.run([self.interpreter, "-c", self.program], cwd=self.folder, env={**os.environ, "PATH": path})
+        return done.returncode and sys.exit(f"{self.path.relative_to(ROOT)}: the python blocks fail")
 
 
 def leaves(value, key=""):
@@ -138,7 +137,7 @@ def main():
     arguments.add_argument("binary")
     arguments.add_argument("--python", metavar="INTERPRETER")
     arguments.add_argument("pages", nargs="*", metavar="PAGE.md")
-    given = arguments.parse_args()
+    given = arguments.parse_intermixed_args()
     every = (page for pattern in PAGES for page in sorted(ROOT.glob(pattern)))
     for path in [Path(page).resolve() for page in given.pages] or every:
         with tempfile.TemporaryDirectory() as folder:
