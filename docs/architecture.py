@@ -93,7 +93,8 @@ def library():
 def crates():
     """Crates beside the library with what each one imports; the library is one name among them."""
     folder = ROOT / "crates"
-    found = sorted(p.parent for p in folder.glob("*/Cargo.toml")) if folder.is_dir() else []
+    manifests = [*folder.glob("*/Cargo.toml"), *ROOT.glob("python/Cargo.toml")]
+    found = sorted(p.parent for p in manifests)
     names = {"gaitcam": LIBRARY} | {f"gaitcam_{p.name}": p.name for p in found}
     imports = {}
     for path in found:

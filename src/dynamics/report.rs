@@ -101,6 +101,14 @@ impl Outcome {
         })
     }
 
+    /// The columns of `dynamics.csv`.
+    pub fn columns(&self) -> Vec<(&'static str, Vec<f64>)> {
+        let column = |i: usize| self.rows.iter().map(|r| r.values()[i]).collect();
+        (COLUMNS.iter().enumerate())
+            .map(|(i, name)| (*name, column(i)))
+            .collect()
+    }
+
     /// `dynamics.csv`: a header and one row per angle, numbers that read back exactly.
     pub fn csv(&self) -> String {
         let mut out = COLUMNS.join(",");

@@ -14,6 +14,8 @@ use crate::quantity::Quantity;
 pub enum ForceError {
     /// A cycle of fewer than four samples.
     FewSamples { samples: usize },
+    /// Times and forces that do not go together.
+    Lengths { times: usize, forces: usize },
     /// A sample is not a finite number.
     SampleNotFinite { sample: usize },
     /// The period is not positive.

@@ -6,6 +6,7 @@
 
 mod cam;
 mod dynamics;
+mod file;
 mod force;
 mod law;
 mod read;
@@ -24,6 +25,7 @@ use crate::wording::{self, Language};
 
 pub use cam::{ArmFault, CamError, CamLength};
 pub use dynamics::DynamicsError;
+pub use file::FileError;
 pub use force::ForceError;
 pub use law::{JoinCure, LawError, SegmentName};
 pub use read::{CycleColumn, FileKind, ReadError};
@@ -77,6 +79,8 @@ pub enum ErrorKind {
     Cam(CamError),
     /// In what a simulation is given.
     Dynamics(DynamicsError),
+    /// In a file that is read or a folder of results.
+    File(FileError),
     /// In a force curve, a load model or a mean cycle.
     Force(ForceError),
     /// In a motion, a programme or a polynomial of conditions.
@@ -151,6 +155,7 @@ impl ErrorKind {
             ErrorKind::Units(e) => wording::sentence(language, "units", e),
             ErrorKind::Cam(e) => wording::sentence(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::sentence(language, "dynamics", e),
+            ErrorKind::File(e) => wording::sentence(language, "file", e),
             ErrorKind::Force(e) => wording::sentence(language, "force", e),
             ErrorKind::Law(e) => wording::sentence(language, "law", e),
             ErrorKind::Read(e) => wording::sentence(language, "read", e),
@@ -168,6 +173,7 @@ impl ErrorKind {
             ErrorKind::Units(e) => wording::help(language, "units", e),
             ErrorKind::Cam(e) => wording::help(language, "cam", e),
             ErrorKind::Dynamics(e) => wording::help(language, "dynamics", e),
+            ErrorKind::File(e) => wording::help(language, "file", e),
             ErrorKind::Force(e) => wording::help(language, "force", e),
             ErrorKind::Law(e) => wording::help(language, "law", e),
             ErrorKind::Read(e) => wording::help(language, "read", e),
@@ -185,6 +191,7 @@ impl ErrorKind {
             ErrorKind::Units(e) => wording::code("units", e),
             ErrorKind::Cam(e) => wording::code("cam", e),
             ErrorKind::Dynamics(e) => wording::code("dynamics", e),
+            ErrorKind::File(e) => wording::code("file", e),
             ErrorKind::Force(e) => wording::code("force", e),
             ErrorKind::Law(e) => wording::code("law", e),
             ErrorKind::Read(e) => wording::code("read", e),

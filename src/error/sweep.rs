@@ -27,6 +27,16 @@ pub enum SweepError {
         typed: String,
     },
     NoRows,
+    TooManyRows {
+        rows: String,
+    },
+    ListLengths {
+        key: String,
+        values: u64,
+        first: u64,
+    },
+    NotCarried,
+    NoDesign,
     OutOfTime,
     Fixed {
         key: String,
@@ -59,10 +69,6 @@ pub enum SweepError {
         typed: String,
         nearest: Option<String>,
         known: String,
-    },
-    ColumnMissing,
-    ColumnType {
-        wanted: &'static str,
     },
     Arrow {
         fault: String,

@@ -31,7 +31,7 @@ pub use note::{
     Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
 };
 pub use plausibility::implausible;
-pub use read::{metadata_name, one_cycle, read};
+pub use read::{metadata_name, of_arrays, one_cycle, read};
 pub use recording::{Channel, Foot, ForceUnit, Idle, ReadOptions, Recording, Row, Strike};
 pub use report::{LABELS, csv, cycle_json, cycle_table, json, spread_rms_n, table};
 pub use source::force_curve;

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::force::{Feet, Kind, OpenQuestion};
+use crate::error::{Error, Place, Result};
+use crate::force::{Feet, Kind, OpenQuestion, ReadOptions};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -91,6 +92,26 @@ impl Gait {
     /// Weight of a model's walker, N.
     pub fn model_weight(&self) -> f64 {
         self.body_weight.unwrap_or(MODEL_WEIGHT)
+    }
+
+    /// How the recording is to be read; `metadata` is the table of subjects that lies beside a table of stances.
+    ///
+    /// # Errors
+    /// A unit that is none.
+    pub fn read_options(&self, metadata: Option<Vec<u8>>) -> Result<ReadOptions> {
+        let at = |e: Error| e.at(Place::Key("gait.unit".to_string()));
+        let unit = self.unit.as_deref().map(|u| u.parse().map_err(at));
+        Ok(ReadOptions {
+            time: self.time.clone(),
+            force: self.force.clone(),
+            unit: unit.transpose()?,
+            rate_hz: self.rate,
+            mass_kg: self.mass,
+            kind: self.kind,
+            period_s: self.period,
+            span_rad: self.span,
+            metadata,
+        })
     }
 
     /// Whether it is a recording.

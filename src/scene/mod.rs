@@ -30,7 +30,7 @@ pub use notes::SceneNote;
 pub use read::{read, read_keys};
 pub use rules::check;
 pub use schema::schema;
-pub use set::set;
+pub use set::{set, set_value};
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
 #[derive(Debug, Clone, PartialEq)]

@@ -18,12 +18,20 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
         .ok_or_else(|| SceneError::NoAssignment {
             typed: assignment.to_string(),
         })?;
-    let (key, value) = (key.trim(), value.trim());
+    let value = value.trim();
     let parsed = format!("x = {value}")
         .parse::<Table>()
         .ok()
         .and_then(|mut t| t.remove("x"));
     let value = parsed.unwrap_or_else(|| Value::String(value.to_string()));
+    set_value(table, key.trim(), value)
+}
+
+/// The same with a value that is read already.
+///
+/// # Errors
+/// A path that leads through a value or to an entry that is not there.
+pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let parts: Vec<&str> = key.split('.').collect();
     let Some((last, path)) = parts.split_last() else {
         return Ok(());

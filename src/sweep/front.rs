@@ -1,6 +1,7 @@
 //! The Pareto set: designs that no other design beats in every objective.
 
-use super::results::NUMBERS;
+use super::results::{NUMBERS, Outcome};
+use crate::cam::Verdict;
 use crate::error::{Result, SweepError, nearest};
 
 /// A design on the front.
@@ -88,6 +89,80 @@ impl Front {
         self.points
             .iter()
             .min_by(|a, b| distance(a).total_cmp(&distance(b)).then(a.row.cmp(&b.row)))
+    }
+}
+
+/// A column that designs are compared by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Objective {
+    /// Its place in the table.
+    pub column: usize,
+    /// Its name.
+    pub name: String,
+    /// Whether the larger is the better.
+    pub maximised: bool,
+}
+
+/// Minimised where nothing is said.
+const USUAL: [&str; 2] = ["force_error", "prime_radius"];
+
+impl Objective {
+    /// A column of a table by an objective's name.
+    ///
+    /// # Errors
+    /// As [`objective`].
+    pub fn of(name: &str, maximised: bool, columns: &[String]) -> Result<Objective> {
+        let column = objective(name, columns)?;
+        Ok(Objective {
+            column,
+            name: columns[column].clone(),
+            maximised,
+        })
+    }
+
+    /// What is minimised where nothing is said: force error and prime radius.
+    pub fn usual() -> Vec<String> {
+        USUAL.map(str::to_string).to_vec()
+    }
+
+    fn sign(&self) -> f64 {
+        if self.maximised { -1.0 } else { 1.0 }
+    }
+
+    /// The smaller the better.
+    pub fn cost(&self, value: f64) -> f64 {
+        self.sign() * value
+    }
+
+    /// Its value, SI, of a cost.
+    pub fn value(&self, cost: f64) -> f64 {
+        self.sign() * cost
+    }
+}
+
+/// Which rows of a table are candidates for a front.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Admission {
+    /// Designs that are not for high speed too.
+    pub low_speed: bool,
+    /// Every design that is built.
+    pub all: bool,
+}
+
+impl Admission {
+    /// Whether a row of this outcome and verdict is a candidate.
+    pub fn takes(self, outcome: &str, verdict: &str) -> bool {
+        outcome == Outcome::Built.name()
+            && (self.all
+                || verdict == Verdict::Acceptable.name()
+                || (verdict == Verdict::NotForHighSpeed.name() && self.low_speed))
+    }
+
+    /// Whether a row is left out only for being not for high speed.
+    pub fn leaves_out(self, outcome: &str, verdict: &str) -> bool {
+        !self.takes(outcome, verdict)
+            && outcome == Outcome::Built.name()
+            && verdict == Verdict::NotForHighSpeed.name()
     }
 }
 

@@ -7,21 +7,29 @@
 
 mod axis;
 mod batch;
+mod difference;
 mod front;
 mod kernel;
 mod key;
 mod plan;
+mod records;
 mod results;
 mod sample;
+mod scatter;
+mod study;
 pub mod table;
 mod tolerance;
 
 pub use axis::{Axis, AxisValue, Values};
 pub use batch::{Batch, Column};
-pub use front::{Front, Point, objective};
+pub use difference::{Difference, agree, differences};
+pub use front::{Admission, Front, Objective, Point, objective};
 pub use kernel::{Clock, Halts, Kernel, Targets};
 pub use key::Key;
-pub use plan::{Difference, List, NamedScene, Plan, Sampling, differences};
+pub use plan::{List, NamedScene, Plan, Sampling};
+pub use records::{Field, Records, Values as FieldValues, Words};
 pub use results::{NUMBERS, Outcome, Results, Row, TIME, WORDS};
 pub use sample::Method;
+pub use scatter::{SAMPLE_COLUMNS, Samples, Scattered};
+pub use study::{Files, Named, Study, Subject, Worker, remembered};
 pub use tolerance::{Made, Part, Scatter, Spread, Tolerance};

@@ -1,6 +1,5 @@
 //! What a sweep tries: base scenes, a list, a grid or a sample. Every row follows from its number.
 
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 use toml::Table;
 
@@ -31,6 +30,19 @@ impl List {
     /// Number of rows.
     pub fn rows(&self) -> u64 {
         self.columns.first().and_then(Axis::count).unwrap_or(0)
+    }
+
+    /// Refuses columns of unequal length.
+    fn check(&self) -> Result<()> {
+        let first = self.rows();
+        for column in &self.columns {
+            let values = column.count().unwrap_or(0);
+            if values != first {
+                let key = column.key.name().to_string();
+                return Err(SweepError::ListLengths { key, values, first }.into());
+            }
+        }
+        Ok(())
     }
 }
 
@@ -164,6 +176,9 @@ impl Plan {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
             return Err(SweepError::NoRows.into());
+        }
+        if let Some(list) = &self.list {
+            list.check()?;
         }
         for (i, axis) in axes.iter().enumerate() {
             let name = axis.key.name();
@@ -305,113 +320,6 @@ fn trial_values(axis: &Axis) -> Vec<AxisValue> {
         // Every range of allowed numbers is convex: both ends speak for the rest.
         _ => vec![axis.sampled(0.0), axis.sampled(1.0)],
     }
-}
-
-/// A difference between two descriptions of sweeps; `path` names its place, `limits.stroke` of `vary`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Difference {
-    /// A value, `None` where a description has none.
-    Value {
-        /// Its place.
-        path: String,
-        /// In the first description.
-        old: Option<String>,
-        /// In the second.
-        new: Option<String>,
-    },
-    /// A value too long to quote.
-    Long {
-        /// Its place.
-        path: String,
-    },
-    /// A line of a scene that only the first description has.
-    OnlyOld {
-        /// Place of the scene.
-        path: String,
-        /// The line.
-        text: String,
-    },
-    /// A line of a scene that only the second has.
-    OnlyNew {
-        /// Place of the scene.
-        path: String,
-        /// The line.
-        text: String,
-    },
-}
-
-/// What differs between two descriptions.
-pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
-    let mut out = Vec::new();
-    compare("", old, new, &mut out);
-    out
-}
-
-/// Longest value that a difference quotes.
-const QUOTED: usize = 80;
-
-fn compare(path: &str, old: &Value, new: &Value, out: &mut Vec<Difference>) {
-    let join = |key: &str| {
-        if path.is_empty() {
-            key.to_string()
-        } else {
-            format!("{path} {key}")
-        }
-    };
-    match (old, new) {
-        (Value::Object(a), Value::Object(b)) => {
-            for (key, x) in a {
-                compare(&join(key), x, b.get(key).unwrap_or(&Value::Null), out);
-            }
-            for (key, y) in b.iter().filter(|(k, _)| !a.contains_key(*k)) {
-                compare(&join(key), &Value::Null, y, out);
-            }
-        }
-        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
-            for (i, (x, y)) in a.iter().zip(b).enumerate() {
-                compare(&join(&format!("{}", i + 1)), x, y, out);
-            }
-        }
-        (Value::String(a), Value::String(b))
-            if a != b && (a.contains('\n') || b.contains('\n')) =>
-        {
-            differing_lines(path, a, b, out);
-        }
-        _ if old != new => out.push(differing_values(path.to_string(), old, new)),
-        _ => {}
-    }
-}
-
-fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
-    let shown = |v: &Value| match v {
-        Value::Null => None,
-        Value::String(text) => Some(text.clone()),
-        other => Some(other.to_string()),
-    };
-    let (old, new) = (shown(old), shown(new));
-    let long = |text: &Option<String>| {
-        text.as_ref()
-            .is_some_and(|text| text.chars().count() > QUOTED)
-    };
-    if long(&old) || long(&new) {
-        return Difference::Long { path };
-    }
-    Difference::Value { path, old, new }
-}
-
-/// Lines that only one of two texts has.
-fn differing_lines(path: &str, old: &str, new: &str, out: &mut Vec<Difference>) {
-    let only = |a: &str, b: &str| -> Vec<String> {
-        let there: Vec<&str> = b.lines().collect();
-        a.lines()
-            .filter(|l| !l.trim().is_empty() && !there.contains(l))
-            .map(str::to_string)
-            .collect()
-    };
-    let path = || path.to_string();
-    out.extend((only(old, new).into_iter()).map(|text| Difference::OnlyOld { path: path(), text }));
-    out.extend((only(new, old).into_iter()).map(|text| Difference::OnlyNew { path: path(), text }));
 }
 
 #[cfg(test)]

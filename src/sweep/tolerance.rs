@@ -14,7 +14,7 @@
 use std::f64::consts::TAU;
 
 use super::sample::{Method, mixed, unit};
-use crate::drive::DriveKind;
+use crate::drive::{Drive, DriveKind};
 use crate::error::{Place, Result, SweepError};
 use crate::scene::keys::{self, Key};
 use crate::synth::Design;
@@ -136,19 +136,19 @@ pub struct Made {
 }
 
 /// A design ready to be scattered.
-pub struct Scatter<'a> {
-    design: &'a Design,
+pub struct Scatter {
+    drive: Drive,
     mean: f64,
     /// Mean products of the fixed functions and the lobes.
     products: Vec<Vec<f64>>,
 }
 
-impl<'a> Scatter<'a> {
+impl Scatter {
     /// Takes the design apart.
     ///
     /// # Errors
     /// Fails where no force is wanted, so that there is no error to speak of.
-    pub fn new(design: &'a Design) -> Result<Self> {
+    pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());
         };
@@ -175,7 +175,7 @@ impl<'a> Scatter<'a> {
             }
         }
         Ok(Scatter {
-            design,
+            drive: design.drive,
             mean: target.mean_n(),
             products,
         })
@@ -183,7 +183,7 @@ impl<'a> Scatter<'a> {
 
     /// Sample `index` of `count`; the same for the same arguments, always.
     pub fn sample(&self, tolerances: &[Tolerance], index: u64, count: u64, seed: u64) -> Made {
-        let drive = &self.design.drive;
+        let drive = &self.drive;
         let (mut profile, mut radius, mut mass, mut speed) = (0.0, 0.0, 0.0, 0.0);
         for (axis, t) in tolerances.iter().enumerate() {
             let u = Method::Latin.coordinate(index, count, axis, seed);

@@ -57,6 +57,7 @@
 
 mod design;
 mod easing;
+mod emitted;
 mod families;
 mod figures;
 mod infeasible;
@@ -82,6 +83,7 @@ pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, Minimised, Relaxation,
     SolverReport, Step, Tier,
 };
+pub use emitted::contact_is_judged;
 pub use figures::Figures;
 pub use infeasible::{in_units, relaxed, relaxed_with};
 pub use load_factors::LoadFactor;

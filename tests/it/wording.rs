@@ -7,8 +7,8 @@ use std::path::Path;
 use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
 use gaitcam::error::{
-    CamError, DynamicsError, Error, ForceError, JoinCure, LawError, ReadError, SceneError,
-    SegmentName, SweepError, SynthError, UnitsError, WriteError,
+    CamError, DynamicsError, Error, FileError, ForceError, JoinCure, LawError, ReadError,
+    SceneError, SegmentName, SweepError, SynthError, UnitsError, WriteError,
 };
 use gaitcam::force::{
     ClockSource, CycleSource, Format, Idle, Kind, LABELS, MassSource, Note, OpenQuestion,
@@ -17,6 +17,7 @@ use gaitcam::force::{
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
+use gaitcam::sweep::Difference;
 use gaitcam::synth::{Change, Demand, Doubt, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
 use gaitcam::wording::{Language, catalogue};
@@ -59,6 +60,8 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("method", Method::VARIANTS),
         ("ended", Ended::VARIANTS),
         ("passed-over", PassedOver::VARIANTS),
+        ("file", FileError::VARIANTS),
+        ("differs", Difference::VARIANTS),
         ("sweep", SweepError::VARIANTS),
         ("synth", SynthError::VARIANTS),
         ("write", WriteError::VARIANTS),

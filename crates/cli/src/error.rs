@@ -13,22 +13,11 @@ use gaitcam::error::{Error, ErrorKind, Place};
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 pub enum CliError {
-    CannotRead { fault: String },
     CannotWrite { fault: String },
     CannotOpen { fault: String },
-    CannotPlace { fault: String },
-    FolderRefuses { fault: String },
-    Folder,
-    Device,
-    TooLarge { mib: u64 },
-    NotUtf8,
-    NotToml { fault: String },
-    NotJson { fault: String },
     NotCsv { fault: String },
-    NoSceneInSummary,
     SceneName { shown: String, fault: NameFault },
     FewRows { rows: u32, least: u32 },
-    Replaced { file: String },
     CycleEnding { file: String },
     OneCurve,
     CycleOverRecording,
@@ -51,7 +40,6 @@ pub enum CliError {
     NoRecordings { endings: String },
     NotRecordings { files: usize, endings: String },
     NoCurve,
-    TooManyRows { rows: String },
     ManyRows { rows: String },
     Threads { fault: String },
     ScatterAlone,
@@ -64,7 +52,6 @@ pub enum CliError {
     AllRowsSafe { fault: String },
     CannotRepair { fault: String },
     Busy,
-    AnotherSweep { differences: String },
     WriterFailed,
 }
 

@@ -7,13 +7,14 @@ use serde_json::{Value, json};
 
 use crate::error::CliError;
 use crate::exit_code::{BAD_INPUT, BUILT};
-use crate::input::{self, files::read_bytes, target::metadata};
+use crate::input;
 use crate::language;
 use crate::terminal::{print, print_json, report};
 use crate::words;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Cycle, Feet, Interpretation, ReadOptions};
 use gaitcam::units::Dimension;
+use gaitcam_files::{read::read_bytes, target::metadata};
 use gaitcam_output as output;
 use gaitcam_output::folder::{Folder, write_whole};
 

@@ -16,7 +16,6 @@ mod keys;
 mod language;
 mod laws;
 mod reproduce;
-mod result_folder;
 mod searching;
 mod simulate;
 mod studio;

@@ -1,6 +1,5 @@
 //! `gaitcam simulate`: runs the emitted cam, not the law it came from.
 
-use std::f64::consts::TAU;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -9,25 +8,19 @@ use serde_json::json;
 
 use crate::error::CliError;
 use crate::exit_code::{self, NO_SUCH_CAM};
-use crate::input::{self, Input, SceneArgs};
-use crate::result_folder::ResultFolder;
+use crate::input::{self, SceneArgs};
 use crate::searching;
 use crate::synth::files_in;
 use crate::terminal::{print, print_json, report};
 use crate::words;
-use gaitcam::drive::Drive;
-use gaitcam::dynamics::Train;
-use gaitcam::dynamics::hertz::STEEL;
-use gaitcam::dynamics::{Face, Machine, Model, Run, simulate};
-use gaitcam::error::Result;
+use gaitcam::dynamics::{Model, Run, simulate};
+use gaitcam::error::{Place, Result};
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{Design, sentences, synthesise_with};
+use gaitcam::synth::{Design, contact_is_judged, synthesise_with};
 use gaitcam::units::Dimension;
+use gaitcam_files::ResultFolder;
 use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
-
-/// Rows of the emitted profile that is run.
-const POINTS: usize = 1440;
 
 const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
@@ -75,19 +68,19 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     })?;
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
-    let folder = ResultFolder::open(&input.result_folder(args.out.as_deref(), "")?)?;
+    let folder = ResultFolder::open(&input::result_folder(&input, args.out.as_deref(), "")?)?;
     let target = input.target()?;
     let solving = Instant::now();
     let mut design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
     let solve_s = solving.elapsed().as_secs_f64();
-    if let Some(why) = no_cam(&design) {
+    if let Some(why) = design.no_cam(crate::language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
         }
         return Ok(NO_SUCH_CAM);
     }
-    let run = prepared(args, &input, &design)?;
+    let run = emitted(args, &input.scene, &design)?;
     let outcome = simulate(&run, model)?;
     if outcome.contact_lost && contact_is_judged(&input.scene) {
         design.loses_contact(outcome.lost_fraction);
@@ -124,65 +117,20 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     Ok(exit_code::of(design.verdict))
 }
 
-/// Whether the scene leaves it to the verdict that contact is kept.
-fn contact_is_judged(scene: &Scene) -> bool {
-    let limits = &scene.limits;
-    !limits.unjudged.contact_force && limits.force_min.is_none_or(|low| low >= 0.0)
-}
-
-/// Why a design has no cam that could run.
-fn no_cam(design: &Design) -> Option<String> {
-    let language = crate::language::current();
-    if let Some(infeasible) = &design.infeasible {
-        return Some(sentences(&infeasible.reasons, language));
-    }
-    let undercut = design.cam.follower.is_flat() && design.cam.curvature().undercut;
-    undercut.then(|| sentences(&design.reasons, language))
-}
-
-/// The emitted profile of the design on the machine.
-fn prepared(args: &SimulateArgs, input: &Input, design: &Design) -> Result<Run> {
-    let mut machine = machine(args, &input.scene, &design.drive)?;
-    machine.groove_floor = design.groove.as_ref().map(|groove| groove.depth().0);
-    machine.conjugate = design.conjugate.as_ref().map(|pair| pair.second.clone());
-    let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
-    Ok(Run {
-        profile: design.cam.profile(POINTS),
-        target: design
-            .target
-            .as_ref()
-            .map(|t| angles.map(|theta| t.at(theta)).collect()),
-        cam: design.cam.clone(),
-        drive: design.drive,
-        machine,
-    })
-}
-
 /// The scene's machine, with what the command line says in its place.
-fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine> {
+fn machine(args: &SimulateArgs, spec: &MachineSpec) -> Result<MachineSpec> {
     let given = |flag: &str, text: &Option<String>, dimension| {
         input::quantity(flag, text.as_deref(), dimension)
     };
-    let spec = &scene.machine;
-    let mut machine = Machine::default();
+    let mut machine = spec.clone();
     let hz = given(
         "--natural-frequency",
         &args.natural_frequency,
         Dimension::Frequency,
     )?;
-    let ratio = given("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?
+    machine.natural_frequency = hz.or(spec.natural_frequency);
+    machine.damping_ratio = given("--damping-ratio", &args.damping_ratio, Dimension::Ratio)?
         .unwrap_or(spec.damping_ratio);
-    machine.train = match hz {
-        Some(hz) => {
-            let placed = input::at_flag("--natural-frequency");
-            Some(Train::from_frequency(drive, hz, ratio).map_err(placed)?)
-        }
-        None => MachineSpec {
-            damping_ratio: ratio,
-            ..spec.clone()
-        }
-        .train(drive)?,
-    };
     let friction = given("--friction", &args.friction, Dimension::Ratio)?;
     if friction.is_some_and(|mu| mu < 0.0) {
         let typed = args.friction.clone().unwrap_or_default();
@@ -197,10 +145,15 @@ fn machine(args: &SimulateArgs, scene: &Scene, drive: &Drive) -> Result<Machine>
     machine.restitution = e;
     machine.second_cam =
         given("--second-cam", &args.second_cam, Dimension::Angle)?.or(spec.second_cam);
-    machine.face = Some(Face {
-        length: scene.cam.thickness,
-        cam: STEEL,
-        follower: STEEL,
-    });
     Ok(machine)
+}
+
+/// The emitted profile of the design on that machine.
+fn emitted(args: &SimulateArgs, scene: &Scene, design: &Design) -> Result<Run> {
+    let machine = machine(args, &scene.machine)?;
+    let run = design.emitted(&machine, design.drive);
+    run.map_err(|e| match args.natural_frequency {
+        Some(_) => e.placed(Place::Argument("--natural-frequency".to_string())),
+        None => e,
+    })
 }

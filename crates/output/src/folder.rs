@@ -1,6 +1,7 @@
 //! Writing: a file appears whole or not at all.
 
 use std::fs;
+use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -49,7 +50,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
         .file(path)
     };
     let mut beside = path.as_os_str().to_owned();
-    beside.push(format!(".{}.partial", std::process::id()));
+    // Processes of several machines may share a folder, and have the same number.
+    let random = RandomState::new().build_hasher().finish();
+    beside.push(format!(".{}.{random:x}.partial", std::process::id()));
     let beside = PathBuf::from(beside);
     let written = fs::File::create(&beside)
         .and_then(|mut f| f.write_all(bytes))

@@ -1,12 +1,12 @@
-//! Arrow record batches in and out of the kernel, and rows as Parquet.
+//! Tables of a sweep as Parquet.
 
 use std::collections::HashMap;
 use std::io::Write;
 use std::sync::Arc;
 
 use arrow_array::cast::AsArray;
-use arrow_array::types::Float64Type;
-use arrow_array::{Array, ArrayRef, Float64Array, StringArray, UInt64Array};
+use arrow_array::types::{Float64Type, Int32Type};
+use arrow_array::{Array, ArrayRef, DictionaryArray, Float64Array, StringArray, UInt64Array};
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use parquet::arrow::ArrowWriter;
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
@@ -15,49 +15,33 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::ChunkReader;
 use parquet::schema::types::ColumnPath;
 
-use gaitcam::error::{Error, Place, Result, SweepError};
-use gaitcam::sweep::{Batch, Column, Kernel, Key, NUMBERS, Results, TIME, WORDS, table::unit_of};
+use gaitcam::error::{Error, Result, SweepError};
+use gaitcam::sweep::{self, FieldValues, NUMBERS, Records, TIME, Words};
 
 pub use arrow_array::RecordBatch;
 
 /// Rows of a row group.
 pub const GROUP_ROWS: usize = 131_072;
 
-fn numbers_field(name: &str) -> Field {
-    let unit = unit_of(name);
-    let field = Field::new(name, DataType::Float64, true);
-    if unit.is_empty() {
-        return field;
+fn field(column: &sweep::Field) -> Field {
+    let dictionary = || DataType::Dictionary(DataType::Int32.into(), DataType::Utf8.into());
+    let (kind, nullable) = match column.values {
+        FieldValues::Rows(_) => (DataType::UInt64, false),
+        FieldValues::Numbers(_) => (DataType::Float64, true),
+        FieldValues::Words(_) => (dictionary(), true),
+    };
+    let field = Field::new(&column.name, kind, nullable);
+    match column.unit() {
+        "" => field,
+        unit => field.with_metadata(HashMap::from([("unit".to_string(), unit.to_string())])),
     }
-    field.with_metadata(HashMap::from([("unit".to_string(), unit.to_string())]))
 }
 
-fn words_field(name: &str) -> Field {
-    Field::new(name, DataType::Utf8, true)
-}
-
-fn result_fields() -> Vec<Field> {
-    let mut out: Vec<Field> = NUMBERS.iter().map(|n| numbers_field(n)).collect();
-    out.extend(WORDS.iter().map(|w| words_field(w)));
-    out.push(numbers_field(TIME));
-    out
-}
-
-/// Names, types and units of all columns of a table.
-pub fn schema(keys: &[Key], several_scenes: bool) -> SchemaRef {
-    let mut fields = vec![Field::new("row", DataType::UInt64, false)];
-    if several_scenes {
-        fields.push(words_field("scene"));
-    }
-    for key in keys {
-        fields.push(if key.is_number() {
-            numbers_field(&key.column())
-        } else {
-            words_field(&key.column())
-        });
-    }
-    fields.extend(result_fields());
-    Arc::new(Schema::new(fields))
+/// Names, types and units of the columns, with what is known of the whole table.
+pub fn schema(records: &Records, metadata: &[(String, String)]) -> SchemaRef {
+    let fields: Vec<Field> = records.fields.iter().map(field).collect();
+    let metadata = metadata.iter().cloned().collect();
+    Arc::new(Schema::new(fields).with_metadata(metadata))
 }
 
 fn numbers(values: &[f64]) -> ArrayRef {
@@ -68,22 +52,11 @@ fn numbers(values: &[f64]) -> ArrayRef {
     Arc::new(Float64Array::from_iter_values(values.iter().copied()))
 }
 
-fn words<'a>(values: impl Iterator<Item = &'a str>) -> ArrayRef {
-    let some = values.map(|w| (!w.is_empty()).then_some(w));
-    Arc::new(StringArray::from_iter(some))
-}
-
-fn result_columns(results: &Results) -> Vec<ArrayRef> {
-    let mut out: Vec<ArrayRef> = (0..NUMBERS.len())
-        .map(|c| numbers(results.numbers(c)))
-        .collect();
-    out.extend((0..WORDS.len()).map(|c| words(results.words(c).into_iter())));
-    out.push(numbers(results.times()));
-    out
-}
-
-fn at_column(column: &str, fault: SweepError) -> Error {
-    Error::from(fault).at(Place::Key(column.to_string()))
+fn words(words: &Words) -> ArrayRef {
+    let codes = words.codes.iter().map(|&c| (c >= 0).then_some(c));
+    let names = StringArray::from_iter_values(&words.names);
+    let keys = arrow_array::PrimitiveArray::<Int32Type>::from_iter(codes);
+    Arc::new(DictionaryArray::new(keys, Arc::new(names)))
 }
 
 fn arrow_fault(e: arrow_schema::ArrowError) -> Error {
@@ -96,72 +69,28 @@ fn parquet_fault(e: parquet::errors::ParquetError) -> Error {
     SweepError::Parquet { fault }.into()
 }
 
-/// The rows `first …` as a record batch of the table.
+/// Rows as a record batch.
 ///
 /// # Errors
 /// Columns that do not fit the schema.
-pub fn record_batch(
-    schema: &SchemaRef,
-    first: u64,
-    batch: &Batch,
-    results: &Results,
-    scenes: Option<&[String]>,
-) -> Result<RecordBatch> {
-    let rows = first..first + results.len() as u64;
-    let mut columns: Vec<ArrayRef> = vec![Arc::new(UInt64Array::from_iter_values(rows))];
-    if let Some(names) = scenes {
-        let name = |s: &u32| names.get(*s as usize).map_or("", String::as_str);
-        columns.push(words(batch.scene.iter().map(name)));
-    }
-    for column in &batch.columns {
-        columns.push(match column {
-            Column::Numbers(x) => numbers(x),
-            Column::Words(w) => words(w.iter().map(|w| &**w)),
-        });
-    }
-    columns.extend(result_columns(results));
-    RecordBatch::try_new(schema.clone(), columns).map_err(arrow_fault)
+pub fn record_batch(schema: &SchemaRef, records: &Records) -> Result<RecordBatch> {
+    let columns = records.fields.iter().map(|field| match &field.values {
+        FieldValues::Rows(x) => Arc::new(UInt64Array::from_iter_values(x.iter().copied())),
+        FieldValues::Numbers(x) => numbers(x),
+        FieldValues::Words(w) => words(w),
+    });
+    RecordBatch::try_new(schema.clone(), columns.collect()).map_err(arrow_fault)
 }
 
-/// Answers a record batch of scene parameters with a record batch of results, row for row.
-///
-/// The batch needs one column per key of the kernel, by the name that [`Key::column`] gives: Float64 in SI
-/// for quantities, Utf8 for words. An optional Float64 column `scene` counts base scenes from 0. Pure: no
-/// file is touched but what the kernel's own targets read.
+/// A whole file of rows.
 ///
 /// # Errors
-/// Fails on a missing column or another type.
-pub fn answer(kernel: &Kernel, parameters: &RecordBatch) -> Result<RecordBatch> {
-    let rows = parameters.num_rows();
-    let mut batch = Batch {
-        scene: vec![0; rows],
-        columns: Vec::new(),
-    };
-    if let Some(column) = parameters.column_by_name("scene") {
-        let scenes = column
-            .as_primitive_opt::<Float64Type>()
-            .ok_or_else(|| at_column("scene", SweepError::ColumnType { wanted: "Float64" }))?;
-        batch.scene = scenes.values().iter().map(|s| *s as u32).collect();
-    }
-    for key in kernel.keys() {
-        let name = key.column();
-        let column = parameters
-            .column_by_name(&name)
-            .ok_or_else(|| at_column(&name, SweepError::ColumnMissing))?;
-        batch.columns.push(if key.is_number() {
-            let values = column
-                .as_primitive_opt::<Float64Type>()
-                .ok_or_else(|| at_column(&name, SweepError::ColumnType { wanted: "Float64" }))?;
-            Column::Numbers(values.iter().map(|x| x.unwrap_or(f64::NAN)).collect())
-        } else {
-            let values = column
-                .as_string_opt::<i32>()
-                .ok_or_else(|| at_column(&name, SweepError::ColumnType { wanted: "Utf8" }))?;
-            Column::Words(values.iter().map(|w| Arc::from(w.unwrap_or(""))).collect())
-        });
-    }
-    let schema = Arc::new(Schema::new(result_fields()));
-    RecordBatch::try_new(schema, result_columns(&kernel.run(&batch))).map_err(arrow_fault)
+/// Columns that do not fit together.
+pub fn file(records: &Records, metadata: &[(String, String)]) -> Result<Vec<u8>> {
+    let schema = schema(records, metadata);
+    let mut writer = Writer::new(Vec::new(), &schema)?;
+    writer.write(&record_batch(&schema, records)?)?;
+    writer.close()
 }
 
 /// Writes rows as they come; holds one row group at a time.
@@ -238,6 +167,9 @@ pub fn number_at(column: &ArrayRef, row: usize) -> f64 {
 
 /// A word of a record batch; empty where there is none.
 pub fn word_at(column: &ArrayRef, row: usize) -> &str {
+    if let Some(words) = column.as_dictionary_opt::<Int32Type>() {
+        return words.key(row).map_or("", |k| word_at(words.values(), k));
+    }
     match column.as_string_opt::<i32>() {
         Some(w) if !column.is_null(row) => w.value(row),
         _ => "",
@@ -247,48 +179,39 @@ pub fn word_at(column: &ArrayRef, row: usize) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use gaitcam::error::SynthError;
-    use gaitcam::halt::Halt;
-    use gaitcam::scene::{self, Scene};
-    use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling};
 
     #[test]
-    fn a_record_batch_of_parameters_gives_the_rows_of_the_plain_kernel() {
-        let plan = Plan {
-            scenes: vec![NamedScene {
-                name: "x".to_string(),
-                table: scene::DEFAULT.parse().unwrap(),
-            }],
-            list: None,
-            axes: [
-                "law.family=harmonic,program",
-                "limits.curvature=1 mm:5 mm:3",
-            ]
-            .map(|t| Axis::parse(t, false).unwrap())
-            .to_vec(),
-            sampling: Sampling::Grid,
+    fn rows_come_back_from_a_file_as_they_went_with_units_and_metadata() {
+        let records = Records {
+            fields: vec![
+                sweep::Field::rows(7, 3),
+                sweep::Field::numbers("stroke_m", vec![0.1, f64::NAN, f64::INFINITY]),
+                sweep::Field::words("verdict", ["acceptable", "", "acceptable"].into_iter()),
+            ],
         };
-        let none = |_: usize, _: &Scene| Err(SynthError::NoTarget.into());
-        let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
-        let batch = plan.batch(0, 6);
-        let results = kernel.run(&batch);
-        let full = schema(&plan.keys(), false);
-        assert_eq!(full.field(2).metadata()["unit"], "m");
-        let table = record_batch(&full, 0, &batch, &results, None).unwrap();
-        let parameters = table.project(&[1, 2]).unwrap();
-        let answers = answer(&kernel, &parameters).unwrap();
-        let again: Vec<ArrayRef> = table.columns()[3..].to_vec();
-        assert_eq!(answers.columns(), again);
-        let mut writer = Writer::new(tempfile::tempfile().unwrap(), &full).unwrap();
-        writer.write(&table).unwrap();
-        let file = writer.close().unwrap();
-        let mut rows = 0;
-        read(file, |b| {
-            assert_eq!(b.columns(), table.columns());
-            rows += b.num_rows();
+        let metadata = [("plan".to_string(), "x".to_string())];
+        let bytes = file(&records, &metadata).unwrap();
+        let mut seen = Vec::new();
+        let mut file = tempfile::tempfile().unwrap();
+        file.write_all(&bytes).unwrap();
+        read(file, |batch| {
+            let schema = batch.schema();
+            assert_eq!(schema.metadata()["plan"], "x");
+            assert_eq!(schema.field(1).metadata()["unit"], "m");
+            for row in 0..batch.num_rows() {
+                let number = |c: usize| number_at(batch.column(c), row).to_bits();
+                let word = word_at(batch.column(2), row).to_string();
+                seen.push((number(0), number(1), word));
+            }
             Ok(())
         })
         .unwrap();
-        assert_eq!(rows, 6);
+        let row = |n: f64, x: f64, w: &str| (n.to_bits(), x.to_bits(), w.to_string());
+        let expected = [
+            row(7.0, 0.1, "acceptable"),
+            row(8.0, f64::NAN, ""),
+            row(9.0, f64::INFINITY, "acceptable"),
+        ];
+        assert_eq!(seen, expected);
     }
 }

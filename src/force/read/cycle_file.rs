@@ -185,7 +185,12 @@ fn period(comment: &str) -> Option<f64> {
 }
 
 /// A cycle from samples: as they stand where they are equal in time, else on equal phases.
-fn sampled(name: &str, times: &[f64], force: &[f64], period: Option<f64>) -> Result<ForceCurve> {
+pub(super) fn sampled(
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    period: Option<f64>,
+) -> Result<ForceCurve> {
     let n = times.len();
     if n < 4 {
         return Err(ForceError::FewSamples { samples: n }.into());

@@ -3,6 +3,7 @@
 //! The kind of file is told from its bytes, never from its name. Nothing here trusts a count in a file:
 //! memory is reserved for what the bytes present can hold.
 
+mod arrays;
 mod baseline;
 mod c3d;
 mod columns;
@@ -22,6 +23,7 @@ use super::quantity::{hertz, kilograms};
 use super::recording::{ReadOptions, Recording};
 use crate::error::{FileKind, ReadError, Result};
 
+pub use arrays::of_arrays;
 pub use text::metadata_name;
 
 /// Reads a recording of vertical force.

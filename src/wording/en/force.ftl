@@ -2,6 +2,8 @@
 
 force-few-samples = a force cycle of { $samples } samples is too short
     .help = give at least 4 samples per cycle
+force-lengths = { $times } times and { $forces } forces
+    .help = give one force for each time
 force-sample-not-finite = force sample { $sample } is not a finite number
     .help = every sample must be a finite number of newtons
 force-period-not-positive = invalid period { $period }

@@ -13,8 +13,15 @@ sweep-different-units = the ends of the range have different units ("{ $first }"
     .help = give both in the same unit
 sweep-not-number = "{ $typed }" does not start with a number
 sweep-no-rows = an empty grid: no row to compute
+sweep-too-many-rows = { $rows } combinations
+    .help = too many to compute: use fewer values, or sample them
+sweep-list-lengths = the list gives { $values } values of "{ $key }", and { $first } of its first key
+    .help = give every key of a list the same number of values
+sweep-not-carried = is not among the recordings of this sweep
+sweep-no-design = no cam answers this scene, so there is none to be made with errors
+    .help = relax its limits as the summary of the design says
 sweep-out-of-time = the time limit ended the search for this design
-    .help = allow more with --time-limit
+    .help = allow more time
 sweep-fixed = "{ $key }" cannot vary
     .help = keys that vary: { $known }; and values of a list by number, such as law.segment.2.lift
 sweep-key-twice = "{ $key }" is given twice
@@ -38,7 +45,17 @@ sweep-no-column = "{ $typed }" is not a column of numbers
         [none] for example { $known }
        *[other] did you mean "{ $nearest }"?
     }
-sweep-column-missing = the record batch has no such column
-sweep-column-type = the column must be of type { $wanted }
 sweep-arrow = Arrow: { $fault }
 sweep-parquet = Parquet: { $fault }
+
+# Differences between two plans.
+differs-value = { $path }: { $old ->
+        [none] nothing
+       *[other] { $old }
+    } before, { $new ->
+        [none] nothing
+       *[other] { $new }
+    } now
+differs-long = { $path }: another text
+differs-only-old = { $path }: "{ $text }" only before
+differs-only-new = { $path }: "{ $text }" only now

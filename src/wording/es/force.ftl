@@ -2,6 +2,8 @@
 
 force-few-samples = un ciclo de fuerza de { $samples } muestras es demasiado corto
     .help = dé al menos 4 muestras por ciclo
+force-lengths = { $times } tiempos y { $forces } fuerzas
+    .help = dé una fuerza para cada tiempo
 force-sample-not-finite = la muestra de fuerza { $sample } no es un número finito
     .help = cada muestra debe ser un número finito de newtons
 force-period-not-positive = período no válido { $period }

@@ -13,8 +13,15 @@ sweep-different-units = los extremos del intervalo tienen unidades distintas ("{
     .help = dé ambos en la misma unidad
 sweep-not-number = "{ $typed }" no empieza por un número
 sweep-no-rows = rejilla vacía: no hay filas que calcular
+sweep-too-many-rows = { $rows } combinaciones
+    .help = son demasiadas para calcularlas: tome menos valores, o una muestra
+sweep-list-lengths = la lista da { $values } valores de "{ $key }" y { $first } de su primera clave
+    .help = dé a cada clave de una lista el mismo número de valores
+sweep-not-carried = no está entre los registros de este barrido
+sweep-no-design = ninguna leva responde a esta escena, así que no hay ninguna que fabricar con errores
+    .help = relaje sus límites como dice el resumen del diseño
 sweep-out-of-time = el límite de tiempo terminó la búsqueda de este diseño
-    .help = permita más con --time-limit
+    .help = permita más tiempo
 sweep-fixed = "{ $key }" no puede variar
     .help = claves que varían: { $known }; y valores de una lista por su número, como law.segment.2.lift
 sweep-key-twice = "{ $key }" aparece dos veces
@@ -38,7 +45,17 @@ sweep-no-column = "{ $typed }" no es una columna de números
         [none] por ejemplo { $known }
        *[other] ¿quiso decir "{ $nearest }"?
     }
-sweep-column-missing = el lote de registros no tiene esa columna
-sweep-column-type = la columna debe ser de tipo { $wanted }
 sweep-arrow = Arrow: { $fault }
 sweep-parquet = Parquet: { $fault }
+
+# Diferencias entre dos planes.
+differs-value = { $path }: antes { $old ->
+        [none] nada
+       *[other] { $old }
+    }, ahora { $new ->
+        [none] nada
+       *[other] { $new }
+    }
+differs-long = { $path }: otro texto
+differs-only-old = { $path }: "{ $text }" solo antes
+differs-only-new = { $path }: "{ $text }" solo ahora

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use crate::error::CliError;
-use crate::input::{files::read_bytes, not_json};
-use crate::result_folder::settle;
 use gaitcam::error::Result;
+use gaitcam_files::read::read_bytes;
+use gaitcam_files::result_folder::settle;
+use gaitcam_files::scene::not_json;
 
 /// One result.
 pub struct Design {

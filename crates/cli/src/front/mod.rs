@@ -12,15 +12,15 @@ use toml::Table;
 
 use crate::error::CliError;
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::input::{SceneArgs, files::read_bytes, not_json};
+use crate::input::SceneArgs;
 use crate::sweep::beside;
 use crate::synth::{self, SynthArgs};
 use crate::terminal::{print, print_json, report};
 use crate::words;
-use gaitcam::error::Result;
-use gaitcam::sweep::{Front, Key, Point};
+use gaitcam::error::{FileError, Result};
+use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
+use gaitcam_files::{blocks::PLAN, read::read_bytes, scene::not_json};
 use gaitcam_output::folder::Folder;
-use objective::Objective;
 use read::{Columns, Kept};
 
 const EXAMPLES: &str = "Examples:
@@ -33,7 +33,7 @@ const EXAMPLES: &str = "Examples:
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub struct FrontArgs {
-    /// The table that `gaitcam sweep` wrote
+    /// The table that `gaitcam sweep` wrote, or the folder of its blocks
     file: PathBuf,
     /// Columns to minimise, separated by commas: force_error,torque_max (default force_error,prime_radius)
     #[arg(long, value_name = "COLUMNS")]
@@ -123,10 +123,14 @@ fn gather(args: &FrontArgs) -> Result<Found> {
     let mut objectives: Vec<Objective> = Vec::new();
     let mut kept = Kept::default();
     let mut left_out = 0;
+    let admission = Admission {
+        low_speed: args.low_speed,
+        all: args.all,
+    };
     let mut values = Vec::new();
     let columns = read::each_row(&args.file, |columns, row| {
         if objectives.is_empty() {
-            objectives = Objective::of_all(
+            objectives = objective::of_flags(
                 args.minimise.as_deref(),
                 args.maximise.as_deref(),
                 &columns.names,
@@ -134,16 +138,9 @@ fn gather(args: &FrontArgs) -> Result<Found> {
         }
         values.clear();
         values.extend(objectives.iter().map(|o| o.cost(row.number(o.column))));
-        let good = row.word(columns.outcome) == "built"
-            && match row.word(columns.verdict).as_str() {
-                "acceptable" => true,
-                "not-for-high-speed" if !(args.low_speed || args.all) => {
-                    left_out += 1;
-                    false
-                }
-                "not-for-high-speed" => true,
-                _ => args.all,
-            };
+        let (outcome, verdict) = (row.word(columns.outcome), row.word(columns.verdict));
+        left_out += u64::from(admission.leaves_out(&outcome, &verdict));
+        let good = admission.takes(&outcome, &verdict);
         kept.take(columns, &objectives, &row, good);
         if good {
             front.offer(row.number(0) as u64, &values, || {
@@ -219,7 +216,7 @@ fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Stri
     let head: Vec<String> = found
         .objectives
         .iter()
-        .map(|o| format!("{:>28}", o.label()))
+        .map(|o| format!("{:>28}", objective::label(o)))
         .collect();
     let called: Vec<String> = front.iter().map(|p| row_name(&found.columns, p)).collect();
     let shown = called.iter().take(SHOWN);
@@ -234,7 +231,7 @@ fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Stri
             .objectives
             .iter()
             .zip(&p.values)
-            .map(|(o, cost)| format!("{:>28}", o.shown(*cost)))
+            .map(|(o, cost)| format!("{:>28}", objective::shown(o, *cost)))
             .collect();
         let mark = if p.row == best.row {
             format!("  {}", words::text("front-best"))
@@ -252,7 +249,11 @@ fn text(args: &FrontArgs, found: &Found, front: &[&Point], best: &Point) -> Stri
 
 /// Rebuilds the scene of a row from the sweep's description and the row's own cells, and designs it.
 fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point) -> Result<u8> {
-    let described = beside(&args.file, ".sweep.json");
+    let described = if args.file.is_dir() {
+        args.file.join(PLAN)
+    } else {
+        beside(&args.file, ".sweep.json")
+    };
     let bytes = read_bytes(&described)?;
     let sweep: Value = serde_json::from_slice(&bytes).map_err(|e| not_json(&described, &e))?;
     let scenes = sweep["scenes"].as_array().cloned().unwrap_or_default();
@@ -269,7 +270,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
             .parse()
             .map_err(|e: toml::de::Error| {
                 let fault = e.message().to_string();
-                CliError::NotToml { fault }.file(&described)
+                FileError::NotToml { fault }.file(&described)
             })?;
     let inputs: Vec<(Key, &String)> = columns
         .inputs

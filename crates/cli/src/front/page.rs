@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::{Found, SHOWN, row_name};
+use super::{Found, SHOWN, objective, row_name};
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Point;
@@ -138,10 +138,10 @@ fn page<'a>(
     best: &Point,
     drawn: &'a [Drawn],
 ) -> sweep_report::Page<'a> {
-    let labels: Vec<String> = found.objectives.iter().map(|o| o.label()).collect();
+    let labels: Vec<String> = found.objectives.iter().map(objective::label).collect();
     let shown = |p: &Point| -> Vec<String> {
         let both = found.objectives.iter().zip(&p.values);
-        both.map(|(o, cost)| o.shown(*cost)).collect()
+        both.map(|(o, cost)| objective::shown(o, *cost)).collect()
     };
     let counts = json!({"seen": found.kept.seen.to_string(),
         "candidates": found.kept.candidates.to_string(), "front": front.len().to_string(),

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
-use super::objective::Objective;
 use crate::error::CliError;
-use crate::input::files::cannot_be_read;
 use crate::words;
 use gaitcam::error::Result;
-use gaitcam::sweep::{Key, NUMBERS};
+use gaitcam::sweep::{Key, NUMBERS, Objective};
+use gaitcam_files::blocks;
+use gaitcam_files::read::cannot_be_read;
 use gaitcam_output::sweep_plots::Quantity;
 
 /// Where the columns of a table are.
@@ -91,8 +91,19 @@ impl Row<'_> {
     }
 }
 
-/// Reads the table once, whatever its size.
+/// Reads the table once, whatever its size; of a folder every block of rows in it.
 pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
+    if path.is_dir() {
+        let mut columns = None;
+        for block in blocks::files(path)? {
+            columns = Some(each_row_of(&block, &mut each)?);
+        }
+        return columns.ok_or_else(|| CliError::EmptyTable.file(path));
+    }
+    each_row_of(path, &mut each)
+}
+
+fn each_row_of(path: &Path, each: &mut impl FnMut(&Columns, Row) -> Result<()>) -> Result<Columns> {
     let file = File::open(path).map_err(|e| cannot_be_read(path, &e))?;
     if path
         .extension()

@@ -1,20 +1,20 @@
 //! From arguments to a plan: scenes, lists, recordings, and the force curves that rows name.
 
-use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use serde_json::{Value, json};
 
 use super::SweepArgs;
 use crate::error::CliError;
-use crate::input::files::{cannot_be_read, read_bytes};
 use crate::input::{self, SceneArgs};
 use crate::language;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
+use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values, remembered};
+use gaitcam_files::read::{cannot_be_read, read_bytes};
+use gaitcam_files::target::target;
 
 /// A plan with the folders that the paths of its scenes are relative to.
 pub struct Sweep {
@@ -25,9 +25,6 @@ pub struct Sweep {
     /// Files in the folders of recordings that are none.
     pub skipped: Vec<String>,
 }
-
-/// Force curves of recordings kept in memory.
-const KEPT_CURVES: usize = 256;
 
 /// Reads scenes, list and axes.
 pub fn plan(args: &SweepArgs) -> Result<Sweep> {
@@ -262,21 +259,9 @@ fn is_called_a_recording(name: &str) -> bool {
 
 /// Reads the force curves that scenes name, each once while it is in use.
 pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
-    let kept: Mutex<HashMap<String, Result<ForceCurve>>> = Mutex::new(HashMap::new());
-    move |index, scene| {
-        let name = format!("{index} {:?}", scene.gait);
-        if let Some(curve) = kept.lock().ok().and_then(|k| k.get(&name).cloned()) {
-            return curve;
-        }
+    remembered(|index, scene| {
         let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
-        let curve = input::target::target(scene, folder)
-            .and_then(|curve| curve.ok_or_else(|| CliError::NoCurve.key("gait")));
-        if let Ok(mut kept) = kept.lock() {
-            if kept.len() >= KEPT_CURVES {
-                kept.clear();
-            }
-            kept.insert(name, curve.clone());
-        }
-        curve
-    }
+        let curve = target(scene, folder)?;
+        curve.ok_or_else(|| CliError::NoCurve.key("gait"))
+    })
 }

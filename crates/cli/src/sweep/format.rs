@@ -3,6 +3,8 @@
 use std::path::Path;
 
 use crate::error::CliError;
+#[cfg(feature = "parquet")]
+use gaitcam::error::FileError;
 use gaitcam::error::Result;
 #[cfg(feature = "parquet")]
 use gaitcam::sweep::Plan;
@@ -35,7 +37,7 @@ impl Format {
 /// Writes the rows of a complete CSV table as Parquet.
 #[cfg(feature = "parquet")]
 pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
-    use gaitcam::sweep::{Results, Row};
+    use gaitcam::sweep::{Records, Results, Row};
     use gaitcam_output::parquet::{GROUP_ROWS, Writer, record_batch, schema};
 
     let fault = |e: std::io::Error| {
@@ -44,10 +46,15 @@ pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
     };
     let unreadable = |e: csv::Error| {
         let fault = e.to_string();
-        CliError::CannotRead { fault }.file(csv)
+        FileError::CannotRead { fault }.file(csv)
     };
     let names = plan.scene_names();
-    let schema = schema(&plan.keys(), names.is_some());
+    let keys = plan.keys();
+    let rows = |first: u64, results: &Results| {
+        let batch = plan.batch(first, results.len());
+        Records::of(first, &keys, &batch, results, names.as_deref()).with_times(results)
+    };
+    let schema = schema(&rows(0, &Results::with_capacity(0)), &[]);
     let file = std::fs::File::create(parquet).map_err(fault)?;
     let mut writer = Writer::new(file, &schema)?;
     let mut reader = csv::Reader::from_path(csv).map_err(unreadable)?;
@@ -59,14 +66,7 @@ pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
             let record = record.map_err(unreadable)?;
             results.push(Row::of_fields(&record.iter().collect::<Vec<_>>()));
         }
-        let batch = plan.batch(first, results.len());
-        writer.write(&record_batch(
-            &schema,
-            first,
-            &batch,
-            &results,
-            names.as_deref(),
-        )?)?;
+        writer.write(&record_batch(&schema, &rows(first, &results))?)?;
         first += results.len() as u64;
     }
     writer.close()?.sync_all().map_err(fault)

@@ -3,6 +3,7 @@
 mod arguments;
 mod format;
 mod partial;
+mod shard;
 mod tolerance;
 mod work;
 
@@ -20,7 +21,7 @@ use crate::terminal::{self, print, print_json};
 use crate::words;
 use format::Format;
 use gaitcam::error::{Error, ErrorKind, Result, SweepError};
-use gaitcam::sweep::{Kernel, Method, table};
+use gaitcam::sweep::{Kernel, Method, Plan, table};
 pub use partial::beside;
 use partial::{Counts, Opened, PartialTable};
 
@@ -34,7 +35,8 @@ const EXAMPLES: &str = "Examples:
   gaitcam sweep my.toml --vary law.family=spline,harmonic --vary 'drive.mass=5 kg:9 kg:5' --out grid.csv
   gaitcam sweep --sample 10000 --vary 'gait.step_frequency=1.5 Hz:2.4 Hz' --out sample.csv --resume
   gaitcam sweep scenes/measured_walk.toml --recordings data/gait_curves --out walks.csv
-  gaitcam sweep --tolerance 'profile=0.02 mm' --band '2 %' --out made.csv";
+  gaitcam sweep --tolerance 'profile=0.02 mm' --band '2 %' --out made.csv
+  gaitcam sweep big.toml --vary 'limits.stroke=20 mm:60 mm:1000000' --shard 3/16 --out blocks";
 
 /// What to sweep and where to put it.
 #[derive(Args, Debug)]
@@ -66,6 +68,13 @@ pub struct SweepArgs {
     /// The table: FILE.csv or FILE.parquet
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
+    /// Compute one of N equal shares, in blocks of rows: --out is a folder that all share, and only missing blocks
+    /// are computed
+    #[arg(long, value_name = "I/N", value_parser = shard::shard, conflicts_with_all = ["resume", "tolerance"])]
+    pub shard: Option<shard::Shard>,
+    /// Rows of a block (default 131072)
+    #[arg(long, value_name = "N", requires = "shard", value_parser = clap::value_parser!(u64).range(1..))]
+    pub block_rows: Option<u64>,
     /// Continue an interrupted sweep
     #[arg(long)]
     pub resume: bool,
@@ -107,6 +116,9 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let start = Instant::now();
     // A row that fails by an internal error says so in the table; its trace would only hide the others.
     std::panic::set_hook(Box::new(|_| {}));
+    if let Some(share) = args.shard {
+        return shard::run(args, share);
+    }
     let format = Format::of(&args.out)?;
     let sweep = arguments::plan(args)?;
     let plan = &sweep.plan;
@@ -115,19 +127,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         terminal::report(words::fill("sweep-skipped", &skipped));
     }
     let rows = plan.rows();
-    if rows > MOST || (rows > MANY && !args.yes) {
-        let shown = rows.to_string();
-        let fault = if rows > MOST {
-            CliError::TooManyRows { rows: shown }
-        } else {
-            CliError::ManyRows { rows: shown }
-        };
-        return Err(fault.flag("--vary"));
-    }
-    plan.validate().map_err(|e| {
-        let e = arguments::in_list(e, plan, args.list.as_deref());
-        input::at_flag(flag_of(&e))(e)
-    })?;
+    check_size(args, plan)?;
+    check_values(args, plan)?;
     let description = arguments::description(&sweep);
     let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
     let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {
@@ -175,6 +176,28 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     report(args, &counts, rows as u64 - before, seconds);
     let some = counts.acceptable + counts.low_speed > 0;
     Ok(if some { BUILT } else { NO_SUCH_CAM })
+}
+
+/// Refuses more rows than anyone can wait for, and many that are not confirmed.
+fn check_size(args: &SweepArgs, plan: &Plan) -> Result<()> {
+    let rows = plan.rows();
+    let shown = || rows.to_string();
+    let fault = if rows > MOST {
+        Error::from(SweepError::TooManyRows { rows: shown() })
+    } else if rows > MANY && !args.yes {
+        Error::from(CliError::ManyRows { rows: shown() })
+    } else {
+        return Ok(());
+    };
+    Err(input::at_flag("--vary")(fault))
+}
+
+/// Refuses values that no row can have.
+fn check_values(args: &SweepArgs, plan: &Plan) -> Result<()> {
+    plan.validate().map_err(|e| {
+        let e = arguments::in_list(e, plan, args.list.as_deref());
+        input::at_flag(flag_of(&e))(e)
+    })
 }
 
 /// The table's name, as the argument of a sentence.

@@ -10,12 +10,12 @@ use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::CliError;
-use crate::input::files::cannot_be_read;
-use crate::result_folder::is_still_there;
-use crate::words;
+use crate::{language, words};
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Result};
-use gaitcam::sweep::{Outcome, Results, differences};
+use gaitcam::sweep::{Outcome, Results};
+use gaitcam_files::read::cannot_be_read;
+use gaitcam_files::result_folder::is_still_there;
 use gaitcam_output::folder::write_whole;
 use serde_json::{Value, json};
 
@@ -120,7 +120,7 @@ impl PartialTable {
             && table.exists()
             && let Some(done) = described(&beside(table, ".sweep.json"))
         {
-            agree(table, &done, sweep)?;
+            gaitcam::sweep::agree(table, &done, sweep, language::current())?;
             // Left by a process that ended between its last two steps.
             let _ = std::fs::remove_file(beside(table, ".partial.json"));
             return Ok(Opened::Finished);
@@ -145,7 +145,7 @@ impl PartialTable {
         let before = described(&beside(table, ".partial.json"))
             .or_else(|| described(&beside(table, ".sweep.json")))
             .ok_or_else(|| partial.foreign())?;
-        agree(&partial.path, &before, sweep)?;
+        gaitcam::sweep::agree(&partial.path, &before, sweep, language::current())?;
         partial.cut()?;
         Ok(Opened::Partial(partial))
     }
@@ -330,15 +330,4 @@ fn locked(path: &Path, table: &Path) -> Result<File> {
 /// A description of a sweep, where one lies.
 fn described(path: &Path) -> Option<Value> {
     serde_json::from_slice(&std::fs::read(path).ok()?).ok()
-}
-
-fn agree(path: &Path, before: &Value, now: &Value) -> Result<()> {
-    let all = differences(before, now);
-    if all.is_empty() {
-        return Ok(());
-    }
-    let words = crate::words::catalogue();
-    let said: Vec<String> = all.iter().map(|d| words.sentence("differs", d)).collect();
-    let differences = said.join("; ");
-    Err(CliError::AnotherSweep { differences }.file(path))
 }

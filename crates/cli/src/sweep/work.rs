@@ -38,6 +38,12 @@ pub fn stop_on_ctrl_c() -> Arc<AtomicBool> {
     stop
 }
 
+/// One thread per core where nobody says how many.
+#[cfg(feature = "parquet")]
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
 /// A bar with rate and time left on a terminal, nothing in a pipe.
 pub fn progress(what: String, total: u64, done: u64) -> ProgressBar {
     if !std::io::stderr().is_terminal() {

@@ -35,7 +35,11 @@ const COLUMNS: [&str; 13] = [
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     let against = Against::from_pair(pair).map_err(input::at_flag("--front"))?;
     let input = input::scene(&args.scene)?;
-    let folder = Folder::open(&input.result_folder(args.out.as_deref(), "-front")?)?;
+    let folder = Folder::open(&input::result_folder(
+        &input,
+        args.out.as_deref(),
+        "-front",
+    )?)?;
     let target = input.target()?;
     let points = args.points.unwrap_or(POINTS) as usize;
     let front = trade(&input.scene, target.as_ref(), against, points)?;

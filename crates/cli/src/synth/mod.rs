@@ -1,32 +1,31 @@
 //! `gaitcam synth`: force curve or classical programme → law → cam → checks → files.
 
-mod earlier;
 pub mod explain;
-mod files;
 mod front;
+mod remark;
 mod sequence;
 mod summary;
-mod workshop;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::error::CliError;
 use crate::exit_code;
 use crate::input::{self, Input, SceneArgs};
-use crate::result_folder::ResultFolder;
 use crate::searching::TimeLimit;
 use crate::terminal::{print, print_json};
 use crate::words;
-use gaitcam::error::Result;
+use gaitcam::error::{Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::problem::Shared;
 use gaitcam::synth::{Design, relaxed_with, synthesise_with};
 use gaitcam::units::Dimension;
-use gaitcam_output::{self as output, Timing};
+use gaitcam_files::ResultFolder;
+use gaitcam_files::design::{self, Contents, check_inputs_stay};
+use gaitcam_output::Timing;
 
 const EXAMPLES: &str = "Examples:
   gaitcam synth
@@ -81,8 +80,7 @@ const FEWEST_ROWS: u32 = 16;
 
 /// What the arguments ask for beside the design, settled before any work.
 struct Request {
-    points: usize,
-    tool: Option<f64>,
+    contents: Contents,
     folder: Option<ResultFolder>,
 }
 
@@ -104,8 +102,13 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let tool = input::quantity("--tool", args.tool.as_deref(), Dimension::Length)?;
     let input = input::scene(&args.scene)?;
     let request = Request {
-        points,
-        tool,
+        contents: Contents {
+            points,
+            png: !args.no_png,
+            solid: args.solid,
+            tool,
+            language: crate::language::current(),
+        },
         folder: folder(args, &input)?,
     };
     let target = input.target()?;
@@ -148,8 +151,8 @@ fn folder(args: &SynthArgs, input: &Input) -> Result<Option<ResultFolder>> {
     if args.json && args.out.is_none() {
         return Ok(None);
     }
-    let path = input.result_folder(args.out.as_deref(), "")?;
-    files::check_inputs_stay(&path, input)?;
+    let path = input::result_folder(input, args.out.as_deref(), "")?;
+    check_inputs_stay(&path, input).map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
     ResultFolder::open(&path).map(Some)
 }
 
@@ -167,8 +170,7 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     let design = &answer.design;
     let mut remarks = Vec::new();
     if let Some(folder) = &request.folder {
-        files::write(folder, design, request.points, !args.no_png, answer.time())?;
-        remarks = workshop_files(args, &request, folder, answer)?;
+        remarks = design::write(folder, design, request.contents, answer.time())?;
     }
     let explained = if args.explain && design.infeasible.is_none() {
         let target = answer.target.as_ref();
@@ -176,20 +178,19 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
             &input.scene,
             target,
             design,
-            request.points,
+            request.contents.points,
         )?)
     } else {
         None
     };
     let scene = input.resolved();
     let time = answer.time();
-    let mut json = output::json::summary(design, time);
-    json["scene"] = serde_json::to_value(&scene).unwrap_or_default();
+    let mut json = design::summary(design, &scene, time);
     if let Some(lines) = &explained {
         json["explain"] = explain::json(lines);
     }
     let place = match request.folder {
-        Some(folder) => Some(finish(folder, input, &scene, &json)?),
+        Some(folder) => Some(design::finish(folder, input, &scene, &json)?),
         None => None,
     };
     if args.json {
@@ -203,8 +204,9 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     if let Some(lines) = &explained {
         print(&explain::text(&design.name, lines));
     }
-    for remark in remarks {
-        print(&summary::row("note", &remark));
+    let measures = design.cam.follower.measures();
+    for remark in &remarks {
+        print(&summary::row("note", &remark::sentence(remark, measures)));
     }
     if let Some(place) = place {
         print(&files_in(&place, "report.html"));
@@ -217,41 +219,4 @@ pub fn files_in(folder: &Path, first: &str) -> String {
     let first = folder.join(first).display().to_string();
     let folder = folder.display().to_string();
     words::fill("run-files", &json!({"folder": folder, "first": first}))
-}
-
-fn workshop_files(
-    args: &SynthArgs,
-    request: &Request,
-    folder: &ResultFolder,
-    answer: &Answer,
-) -> Result<Vec<String>> {
-    let design = &answer.design;
-    let mut remarks = Vec::new();
-    if design.infeasible.is_some() {
-        return Ok(remarks);
-    }
-    if args.solid {
-        remarks = workshop::write(folder, design, answer.time())?;
-    }
-    if let Some(radius) = request.tool {
-        remarks.extend(workshop::cutter(folder, design, radius, request.points)?);
-    }
-    Ok(remarks)
-}
-
-/// Writes scene and summary and puts the whole result into place.
-fn finish(
-    folder: ResultFolder,
-    input: &Input,
-    scene: &toml::Table,
-    summary: &Value,
-) -> Result<PathBuf> {
-    let scene = toml::to_string(scene).unwrap_or_default();
-    files::write_scene(&folder, input, &scene)?;
-    let text = serde_json::to_string_pretty(summary).unwrap_or_default();
-    folder.write("summary.json", text.as_bytes())?;
-    let path = folder.path().to_path_buf();
-    let stale = earlier::stale(&path, &scene);
-    folder.commit(&stale)?;
-    Ok(path)
 }

@@ -1,24 +1,7 @@
 # Faults that only the command can meet: files, flags, folders.
-cli-cannot-read = cannot be read ({ $fault })
-    .help = check the path
 cli-cannot-write = cannot be written ({ $fault })
 cli-cannot-open = cannot be opened ({ $fault })
-cli-cannot-place = the files cannot be moved into place ({ $fault })
-cli-folder-refuses = cannot write into this folder ({ $fault })
-    .help = choose another with --out DIR
-cli-folder = is a folder
-    .help = give a file
-cli-device = is a pipe or a device, not a file
-    .help = give a file, or - for standard input
-cli-too-large = is larger than { $mib } MiB
-cli-not-utf8 = is not UTF-8 text
-    .help = a scene is a TOML file, see scenes/
-cli-not-toml = { $fault }
-    .help = a scene is a TOML file, see scenes/
-cli-not-json = is not JSON ({ $fault })
 cli-not-csv = is not a CSV table ({ $fault })
-cli-no-scene-in-summary = holds no scene
-    .help = give a summary.json of gaitcam, or a scene file
 cli-scene-name = "{ $shown }" { $fault ->
         [blank] is blank
         [dash] begins with a dash
@@ -28,8 +11,6 @@ cli-scene-name = "{ $shown }" { $fault ->
     .help = results go to out/NAME: use letters, digits, - and _, or give the folder
 cli-few-rows = invalid value { $rows }
     .help = at least { $least } points are required, fewer only with --front
-cli-replaced = { $file } would be replaced
-    .help = an input file is never overwritten; choose another folder
 cli-cycle-ending = { $file } is neither a .csv file nor a folder
     .help = the cycle is written as .csv, with pictures .svg and .png beside it
 cli-one-curve = one curve file cannot hold the cycles of several recordings
@@ -68,8 +49,6 @@ cli-no-recordings = an empty grid: there is no file
 cli-not-recordings = an empty grid: none of { $files } files has the name of a recording
     .help = recordings end in { $endings }
 cli-no-curve = there is no force curve
-cli-too-many-rows = { $rows } combinations
-    .help = too many to compute: use fewer values, or --sample N
 cli-many-rows = { $rows } combinations
     .help = use fewer values, --sample N, or --yes
 cli-threads = the threads cannot be started ({ $fault })
@@ -90,8 +69,6 @@ cli-all-rows-safe = cannot be written ({ $fault })
 cli-cannot-repair = cannot be repaired ({ $fault })
 cli-busy = another gaitcam is writing this table
     .help = wait for it, or choose another --out
-cli-another-sweep = is another sweep: { $differences }
-    .help = repeat the sweep as it was, or choose another --out
 cli-writer-failed = the table's writer failed
 
 # Every verb.
@@ -195,19 +172,13 @@ sweep-samples = { $name }: { $count } manufactured samples; force error by desig
 sweep-spread = spread    mean { $mean } %, standard deviation { $deviation } %, 5 % to 95 %: { $p5 } % … { $p95 } %, median { $median } %, largest { $largest } %
 sweep-yield = yield     { $within } % stay within { $band } %
 sweep-scatter-files = Samples in { $file }, pictures in { $page }.
+sweep-shard = write I/N, for example 3/16: the third of sixteen shares
+sweep-shard-done = { $folder }: { $rows } rows computed, { $left ->
+        [0] every block is there
+        [one] one block is missing
+       *[other] { $left } blocks are missing
+    }
 sweep-designs = designs
-
-# sweep --resume: what differs from the sweep that was stopped.
-differs-value = { $path }: { $old ->
-        [none] nothing
-       *[other] { $old }
-    } before, { $new ->
-        [none] nothing
-       *[other] { $new }
-    } now
-differs-long = { $path }: another text
-differs-only-old = { $path }: "{ $text }" only before
-differs-only-new = { $path }: "{ $text }" only now
 
 # sweep --tolerance: the report.
 scatter-title = { $name }: manufacturing scatter

@@ -1,24 +1,7 @@
 # Errores que sólo la orden encuentra: archivos, opciones, carpetas.
-cli-cannot-read = no se puede leer ({ $fault })
-    .help = compruebe la ruta
 cli-cannot-write = no se puede escribir ({ $fault })
 cli-cannot-open = no se puede abrir ({ $fault })
-cli-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
-cli-folder-refuses = no se puede escribir en esta carpeta ({ $fault })
-    .help = elija otra con --out CARPETA
-cli-folder = es una carpeta
-    .help = indique un archivo
-cli-device = es una tubería o un dispositivo, no un archivo
-    .help = indique un archivo, o - para la entrada estándar
-cli-too-large = supera { $mib } MiB
-cli-not-utf8 = no es texto UTF-8
-    .help = una escena es un archivo TOML, véase scenes/
-cli-not-toml = { $fault }
-    .help = una escena es un archivo TOML, véase scenes/
-cli-not-json = no es JSON ({ $fault })
 cli-not-csv = no es una tabla CSV ({ $fault })
-cli-no-scene-in-summary = no contiene ninguna escena
-    .help = indique un summary.json de gaitcam o un archivo de escena
 cli-scene-name = "{ $shown }" { $fault ->
         [blank] está en blanco
         [dash] empieza por un guion
@@ -28,8 +11,6 @@ cli-scene-name = "{ $shown }" { $fault ->
     .help = los resultados van a out/NOMBRE: use letras, cifras, - y _, o indique la carpeta
 cli-few-rows = valor no válido { $rows }
     .help = se necesitan al menos { $least } puntos, menos sólo con --front
-cli-replaced = se sustituiría { $file }
-    .help = un archivo de entrada nunca se sobrescribe; elija otra carpeta
 cli-cycle-ending = { $file } no es ni un archivo .csv ni una carpeta
     .help = el ciclo se escribe como .csv, con figuras .svg y .png a su lado
 cli-one-curve = un solo archivo no puede contener los ciclos de varios registros
@@ -68,8 +49,6 @@ cli-no-recordings = rejilla vacía: no hay ningún archivo
 cli-not-recordings = rejilla vacía: ninguno de { $files } archivos tiene nombre de registro
     .help = los registros terminan en { $endings }
 cli-no-curve = no hay curva de fuerza
-cli-too-many-rows = { $rows } combinaciones
-    .help = son demasiadas para cualquier ordenador: tome menos valores, o --sample N
 cli-many-rows = { $rows } combinaciones
     .help = tome menos valores, o --sample N, o confirme con --yes
 cli-threads = no se pueden iniciar los hilos ({ $fault })
@@ -90,8 +69,6 @@ cli-all-rows-safe = no se puede escribir ({ $fault })
 cli-cannot-repair = no se puede reparar ({ $fault })
 cli-busy = otro gaitcam está escribiendo esta tabla
     .help = espere a que termine, o elija otro --out
-cli-another-sweep = es otro barrido: { $differences }
-    .help = repita el barrido tal como era, o elija otro --out
 cli-writer-failed = falló la escritura de la tabla
 
 # Todas las órdenes.
@@ -195,19 +172,13 @@ sweep-samples = { $name }: { $count } muestras fabricadas; error de fuerza del d
 sweep-spread = dispersión media { $mean } %, desviación típica { $deviation } %, 5 % a 95 %: { $p5 } % … { $p95 } %, mediana { $median } %, máximo { $largest } %
 sweep-yield = rendimiento { $within } % queda dentro de { $band } %
 sweep-scatter-files = Muestras en { $file }, figuras en { $page }.
-sweep-designs = diseños
-
-# sweep --resume: en qué difiere del barrido detenido.
-differs-value = { $path }: antes { $old ->
-        [none] nada
-       *[other] { $old }
-    }, ahora { $new ->
-        [none] nada
-       *[other] { $new }
+sweep-shard = escriba I/N, por ejemplo 3/16: la tercera de dieciséis partes
+sweep-shard-done = { $folder }: { $rows } filas calculadas, { $left ->
+        [0] están todos los bloques
+        [one] falta un bloque
+       *[other] faltan { $left } bloques
     }
-differs-long = { $path }: otro texto
-differs-only-old = { $path }: "{ $text }" solo antes
-differs-only-new = { $path }: "{ $text }" solo ahora
+sweep-designs = diseños
 
 # sweep --tolerance: el informe.
 scatter-title = { $name }: dispersión de fabricación

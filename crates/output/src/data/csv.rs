@@ -7,11 +7,37 @@ use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::synth::Design;
 
 /// Columns of `law.csv` for a translating follower.
-const LAW_METRES: &str = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n";
+const LAW_METRES: [&str; 7] = [
+    "theta_rad",
+    "s_m",
+    "v_m_per_rad",
+    "a_m_per_rad2",
+    "j_m_per_rad3",
+    "force_n",
+    "target_n",
+];
 /// Columns of `law.csv` for an oscillating follower.
-const LAW_RADIANS: &str =
-    "theta_rad,s_rad,v_rad_per_rad,a_rad_per_rad2,j_rad_per_rad3,force_n,target_n";
-const PROFILE: &str = "theta_rad,x_m,y_m,pitch_x_m,pitch_y_m,rho_m,pressure_angle_rad";
+const LAW_RADIANS: [&str; 7] = [
+    "theta_rad",
+    "s_rad",
+    "v_rad_per_rad",
+    "a_rad_per_rad2",
+    "j_rad_per_rad3",
+    "force_n",
+    "target_n",
+];
+const PROFILE: [&str; 7] = [
+    "theta_rad",
+    "x_m",
+    "y_m",
+    "pitch_x_m",
+    "pitch_y_m",
+    "rho_m",
+    "pressure_angle_rad",
+];
+/// A table of numbers by column.
+pub type Columns = Vec<(&'static str, Vec<f64>)>;
+
 /// Room for one number and its comma.
 const WIDTH: usize = 24;
 
@@ -21,25 +47,25 @@ const WIDTH: usize = 24;
 /// Numbers are the shortest that read back to the same 64 bits. `target_n` stays empty for a classical
 /// programme, which has no target.
 pub fn law(synthesis: &Design, points: usize) -> String {
+    text(&law_columns(synthesis, points))
+}
+
+/// The columns of `law.csv`; NaN where there is no target.
+pub fn law_columns(synthesis: &Design, points: usize) -> Columns {
     let cam = &synthesis.cam;
-    let mut out = String::with_capacity((points + 1) * 7 * WIDTH);
-    out.push_str(if oscillates(&cam.follower) {
+    let names = if oscillates(&cam.follower) {
         LAW_RADIANS
     } else {
         LAW_METRES
-    });
-    out.push('\n');
-    for theta in angles(&cam.law, points) {
+    };
+    let rows = angles(&cam.law, points).map(|theta| {
         let at = cam.law.svaj(theta);
         let force = synthesis.drive.force(synthesis.pressing().svaj(theta));
-        numbers(&mut out, &[theta, at.s, at.v, at.a, at.j, force]);
-        out.push(',');
-        if let Some(target) = &synthesis.target {
-            numbers(&mut out, &[target_at(target, &cam.law, theta)]);
-        }
-        out.push('\n');
-    }
-    out
+        let target = synthesis.target.as_ref();
+        let target = target.map_or(f64::NAN, |t| target_at(t, &cam.law, theta));
+        [theta, at.s, at.v, at.a, at.j, force, target]
+    });
+    columns(names, rows)
 }
 
 /// `profile.csv`: contact point, pitch curve, curvature and pressure angle at `rows` equal steps.
@@ -48,6 +74,11 @@ pub fn law(synthesis: &Design, points: usize) -> String {
 /// profile has `rho_m` = `inf`. Of a barrel it is the lower wall with the centre of the roller that
 /// touches it, which a stud with two rollers holds below its own height.
 pub fn profile(synthesis: &Design, rows: usize) -> String {
+    text(&profile_columns(synthesis, rows))
+}
+
+/// The columns of `profile.csv`.
+pub fn profile_columns(synthesis: &Design, rows: usize) -> Columns {
     let mut all = synthesis.cam.profile(rows);
     if let Some(groove) = &synthesis.groove {
         let up = groove.axis_offset(Wall::Lower);
@@ -56,16 +87,17 @@ pub fn profile(synthesis: &Design, rows: usize) -> String {
             row.pitch_y += up;
         }
     }
-    points(&all)
+    points_columns(&all)
 }
 
 /// Any profile in the columns of `profile.csv`, as the second one of a conjugate pair.
 pub fn points(rows: &[ProfilePoint]) -> String {
-    let mut out = String::with_capacity((rows.len() + 1) * 7 * WIDTH);
-    out.push_str(PROFILE);
-    out.push('\n');
-    for p in rows {
-        let row = [
+    text(&points_columns(rows))
+}
+
+fn points_columns(rows: &[ProfilePoint]) -> Columns {
+    let rows = rows.iter().map(|p| {
+        [
             p.theta,
             p.x,
             p.y,
@@ -73,19 +105,42 @@ pub fn points(rows: &[ProfilePoint]) -> String {
             p.pitch_y,
             p.rho,
             p.pressure_angle,
-        ];
-        numbers(&mut out, &row);
-        out.push('\n');
+        ]
+    });
+    columns(PROFILE, rows)
+}
+
+fn columns<const N: usize>(
+    names: [&'static str; N],
+    rows: impl Iterator<Item = [f64; N]>,
+) -> Columns {
+    let mut out: Columns = names.into_iter().map(|name| (name, Vec::new())).collect();
+    for row in rows {
+        for (column, x) in out.iter_mut().zip(row) {
+            column.1.push(x);
+        }
     }
     out
 }
 
-fn numbers(out: &mut String, row: &[f64]) {
-    for (i, x) in row.iter().enumerate() {
-        if i > 0 {
-            out.push(',');
-        }
-        // Debug is the shortest form that reads back exactly; writing to a String cannot fail.
-        let _ = write!(out, "{x:?}");
+fn text(columns: &Columns) -> String {
+    let rows = columns.first().map_or(0, |c| c.1.len());
+    let mut out = String::with_capacity((rows + 1) * columns.len() * WIDTH);
+    for (i, (name, _)) in columns.iter().enumerate() {
+        out.push_str(if i > 0 { "," } else { "" });
+        out.push_str(name);
     }
+    out.push('\n');
+    for row in 0..rows {
+        for (i, (_, values)) in columns.iter().enumerate() {
+            out.push_str(if i > 0 { "," } else { "" });
+            let x = values[row];
+            if !x.is_nan() {
+                // Debug is the shortest form that reads back exactly; writing to a String cannot fail.
+                let _ = write!(out, "{x:?}");
+            }
+        }
+        out.push('\n');
+    }
+    out
 }

@@ -3,12 +3,15 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::files::read_bytes;
-use gaitcam::error::{Error, Place, Result};
+use crate::read::read_bytes;
+use gaitcam::error::{Place, Result};
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{Scene, Source};
 
 /// The force curve that a scene names, if it names one; its paths are relative to `folder` first.
+///
+/// # Errors
+/// Faults of the load model, the file or the recording.
 pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
     let Some(gait) = &scene.gait else {
         return Ok(None);
@@ -23,23 +26,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
         Source::File(path) => {
             let path = find(folder, path);
             let bytes = read_bytes(&path)?;
-            let unit = (gait.unit.as_deref())
-                .map(|u| {
-                    u.parse()
-                        .map_err(|e: Error| e.at(Place::Key("gait.unit".to_string())))
-                })
-                .transpose()?;
-            let options = force::ReadOptions {
-                time: gait.time.clone(),
-                force: gait.force.clone(),
-                unit,
-                rate_hz: gait.rate,
-                mass_kg: gait.mass,
-                kind: gait.kind,
-                period_s: gait.period,
-                span_rad: gait.span,
-                metadata: metadata(&path),
-            };
+            let options = gait.read_options(metadata(&path))?;
             force::force_curve(&path, &bytes, &options, gait.feet).map(Some)
         }
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Every file that `synth` may write, and so may remove.
-pub const OF_DESIGN: [&str; 21] = [
+pub(crate) const OF_DESIGN: [&str; 21] = [
     "law.csv",
     "profile.csv",
     "second_profile.csv",

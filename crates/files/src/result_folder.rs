@@ -6,11 +6,11 @@
 //! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
 
-use crate::error::CliError;
-use gaitcam::error::Result;
+use gaitcam::error::{FileError, Result, WriteError};
 
 /// New files that wait to be moved into place.
 const READY: &str = ".gaitcam.ready";
@@ -35,7 +35,7 @@ impl ResultFolder {
     pub fn open(path: &Path) -> Result<ResultFolder> {
         let fault = |e: std::io::Error| {
             let fault = e.to_string();
-            CliError::FolderRefuses { fault }.file(path)
+            WriteError::FolderRefuses { fault }.file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
         let lock = Lock::wait(&path.join(LOCK)).map_err(fault)?;
@@ -57,10 +57,13 @@ impl ResultFolder {
     }
 
     /// Writes a file of the new result.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         fs::write(self.stage.join(name), bytes).map_err(|e| {
             let fault = e.to_string();
-            CliError::CannotWrite { fault }.file(&self.path.join(name))
+            WriteError::FileRefuses { fault }.file(&self.path.join(name))
         })?;
         self.written.borrow_mut().push(name.to_string());
         Ok(())
@@ -70,7 +73,7 @@ impl ResultFolder {
     pub fn commit(self, others: &[&str]) -> Result<()> {
         let fault = |e: std::io::Error| {
             let fault = e.to_string();
-            CliError::CannotPlace { fault }.file(&self.path)
+            FileError::CannotPlace { fault }.file(&self.path)
         };
         let written = self.written.borrow();
         let stale: Vec<&str> = others
@@ -81,6 +84,39 @@ impl ResultFolder {
         fs::write(self.stage.join(STALE), stale.join("\n")).map_err(fault)?;
         fs::rename(&self.stage, self.path.join(READY)).map_err(fault)?;
         complete(&self.path).map_err(fault)
+    }
+}
+
+/// What takes the files of a result.
+pub trait Sink {
+    /// Takes one file.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    fn write(&self, name: &str, bytes: &[u8]) -> Result<()>;
+}
+
+impl Sink for ResultFolder {
+    fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
+        ResultFolder::write(self, name, bytes)
+    }
+}
+
+/// Files held in memory.
+#[derive(Debug, Default)]
+pub struct Memory(RefCell<BTreeMap<String, Vec<u8>>>);
+
+impl Memory {
+    /// The files by name.
+    pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
+        self.0.into_inner()
+    }
+}
+
+impl Sink for Memory {
+    fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
+        self.0.borrow_mut().insert(name.to_string(), bytes.to_vec());
+        Ok(())
     }
 }
 

@@ -1,13 +1,11 @@
 //! What a workshop takes: solids, arcs, a workbook, a cutter's path.
 
-use serde_json::{Value, json};
-
-use crate::result_folder::ResultFolder;
-use crate::{language, words};
-use gaitcam::cam::{Measures, Wall};
+use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
-use gaitcam_output::{self as output, Timing, cutter::Gouge};
+use gaitcam_output::{self as output, Language, Timing, cutter::Gouge};
+
+use crate::result_folder::Sink;
 
 /// Vertices of a solid's profile and of the polylines beside the arcs.
 const VERTICES: usize = 720;
@@ -17,13 +15,38 @@ const ARCS: f64 = 1e-6;
 const ALONG: usize = 720;
 const THROUGH: usize = 8;
 
+/// What is to be known of the files for manufacturing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Remark {
+    /// There is no solid.
+    NoSolid(Error),
+    /// There is no STEP file.
+    NoStep(Error),
+    /// Arcs in profile_arcs.dxf.
+    Arcs {
+        /// How many.
+        arcs: usize,
+        /// Largest distance from the profile, m.
+        deviation: f64,
+    },
+    /// There are none.
+    NoArcs,
+    /// The cutter damages the profile.
+    Gouge(Gouge),
+}
+
 /// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
 /// Returns what could not be written, and why.
-pub fn write(folder: &ResultFolder, design: &Design, time: Timing) -> Result<Vec<String>> {
+pub fn write(
+    folder: &impl Sink,
+    design: &Design,
+    time: Timing,
+    language: Language,
+) -> Result<Vec<Remark>> {
     let mut remarks = Vec::new();
     folder.write(
         "profile.xlsx",
-        &output::xlsx::workbook(design, time, crate::language::current())?,
+        &output::xlsx::workbook(design, time, language)?,
     )?;
     if let Some(groove) = &design.groove {
         for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
@@ -43,11 +66,11 @@ pub fn write(folder: &ResultFolder, design: &Design, time: Timing) -> Result<Vec
             folder.write("profile.stl", &bytes)?;
             folder.write("profile.3mf", &output::solid::threemf(design, plate)?)?;
         }
-        Err(fault) => remarks.push(words::fill("synth-no-solid", &said(&fault))),
+        Err(fault) => remarks.push(Remark::NoSolid(fault)),
     }
     match output::step::plate(design, design.thickness) {
         Ok(bytes) => folder.write("cam.step", &bytes)?,
-        Err(fault) => remarks.push(words::fill("synth-no-step", &said(&fault))),
+        Err(fault) => remarks.push(Remark::NoStep(fault)),
     }
     let options = output::dxf::Options {
         points: VERTICES,
@@ -58,44 +81,24 @@ pub fn write(folder: &ResultFolder, design: &Design, time: Timing) -> Result<Vec
     match output::dxf::arcs(design, ARCS, options) {
         Some(drawing) => {
             folder.write("profile_arcs.dxf", &drawing.bytes)?;
-            let deviation = words::power(1e3 * drawing.deviation, 2);
-            let arcs = json!({"arcs": drawing.arcs, "deviation": deviation});
-            remarks.push(words::fill("synth-arcs", &arcs));
+            remarks.push(Remark::Arcs {
+                arcs: drawing.arcs,
+                deviation: drawing.deviation,
+            });
         }
-        None => remarks.push(words::text("synth-no-arcs")),
+        None => remarks.push(Remark::NoArcs),
     }
     Ok(remarks)
 }
 
 /// Writes cutter.csv and says where the cutter would gouge.
 pub fn cutter(
-    folder: &ResultFolder,
+    folder: &impl Sink,
     design: &Design,
     radius: f64,
     points: usize,
-) -> Result<Vec<String>> {
+) -> Result<Vec<Remark>> {
     let path = output::cutter::path(design, radius, points)?;
     folder.write("cutter.csv", output::cutter::csv(&path).as_bytes())?;
-    let measures = design.cam.follower.measures();
-    let words = |g: &Gouge| gouge(g, measures);
-    Ok(path.gouges.iter().map(words).collect())
-}
-
-fn said(fault: &Error) -> Value {
-    json!({"fault": fault.sentence(language::current())})
-}
-
-fn gouge(gouge: &Gouge, measures: Measures) -> String {
-    let place = |at: f64| words::decimal(measures.place(at, 2));
-    match gouge {
-        Gouge::Hollow { at, radius } => words::fill(
-            "synth-gouge-hollow",
-            &json!({"at": place(*at), "radius": words::fixed(1e3 * radius, 4)}),
-        ),
-        Gouge::Elsewhere { at, damaged, depth } => words::fill(
-            "synth-gouge-elsewhere",
-            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::fixed(1e3 * depth, 4)}),
-        ),
-        Gouge::Undercut { at } => words::fill("synth-gouge-undercut", &json!({"at": place(*at)})),
-    }
+    Ok(path.gouges.into_iter().map(Remark::Gouge).collect())
 }

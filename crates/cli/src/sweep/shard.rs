@@ -1,0 +1,111 @@
+//! `gaitcam sweep --shard I/N`: one share of a sweep in blocks, for queues that start many processes.
+
+#[cfg(feature = "parquet")]
+pub use with_parquet::run;
+
+/// A share of equal shares, counted from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Shard {
+    /// Which.
+    pub part: u64,
+    /// Of how many.
+    pub parts: u64,
+}
+
+/// Reads `3/16`.
+pub fn shard(typed: &str) -> Result<Shard, String> {
+    let ends = typed.split_once('/');
+    let number = |text: &str| text.trim().parse::<u64>().ok();
+    ends.and_then(|(part, parts)| Some((number(part)?, number(parts)?)))
+        .filter(|(part, parts)| (1..=*parts).contains(part))
+        .map(|(part, parts)| Shard { part, parts })
+        .ok_or_else(|| crate::words::text("sweep-shard"))
+}
+
+/// Blocks are Parquet files, which this build cannot write.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "parquet"))]
+pub fn run(_: &super::SweepArgs, _: Shard) -> gaitcam::error::Result<u8> {
+    Err(crate::error::CliError::NoParquet.flag("--shard"))
+}
+
+#[cfg(feature = "parquet")]
+mod with_parquet {
+    use std::sync::atomic::Ordering;
+
+    use serde_json::json;
+
+    use super::super::{SweepArgs, arguments, check_size, check_values, work};
+    use super::Shard;
+    use crate::error::CliError;
+    use crate::exit_code::{BUILT, INTERRUPTED};
+    use crate::terminal::{self, print, print_json};
+    use crate::{language, words};
+    use gaitcam::error::Result;
+    use gaitcam::sweep::{Plan, Study, Subject};
+    use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
+    use gaitcam_files::read::read_bytes;
+    use gaitcam_files::target::find;
+    use gaitcam_output::folder::write_whole;
+    use gaitcam_output::parquet::file;
+
+    /// Computes the blocks of the share that the folder lacks.
+    ///
+    /// # Errors
+    /// As a sweep into one table; a folder that holds another sweep.
+    pub fn run(args: &SweepArgs, shard: Shard) -> Result<u8> {
+        let sweep = arguments::plan(args)?;
+        check_size(args, &sweep.plan)?;
+        check_values(args, &sweep.plan)?;
+        let folders = sweep.folders;
+        let subject = Subject::Designs(named_by_scene(sweep.plan));
+        let study = Study::new(subject, |index, path| {
+            let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
+            read_bytes(&find(folder, path))
+        })?;
+        let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
+        let blocks = Blocks::open(&args.out, &study, rows, language::current())?;
+        let metadata = study.metadata();
+        let jobs = args.jobs.map_or_else(work::cores, usize::from);
+        let stop = work::stop_on_ctrl_c();
+        let halts = || args.time.of_row();
+        let missing = blocks.missing_of(shard.part, shard.parts)?;
+        let total = missing.iter().map(|r| r.end - r.start).sum();
+        let bar = work::progress(words::text("sweep-designs"), total, 0);
+        for block in missing {
+            let path = blocks.path(&block);
+            let stopped = || stop.load(Ordering::Relaxed);
+            let Some(records) = study.run(block, jobs, &halts, stopped)? else {
+                bar.finish_and_clear();
+                let done = json!({"done": bar.position().to_string(), "rows": total.to_string()});
+                terminal::report(words::fill("sweep-stopped", &done));
+                return Ok(INTERRUPTED);
+            };
+            write_whole(&path, &file(&records, &metadata)?)?;
+            bar.inc(records.len() as u64);
+        }
+        bar.finish_and_clear();
+        let folder = args.out.display().to_string();
+        let left = blocks.missing()?.len();
+        if args.json {
+            print_json(&json!({"folder": folder, "rows": total, "missing_blocks": left}));
+        } else {
+            let said = json!({"folder": folder, "rows": total.to_string(), "left": left});
+            print(&words::fill("sweep-shard-done", &said));
+        }
+        Ok(BUILT)
+    }
+
+    /// A plan whose base scenes have their own names, not those of files, so that it is the same on every machine.
+    fn named_by_scene(mut plan: Plan) -> Plan {
+        let own = |table: &toml::Table| table.get("name")?.as_str().map(str::to_string);
+        let names: Vec<Option<String>> = plan.scenes.iter().map(|s| own(&s.table)).collect();
+        for (i, scene) in plan.scenes.iter_mut().enumerate() {
+            let name = names[i].clone().unwrap_or_else(|| "cam".to_string());
+            scene.name = name;
+        }
+        plan
+    }
+}

@@ -1,0 +1,42 @@
+//! Remarks on the files for manufacturing as sentences.
+
+use serde_json::{Value, json};
+
+use crate::{language, words};
+use gaitcam::cam::Measures;
+use gaitcam::error::Error;
+use gaitcam_files::Remark;
+use gaitcam_output::cutter::Gouge;
+
+/// A remark as a sentence, in the units of the follower.
+pub fn sentence(remark: &Remark, measures: Measures) -> String {
+    match remark {
+        Remark::NoSolid(fault) => words::fill("synth-no-solid", &said(fault)),
+        Remark::NoStep(fault) => words::fill("synth-no-step", &said(fault)),
+        Remark::Arcs { arcs, deviation } => {
+            let deviation = words::power(1e3 * deviation, 2);
+            words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
+        }
+        Remark::NoArcs => words::text("synth-no-arcs"),
+        Remark::Gouge(gouge) => self::gouge(gouge, measures),
+    }
+}
+
+fn said(fault: &Error) -> Value {
+    json!({"fault": fault.sentence(language::current())})
+}
+
+fn gouge(gouge: &Gouge, measures: Measures) -> String {
+    let place = |at: f64| words::decimal(measures.place(at, 2));
+    match gouge {
+        Gouge::Hollow { at, radius } => words::fill(
+            "synth-gouge-hollow",
+            &json!({"at": place(*at), "radius": words::fixed(1e3 * radius, 4)}),
+        ),
+        Gouge::Elsewhere { at, damaged, depth } => words::fill(
+            "synth-gouge-elsewhere",
+            &json!({"at": place(*at), "damaged": place(*damaged), "depth": words::fixed(1e3 * depth, 4)}),
+        ),
+        Gouge::Undercut { at } => words::fill("synth-gouge-undercut", &json!({"at": place(*at)})),
+    }
+}

@@ -1,0 +1,20 @@
+//! What every front end of gaitcam does with files: scenes and recordings in, results and sweeps out.
+//!
+//! The library reads no file and writes none; the command and the Python package do both by the functions here, so
+//! that a scene means the same and a result looks the same through either door.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod blocks;
+pub mod design;
+mod earlier;
+pub mod read;
+pub mod result_folder;
+pub mod scene;
+pub mod target;
+mod workshop;
+
+pub use result_folder::{Memory, ResultFolder, Sink};
+pub use scene::Input;
+pub use workshop::Remark;

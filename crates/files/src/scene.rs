@@ -1,0 +1,139 @@
+//! Scenes from files, with the folder that their paths are relative to.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use toml::{Table, Value};
+
+use crate::{read, target};
+use gaitcam::error::{Error, FileError, Place, Result};
+use gaitcam::force::ForceCurve;
+use gaitcam::scene::{self, Scene, Source};
+
+/// A scene with the folder that its paths are relative to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// The scene.
+    pub scene: Scene,
+    /// Its table as it was written and changed.
+    pub table: Table,
+    /// The folder that its paths are relative to.
+    pub folder: PathBuf,
+    /// The file that it was read from.
+    pub file: Option<PathBuf>,
+}
+
+impl Input {
+    /// The scene of a table, which came from `file` or from nowhere.
+    ///
+    /// # Errors
+    /// Keys and values that are wrong, with the file where there is one.
+    pub fn new(table: Table, folder: PathBuf, file: Option<PathBuf>) -> Result<Input> {
+        let scene = scene::read(&table).map_err(|e| name_file(file.as_deref(), e))?;
+        Ok(Input {
+            scene,
+            table,
+            folder,
+            file,
+        })
+    }
+
+    /// The scene of a TOML file, or the one in a `summary.json`.
+    ///
+    /// # Errors
+    /// Files that cannot be read, and as [`Input::new`].
+    pub fn open(path: &Path) -> Result<Input> {
+        Input::new(table(path)?, folder_of(path), Some(path.to_path_buf()))
+    }
+
+    /// The scene as it was settled, changes included, so that it means the same from any folder: paths
+    /// are absolute.
+    pub fn resolved(&self) -> Table {
+        let mut table = self.table.clone();
+        let file = self
+            .recording()
+            .and_then(|path| fs::canonicalize(path).ok());
+        let gait = table.get_mut("gait").and_then(Value::as_table_mut);
+        if let (Some(file), Some(gait)) = (file, gait) {
+            let file = file.to_string_lossy().into_owned();
+            gait.insert("file".to_string(), Value::String(file));
+        }
+        table
+    }
+
+    /// The recording that the scene names, if it names one.
+    pub fn recording(&self) -> Option<PathBuf> {
+        match &self.scene.gait.as_ref()?.source {
+            Source::File(path) => Some(target::find(&self.folder, path)),
+            Source::Model(_) => None,
+        }
+    }
+
+    /// The force curve that the scene names, if it names one.
+    ///
+    /// # Errors
+    /// Faults of the load model, the file or the recording.
+    pub fn target(&self) -> Result<Option<ForceCurve>> {
+        target::target(&self.scene, &self.folder)
+    }
+}
+
+/// The folder that paths in a scene file are relative to.
+pub fn folder_of(path: &Path) -> PathBuf {
+    path.parent().unwrap_or(Path::new(".")).to_path_buf()
+}
+
+/// The table of a TOML file, or of the scene in a `summary.json`.
+///
+/// # Errors
+/// Files that cannot be read or hold no scene.
+pub fn table(path: &Path) -> Result<Table> {
+    let text = read::read_text(path)?;
+    if path.extension().is_some_and(|e| e == "json") {
+        return of_summary(path, &text);
+    }
+    parse(&text, Some(path))
+}
+
+/// The table of a scene's text; `path` names the file in faults.
+///
+/// # Errors
+/// Text that is no TOML, with its line where there is a file.
+pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
+    text.parse()
+        .map_err(|e: toml::de::Error| not_toml(path, text, &e))
+}
+
+/// The scene that a summary.json was made from.
+fn of_summary(path: &Path, text: &str) -> Result<Table> {
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
+    let missing = || FileError::NoSceneInSummary.file(path);
+    let scene = value.get("scene").ok_or_else(missing)?;
+    serde_json::from_value(scene.clone()).map_err(|_| missing())
+}
+
+/// The error of a text that is no JSON.
+pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
+    let fault = e.to_string();
+    FileError::NotJson { fault }.line(path, e.line())
+}
+
+fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
+    let line = e.span().map_or(1, |s| {
+        text[..s.start.min(text.len())].matches('\n').count() + 1
+    });
+    let fault = e.message().replace('\n', ", ");
+    let error = Error::from(FileError::NotToml { fault });
+    match path {
+        Some(path) => error.at(Place::Line(path.to_path_buf(), line)),
+        None => error,
+    }
+}
+
+/// Puts the scene file's name before a key's.
+fn name_file(path: Option<&Path>, mut e: Error) -> Error {
+    if let (Some(path), Place::Key(key)) = (path, &e.place) {
+        e.place = Place::Key(format!("{}: {key}", path.display()));
+    }
+    e
+}

@@ -1,0 +1,70 @@
+//! Times of calls without Python, s, as JSON: what `python/tests/test_overhead.py` compares with.
+
+use std::time::Instant;
+
+use gaitcam::force;
+use gaitcam::halt::Halt;
+use gaitcam::problem::Shared;
+use gaitcam::scene::{self, Source};
+use gaitcam::sweep::{Axis, Kernel, Method, NamedScene, Plan, Sampling};
+use gaitcam::synth::{relaxed_with, synthesise_with};
+
+fn best(rounds: usize, mut call: impl FnMut()) -> f64 {
+    let mut least = f64::INFINITY;
+    for _ in 0..rounds {
+        let begun = Instant::now();
+        call();
+        least = least.min(begun.elapsed().as_secs_f64());
+    }
+    least
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = scene::read(&scene::DEFAULT.parse()?)?;
+    let synth_s = best(200, || {
+        let gait = scene.gait.as_ref();
+        let target = gait.and_then(|g| match &g.source {
+            Source::Model(name) => {
+                force::model(name, g.step_frequency, g.model_weight(), g.feet).ok()
+            }
+            Source::File(_) => None,
+        });
+        let shared = Shared::default();
+        if let Ok(design) = synthesise_with(&scene, target.as_ref(), &shared) {
+            let _ = relaxed_with(&scene, target.as_ref(), design, &shared.halt);
+        }
+    });
+    let mut table: toml::Table = scene::DEFAULT.parse()?;
+    scene::set(&mut table, "law.family=harmonic")?;
+    let axes = [
+        "gait.step_frequency=1.5 Hz:2.4 Hz",
+        "gait.body_weight=500 N:900 N",
+    ];
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "footbridge".to_string(),
+            table,
+        }],
+        list: None,
+        axes: axes
+            .iter()
+            .map(|a| Axis::parse(a, true))
+            .collect::<Result<_, _>>()?,
+        sampling: Sampling::Sample {
+            method: Method::Latin,
+            count: 100_000,
+            seed: 1,
+        },
+    };
+    let none = |_: usize, _: &scene::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
+    let sweep_s = best(7, || {
+        // Blocks as the command takes them.
+        for first in (0..100_000).step_by(4096) {
+            let count = 4096.min(100_000 - first);
+            std::hint::black_box(kernel.run(&plan.batch(first as u64, count)));
+        }
+    });
+    println!("{{\"synth_s\": {synth_s}, \"sweep_s\": {sweep_s}}}");
+    Ok(())
+}

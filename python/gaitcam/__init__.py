@@ -1,0 +1,70 @@
+"""From a vertical walking force to the cam that reproduces it: law of motion, profile, checks, sweeps.
+
+A scene says what is wanted, a force may come from arrays or a recording, and :func:`synth` gives the cam::
+
+    scene = gaitcam.Scene.builtin("footbridge").set({"limits.stroke": "60 mm"})
+    design = gaitcam.synth(scene)
+    design.verdict, design.law["s_m"], design.save("out/footbridge")
+
+Everything is SI; units stand in the names of columns and keys. Long calls release the interpreter's lock and end on
+Ctrl-C. Faults in what is given are :class:`InputError` with ``.key`` and ``.help``.
+"""
+
+from typing import Any, NamedTuple
+
+from gaitcam._native import (
+    Design,
+    Force,
+    Front,
+    InputError,
+    Law,
+    NoSuchCam,
+    Run,
+    Scene,
+    Sweep,
+    Table,
+    __version__,
+    front,
+    keys,
+    laws,
+    program,
+    read_gait,
+    simulate,
+    synth,
+)
+
+
+class Svaj(NamedTuple):
+    """Lift and its derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating follower: rad)."""
+
+    s: Any
+    v: Any
+    a: Any
+    j: Any
+
+
+#: ``gaitcam.sweep(scene, vary=...).run()`` is the table of a whole sweep; see :class:`Sweep`.
+sweep = Sweep
+
+__all__ = [
+    "Design",
+    "Force",
+    "Front",
+    "InputError",
+    "Law",
+    "NoSuchCam",
+    "Run",
+    "Scene",
+    "Svaj",
+    "Sweep",
+    "Table",
+    "__version__",
+    "front",
+    "keys",
+    "laws",
+    "program",
+    "read_gait",
+    "simulate",
+    "sweep",
+    "synth",
+]

@@ -1,0 +1,36 @@
+"""A sweep in blocks: one Parquet file per range of rows, each whole or not there."""
+
+import os
+import uuid
+from os import PathLike
+from typing import Any
+
+from gaitcam import Sweep
+
+#: Rows of a block where nobody says how many: one row group.
+BLOCK_ROWS = 131_072
+
+
+def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
+    """Computes a block of ``plan`` on one core and puts it at ``file`` whole; returns its number of rows."""
+    import pyarrow
+    import pyarrow.parquet
+
+    table: Any = pyarrow.table(plan.run(start, stop, jobs=1))
+    beside = f"{os.fspath(file)}.{uuid.uuid4().hex}.partial"
+    try:
+        with open(beside, "xb") as sink:
+            pyarrow.parquet.write_table(table, sink, compression="snappy")
+            sink.flush()
+            os.fsync(sink.fileno())
+        os.replace(beside, file)
+    except BaseException:
+        if os.path.exists(beside):
+            os.remove(beside)
+        raise
+    return stop - start
+
+
+def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = BLOCK_ROWS) -> int:
+    """Computes the blocks that ``path`` lacks in this process; returns the number of rows computed."""
+    return sum(write(plan, *block) for block in plan.begin(path, block_rows))

@@ -1,0 +1,28 @@
+"""Sweeps on dask.distributed: ``pip install 'gaitcam[dask]'``."""
+
+from os import PathLike
+from typing import Any
+
+from gaitcam import Sweep, blocks
+
+
+def sweep(
+    plan: Sweep,
+    path: str | PathLike[str],
+    *,
+    client: Any = None,
+    block_rows: int = blocks.BLOCK_ROWS,
+    retries: int = 5,
+) -> int:
+    """Computes the blocks that the folder ``path`` lacks, one task each, and returns the number of rows computed.
+
+    ``path`` is a folder that every worker sees; ``client`` a ``distributed.Client``, by default the current one. A task
+    whose worker dies is computed again elsewhere; a driver that is started again does only what is missing.
+    """
+    import distributed
+
+    client = client or distributed.Client.current()
+    missing = plan.begin(path, block_rows)
+    shared = client.scatter(plan, broadcast=True, hash=False)  # once to each worker, recordings included
+    tasks = [client.submit(blocks.write, shared, *block, pure=False, retries=retries) for block in missing]
+    return sum(task.result() for task in distributed.as_completed(tasks))

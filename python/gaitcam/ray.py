@@ -1,0 +1,26 @@
+"""Sweeps on Ray Data: ``pip install 'gaitcam[ray]'``."""
+
+from os import PathLike
+from typing import Any
+
+from gaitcam import Sweep, blocks
+
+
+def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = blocks.BLOCK_ROWS, **options: Any) -> int:
+    """Computes the blocks that the folder ``path`` lacks, one core each, and returns the number of rows computed.
+
+    ``path`` is a folder that every node sees. A task that dies with its node is computed again elsewhere; a driver that
+    is started again does only what is missing. ``options`` go to ``map_batches``.
+    """
+    import ray
+
+    missing = plan.begin(path, block_rows)
+    shared = ray.put(plan)  # once to each node, recordings included
+
+    def compute(batch: dict[str, Any]) -> dict[str, list[int]]:
+        return {"rows": [blocks.write(ray.get(shared), *missing[i]) for i in batch["id"]]}
+
+    if not missing:
+        return 0
+    numbers = ray.data.range(len(missing), override_num_blocks=len(missing))
+    return int(numbers.map_batches(compute, batch_size=1, **options).sum("rows"))

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Builds the wheel, installs it in a fresh environment and runs the tests of the Python package.
+#
+#   python/run.sh            everything but the engines and the measurements
+#   python/run.sh engines    Ray and Dask on clusters of this machine
+#   python/run.sh overhead   times against the library
+#
+# The release build of the workspace is used as far as it goes, so that the library is compiled once.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+part=${1:-tests}
+target=${CARGO_TARGET_DIR:-$PWD/target}
+environment=$target/python-$part
+python=${PYTHON:-python3}
+
+rm -rf "$environment"
+"$python" -m venv "$environment"
+pip() { "$environment/bin/python" -m pip --disable-pip-version-check --quiet "$@"; }
+pip install 'maturin>=1.9.4,<2' pytest hypothesis numpy pyarrow pandas
+case $part in
+  tests) pip install polars mypy matplotlib scipy nbformat nbclient ipykernel ;;
+  engines) pip install 'ray[data]' distributed ;;
+  overhead) ;;
+  *) echo "python/run.sh [tests|engines|overhead]" >&2; exit 2 ;;
+esac
+
+(cd python && CARGO_TARGET_DIR=$target "$environment/bin/maturin" build --release --quiet --interpreter "$environment/bin/python" \
+  --out "$environment/wheels")
+pip install --no-index --find-links "$environment/wheels" --no-deps gaitcam
+
+# Not from the source folder: what is tested is the wheel.
+cd "$environment"
+tests=(-m pytest "$OLDPWD/python/tests" -c "$OLDPWD/python/pyproject.toml" -p no:cacheprovider --durations=5)
+case $part in
+  tests) bin/python "${tests[@]}" ;;
+  engines) bin/python "${tests[@]}" -m engines -s ;;
+  overhead)
+    (cd "$OLDPWD" && cargo build --release --quiet --example overhead)
+    GAITCAM_OVERHEAD=$target/release/examples/overhead bin/python "${tests[@]}" -m overhead ;;
+esac

@@ -1,0 +1,110 @@
+//! Python's values as TOML and JSON as Python's values.
+
+use numpy::{AllowTypeChange, PyArrayLike1};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use toml::{Table, Value};
+
+/// What pickle wants: a function, and the arguments with which it makes the object again.
+pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
+
+/// A mapping as the table of a scene; `at` is the key that it stands at.
+pub fn table(mapping: &Bound<'_, PyDict>, at: &str) -> PyResult<Table> {
+    let mut out = Table::new();
+    for (key, value) in mapping {
+        let Ok(key) = key.extract::<String>() else {
+            let what = format!("{}keys are strings, not {}", place(at), kind(&key)?);
+            return Err(PyTypeError::new_err(what));
+        };
+        let path = if at.is_empty() {
+            key.clone()
+        } else {
+            format!("{at}.{key}")
+        };
+        out.insert(key, self::value(&value, &path)?);
+    }
+    Ok(out)
+}
+
+/// A value of a scene.
+pub fn value(given: &Bound<'_, PyAny>, at: &str) -> PyResult<Value> {
+    if let Ok(text) = given.cast::<PyString>() {
+        return Ok(Value::String(text.to_string()));
+    }
+    if given.is_instance_of::<PyBool>() {
+        return Ok(Value::Boolean(given.extract()?));
+    }
+    if let Ok(mapping) = given.cast::<PyDict>() {
+        return Ok(Value::Table(table(mapping, at)?));
+    }
+    if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
+        let entries = given.try_iter()?.enumerate();
+        let list: PyResult<Vec<Value>> = entries
+            .map(|(i, entry)| value(&entry?, &format!("{at}.{}", i + 1)))
+            .collect();
+        return Ok(Value::Array(list?));
+    }
+    if given.is_instance_of::<PyInt>() {
+        return Ok(Value::Integer(given.extract()?));
+    }
+    if given.is_instance_of::<PyFloat>() {
+        return Ok(Value::Float(given.extract()?));
+    }
+    // Numbers of numpy.
+    if let Ok(number) = given.extract::<i64>() {
+        return Ok(Value::Integer(number));
+    }
+    if !given.hasattr("__len__")?
+        && let Ok(number) = given.extract::<f64>()
+    {
+        return Ok(Value::Float(number));
+    }
+    Err(PyTypeError::new_err(format!(
+        "{}{} is no value of a scene; give text with a unit, a number, a truth value, a list or a mapping",
+        place(at),
+        kind(given)?
+    )))
+}
+
+fn place(at: &str) -> String {
+    if at.is_empty() {
+        return String::new();
+    }
+    format!("{at}: ")
+}
+
+fn kind(given: &Bound<'_, PyAny>) -> PyResult<String> {
+    Ok(given.get_type().name()?.to_string())
+}
+
+/// JSON as dictionaries, lists, numbers and text.
+pub fn json<'py>(py: Python<'py>, value: &serde_json::Value) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?
+        .call_method1("loads", (value.to_string(),))
+}
+
+/// Numbers of a one-dimensional array of any kind, lists and columns of tables included.
+///
+/// An array of 64-bit numbers is read where it lies.
+pub fn numbers<'py>(
+    given: &Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<PyArrayLike1<'py, f64, AllowTypeChange>> {
+    let py = given.py();
+    let array = py.import("numpy")?.call_method1("asarray", (given,))?;
+    let dimensions: usize = array.getattr("ndim")?.extract()?;
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    let empty = array.len().unwrap_or(0) == 0;
+    if !(empty || matches!(&*kind, "f" | "i" | "u")) {
+        let kind = array.getattr("dtype")?;
+        let what = format!("{name}: an array of {kind} holds no numbers");
+        return Err(PyTypeError::new_err(what));
+    }
+    if dimensions != 1 {
+        let shape = array.getattr("shape")?;
+        let what = format!("an array of shape {shape} has not one dimension");
+        return Err(crate::error::argument(py, name, what));
+    }
+    array.extract()
+}

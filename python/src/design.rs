@@ -1,0 +1,412 @@
+//! Designs: from a scene to a cam with its checks, files and pictures.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use gaitcam::error::{Place, Result};
+use gaitcam::problem::Shared;
+use gaitcam::scene;
+use gaitcam::synth::{relaxed_with, synthesise_with};
+use gaitcam::units::{Dimension, parse};
+use gaitcam_files::design::{self, Contents, ROWS, check_inputs_stay, finish};
+use gaitcam_files::{Input, Memory, ResultFolder, Sink};
+use gaitcam_output::{self as output, Language, Timing};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::convert::{self, Reduced};
+use crate::error::{Raise, argument};
+use crate::force::{FILE, Force, Origin};
+use crate::interrupt::{self, Interrupt};
+use crate::law::Law;
+use crate::scene::Scene;
+use crate::table::Table;
+
+/// Time limit of a search where nobody gives one, s.
+pub const TIME_LIMIT_S: f64 = 60.0;
+/// Fewest rows that show a cam.
+const FEWEST_ROWS: usize = 16;
+
+/// A finished design: law, cam, checks and verdict.
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Design {
+    /// The design itself.
+    pub design: gaitcam::Design,
+    /// The scene that it answers, with the force that was given in its `[gait]`.
+    pub input: Input,
+    asked: Scene,
+    force: Option<Force>,
+    time: Timing,
+    time_limit: f64,
+}
+
+/// Designs a cam.
+///
+/// Parameters
+/// ----------
+/// scene : Scene, optional
+///     What is wanted; without one, the built-in footbridge.
+/// force : Force, optional
+///     The force that is wanted, in place of the one that the scene names.
+/// time_limit : float
+///     Seconds after which searches end with the best that they have.
+///
+/// Returns
+/// -------
+/// Design
+///     Also where no cam keeps the limits: its ``verdict`` and ``summary["reasons"]`` say so.
+///
+/// Raises
+/// ------
+/// InputError
+///     The scene, its recording or the force is wrong.
+#[pyfunction]
+#[pyo3(signature = (scene = None, *, force = None, time_limit = TIME_LIMIT_S))]
+pub fn synth(
+    py: Python<'_>,
+    scene: Option<PyRef<'_, Scene>>,
+    force: Option<PyRef<'_, Force>>,
+    time_limit: f64,
+) -> PyResult<Design> {
+    let asked = Scene::or_default(py, scene.as_deref())?;
+    let force = force.as_deref().cloned();
+    let input = match &force {
+        Some(force) => with_force(&asked.input, force).raise(py)?,
+        None => asked.input.clone(),
+    };
+    let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
+    let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
+    interrupt.result()?;
+    let (design, solve_s) = made.raise(py)?;
+    let time = Timing {
+        solve_s,
+        total_s: interrupt.elapsed_s(),
+    };
+    Ok(Design {
+        design,
+        input,
+        asked,
+        force,
+        time,
+        time_limit,
+    })
+}
+
+fn made(
+    input: &Input,
+    force: Option<&Force>,
+    interrupt: &Arc<Interrupt>,
+) -> Result<(gaitcam::Design, f64)> {
+    let named = match force {
+        Some(_) => None,
+        None => input.target()?,
+    };
+    let target = force.map(|f| &f.curve).or(named.as_ref());
+    let shared = Shared {
+        halt: interrupt.halt(),
+        ..Shared::default()
+    };
+    let begun = interrupt.elapsed_s();
+    let design = synthesise_with(&input.scene, target, &shared)?;
+    let solve_s = interrupt.elapsed_s() - begun;
+    let design = relaxed_with(&input.scene, target, design, &shared.halt);
+    Ok((design, solve_s))
+}
+
+/// The scene with the force in its `[gait]`, which keeps what is said of scale, band, phase and weights.
+fn with_force(input: &Input, force: &Force) -> Result<Input> {
+    const OF_SOURCE: [&str; 12] = [
+        "file",
+        "model",
+        "step_frequency",
+        "body_weight",
+        "time",
+        "force",
+        "unit",
+        "rate",
+        "mass",
+        "kind",
+        "period",
+        "span",
+    ];
+    let mut table = input.table.clone();
+    let own = table.get("gait").and_then(toml::Value::as_table).cloned();
+    let mut gait = own.unwrap_or_default();
+    for key in OF_SOURCE {
+        gait.remove(key);
+    }
+    gait.extend(force.gait());
+    table.insert("gait".to_string(), toml::Value::Table(gait));
+    let scene = scene::read(&table)?;
+    Ok(Input {
+        scene,
+        table,
+        ..input.clone()
+    })
+}
+
+impl Design {
+    fn contents(
+        &self,
+        py: Python<'_>,
+        points: usize,
+        png: bool,
+        solid: bool,
+        tool: Option<&Bound<'_, PyAny>>,
+        lang: &str,
+    ) -> PyResult<Contents> {
+        Ok(Contents {
+            points: rows(py, points)?,
+            png,
+            solid,
+            tool: tool.map(|t| length(t, "tool")).transpose()?,
+            language: language(py, lang)?,
+        })
+    }
+
+    fn has_cam(&self, py: Python<'_>) -> PyResult<()> {
+        match &self.design.infeasible {
+            Some(why) => Err(crate::error::NoSuchCam::new_err(why.sentence(Language::En))),
+            None => py.check_signals(),
+        }
+    }
+
+    /// Everything but scene and summary.
+    fn write(&self, sink: &impl Sink, contents: Contents) -> Result<()> {
+        design::write(sink, &self.design, contents, self.time)?;
+        if let Some(Force {
+            curve,
+            origin: Origin::Arrays,
+        }) = &self.force
+        {
+            let text = gaitcam::force::csv(curve, &[&curve.name]);
+            sink.write(FILE, text.as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
+    if points >= FEWEST_ROWS {
+        return Ok(points);
+    }
+    let what = format!("{points} rows do not show a cam; give at least {FEWEST_ROWS}");
+    Err(argument(py, "points", what))
+}
+
+/// A language by its tag.
+pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
+    Language::of_tag(tag).ok_or_else(|| {
+        argument(
+            py,
+            "lang",
+            format!("{tag:?} is no language; give \"en\" or \"es\""),
+        )
+    })
+}
+
+/// A length: a number in m, or text with its unit.
+fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+    if let Ok(text) = given.extract::<String>() {
+        let value = parse(&text, Dimension::Length);
+        return value
+            .map_err(|e| e.at(Place::Key(name.to_string())))
+            .raise(given.py());
+    }
+    given.extract()
+}
+
+#[pymethods]
+impl Design {
+    /// Class of the cam: ``acceptable``, ``not-for-high-speed`` or ``unacceptable``.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.design.verdict.name()
+    }
+
+    /// Why the verdict is what it is, as sentences.
+    #[pyo3(signature = (lang = "en"))]
+    fn reason(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
+        Ok(self.design.reason(language(py, lang)?))
+    }
+
+    /// The design in numbers, as in ``summary.json``; SI, units in the names.
+    #[getter]
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let scene = self.input.resolved();
+        convert::json(py, &design::summary(&self.design, &scene, self.time))
+    }
+
+    /// Every limit held against the design: a list of ``{name, worst, limit, at_rad, pass}``.
+    #[getter]
+    fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.summary(py)?.get_item("checks")
+    }
+
+    /// The law at 1440 equal steps of the cam angle, as in ``law.csv``.
+    #[getter]
+    fn law(&self) -> Table {
+        Table::of_numbers(output::csv::law_columns(&self.design, ROWS))
+    }
+
+    /// The profile at 1440 equal steps of the cam angle, as in ``profile.csv``; row i is the contact at its angle.
+    #[getter]
+    fn profile(&self, py: Python<'_>) -> PyResult<Table> {
+        self.has_cam(py)?;
+        let columns = output::csv::profile_columns(&self.design, ROWS);
+        Ok(Table::of_numbers(columns))
+    }
+
+    /// The tables ``law`` and ``profile`` with another number of rows.
+    fn tables(&self, py: Python<'_>, points: usize) -> PyResult<(Table, Table)> {
+        let points = rows(py, points)?;
+        self.has_cam(py)?;
+        let (law, profile) = py.detach(|| {
+            (
+                output::csv::law_columns(&self.design, points),
+                output::csv::profile_columns(&self.design, points),
+            )
+        });
+        Ok((Table::of_numbers(law), Table::of_numbers(profile)))
+    }
+
+    /// The law as a function of the cam angle.
+    #[getter]
+    fn motion(&self) -> Law {
+        Law::of_design(&self.design.family, &self.design.cam.law)
+    }
+
+    /// The scene that the design answers, with the force that was given.
+    #[getter]
+    fn scene(&self) -> Scene {
+        Scene {
+            input: self.input.clone(),
+        }
+    }
+
+    /// Name of the scene.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.design.name
+    }
+
+    /// Writes what ``gaitcam synth --out DIR`` writes and returns the folder.
+    ///
+    /// Parameters
+    /// ----------
+    /// folder : path
+    /// points : int
+    ///     Rows of the tables.
+    /// png : bool
+    ///     Pictures as PNG beside SVG.
+    /// solid : bool
+    ///     Solids (STEP, STL, 3MF), arcs (DXF) and a workbook (XLSX) too.
+    /// tool : float (m) or str ("3 mm"), optional
+    ///     Radius of a cutter whose path is written too.
+    /// lang : str
+    ///     Language of report and pictures, "en" or "es".
+    #[pyo3(signature = (folder, *, points = ROWS, png = true, solid = false, tool = None, lang = "en"))]
+    #[allow(clippy::too_many_arguments)] // keywords of one call
+    fn save(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        points: usize,
+        png: bool,
+        solid: bool,
+        tool: Option<&Bound<'_, PyAny>>,
+        lang: &str,
+    ) -> PyResult<PathBuf> {
+        let contents = self.contents(py, points, png, solid, tool, lang)?;
+        let written = py.detach(|| {
+            check_inputs_stay(&folder, &self.input)?;
+            let place = ResultFolder::open(&folder)?;
+            self.write(&place, contents)?;
+            let scene = self.input.resolved();
+            let summary = design::summary(&self.design, &scene, self.time);
+            finish(place, &self.input, &scene, &summary)
+        });
+        written.raise(py)
+    }
+
+    /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
+    #[pyo3(signature = (*, points = ROWS, png = false, solid = false, tool = None, lang = "en"))]
+    fn files<'py>(
+        &self,
+        py: Python<'py>,
+        points: usize,
+        png: bool,
+        solid: bool,
+        tool: Option<&Bound<'_, PyAny>>,
+        lang: &str,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let contents = self.contents(py, points, png, solid, tool, lang)?;
+        let files = py.detach(|| {
+            let memory = Memory::default();
+            self.write(&memory, contents)?;
+            let scene = self.input.resolved();
+            let summary = design::summary(&self.design, &scene, self.time);
+            let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
+            memory.write("summary.json", summary.as_bytes())?;
+            let scene = toml::to_string(&scene).unwrap_or_default();
+            memory.write("scene.toml", scene.as_bytes())?;
+            Ok(memory.into_files())
+        });
+        let out = PyDict::new(py);
+        for (name, bytes) in files.raise(py)? {
+            out.set_item(name, PyBytes::new(py, &bytes))?;
+        }
+        Ok(out)
+    }
+
+    fn _repr_html_(&self, py: Python<'_>) -> String {
+        let design = &self.design;
+        let text = |s: &str| s.replace('&', "&amp;").replace('<', "&lt;");
+        let head = format!(
+            "<p><b>{}</b>: <b>{}</b><br>{}</p>",
+            text(&design.name),
+            design.verdict.name(),
+            text(&design.reason(Language::En))
+        );
+        if design.infeasible.is_some() {
+            return head;
+        }
+        let pictures = py.detach(|| {
+            let language = Language::En;
+            [
+                output::plots::cam(design, language),
+                output::plots::force(design, language),
+                output::plots::svaj(design, language),
+            ]
+            .map(|picture| picture.svg())
+        });
+        let cell = |svg: &String| format!("<div style=\"flex:1 1 24em\">{svg}</div>");
+        let cells: String = pictures.iter().map(cell).collect();
+        format!("<div>{head}<div style=\"display:flex;flex-wrap:wrap\">{cells}</div></div>")
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, (Scene, Option<Force>, f64)> {
+        // A design follows from its question: that is what travels.
+        let restore = py.get_type::<Design>().getattr("_restore")?;
+        let question = (self.asked.clone(), self.force.clone(), self.time_limit);
+        Ok((restore, question))
+    }
+
+    #[staticmethod]
+    fn _restore(
+        py: Python<'_>,
+        scene: PyRef<'_, Scene>,
+        force: Option<PyRef<'_, Force>>,
+        time_limit: f64,
+    ) -> PyResult<Design> {
+        synth(py, Some(scene), force, time_limit)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<gaitcam.Design {:?}: {}>",
+            self.design.name,
+            self.design.verdict.name()
+        )
+    }
+}

@@ -1,0 +1,70 @@
+//! Faults as Python exceptions: what is wrong, at which key, what would be right.
+
+use gaitcam::error::{Error, Place};
+use gaitcam::wording::Language;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+
+create_exception!(
+    gaitcam,
+    InputError,
+    PyValueError,
+    "A fault in what was given.\n\n\
+     Attributes\n----------\n\
+     key : str or None\n    Key of the scene, or argument, that is wrong: ``limits.stroke``.\n\
+     help : str or None\n    What would be right.\n\
+     code : str\n    Name of the fault for programs; it does not change with its wording.\n\
+     place : str\n    File, line or key, as text; empty where there is nothing to point at."
+);
+create_exception!(
+    gaitcam,
+    NoSuchCam,
+    PyRuntimeError,
+    "There is no cam to run: the limits conflict, or a flat face cannot touch the profile."
+);
+
+/// The exception of a fault.
+pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
+    let help = fault.cure();
+    let error = InputError::new_err(fault.sentence(Language::En));
+    let value = error.value(py);
+    let place = fault.place.to_string();
+    let place = place.trim_end_matches(": ");
+    let set = |name: &str, attribute: Option<&str>| value.setattr(name, attribute);
+    let attributes = set("key", key(&fault.place).as_deref())
+        .and_then(|()| set("help", help.as_deref()))
+        .and_then(|()| set("code", Some(&fault.kind.code())))
+        .and_then(|()| set("place", Some(place)));
+    match attributes {
+        Ok(()) => error,
+        Err(other) => other,
+    }
+}
+
+/// The key alone, without the file that it stands in.
+fn key(place: &Place) -> Option<String> {
+    match place {
+        Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),
+        Place::Argument(name) => Some(name.trim_start_matches('-').to_string()),
+        Place::Unplaced | Place::File(_) | Place::Line(..) | Place::Byte(..) => None,
+    }
+}
+
+/// Results of the library as results of Python.
+pub trait Raise<T> {
+    /// The value, or the exception of the fault.
+    fn raise(self, py: Python<'_>) -> PyResult<T>;
+}
+
+impl<T> Raise<T> for gaitcam::error::Result<T> {
+    fn raise(self, py: Python<'_>) -> PyResult<T> {
+        self.map_err(|fault| raised(py, fault))
+    }
+}
+
+/// A fault of an argument that only Python can have.
+pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
+    let fault = Error::own("python-argument", what).at(Place::Key(name.to_string()));
+    raised(py, fault)
+}

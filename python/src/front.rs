@@ -1,0 +1,160 @@
+//! The best designs of a table.
+
+use gaitcam::sweep::{self, Admission, Objective};
+use numpy::{PyArray1, PyArray2};
+use pyo3::prelude::*;
+
+use crate::convert;
+use crate::error::Raise;
+
+/// The designs of a table that no other design beats in every objective.
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Front {
+    names: Vec<String>,
+    positions: Vec<i64>,
+    best: Option<i64>,
+    values: Vec<Vec<f64>>,
+    left_out: usize,
+}
+
+/// Pareto front of a table of designs.
+///
+/// Parameters
+/// ----------
+/// table
+///     A table of a sweep: of gaitcam, pandas, polars or pyarrow, or a dictionary of columns.
+/// minimise, maximise : list of str
+///     Columns, by name or its beginning: ``["force_error", "torque_max"]``; force error and prime radius are minimised
+///     where neither is given.
+/// low_speed : bool
+///     Take designs that are not for high speed too.
+/// all : bool
+///     Take every design that is built, also unacceptable ones.
+#[pyfunction]
+#[pyo3(signature = (table, minimise = None, maximise = None, *, low_speed = false, all = false))]
+pub fn front(
+    table: &Bound<'_, PyAny>,
+    minimise: Option<Vec<String>>,
+    maximise: Option<Vec<String>>,
+    low_speed: bool,
+    all: bool,
+) -> PyResult<Front> {
+    let py = table.py();
+    let names = names(table)?;
+    let minimise = match (minimise, &maximise) {
+        (None, None) => Objective::usual(),
+        (given, _) => given.unwrap_or_default(),
+    };
+    let mut objectives = Vec::new();
+    let wanted = minimise.iter().map(|n| (n, false));
+    for (name, maximised) in wanted.chain(maximise.iter().flatten().map(|n| (n, true))) {
+        objectives.push(Objective::of(name, maximised, &names).raise(py)?);
+    }
+    let mut columns = Vec::new();
+    for objective in &objectives {
+        let column = table.get_item(&objective.name)?;
+        columns.push(convert::numbers(&column, &objective.name)?);
+    }
+    let (outcomes, verdicts) = (words(table, "outcome")?, words(table, "verdict")?);
+    let admission = Admission { low_speed, all };
+    let mut found = sweep::Front::default();
+    let mut left_out = 0;
+    let mut costs = vec![0.0; objectives.len()];
+    for (row, (outcome, verdict)) in outcomes.iter().zip(&verdicts).enumerate() {
+        left_out += usize::from(admission.leaves_out(outcome, verdict));
+        if !admission.takes(outcome, verdict) {
+            continue;
+        }
+        for ((cost, objective), column) in costs.iter_mut().zip(&objectives).zip(&columns) {
+            *cost = objective.cost(column.as_array()[row]);
+        }
+        found.offer(row as u64, &costs, Vec::new);
+    }
+    let value = |p: &&sweep::Point| -> Vec<f64> {
+        let both = objectives.iter().zip(&p.values);
+        both.map(|(o, cost)| o.value(*cost)).collect()
+    };
+    let sorted = found.sorted();
+    Ok(Front {
+        positions: sorted.iter().map(|p| p.row as i64).collect(),
+        values: sorted.iter().map(value).collect(),
+        best: found.best().map(|p| p.row as i64),
+        names: objectives.into_iter().map(|o| o.name).collect(),
+        left_out,
+    })
+}
+
+/// Names of the columns of any kind of table.
+fn names(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    for attribute in ["column_names", "columns"] {
+        if let Ok(names) = table.getattr(attribute)
+            && let Ok(names) = names.try_iter()
+        {
+            return names.map(|n| n?.extract()).collect();
+        }
+    }
+    table
+        .call_method0("keys")?
+        .try_iter()?
+        .map(|n| n?.extract())
+        .collect()
+}
+
+/// A column of words; empty where one is missing.
+fn words(table: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<String>> {
+    let column = table.get_item(name)?;
+    // pyarrow's own values are no strings.
+    let column = match column.call_method0("to_pylist") {
+        Ok(list) => list,
+        Err(_) => column,
+    };
+    let text = |word: PyResult<Bound<'_, PyAny>>| -> PyResult<String> {
+        Ok(word?.extract::<String>().unwrap_or_default())
+    };
+    column.try_iter()?.map(text).collect()
+}
+
+#[pymethods]
+impl Front {
+    /// Places of the designs in the table, by the first objective; shape (n,).
+    #[getter]
+    fn positions<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        PyArray1::from_slice(py, &self.positions)
+    }
+
+    /// Values of the objectives, SI; shape (n, objectives).
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        Ok(PyArray2::from_vec2(py, &self.values)?)
+    }
+
+    /// Columns that are compared.
+    #[getter]
+    fn objectives(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    /// Place of the best compromise: nearest to the best of every objective; ``None`` of an empty front.
+    #[getter]
+    fn best(&self) -> Option<i64> {
+        self.best
+    }
+
+    /// Designs that were left out for being not for high speed.
+    #[getter]
+    fn left_out(&self) -> usize {
+        self.left_out
+    }
+
+    fn __len__(&self) -> usize {
+        self.positions.len()
+    }
+
+    fn __repr__(&self) -> String {
+        let names = self.names.join(", ");
+        format!(
+            "<gaitcam.Front of {} designs by {names}>",
+            self.positions.len()
+        )
+    }
+}

@@ -1,0 +1,90 @@
+//! Long work without the interpreter's lock, ended by Ctrl-C.
+
+use std::sync::{Arc, Mutex};
+use std::thread::{ThreadId, current};
+use std::time::{Duration, Instant};
+
+use gaitcam::halt::Halt;
+use pyo3::prelude::*;
+
+/// Time between two looks at Python's signals.
+const LOOK: Duration = Duration::from_millis(50);
+/// A limit beyond this is none, s.
+const LONGEST_S: f64 = 1e9;
+
+/// The end of a search: a time limit, or an exception of a signal handler.
+pub struct Interrupt {
+    begun: Instant,
+    limit: Duration,
+    thread: ThreadId,
+    state: Mutex<State>,
+}
+
+struct State {
+    looked: Instant,
+    raised: Option<PyErr>,
+}
+
+impl Interrupt {
+    /// Begins now; `limit_s` in seconds.
+    pub fn after(limit_s: f64) -> Arc<Interrupt> {
+        let begun = Instant::now();
+        Arc::new(Interrupt {
+            begun,
+            limit: Duration::from_secs_f64(limit_s.clamp(0.0, LONGEST_S)),
+            thread: current().id(),
+            state: Mutex::new(State {
+                looked: begun,
+                raised: None,
+            }),
+        })
+    }
+
+    /// What searches ask between their steps.
+    pub fn halt(self: &Arc<Self>) -> Halt {
+        let own = Arc::clone(self);
+        Halt::when(move || own.begun.elapsed() >= own.limit || own.is_raised())
+    }
+
+    /// Whether a signal handler has raised; looked for at most every 50 ms, from the calling thread only.
+    pub fn is_raised(&self) -> bool {
+        let Ok(mut state) = self.state.lock() else {
+            return true;
+        };
+        if state.raised.is_some() {
+            return true;
+        }
+        if current().id() != self.thread || state.looked.elapsed() < LOOK {
+            return false;
+        }
+        state.looked = Instant::now();
+        // A handler may run Python, and Python may ask again: the lock is not held meanwhile.
+        drop(state);
+        let raised = Python::attach(|py| py.check_signals()).err();
+        let is_raised = raised.is_some();
+        if let Ok(mut state) = self.state.lock() {
+            state.raised = raised;
+        }
+        is_raised
+    }
+
+    /// The exception that ended the work, if one did.
+    pub fn result(&self) -> PyResult<()> {
+        let raised = self.state.lock().ok().and_then(|mut s| s.raised.take());
+        raised.map_or(Ok(()), Err)
+    }
+
+    /// Seconds since the work began.
+    pub fn elapsed_s(&self) -> f64 {
+        self.begun.elapsed().as_secs_f64()
+    }
+}
+
+/// A time limit as users give it, s.
+pub fn limit(py: Python<'_>, seconds: f64) -> PyResult<f64> {
+    if seconds > 0.0 {
+        return Ok(seconds);
+    }
+    let what = format!("{seconds} s is no time limit; give a positive number of seconds");
+    Err(crate::error::argument(py, "time_limit", what))
+}

@@ -1,0 +1,196 @@
+//! Laws of motion as functions of arrays.
+
+use gaitcam::law::{self, Extent, Rise, Segment};
+use gaitcam::units::{Dimension, parse};
+use numpy::PyArray1;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyString};
+
+use crate::convert;
+use crate::error::Raise;
+
+/// A law of motion: ``law(theta)`` gives s, v, a, j, each of the shape of ``theta``.
+///
+/// Lift s in m (an oscillating follower: rad) and its derivatives by the cam angle, m/rad, m/rad², m/rad³, exact.
+/// ``theta`` in rad, any turn. A law of the catalogue is normalised: from 0 to 1 over 0 ≤ x ≤ 1.
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Law {
+    name: String,
+    law: law::Law,
+    factors: Option<law::Factors>,
+}
+
+impl Law {
+    /// The law of a design.
+    pub fn of_design(name: &str, law: &law::Law) -> Law {
+        Law {
+            name: name.to_string(),
+            law: law.clone(),
+            factors: None,
+        }
+    }
+
+    fn of_rise(rise: &Rise) -> gaitcam::error::Result<Law> {
+        Ok(Law {
+            name: rise.written(),
+            law: rise.law()?,
+            factors: Some(rise.factors()?),
+        })
+    }
+}
+
+/// Values of a function of angles, each array of the shape of what is given.
+pub fn shaped<'py, const N: usize>(
+    theta: &Bound<'py, PyAny>,
+    mut of: impl FnMut(f64) -> [f64; N],
+) -> PyResult<[Bound<'py, PyAny>; N]> {
+    let py = theta.py();
+    let np = py.import("numpy")?;
+    let array = np.call_method1("asarray", (theta,))?;
+    let shape = array.getattr("shape")?;
+    let flat = convert::numbers(&array.call_method0("ravel")?, "theta")?;
+    let flat = flat.as_array();
+    let mut out: [Vec<f64>; N] = std::array::from_fn(|_| Vec::with_capacity(flat.len()));
+    for x in flat {
+        if !x.is_finite() {
+            let what = format!("{x} is no angle");
+            return Err(crate::error::argument(py, "theta", what));
+        }
+        for (column, value) in out.iter_mut().zip(of(*x)) {
+            column.push(value);
+        }
+    }
+    let mut arrays = Vec::with_capacity(N);
+    for column in out {
+        let column = PyArray1::from_vec(py, column);
+        // An empty tuple picks a number out of an array without dimensions.
+        let column = column.call_method1("reshape", (&shape,))?;
+        arrays.push(column.get_item(pyo3::types::PyTuple::empty(py))?);
+    }
+    arrays
+        .try_into()
+        .map_err(|_| pyo3::exceptions::PyRuntimeError::new_err("columns"))
+}
+
+#[pymethods]
+impl Law {
+    /// The law of a name of the catalogue, with its parameters: ``Law("scca 0.25 0.25 0.5")``.
+    #[new]
+    fn new(py: Python<'_>, name: &str) -> PyResult<Law> {
+        let rise = Rise::from_name(name).raise(py)?;
+        Law::of_rise(&rise).raise(py)
+    }
+
+    fn __call__<'py>(&self, theta: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let [s, v, a, j] = shaped(theta, |x| {
+            let at = self.law.svaj(x);
+            [at.s, at.v, at.a, at.j]
+        })?;
+        let svaj = theta.py().import("gaitcam")?.getattr("Svaj")?;
+        svaj.call1((s, v, a, j))
+    }
+
+    /// Name of the law.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Largest lift less smallest.
+    #[getter]
+    fn stroke(&self) -> f64 {
+        self.law.stroke()
+    }
+
+    /// First angle and length of the law, rad.
+    #[getter]
+    fn extent(&self) -> (f64, f64) {
+        self.law.extent()
+    }
+
+    /// Whether the law repeats after its extent.
+    #[getter]
+    fn closed(&self) -> bool {
+        self.law.is_closed()
+    }
+
+    /// Breaks of its pieces, rad; shape (pieces + 1,).
+    #[getter]
+    fn breaks<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        PyArray1::from_slice(py, self.law.breaks())
+    }
+
+    /// Smallest and largest value of a derivative (0: lift … 3: jerk) of the continuous law, each with its angle:
+    /// ``((least, at), (most, at))``.
+    fn extremes(&self, py: Python<'_>, order: usize) -> PyResult<((f64, f64), (f64, f64))> {
+        if order > 3 {
+            let what = format!("{order} is no derivative of a law; give 0, 1, 2 or 3");
+            return Err(crate::error::argument(py, "order", what));
+        }
+        let (low, high) = self.law.extremes(order);
+        Ok(((low.value, low.at), (high.value, high.at)))
+    }
+
+    /// Peak factors of a law of the catalogue: ``cv``, ``ca``, ``cj``, ``ct``.
+    #[getter]
+    fn factors<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
+        let Some(factors) = &self.factors else {
+            return Ok(None);
+        };
+        let out = PyDict::new(py);
+        let all = [
+            ("cv", factors.cv),
+            ("ca", factors.ca),
+            ("cj", factors.cj),
+            ("ct", factors.ct),
+        ];
+        for (name, factor) in all {
+            out.set_item(name, factor)?;
+        }
+        Ok(Some(out))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<gaitcam.Law {:?}>", self.name)
+    }
+}
+
+/// The catalogue of rise laws: a dictionary from names to normalised laws.
+#[pyfunction]
+pub fn laws(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let out = PyDict::new(py);
+    for rise in Rise::catalogue() {
+        out.set_item(rise.name(), Law::of_rise(&rise).raise(py)?)?;
+    }
+    Ok(out)
+}
+
+/// A law of segments over one turn: ``program([("cycloidal", "20 mm", "120 deg"), ("dwell", 0, "60 deg"), ...])``.
+///
+/// Each segment is a motion of the catalogue, its lift (m, negative for a fall) and its angle (rad); numbers are SI, text
+/// has a unit.
+#[pyfunction]
+pub fn program(
+    py: Python<'_>,
+    segments: Vec<(String, Bound<'_, PyAny>, Bound<'_, PyAny>)>,
+) -> PyResult<Law> {
+    let mut all = Vec::with_capacity(segments.len());
+    for (i, (motion, lift, angle)) in segments.iter().enumerate() {
+        all.push(Segment {
+            motion: Rise::from_name(motion).raise(py)?,
+            lift: quantity(lift, Dimension::Length, &format!("segment.{}.lift", i + 1))?,
+            angle: quantity(angle, Dimension::Angle, &format!("segment.{}.angle", i + 1))?,
+        });
+    }
+    let law = law::program(&all, Extent::TURN).raise(py)?;
+    Ok(Law::of_design("program", &law))
+}
+
+fn quantity(given: &Bound<'_, PyAny>, dimension: Dimension, key: &str) -> PyResult<f64> {
+    if let Ok(text) = given.cast::<PyString>() {
+        let value = parse(&text.to_string(), dimension);
+        let place = || gaitcam::error::Place::Key(key.to_string());
+        return value.map_err(|e| e.at(place())).raise(given.py());
+    }
+    given.extract()
+}

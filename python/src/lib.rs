@@ -1,0 +1,46 @@
+//! The Python package `gaitcam`: bindings, no more. What a call does stands in the library, in `gaitcam-files` and in
+//! `gaitcam-output`, where the command finds it too.
+
+mod arrow;
+mod convert;
+mod design;
+mod error;
+mod force;
+mod front;
+mod interrupt;
+mod law;
+mod run;
+mod scene;
+mod sweep;
+mod table;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use crate::design::{Design, synth};
+    #[pymodule_export]
+    use crate::error::{InputError, NoSuchCam};
+    #[pymodule_export]
+    use crate::force::{Force, read_gait};
+    #[pymodule_export]
+    use crate::front::{Front, front};
+    #[pymodule_export]
+    use crate::law::{Law, laws, program};
+    #[pymodule_export]
+    use crate::run::{Run, simulate};
+    #[pymodule_export]
+    use crate::scene::{Scene, keys};
+    #[pymodule_export]
+    use crate::sweep::Sweep;
+    #[pymodule_export]
+    use crate::table::Table;
+
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,149 @@
+//! The emitted cam in motion.
+
+use gaitcam::dynamics::{self, Model, Outcome};
+use gaitcam::problem::Problem;
+use gaitcam::synth::contact_is_judged;
+use gaitcam::wording::Language;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::convert;
+use crate::design::Design;
+use crate::error::{NoSuchCam, Raise, argument};
+use crate::scene::Scene;
+use crate::table::Table;
+
+/// What a run of the emitted cam found.
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Run {
+    outcome: Outcome,
+    verdict: &'static str,
+    name: String,
+}
+
+/// Runs the emitted cam of a design, not the law it came from.
+///
+/// Parameters
+/// ----------
+/// design : Design
+/// model : str
+///     "auto" (the simplest that is sufficient), "rigid", "flexible" or "contact".
+/// machine : dict, optional
+///     Another machine around the same cam, by dotted keys of a scene: ``{"drive.mass": "9 kg", "drive.speed": "150 rpm",
+///     "machine.stiffness": "2e5 N/m", "machine.restitution": 0.4}``. Only ``drive.*`` and ``machine.*``: the cam is cut.
+///
+/// Raises
+/// ------
+/// NoSuchCam
+///     There is no cam to run.
+#[pyfunction]
+#[pyo3(signature = (design, model = "auto", *, machine = None))]
+pub fn simulate(
+    py: Python<'_>,
+    design: PyRef<'_, Design>,
+    model: &str,
+    machine: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Run> {
+    let Some(model) = Model::parse(model) else {
+        let what = format!("{model:?} is no model; give auto, rigid, flexible or contact");
+        return Err(argument(py, "model", what));
+    };
+    if let Some(why) = design.design.no_cam(Language::En) {
+        return Err(NoSuchCam::new_err(why));
+    }
+    let (spec, drive) = match machine {
+        None => (design.input.scene.machine.clone(), design.design.drive),
+        Some(changes) => machine_of(py, &design, changes)?,
+    };
+    let (cam, scene) = (&design.design, &design.input.scene);
+    let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
+    let outcome = outcome.raise(py)?;
+    let mut judged = cam.clone();
+    if outcome.contact_lost && contact_is_judged(scene) {
+        judged.loses_contact(outcome.lost_fraction);
+    }
+    Ok(Run {
+        outcome,
+        verdict: judged.verdict.name(),
+        name: judged.name,
+    })
+}
+
+/// The machine of a design's scene with changes, settled against its force.
+fn machine_of(
+    py: Python<'_>,
+    design: &Design,
+    changes: &Bound<'_, PyDict>,
+) -> PyResult<(gaitcam::scene::MachineSpec, gaitcam::Drive)> {
+    for key in changes.keys() {
+        let key: String = key.extract()?;
+        if !(key.starts_with("drive.") || key.starts_with("machine.")) {
+            let what = "the cam is cut: only keys of drive and machine change".to_string();
+            return Err(argument(py, &key, what));
+        }
+    }
+    let input = design.input.clone();
+    let scene = Scene { input }.changed(py, changes)?.input.scene;
+    let target = design.design.target.as_ref();
+    let problem = Problem::settle(&scene, target).raise(py)?;
+    Ok((scene.machine, problem.drive))
+}
+
+#[pymethods]
+impl Run {
+    /// Model whose numbers these are: "rigid", "flexible" or "contact".
+    #[getter]
+    fn model(&self) -> &'static str {
+        self.outcome.model.name()
+    }
+
+    /// Why that model.
+    #[pyo3(signature = (lang = "en"))]
+    fn why(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
+        Ok(self
+            .outcome
+            .why
+            .sentence(crate::design::language(py, lang)?))
+    }
+
+    /// The class of the cam after this run.
+    #[getter]
+    fn verdict(&self) -> &'static str {
+        self.verdict
+    }
+
+    /// Whether the follower leaves the cam.
+    #[getter]
+    fn contact_lost(&self) -> bool {
+        self.outcome.contact_lost
+    }
+
+    /// The findings, as ``gaitcam simulate --json`` prints them; SI, units in the names.
+    #[getter]
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut json = self.outcome.json();
+        json["verdict"] = self.verdict.into();
+        convert::json(py, &json)
+    }
+
+    /// One repetition of the motion at equal angles, as in ``dynamics.csv``.
+    #[getter]
+    fn table(&self) -> Table {
+        Table::of_numbers(self.outcome.columns())
+    }
+
+    fn _repr_html_(&self) -> String {
+        let measures = gaitcam::cam::Measures::Translating;
+        let text = self.outcome.table(measures, Language::En);
+        let text = text.replace('&', "&amp;").replace('<', "&lt;");
+        format!(
+            "<p><b>{}</b>: {}</p><pre>{text}</pre>",
+            self.name, self.verdict
+        )
+    }
+
+    fn __repr__(&self) -> String {
+        let model = self.outcome.model.name();
+        format!("<gaitcam.Run {:?} ({model}): {}>", self.name, self.verdict)
+    }
+}

@@ -1,0 +1,154 @@
+//! Scenes: the whole problem as a user writes it down.
+
+use std::path::{Path, PathBuf};
+
+use gaitcam::scene;
+use gaitcam_files::Input;
+use gaitcam_files::scene::parse;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::convert::{self, Reduced};
+use crate::error::Raise;
+
+/// A scene: what force is wanted, how lift becomes force, what the law may be, the cam and its limits.
+///
+/// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes what a scene file has, section by section, quantities as text with
+/// their unit. ``Scene()`` is a scene in which nothing is said. Scenes do not change: ``set`` gives a new one.
+#[pyclass(frozen, module = "gaitcam", eq)]
+#[derive(Clone)]
+pub struct Scene {
+    /// The scene with its table and folder.
+    pub input: Input,
+}
+
+impl PartialEq for Scene {
+    fn eq(&self, other: &Scene) -> bool {
+        let source = |s: &Scene| s.input.recording();
+        self.input.scene == other.input.scene && source(self) == source(other)
+    }
+}
+
+impl Scene {
+    /// The scene of a table without a file.
+    pub fn of_table(py: Python<'_>, table: toml::Table, folder: PathBuf) -> PyResult<Scene> {
+        let input = Input::new(table, folder, None).raise(py)?;
+        Ok(Scene { input })
+    }
+
+    /// The built-in footbridge, where no scene is given.
+    pub fn or_default(py: Python<'_>, scene: Option<&Scene>) -> PyResult<Scene> {
+        match scene {
+            Some(scene) => Ok(scene.clone()),
+            None => Scene::builtin(py, scene::SCENES[0].name),
+        }
+    }
+
+    /// The scene with changes to its table.
+    pub fn changed(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
+        let mut table = self.input.table.clone();
+        for (key, value) in changes {
+            let key: String = key.extract()?;
+            let value = convert::value(&value, &key)?;
+            scene::set_value(&mut table, &key, value).raise(py)?;
+        }
+        let (folder, file) = (self.input.folder.clone(), self.input.file.clone());
+        let input = Input::new(table, folder, file).raise(py)?;
+        Ok(Scene { input })
+    }
+}
+
+#[pymethods]
+impl Scene {
+    #[new]
+    #[pyo3(signature = (sections = None))]
+    fn new(py: Python<'_>, sections: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
+        let table = sections.map_or(Ok(toml::Table::new()), |s| convert::table(s, ""))?;
+        Scene::of_table(py, table, PathBuf::from("."))
+    }
+
+    /// Reads a scene file (TOML), or the scene in a ``summary.json``.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Scene> {
+        let input = Input::open(&path).raise(py)?;
+        Ok(Scene { input })
+    }
+
+    /// A scene that comes with the package, by its name; see :meth:`builtins`.
+    #[staticmethod]
+    fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
+        let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
+        Scene::of_table(py, table, PathBuf::from("."))
+    }
+
+    /// Names of the scenes that come with the package.
+    #[staticmethod]
+    fn builtins() -> Vec<&'static str> {
+        scene::SCENES.iter().map(|s| s.name).collect()
+    }
+
+    /// A scene from the text of a scene file; its paths are relative to ``folder``.
+    #[staticmethod]
+    #[pyo3(signature = (text, folder = None, file = None))]
+    fn from_toml(
+        py: Python<'_>,
+        text: &str,
+        folder: Option<PathBuf>,
+        file: Option<PathBuf>,
+    ) -> PyResult<Scene> {
+        let table = parse(text, file.as_deref()).raise(py)?;
+        let folder = folder.unwrap_or_else(|| PathBuf::from("."));
+        let input = Input::new(table, folder, file).raise(py)?;
+        Ok(Scene { input })
+    }
+
+    /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})``.
+    fn set(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<Scene> {
+        self.changed(py, changes)
+    }
+
+    /// The scene as nested dictionaries, as ``Scene(...)`` takes them; paths are absolute.
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let table = serde_json::to_value(self.input.resolved()).unwrap_or_default();
+        convert::json(py, &table)
+    }
+
+    /// The scene as the text of a scene file; paths are absolute.
+    fn to_toml(&self) -> String {
+        toml::to_string(&self.input.resolved()).unwrap_or_default()
+    }
+
+    /// Name of the scene.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.input.scene.name
+    }
+
+    /// The recording that the scene names, if it names one.
+    #[getter]
+    fn recording(&self) -> Option<PathBuf> {
+        self.input.recording()
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> Reduced<'py, (String, Option<PathBuf>, Option<PathBuf>)> {
+        let restore = py.get_type::<Scene>().getattr("from_toml")?;
+        let table = toml::to_string(&self.input.table).unwrap_or_default();
+        let absolute = |path: &Path| std::path::absolute(path).ok();
+        let folder = absolute(&self.input.folder);
+        let file = self.input.file.as_deref().and_then(absolute);
+        Ok((restore, (table, folder, file)))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<gaitcam.Scene {:?}>", self.input.scene.name)
+    }
+}
+
+/// The key table: a list of dictionaries ``{key, section, kind, unit, default, range, choices, doc}``.
+#[pyfunction]
+pub fn keys(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    convert::json(py, &scene::keys::json())
+}

@@ -1,0 +1,212 @@
+//! Sweeps: thousands of designs, row by row the same on any machine.
+
+mod question;
+
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use gaitcam::halt::Halt;
+use gaitcam::sweep::Study;
+use gaitcam::wording::Language;
+use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
+use pyo3::prelude::*;
+use pyo3::types::{PyAny, PyDict};
+
+use crate::convert::{self, Reduced};
+use crate::error::{Raise, argument};
+use crate::interrupt::{self, Interrupt};
+use crate::scene::Scene;
+use crate::table::Table;
+use question::Question;
+
+/// Time limit of one row where nobody gives one, s.
+const ROW_LIMIT_S: f64 = 5.0;
+
+/// A sweep: row i follows from the plan and from i alone, on any machine.
+///
+/// Parameters
+/// ----------
+/// scene : Scene or list of Scene, optional
+///     Base scenes; without one, the built-in footbridge.
+/// vary : dict, optional
+///     Axes by dotted key: ``["1.5 Hz", "2.4 Hz", 10]`` is a range with its count, any other list its values,
+///     ``"20 mm:60 mm:5"`` and ``"spline,harmonic"`` are what ``gaitcam sweep --vary`` takes. With ``sample`` a range has no
+///     count: ``["1.5 Hz", "2.4 Hz"]``.
+/// rows : mapping, optional
+///     Values of several keys together, one list for each key; a column of a table of gaitcam by its own name
+///     (``limits.stroke_m``) has numbers in SI.
+/// recordings : list of paths, optional
+///     One design for each recording.
+/// sample : int, optional
+///     Points of the varied ranges in place of a grid.
+/// method : str
+///     How they are spread: "latin" (hypercube) or "sobol".
+/// seed : int
+///     Start of the random numbers.
+/// tolerance : dict, optional
+///     Manufacturing errors of one design in place of many scenes: ``{"profile": "0.02 mm", "mass": "1 %"}``; rows are
+///     the ``sample`` cams as made.
+/// time_limit : float
+///     Seconds after which the search of one row ends; the row then holds that error. Only there a row depends on the
+///     machine.
+///
+/// Recordings travel with the plan by their content, each once.
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Sweep {
+    question: Question,
+    study: Study,
+    time_limit: f64,
+}
+
+impl Sweep {
+    fn rows(&self, py: Python<'_>, start: u64, stop: Option<u64>) -> PyResult<Range<u64>> {
+        let rows = self.study.rows().raise(py)?;
+        let stop = stop.unwrap_or(rows);
+        if start > stop || stop > rows {
+            let what = format!("rows {start} to {stop} are not among the {rows} of this sweep");
+            return Err(argument(py, "stop", what));
+        }
+        Ok(start..stop)
+    }
+}
+
+#[pymethods]
+impl Sweep {
+    #[new]
+    #[pyo3(signature = (
+        scene = None, *, vary = None, rows = None, recordings = None, sample = None, method = "latin", seed = 1,
+        tolerance = None, time_limit = ROW_LIMIT_S
+    ))]
+    #[allow(clippy::too_many_arguments)] // keywords of one call
+    fn new(
+        py: Python<'_>,
+        scene: Option<&Bound<'_, PyAny>>,
+        vary: Option<&Bound<'_, PyDict>>,
+        rows: Option<&Bound<'_, PyAny>>,
+        recordings: Option<Vec<PathBuf>>,
+        sample: Option<u64>,
+        method: &str,
+        seed: u64,
+        tolerance: Option<&Bound<'_, PyDict>>,
+        time_limit: f64,
+    ) -> PyResult<Sweep> {
+        let time_limit = interrupt::limit(py, time_limit)?;
+        let scenes = match scene {
+            None => vec![Scene::or_default(py, None)?],
+            Some(one) if one.is_instance_of::<Scene>() => vec![one.cast::<Scene>()?.get().clone()],
+            Some(list) => question::scenes(list)?,
+        };
+        let mut question = Question::new(py, scenes, sample, method, seed)?;
+        question.vary(vary, sample.is_some())?;
+        question.rows(rows)?;
+        question.recordings(py, recordings)?;
+        question.tolerances(tolerance)?;
+        let study = question.study(None).raise(py)?;
+        Ok(Sweep {
+            question,
+            study,
+            time_limit,
+        })
+    }
+
+    /// Computes the rows ``start`` to ``stop`` (all by default) into a table whose first column is ``row``.
+    ///
+    /// ``jobs`` is the number of threads, one per core by default.
+    #[pyo3(signature = (start = 0, stop = None, *, jobs = None))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        start: u64,
+        stop: Option<u64>,
+        jobs: Option<usize>,
+    ) -> PyResult<Table> {
+        let rows = self.rows(py, start, stop)?;
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        let jobs = jobs.unwrap_or_else(cores).max(1);
+        let interrupt = Interrupt::after(f64::INFINITY);
+        let halts = || {
+            let row = Interrupt::after(self.time_limit).halt();
+            let all = Arc::clone(&interrupt);
+            Halt::when(move || row.is_asked() || all.is_raised())
+        };
+        let found = py.detach(|| self.study.run(rows, jobs, &halts, || interrupt.is_raised()));
+        interrupt.result()?;
+        let records = found.raise(py)?.unwrap_or_default();
+        Ok(Table::new(records, self.study.metadata()))
+    }
+
+    /// Begins or continues the folder of this sweep: the blocks that it lacks, each with its first row, the row after
+    /// its last and its file.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The folder holds another sweep; every difference is named, nothing is overwritten.
+    #[pyo3(signature = (folder, block_rows = BLOCK_ROWS))]
+    fn begin(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        block_rows: u64,
+    ) -> PyResult<Vec<(u64, u64, PathBuf)>> {
+        if block_rows == 0 {
+            let what = "a block has at least one row".to_string();
+            return Err(argument(py, "block_rows", what));
+        }
+        let folder = std::path::absolute(&folder).unwrap_or(folder);
+        let blocks = py.detach(|| {
+            let blocks = Blocks::open(&folder, &self.study, block_rows, Language::En)?;
+            let missing = blocks.missing()?;
+            Ok((blocks, missing))
+        });
+        let (blocks, missing) = blocks.raise(py)?;
+        let entry = |rows: Range<u64>| (rows.start, rows.end, blocks.path(&rows));
+        Ok(missing.into_iter().map(entry).collect())
+    }
+
+    /// A number (hexadecimal) for the whole plan with the content of its recordings; it stands in the metadata of every
+    /// table.
+    #[getter]
+    fn fingerprint(&self) -> String {
+        self.study.fingerprint()
+    }
+
+    /// The plan as data, as it stands in ``plan.json``.
+    #[getter]
+    fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        convert::json(py, &self.study.description())
+    }
+
+    fn __len__(&self) -> PyResult<usize> {
+        Python::attach(|py| self.study.rows().raise(py)).map(|rows| rows as usize)
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> Reduced<'py, Bound<'py, PyAny>> {
+        let restore = py.get_type::<Sweep>().getattr("_restore")?;
+        let state = self.question.state(py, self.study.files())?;
+        Ok((
+            restore,
+            (state, self.time_limit).into_pyobject(py)?.into_any(),
+        ))
+    }
+
+    #[staticmethod]
+    fn _restore(state: &Bound<'_, PyAny>, time_limit: f64) -> PyResult<Sweep> {
+        let (question, files) = Question::restore(state)?;
+        let study = question.study(Some(files)).raise(state.py())?;
+        Ok(Sweep {
+            question,
+            study,
+            time_limit,
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        let rows = self.study.rows().unwrap_or(u64::MAX);
+        format!(
+            "<gaitcam.Sweep of {rows} rows, {}>",
+            self.study.fingerprint()
+        )
+    }
+}

@@ -1,0 +1,342 @@
+//! What a user asks of a sweep, as it is given and as it travels.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::scene;
+use gaitcam::sweep::{
+    Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
+};
+use gaitcam_files::{Input, read, target};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
+
+use crate::convert;
+use crate::error::{Raise, argument};
+use crate::scene::Scene;
+
+/// Samples where nobody says how many.
+const SAMPLES: u64 = 10_000;
+
+/// One key with its values.
+#[derive(Clone, FromPyObject, IntoPyObject)]
+enum Asked {
+    /// As on the command line: key, `START:STOP:COUNT` or `A,B`.
+    #[pyo3(transparent)]
+    Text((String, String)),
+    /// Key and values as written.
+    #[pyo3(transparent)]
+    Listed((String, Vec<String>)),
+    /// Column and its numbers, SI.
+    #[pyo3(transparent)]
+    Numbers((String, Vec<f64>)),
+}
+
+/// The whole question.
+pub struct Question {
+    scenes: Vec<Scene>,
+    rows: Vec<Asked>,
+    vary: Vec<Asked>,
+    /// Method, count, seed.
+    sample: Option<u64>,
+    method: String,
+    seed: u64,
+    tolerances: Vec<String>,
+}
+
+/// Base scenes of a list.
+pub fn scenes(list: &Bound<'_, PyAny>) -> PyResult<Vec<Scene>> {
+    let mut out = Vec::new();
+    for scene in list.try_iter()? {
+        let scene = scene?;
+        let Ok(scene) = scene.cast::<Scene>() else {
+            let kind = scene.get_type().name()?;
+            let what = format!("scene: a Scene or a list of them, not {kind}");
+            return Err(PyTypeError::new_err(what));
+        };
+        out.push(scene.get().clone());
+    }
+    if out.is_empty() {
+        let what = "an empty list of scenes".to_string();
+        return Err(argument(list.py(), "scene", what));
+    }
+    Ok(out)
+}
+
+impl Asked {
+    fn axis(&self, sampled: bool) -> Result<Axis> {
+        match self {
+            Asked::Text((key, values)) => Axis::parse(&format!("{key}={values}"), sampled),
+            Asked::Listed((key, values)) => Axis::list(key, values.iter().map(String::as_str)),
+            Asked::Numbers((column, values)) => Ok(Axis {
+                key: Key::of_column(column),
+                values: Values::Numbers(values.clone()),
+            }),
+        }
+    }
+
+    /// The axis of a key: a range, a list, or what the command line takes.
+    fn of_axis(key: String, values: &Bound<'_, PyAny>, sampled: bool) -> PyResult<Asked> {
+        if let Ok(text) = values.cast::<PyString>() {
+            return Ok(Asked::Text((key, text.to_string())));
+        }
+        let list: Vec<Bound<'_, PyAny>> = values.try_iter()?.collect::<PyResult<_>>()?;
+        let text = |value: &Bound<'_, PyAny>| value.is_instance_of::<PyString>();
+        let range = match &list[..] {
+            [first, last, count] => {
+                let counted = count.is_instance_of::<PyInt>() && !count.is_instance_of::<PyBool>();
+                text(first) && text(last) && counted
+            }
+            [first, last] => sampled && starts_number(first) && starts_number(last),
+            _ => false,
+        };
+        let words: PyResult<Vec<String>> = list.iter().map(|v| written(v, &key)).collect();
+        let words = words?;
+        Ok(if range {
+            Asked::Text((key, words.join(":")))
+        } else {
+            Asked::Listed((key, words))
+        })
+    }
+
+    /// A column of a list.
+    fn of_column(name: String, values: &Bound<'_, PyAny>) -> PyResult<Asked> {
+        let key = Key::of_column(&name);
+        if key.is_number() && key.column() == name && scene::keys::find(&name).is_none() {
+            let numbers = convert::numbers(values, &name)?.as_array().to_vec();
+            return Ok(Asked::Numbers((name, numbers)));
+        }
+        let words: PyResult<Vec<String>> = values
+            .try_iter()?
+            .map(|value| written(&value?, &name))
+            .collect();
+        Ok(Asked::Listed((name, words?)))
+    }
+}
+
+fn starts_number(value: &Bound<'_, PyAny>) -> bool {
+    let text = value.str().map_or(String::new(), |t| t.to_string());
+    text.trim_start()
+        .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+}
+
+/// A value as a scene file has it.
+fn written(value: &Bound<'_, PyAny>, key: &str) -> PyResult<String> {
+    if value.is_instance_of::<PyString>() || value.hasattr("__fspath__")? {
+        return Ok(value.str()?.to_string());
+    }
+    let number = value.is_instance_of::<PyInt>() || value.is_instance_of::<PyFloat>();
+    if number || value.hasattr("__index__")? || value.hasattr("__float__")? {
+        return Ok(value.str()?.to_string().to_lowercase());
+    }
+    let kind = value.get_type().name()?;
+    let what = format!("{key}: text or a number, not {kind}");
+    Err(PyTypeError::new_err(what))
+}
+
+impl Question {
+    /// A question about scenes without axes yet.
+    pub fn new(
+        py: Python<'_>,
+        scenes: Vec<Scene>,
+        sample: Option<u64>,
+        method: &str,
+        seed: u64,
+    ) -> PyResult<Question> {
+        if method_of(method).is_none() {
+            let what = format!("{method:?} is no method; give \"latin\" or \"sobol\"");
+            return Err(argument(py, "method", what));
+        }
+        Ok(Question {
+            scenes,
+            rows: Vec::new(),
+            vary: Vec::new(),
+            sample,
+            method: method.to_string(),
+            seed,
+            tolerances: Vec::new(),
+        })
+    }
+
+    /// Adds axes.
+    pub fn vary(&mut self, axes: Option<&Bound<'_, PyDict>>, sampled: bool) -> PyResult<()> {
+        for (key, values) in axes.into_iter().flatten() {
+            self.vary
+                .push(Asked::of_axis(key.extract()?, &values, sampled)?);
+        }
+        Ok(())
+    }
+
+    /// Adds rows of values together.
+    pub fn rows(&mut self, rows: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+        let Some(rows) = rows else { return Ok(()) };
+        for name in rows.call_method0("keys")?.try_iter()? {
+            let name: String = name?.extract()?;
+            let values = rows.get_item(&name)?;
+            self.rows.push(Asked::of_column(name, &values)?);
+        }
+        Ok(())
+    }
+
+    /// Adds the axis of recordings, before all others.
+    pub fn recordings(&mut self, py: Python<'_>, paths: Option<Vec<PathBuf>>) -> PyResult<()> {
+        let Some(paths) = paths else { return Ok(()) };
+        let names: Vec<String> = (paths.iter())
+            .map(|p| p.to_string_lossy().into_owned())
+            .collect();
+        let Some(first) = names.first() else {
+            return Err(argument(
+                py,
+                "recordings",
+                "an empty list of recordings".to_string(),
+            ));
+        };
+        // A scene that leaves its recording to the sweep is whole with any of them.
+        for scene in &mut self.scenes {
+            let input = &mut scene.input;
+            let file = toml::Value::from(first.as_str());
+            scene::set_value(&mut input.table, "gait.file", file).raise(py)?;
+            *input = Input::new(
+                input.table.clone(),
+                input.folder.clone(),
+                input.file.clone(),
+            )
+            .raise(py)?;
+        }
+        self.vary
+            .insert(0, Asked::Listed(("gait.file".to_string(), names)));
+        Ok(())
+    }
+
+    /// Adds tolerances.
+    pub fn tolerances(&mut self, parts: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+        for (part, width) in parts.into_iter().flatten() {
+            let part: String = part.extract()?;
+            let width = written(&width, &part)?;
+            self.tolerances.push(format!("{part}={width}"));
+        }
+        Ok(())
+    }
+
+    /// The study; without `files` recordings are read from the disk.
+    ///
+    /// # Errors
+    /// Axes, rows, tolerances and recordings that are wrong.
+    pub fn study(&self, files: Option<Files>) -> Result<Study> {
+        let subject = self.subject()?;
+        if let Some(files) = files {
+            return Study::with_files(subject, files);
+        }
+        Study::new(subject, |index, path| {
+            let scene = self.scenes.get(index);
+            let folder = scene.map_or(Path::new("."), |s| &s.input.folder);
+            read::read_bytes(&target::find(folder, path))
+        })
+    }
+
+    fn subject(&self) -> Result<Subject> {
+        let mut scenes: Vec<NamedScene> = self.scenes.iter().map(named).collect();
+        if !self.tolerances.is_empty() {
+            let alone = self.vary.is_empty() && self.rows.is_empty() && scenes.len() == 1;
+            let Some(scene) = scenes.pop().filter(|_| alone) else {
+                let what = "tolerances are of one design: vary nothing beside them";
+                let fault = Error::own("python-argument", what);
+                return Err(fault.at(Place::Key("tolerance".to_string())));
+            };
+            return Ok(Subject::Scatter(Scattered {
+                scene,
+                tolerances: self.tolerances.clone(),
+                count: self.sample.unwrap_or(SAMPLES),
+                seed: self.seed,
+            }));
+        }
+        let axes = |asked: &[Asked], sampled: bool| -> Result<Vec<Axis>> {
+            asked.iter().map(|a| a.axis(sampled)).collect()
+        };
+        let list = match &self.rows[..] {
+            [] => None,
+            rows => Some(List {
+                columns: axes(rows, false)?,
+            }),
+        };
+        let sampling = match self.sample {
+            None => Sampling::Grid,
+            Some(count) => Sampling::Sample {
+                method: method_of(&self.method).unwrap_or(Method::Latin),
+                count,
+                seed: self.seed,
+            },
+        };
+        Ok(Subject::Designs(Plan {
+            scenes,
+            list,
+            axes: axes(&self.vary, self.sample.is_some())?,
+            sampling,
+        }))
+    }
+
+    /// What travels: scenes as text, the rest as it was given, and the content of every file once.
+    pub fn state<'py>(&self, py: Python<'py>, files: &Files) -> PyResult<Bound<'py, PyAny>> {
+        // The same object twice is pickled once.
+        let mut contents: HashMap<*const u8, Bound<'py, PyBytes>> = HashMap::new();
+        let mut carried = Vec::new();
+        for ((scene, name), bytes) in files {
+            let content = contents
+                .entry(bytes.as_ptr())
+                .or_insert_with(|| PyBytes::new(py, bytes));
+            carried.push((*scene, name.clone(), content.clone()));
+        }
+        let state = (
+            self.scenes.clone(),
+            self.rows.clone(),
+            self.vary.clone(),
+            self.sample,
+            self.method.clone(),
+            self.seed,
+            self.tolerances.clone(),
+            carried,
+        );
+        Ok(state.into_pyobject(py)?.into_any())
+    }
+
+    /// The question and the files that [`Question::state`] gave.
+    pub fn restore(state: &Bound<'_, PyAny>) -> PyResult<(Question, Files)> {
+        let item = |i: usize| state.get_item(i);
+        let mut files = Files::new();
+        let mut contents: HashMap<*mut pyo3::ffi::PyObject, Arc<[u8]>> = HashMap::new();
+        for entry in item(7)?.try_iter()? {
+            let (scene, name, bytes): (usize, String, Bound<'_, PyBytes>) = entry?.extract()?;
+            let content = contents
+                .entry(bytes.as_ptr())
+                .or_insert_with(|| bytes.as_bytes().into());
+            files.insert((scene, name), Arc::clone(content));
+        }
+        let question = Question {
+            scenes: scenes(&item(0)?)?,
+            rows: item(1)?.extract()?,
+            vary: item(2)?.extract()?,
+            sample: item(3)?.extract()?,
+            method: item(4)?.extract()?,
+            seed: item(5)?.extract()?,
+            tolerances: item(6)?.extract()?,
+        };
+        Ok((question, files))
+    }
+}
+
+fn method_of(name: &str) -> Option<Method> {
+    [Method::Latin, Method::Sobol]
+        .into_iter()
+        .find(|m| m.name() == name)
+}
+
+/// A base scene as rows name it.
+fn named(scene: &Scene) -> NamedScene {
+    NamedScene {
+        name: scene.input.scene.name.clone(),
+        table: scene.input.table.clone(),
+    }
+}

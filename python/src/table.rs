@@ -1,0 +1,239 @@
+//! A table of named columns that numpy, pandas, polars and pyarrow read where it lies.
+
+use std::sync::Arc;
+
+use gaitcam::sweep::{Field, FieldValues, Records, Words};
+use numpy::ndarray::ArrayView1;
+use numpy::{Element, PyArray1, PyArrayMethods};
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::{PyCapsule, PyDict, PyList, PyString};
+
+use crate::arrow;
+use crate::convert::{self, Reduced};
+
+/// Columns with what is known of the whole table.
+pub struct Data {
+    /// The columns.
+    pub records: Records,
+    /// Keys and values for those who read the table elsewhere.
+    pub metadata: Vec<(String, String)>,
+}
+
+/// A table of named columns of equal length.
+///
+/// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the
+/// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
+///
+/// The table exports the Arrow PyCapsule interface: ``pyarrow.table(t)``, ``polars.DataFrame(t)`` and
+/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories).
+#[pyclass(frozen, module = "gaitcam")]
+pub struct Table {
+    data: Arc<Data>,
+}
+
+impl Table {
+    /// A table of columns.
+    pub fn new(records: Records, metadata: Vec<(String, String)>) -> Table {
+        Table {
+            data: Arc::new(Data { records, metadata }),
+        }
+    }
+
+    /// A table of numbers by name.
+    pub fn of_numbers(columns: Vec<(&'static str, Vec<f64>)>) -> Table {
+        let fields = columns.into_iter().map(|(n, x)| Field::numbers(n, x));
+        let fields = fields.collect();
+        Table::new(Records { fields }, Vec::new())
+    }
+
+    fn field(&self, name: &str) -> Option<&Field> {
+        self.data.records.fields.iter().find(|f| f.name == name)
+    }
+}
+
+#[pymethods]
+impl Table {
+    /// Table(columns): a table of a mapping from names to arrays of numbers or lists of words.
+    #[new]
+    #[pyo3(signature = (columns, metadata = None))]
+    fn of_columns(
+        columns: &Bound<'_, PyDict>,
+        metadata: Option<Vec<(String, String)>>,
+    ) -> PyResult<Table> {
+        let py = columns.py();
+        let mut fields: Vec<Field> = Vec::new();
+        for (name, values) in columns {
+            let name: String = name.extract()?;
+            let field = read(&name, &values)?;
+            if let Some(first) = fields
+                .first()
+                .filter(|f| f.values.len() != field.values.len())
+            {
+                let what = format!(
+                    "{} rows, and {} of \"{}\"",
+                    field.values.len(),
+                    first.values.len(),
+                    first.name
+                );
+                return Err(crate::error::argument(py, &name, what));
+            }
+            fields.push(field);
+        }
+        Ok(Table::new(Records { fields }, metadata.unwrap_or_default()))
+    }
+
+    /// Names of the columns, in order.
+    #[getter]
+    fn column_names(&self) -> Vec<&str> {
+        let fields = self.data.records.fields.iter();
+        fields.map(|f| f.name.as_str()).collect()
+    }
+
+    /// Names of the columns, so that ``dict(table)`` is a dictionary of columns.
+    fn keys(&self) -> Vec<&str> {
+        self.column_names()
+    }
+
+    /// Number of rows.
+    #[getter]
+    fn num_rows(&self) -> usize {
+        self.data.records.len()
+    }
+
+    /// Unit of each column that has one, SI.
+    #[getter]
+    fn units(&self) -> std::collections::BTreeMap<&str, &str> {
+        let fields = self.data.records.fields.iter();
+        let units = fields.map(|f| (f.name.as_str(), f.unit()));
+        units.filter(|u| !u.1.is_empty()).collect()
+    }
+
+    /// What is known of the whole table: of a sweep its fingerprint.
+    #[getter]
+    fn metadata<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let out = PyDict::new(py);
+        for (key, value) in &self.data.metadata {
+            out.set_item(key, value)?;
+        }
+        Ok(out)
+    }
+
+    fn __len__(&self) -> usize {
+        self.data.records.len()
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        self.field(name).is_some()
+    }
+
+    fn __getitem__<'py>(this: Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let py = this.py();
+        let table = this.get();
+        let Some(field) = table.field(name) else {
+            let names = table.column_names();
+            let near = gaitcam::error::nearest(name, names.iter().copied());
+            let near = near.map_or(String::new(), |n| format!("; did you mean \"{n}\"?"));
+            return Err(PyKeyError::new_err(format!("no column \"{name}\"{near}")));
+        };
+        match &field.values {
+            FieldValues::Rows(x) => shared(x, this.as_any()),
+            FieldValues::Numbers(x) => shared(x, this.as_any()),
+            FieldValues::Words(words) => texts(py, words),
+        }
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // The interface lets a producer give its own types where it cannot give those requested.
+        let _ = requested_schema;
+        PyCapsule::new_with_value(py, arrow::stream(&self.data), c"arrow_array_stream")
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_array__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyCapsule>, Bound<'py, PyCapsule>)> {
+        let _ = requested_schema;
+        let schema = self.__arrow_c_schema__(py)?;
+        let array = PyCapsule::new_with_value(py, arrow::array(&self.data), c"arrow_array")?;
+        Ok((schema, array))
+    }
+
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        PyCapsule::new_with_value(py, arrow::schema(&self.data), c"arrow_schema")
+    }
+
+    fn __reduce__<'py>(
+        this: Bound<'py, Self>,
+    ) -> Reduced<'py, (Bound<'py, PyDict>, Vec<(String, String)>)> {
+        let py = this.py();
+        let columns = PyDict::new(py);
+        for name in this.get().column_names() {
+            columns.set_item(name, Table::__getitem__(this.clone(), name)?)?;
+        }
+        let metadata = this.get().data.metadata.clone();
+        Ok((this.get_type().into_any(), (columns, metadata)))
+    }
+
+    fn __repr__(&self) -> String {
+        let names = self.column_names().join(", ");
+        format!("<gaitcam.Table of {} rows: {names}>", self.__len__())
+    }
+}
+
+/// A column that shares the table's memory and cannot be written to.
+fn shared<'py, T: Element>(values: &[T], table: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    // SAFETY: the table is frozen and never moves its columns, and the array keeps it alive.
+    let array = unsafe { PyArray1::borrow_from_array(&ArrayView1::from(values), table.clone()) };
+    let flags = PyDict::new(table.py());
+    flags.set_item("write", false)?;
+    array.call_method("setflags", (), Some(&flags))?;
+    Ok(array.into_any())
+}
+
+fn texts<'py>(py: Python<'py>, words: &Words) -> PyResult<Bound<'py, PyAny>> {
+    let names: Vec<Bound<'py, PyAny>> = (words.names.iter())
+        .map(|name| PyString::new(py, name).into_any())
+        .collect();
+    let none = py.None().into_bound(py);
+    let word = |code: &i32| usize::try_from(*code).map_or(&none, |c| &names[c]);
+    Ok(PyList::new(py, words.codes.iter().map(word))?.into_any())
+}
+
+/// A column from Python: numbers, or words of which some may be missing.
+fn read(name: &str, values: &Bound<'_, PyAny>) -> PyResult<Field> {
+    if name == "row"
+        && let Ok(rows) = values.extract::<Vec<u64>>()
+    {
+        let values = FieldValues::Rows(rows);
+        let name = name.to_string();
+        return Ok(Field { name, values });
+    }
+    if let Ok(array) = values.cast::<PyArray1<f64>>() {
+        return Ok(Field::numbers(name, array.readonly().as_array().to_vec()));
+    }
+    if let Ok(words) = values.extract::<Vec<Option<String>>>()
+        && (words.iter().any(Option::is_some) || words.is_empty() || all_none(values)?)
+    {
+        let words = words.iter().map(|w| w.as_deref().unwrap_or(""));
+        return Ok(Field::words(name, words));
+    }
+    let numbers = convert::numbers(values, name)?;
+    Ok(Field::numbers(name, numbers.as_array().to_vec()))
+}
+
+fn all_none(values: &Bound<'_, PyAny>) -> PyResult<bool> {
+    for value in values.try_iter()? {
+        if !value?.is_none() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}

@@ -1,0 +1,26 @@
+"""What the tests share."""
+
+from pathlib import Path
+
+import pytest
+
+import gaitcam
+
+ROOT = Path(__file__).resolve().parents[2]
+CURVES = ROOT / "data" / "gait_curves"
+
+
+@pytest.fixture(scope="session")
+def footbridge() -> gaitcam.Scene:
+    return gaitcam.Scene.builtin("footbridge")
+
+
+@pytest.fixture(scope="session")
+def design(footbridge: gaitcam.Scene) -> gaitcam.Design:
+    return gaitcam.synth(footbridge)
+
+
+@pytest.fixture(scope="session")
+def spectral() -> gaitcam.Scene:
+    """A scene that the closed form answers: the fastest rows there are."""
+    return gaitcam.Scene.builtin("footbridge").set({"law.family": "harmonic"})

@@ -1,0 +1,178 @@
+"""Designs: what synth gives is what the command gives."""
+
+import json
+import os
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import gaitcam
+
+T = np.arange(540) * 0.001
+F = 700 + 250 * np.sin(2 * np.pi * T / 0.54)
+
+
+def test_the_default_scene_is_acceptable_and_meets_its_accuracy(design):
+    assert design.verdict == "acceptable"
+    summary = design.summary
+    assert summary["force"]["rms_error_percent_of_mean"] <= 0.5
+    assert summary["outcome"] == "built" and all(c["pass"] for c in design.checks)
+    assert design.reason("es") != design.reason()
+
+
+def test_tables_are_the_law_and_the_profile(design):
+    law, profile = design.law, design.profile
+    assert law.column_names == ["theta_rad", "s_m", "v_m_per_rad", "a_m_per_rad2", "j_m_per_rad3", "force_n", "target_n"]
+    assert len(law) == len(profile) == 1440
+    s, v, a, j = design.motion(law["theta_rad"])
+    for name, values in zip(law.column_names[1:5], (s, v, a, j)):
+        assert np.array_equal(law[name], values)
+    # A flat face: contact at (v, Rb + s), turned into the cam by −θ.
+    theta, rb = law["theta_rad"], design.summary["cam"]["base_radius_m"]
+    x = np.cos(theta) * law["v_m_per_rad"] + np.sin(theta) * (rb + law["s_m"])
+    y = -np.sin(theta) * law["v_m_per_rad"] + np.cos(theta) * (rb + law["s_m"])
+    assert profile["x_m"] == pytest.approx(x, abs=1e-12) and profile["y_m"] == pytest.approx(y, abs=1e-12)
+    # The force of a moving axis: M (g + ω² a).
+    drive = design.summary["drive"]
+    force = drive["mass_kg"] * (9.81 + drive["speed_rad_per_s"] ** 2 * law["a_m_per_rad2"])
+    assert law["force_n"] == pytest.approx(force, rel=1e-3)
+    error = np.sqrt(np.mean((law["force_n"] - law["target_n"]) ** 2))
+    assert error == pytest.approx(design.summary["force"]["rms_error_n"], rel=0.02)
+    fine, _ = design.tables(7200)
+    assert np.array_equal(fine["s_m"][::5], pytest.approx(law["s_m"], abs=1e-15))
+
+
+def test_saved_files_are_those_in_memory_and_can_be_loaded(design, tmp_path):
+    folder = design.save(tmp_path / "out", solid=True)
+    files = design.files(png=True, solid=True)
+    assert set(os.listdir(folder)) == set(files)
+    times = {"summary.json", "report.html", "profile.xlsx"}
+    for name in set(files) - times:
+        assert (folder / name).read_bytes() == files[name], name
+    summary = json.loads((folder / "summary.json").read_text())
+    assert summary["verdict"] == design.verdict
+    again = gaitcam.Scene.load(folder / "summary.json")
+    assert gaitcam.synth(again).summary["law"] == design.summary["law"]
+
+
+def test_an_input_is_never_overwritten(tmp_path):
+    (tmp_path / "law.csv").write_text("# cycle, period_s = 0.54\ntime_s,force_n\n" + "".join(
+        f"{t},{f}\n" for t, f in zip(T, F)))
+    (tmp_path / "scene.toml").write_text('[gait]\nfile = "law.csv"\n')
+    design = gaitcam.synth(gaitcam.Scene.load(tmp_path / "scene.toml"))
+    before = (tmp_path / "law.csv").read_bytes()
+    with pytest.raises(gaitcam.InputError, match="never overwritten"):
+        design.save(tmp_path)
+    assert (tmp_path / "law.csv").read_bytes() == before
+
+
+def test_a_force_from_arrays_takes_the_place_of_the_scene_s_own(footbridge, tmp_path):
+    force = gaitcam.Force(T, F)
+    design = gaitcam.synth(footbridge, force=force)
+    law = design.law
+    assert law["target_n"] == pytest.approx(force(law["theta_rad"]), abs=1e-9)
+    assert design.summary["drive"]["speed_rad_per_s"] == pytest.approx(2 * np.pi / 0.54, rel=1e-9)
+    # One sine: s = −A sin θ/(M ω²) + constant.
+    amplitude = 250 / (700 / 9.81 * (2 * np.pi / 0.54) ** 2)
+    assert design.summary["law"]["stroke_m"] == pytest.approx(2 * amplitude, rel=2e-3)
+    # What is saved is whole: its scene names the force beside it.
+    folder = design.save(tmp_path / "sine", png=False)
+    again = gaitcam.synth(gaitcam.Scene.load(folder / "scene.toml"))
+    assert again.summary["law"]["stroke_m"] == pytest.approx(design.summary["law"]["stroke_m"], rel=1e-9)
+
+
+def test_a_scene_without_a_gait_takes_a_force():
+    design = gaitcam.synth(gaitcam.Scene(), force=gaitcam.Force(T, F))
+    assert design.summary["force"]["target_mean_n"] == pytest.approx(700, rel=1e-9)
+
+
+def test_designs_and_their_questions_are_pickled(design, footbridge):
+    again = pickle.loads(pickle.dumps(design))
+    strip = lambda d: {k: v for k, v in d.items() if k not in ("time", "solver")}
+    assert strip(again.summary) == strip(design.summary)
+    given = gaitcam.synth(footbridge, force=gaitcam.Force(T, F))
+    again = pickle.loads(pickle.dumps(given))
+    assert np.array_equal(again.law["s_m"], given.law["s_m"])
+
+
+def test_a_scene_that_no_cam_answers_says_which_limits_conflict(footbridge):
+    # A double integrator needs 49 mm for this walk.
+    design = gaitcam.synth(footbridge.set({"limits.stroke": "5 mm", "accuracy.rms": "0.1 %", "gait.band": "1 N"}))
+    assert design.verdict == "unacceptable"
+    assert design.summary["outcome"] == "infeasible"
+    assert "stroke" in json.dumps(design.summary["infeasible"])
+    with pytest.raises(gaitcam.NoSuchCam):
+        gaitcam.simulate(design)
+    with pytest.raises(gaitcam.NoSuchCam):
+        design.profile
+    assert "unacceptable" in design._repr_html_()
+    assert "report.html" in design.files() and "profile.dxf" not in design.files()
+
+
+def test_a_notebook_shows_verdict_and_pictures(design):
+    html = design._repr_html_()
+    assert "acceptable" in html and html.count("<svg") == 3 and "<script" not in html
+
+
+def test_the_emitted_cam_runs_and_presses_as_its_law(design):
+    run = gaitcam.simulate(design, model="rigid")
+    assert run.model == "rigid" and not run.contact_lost and run.verdict == "acceptable"
+    force = design.summary["force"]
+    assert run.summary["force"]["max"] == pytest.approx(force["max_n"], rel=1e-3)
+    assert len(run.table["theta_rad"]) == len(run.table) > 0
+    assert "<pre>" in run._repr_html_()
+
+
+def test_another_machine_runs_the_same_cam(design):
+    slow = design.summary["drive"]["speed_rad_per_s"]
+    lift_off = gaitcam.simulate(design).summary["liftoff_speed_rad_per_s"]
+    assert lift_off > slow
+    fast = gaitcam.simulate(design, machine={"drive.speed": f"{1.2 * lift_off} rad/s"})
+    assert fast.contact_lost and fast.verdict == "unacceptable"
+    heavy = gaitcam.simulate(design, model="rigid", machine={"drive.mass": "142 kg"})
+    plain = gaitcam.simulate(design, model="rigid")
+    mass = design.summary["drive"]["mass_kg"]
+    assert heavy.summary["force"]["max"] == pytest.approx(plain.summary["force"]["max"] * 142 / mass, rel=1e-6)
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.simulate(design, machine={"limits.stroke": "3 mm"})
+    assert fault.value.key == "limits.stroke"
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.simulate(design, model="rigit")
+    assert fault.value.key == "model"
+
+
+@pytest.mark.parametrize("call", [
+    lambda d, s: gaitcam.synth("footbridge"),
+    lambda d, s: gaitcam.synth(s, force=F),
+    lambda d, s: gaitcam.synth(s, time_limit="long"),
+    lambda d, s: gaitcam.simulate(s),
+    lambda d, s: d.save(3),
+    lambda d, s: d.files(points="many"),
+])
+def test_arguments_of_the_wrong_type_are_type_errors(design, footbridge, call):
+    with pytest.raises(TypeError):
+        call(design, footbridge)
+
+
+@pytest.mark.parametrize("call, key", [
+    (lambda d, s: gaitcam.synth(s, time_limit=0), "time_limit"),
+    (lambda d, s: gaitcam.synth(s, time_limit=float("nan")), "time_limit"),
+    (lambda d, s: d.files(points=3), "points"),
+    (lambda d, s: d.files(lang="fr"), "lang"),
+    (lambda d, s: d.files(tool="3 kg"), "tool"),
+    (lambda d, s: d.tables(2), "points"),
+])
+def test_arguments_of_the_wrong_value_are_named(design, footbridge, call, key):
+    with pytest.raises(gaitcam.InputError) as fault:
+        call(design, footbridge)
+    assert fault.value.key == key
+
+
+def test_no_file_is_left_where_a_folder_cannot_be_written(design, tmp_path: Path):
+    place = tmp_path / "file"
+    place.write_text("mine")
+    with pytest.raises(gaitcam.InputError):
+        design.save(place)
+    assert place.read_text() == "mine"

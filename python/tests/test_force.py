@@ -1,0 +1,136 @@
+"""Forces from arrays and recordings."""
+
+import pickle
+
+import numpy as np
+import pytest
+from conftest import CURVES
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import gaitcam
+
+PERIOD = 0.5
+
+
+def walk(t):
+    return 700 + 250 * np.sin(2 * np.pi * t / PERIOD) + 40 * np.cos(6 * np.pi * t / PERIOD)
+
+
+T = np.arange(500) * 0.001
+
+
+def test_equal_steps_are_taken_as_they_stand():
+    force = gaitcam.Force(T, walk(T), mass_kg=71.0, name="mine")
+    assert np.array_equal(force.force_n, walk(T))
+    assert force.period_s == pytest.approx(PERIOD, rel=1e-12)
+    assert (force.mass_kg, force.name, len(force)) == (71.0, "mine", 500)
+    assert force.mean_n == pytest.approx(700, rel=1e-12)
+    assert force.time_s == pytest.approx(T, abs=1e-12)
+
+
+def test_a_force_is_a_function_of_the_cam_angle():
+    force = gaitcam.Force(T, walk(T))
+    theta = np.linspace(-9, 9, 40).reshape(5, 8)
+    # Cubic interpolation of 500 samples: third order at the crests.
+    assert force(theta) == pytest.approx(walk(PERIOD * theta / (2 * np.pi)), abs=0.02)
+    assert force(theta).shape == (5, 8) and isinstance(force(0.3), float)
+
+
+@given(st.integers(40, 400), st.floats(0.2, 3), st.booleans())
+@settings(max_examples=60, deadline=None)
+def test_times_may_be_uneven_and_the_first_sample_repeated(n, period, closed):
+    t = period * np.arange(n + closed) / n
+    t = t + 0.2 * period / n * np.sin(2 * np.pi * np.arange(n + closed) / n)
+    f = 700 + 200 * np.sin(2 * np.pi * t / period)
+    force = gaitcam.Force(t, f, period_s=period)
+    assert force.period_s == period
+    assert np.abs(force.force_n - (700 + 200 * np.sin(2 * np.pi * (force.time_s + t[0]) / period))).max() < 3000 / n**1.5 + 1
+
+
+@pytest.mark.parametrize("give", [list, tuple, np.float32, np.asarray])
+def test_anything_like_an_array_is_taken(give):
+    f = np.round(walk(T))
+    assert np.array_equal(gaitcam.Force(T, give(f)).force_n, f)
+
+
+def test_columns_of_pandas_polars_and_pyarrow_are_taken():
+    pandas, polars, pyarrow = (pytest.importorskip(m) for m in ("pandas", "polars", "pyarrow"))
+    for column in (pandas.Series, polars.Series, pyarrow.array):
+        assert np.array_equal(gaitcam.Force(column(T), column(walk(T))).force_n, walk(T))
+
+
+@pytest.mark.parametrize(
+    "t, f, key",
+    [
+        (T, walk(T)[:-1], "f_n"),
+        ([], [], "t_s"),
+        (T[:3], walk(T)[:3], "t_s"),
+        (T, np.where(T == T[7], np.nan, walk(T)), "f_n"),
+        (T, np.where(T == T[7], np.inf, walk(T)), "f_n"),
+        (np.where(T == T[7], np.nan, T), walk(T), "t_s"),
+        (T[::-1], walk(T), "t_s"),
+        (np.zeros(500), walk(T), "t_s"),
+        (T, walk(T).reshape(50, 10), "f_n"),
+        (T, 3.0, "f_n"),
+    ],
+)
+def test_arrays_that_are_no_cycle_are_refused_by_name(t, f, key):
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Force(t, f)
+    assert fault.value.key == key
+
+
+@pytest.mark.parametrize("period", [0.0, -1.0, float("nan"), float("inf"), 0.3])
+def test_a_period_that_cannot_be_is_refused(period):
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Force(T, walk(T), period_s=period)
+    assert fault.value.key in ("period_s", "t_s")
+
+
+@pytest.mark.parametrize("wrong", ["text", ["a", "b"], None, object(), [True, False], {"a": 1}, 1j * T])
+def test_what_holds_no_numbers_is_a_type_error(wrong):
+    with pytest.raises(TypeError, match="t_s"):
+        gaitcam.Force(wrong, walk(T))
+
+
+def test_a_recording_reads_as_the_command_reads_it_and_travels_by_content(tmp_path):
+    path = next(iter(sorted(CURVES.glob("*.csv"))))
+    copy = tmp_path / path.name
+    copy.write_bytes(path.read_bytes())
+    force = gaitcam.read_gait(copy)
+    bytes_ = pickle.dumps(force)
+    copy.unlink()
+    again = pickle.loads(bytes_)
+    assert np.array_equal(again.force_n, force.force_n) and again.name == force.name
+
+
+def test_options_of_a_recording_are_keys_of_the_scene(tmp_path):
+    path = tmp_path / "press.csv"
+    path.write_text("time_s,force\n" + "".join(f"{0.001 * i},{0.7 + 0.001 * (i % 9)}\n" for i in range(500)))
+    force = gaitcam.read_gait(path, period="0.25 s", unit="kN")
+    assert force.period_s == 0.25 and 700 <= force.mean_n <= 709
+    for options, key in [({"perod": "0.25 s"}, "gait.perod"), ({"period": 0.25}, "gait.period"),
+                         ({"period": "0.25 s", "unit": "pt"}, "gait.unit"), ({"feet": "three"}, "gait.feet")]:
+        with pytest.raises(gaitcam.InputError) as fault:
+            gaitcam.read_gait(path, **options)
+        assert fault.value.key == key
+    with pytest.raises(gaitcam.InputError, match="none.csv"):
+        gaitcam.read_gait(tmp_path / "none.csv")
+
+
+def test_a_whole_recording_may_come_from_arrays():
+    # Six steps of half a second on two plates that overlap for a tenth of one.
+    rate, step, stance = 1000, 0.55, 0.65
+    t = np.arange(int(8 * step * rate)) / rate
+    plates = np.zeros((len(t), 2))
+    for k in range(6):
+        u = (t - 0.3 - k * step) / stance
+        on = (u > 0) & (u < 1)
+        shape = np.sin(np.pi * u) * (1.25 - 0.35 * np.sin(np.pi * u) ** 2)
+        plates[on, k % 2] += 850 * shape[on]
+    force = gaitcam.Force.from_recording(t, plates, mass="71 kg")
+    assert force.period_s == pytest.approx(2 * step, rel=0.02)
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Force.from_recording(t[:-1], plates)
+    assert fault.value.key == "f_n"

@@ -1,0 +1,120 @@
+"""Scenes: what is written comes back, and what is wrong is named."""
+
+import pickle
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import gaitcam
+
+BUILT_IN = gaitcam.Scene.builtins()
+
+CHANGES = st.fixed_dictionaries(
+    {},
+    optional={
+        "limits.stroke": st.floats(1, 500).map(lambda x: f"{x} mm"),
+        "limits.curvature": st.floats(0.1, 50).map(lambda x: f"{x} mm"),
+        "accuracy.rms": st.floats(0.01, 20).map(lambda x: f"{x} %"),
+        "cam.thickness": st.floats(1, 100).map(lambda x: f"{x} mm"),
+        "machine.friction": st.floats(0, 1),
+        "machine.restitution": st.floats(0, 1),
+        "name": st.text("abcdefghijk-_ é", min_size=1),
+    },
+)
+
+
+@given(st.sampled_from(BUILT_IN), CHANGES)
+@settings(max_examples=150, deadline=None)
+def test_a_scene_comes_back_from_its_dictionary_its_text_and_its_pickle(name, changes):
+    scene = gaitcam.Scene.builtin(name).set(changes)
+    assert gaitcam.Scene(scene.to_dict()) == scene
+    assert gaitcam.Scene.from_toml(scene.to_toml()) == scene
+    assert pickle.loads(pickle.dumps(scene)) == scene
+
+
+def test_set_gives_a_new_scene_and_leaves_the_old_one(footbridge):
+    changed = footbridge.set({"limits.stroke": "31 mm", "law.degree": 7})
+    assert changed != footbridge and footbridge == gaitcam.Scene.builtin("footbridge")
+    assert changed.to_dict()["limits"]["stroke"] == "31 mm"
+    assert changed.to_dict()["law"]["degree"] == 7
+
+
+def test_lists_and_tables_are_values_too():
+    segments = [
+        {"motion": "cycloidal", "lift": "10 mm", "angle": "180 deg"},
+        {"motion": "cycloidal", "lift": "-10 mm", "angle": "180 deg"},
+    ]
+    scene = gaitcam.Scene({"name": "two", "law": {"segment": segments}})
+    assert gaitcam.synth(scene).summary["law"]["stroke_m"] == pytest.approx(0.01, rel=1e-9)
+    assert scene.set({"law.segment.2.lift": "-5 mm"}) != scene
+
+
+def test_a_file_and_its_relative_recording_are_found_from_anywhere(tmp_path: Path, monkeypatch):
+    (tmp_path / "walk.csv").write_text("# cycle, period_s = 0.5\ntime_s,force_n\n" + "".join(
+        f"{0.001 * i},{700 + (i % 50)}\n" for i in range(500)))
+    (tmp_path / "walk.toml").write_text('[gait]\nfile = "walk.csv"\nscale = "to-mass"\n')
+    scene = gaitcam.Scene.load(tmp_path / "walk.toml")
+    monkeypatch.chdir("/")
+    assert Path(scene.recording) == tmp_path / "walk.csv"
+    again = pickle.loads(pickle.dumps(scene))
+    assert again == scene and Path(again.recording).exists()
+    assert Path(gaitcam.Scene(scene.to_dict()).recording).exists()
+
+
+@pytest.mark.parametrize(
+    "changes, key, helped",
+    [
+        ({"limits.strok": "40 mm"}, "limits.strok", "stroke"),
+        ({"limits.stroke": 40}, "limits.stroke", "mm"),
+        ({"limits.stroke": "40 kg"}, "limits.stroke", ""),
+        ({"limits.stroke": float("nan")}, "limits.stroke", ""),
+        ({"law.family": "splin"}, "law.family", "spline"),
+        ({"gait.accept": "nothing"}, "gait.accept", ""),
+        ({"law.segment.3.lift": "1 mm"}, "law.segment.3.lift", ""),
+    ],
+)
+def test_wrong_keys_and_values_are_named_with_what_would_be_right(footbridge, changes, key, helped):
+    with pytest.raises(gaitcam.InputError) as fault:
+        footbridge.set(changes)
+    assert fault.value.key == key
+    assert helped in str(fault.value.help) or helped in str(fault.value)
+    assert fault.value.code and isinstance(fault.value, ValueError)
+    again = pickle.loads(pickle.dumps(fault.value))
+    assert (again.key, again.help) == (fault.value.key, fault.value.help)
+
+
+@pytest.mark.parametrize("value", [None, object(), b"40 mm", {"a": None}, [1, object()]])
+def test_values_of_the_wrong_type_are_type_errors_with_the_key(footbridge, value):
+    with pytest.raises(TypeError, match="limits.stroke"):
+        footbridge.set({"limits.stroke": value})
+
+
+def test_arguments_of_the_wrong_type_are_type_errors(footbridge):
+    for wrong in (lambda: gaitcam.Scene(3), lambda: footbridge.set("limits.stroke=40 mm"),
+                  lambda: footbridge.set({3: "40 mm"}), lambda: gaitcam.Scene({3: {}})):
+        with pytest.raises(TypeError):
+            wrong()
+
+
+def test_missing_files_and_broken_text_name_the_file_and_the_line(tmp_path: Path):
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Scene.load(tmp_path / "none.toml")
+    assert "none.toml" in fault.value.place and fault.value.key is None
+    broken = tmp_path / "broken.toml"
+    broken.write_text("[gait]\nfile = \n")
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Scene.load(broken)
+    assert fault.value.place.endswith("broken.toml line 2")
+    broken.write_text('[limits]\nstrok = "4 mm"\n')
+    with pytest.raises(gaitcam.InputError) as fault:
+        gaitcam.Scene.load(broken)
+    assert fault.value.key == "limits.strok" and "broken.toml" in fault.value.place
+    with pytest.raises(gaitcam.InputError, match="footbridge"):
+        gaitcam.Scene.builtin("footbrige")
+
+
+def test_the_key_table_is_that_of_the_command():
+    stroke = next(k for k in gaitcam.keys() if k["key"] == "limits.stroke")
+    assert stroke["section"] == "limits" and stroke["doc"]["es"]

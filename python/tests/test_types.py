@@ -1,0 +1,62 @@
+"""The stubs say what is there, and hold under mypy --strict."""
+
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import gaitcam
+
+USE = '''
+import numpy as np
+import gaitcam
+import gaitcam.blocks
+
+scene: gaitcam.Scene = gaitcam.Scene.load("heel.toml").set({"limits.stroke": "40 mm"})
+force: gaitcam.Force = gaitcam.Force(np.zeros(4), np.zeros(4), period_s=0.5)
+design: gaitcam.Design = gaitcam.synth(scene, force=force)
+verdict: str = design.verdict
+number: float = force(0.5)
+run: gaitcam.Run = gaitcam.simulate(design, model="auto")
+plan: gaitcam.Sweep = gaitcam.sweep(scene, vary={"gait.step_frequency": ["1.5 Hz", "2.4 Hz", 10]})
+table: gaitcam.Table = plan.run(0, len(plan))
+best: int | None = gaitcam.front(table).best
+rows: int = gaitcam.blocks.sweep(plan, "out")
+'''
+
+
+def test_mypy_strict_is_clean(tmp_path):
+    pytest.importorskip("mypy")
+    (tmp_path / "use.py").write_text(USE)
+    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "use.py", "-p", "gaitcam"]
+    for arguments in (command[:-2], command[:-3] + command[-2:]):
+        found = subprocess.run(arguments, capture_output=True, text=True, cwd=tmp_path)
+        assert found.returncode == 0, found.stdout
+
+
+def test_the_stubs_name_what_the_package_has():
+    text = (Path(gaitcam.__file__).parent / "_native.pyi").read_text()
+    for name in gaitcam.__all__:
+        value = getattr(gaitcam, name)
+        if name in ("Svaj", "sweep", "__version__"):
+            continue
+        assert f"class {name}" in text or f"def {name}(" in text, name
+        if not inspect.isclass(value):
+            continue
+        body = text.split(f"class {name}", 1)[1].split("\nclass ", 1)[0]
+        for member in vars(value):
+            if not member.startswith("_") and not issubclass(value, Exception):
+                assert f"def {member}(" in body, f"{name}.{member}"
+
+
+def test_everything_public_is_documented():
+    for name in gaitcam.__all__:
+        value = getattr(gaitcam, name)
+        if name != "__version__":
+            assert value.__doc__, name
+        if inspect.isclass(value) and value.__module__ == "gaitcam" and not issubclass(value, (Exception, tuple)):
+            for member, attribute in vars(value).items():
+                if not member.startswith("_"):
+                    assert attribute.__doc__, f"{name}.{member}"

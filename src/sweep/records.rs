@@ -1,0 +1,235 @@
+//! A table in memory, column by column: what files, Python and Arrow take as it is.
+
+use std::collections::HashMap;
+
+use super::batch::{Batch, Column};
+use super::key::Key;
+use super::results::{NUMBERS, Results, TIME, WORDS};
+use super::table::unit_of;
+
+/// Values of one column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Values {
+    /// Numbers of rows.
+    Rows(Vec<u64>),
+    /// Numbers, SI; NaN where there is none.
+    Numbers(Vec<f64>),
+    /// Words, each named once.
+    Words(Words),
+}
+
+/// Words of a column: places in a list of names.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Words {
+    /// Place of each row's word in `names`; −1 where there is none.
+    pub codes: Vec<i32>,
+    /// The words.
+    pub names: Vec<String>,
+}
+
+/// A column with its name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Its name, which ends in its unit.
+    pub name: String,
+    /// Its values.
+    pub values: Values,
+}
+
+/// Rows of a table, column by column.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Records {
+    /// Columns of equal length.
+    pub fields: Vec<Field>,
+}
+
+impl Values {
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        match self {
+            Values::Rows(x) => x.len(),
+            Values::Numbers(x) => x.len(),
+            Values::Words(w) => w.codes.len(),
+        }
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Words {
+    /// Words row by row; an empty one is none.
+    pub fn of<'a>(words: impl Iterator<Item = &'a str>) -> Words {
+        let mut out = Words::default();
+        let mut known: HashMap<&str, i32> = HashMap::new();
+        let mut before: (&str, i32) = ("", -1);
+        for word in words {
+            // Neighbours mostly have the same word, often the very same text in memory.
+            if !std::ptr::eq(word, before.0) && word != before.0 {
+                let next = out.names.len() as i32;
+                let code = *known.entry(word).or_insert(next);
+                if code == next {
+                    out.names.push(word.to_string());
+                }
+                before = (word, code);
+            }
+            out.codes.push(if word.is_empty() { -1 } else { before.1 });
+        }
+        out
+    }
+
+    /// The word of a row; `None` where there is none.
+    pub fn at(&self, row: usize) -> Option<&str> {
+        let code = usize::try_from(self.codes[row]).ok()?;
+        self.names.get(code).map(String::as_str)
+    }
+}
+
+impl Field {
+    /// A column of numbers.
+    pub fn numbers(name: &str, values: Vec<f64>) -> Field {
+        Field {
+            name: name.to_string(),
+            values: Values::Numbers(values),
+        }
+    }
+
+    /// A column of words.
+    pub fn words<'a>(name: &str, words: impl Iterator<Item = &'a str>) -> Field {
+        Field {
+            name: name.to_string(),
+            values: Values::Words(Words::of(words)),
+        }
+    }
+
+    /// The column `row` of the rows from `first` on.
+    pub fn rows(first: u64, count: usize) -> Field {
+        Field {
+            name: "row".to_string(),
+            values: Values::Rows((first..first + count as u64).collect()),
+        }
+    }
+
+    /// Unit of its numbers, SI; empty for words, counts and ratios.
+    pub fn unit(&self) -> &'static str {
+        match self.values {
+            Values::Numbers(_) => unit_of(&self.name),
+            Values::Rows(_) | Values::Words(_) => "",
+        }
+    }
+}
+
+impl Records {
+    /// The rows `first …` of a sweep over `keys`, without the time that each took: all that follows from the plan.
+    /// `scenes` are the names of the base scenes where there are several.
+    pub fn of(
+        first: u64,
+        keys: &[Key],
+        batch: &Batch,
+        results: &Results,
+        scenes: Option<&[String]>,
+    ) -> Records {
+        let mut fields = vec![Field::rows(first, results.len())];
+        if let Some(names) = scenes {
+            let name = |s: &u32| names.get(*s as usize).map_or("", String::as_str);
+            fields.push(Field::words("scene", batch.scene.iter().map(name)));
+        }
+        for (key, column) in keys.iter().zip(&batch.columns) {
+            fields.push(match column {
+                Column::Numbers(x) => Field::numbers(&key.column(), x.clone()),
+                Column::Words(w) => Field::words(&key.column(), w.iter().map(|w| &**w)),
+            });
+        }
+        for (i, name) in NUMBERS.iter().enumerate() {
+            fields.push(Field::numbers(name, results.numbers(i).to_vec()));
+        }
+        for (i, name) in WORDS.iter().enumerate() {
+            fields.push(Field::words(name, results.words(i).into_iter()));
+        }
+        Records { fields }
+    }
+
+    /// The same with the time that each row took.
+    #[must_use]
+    pub fn with_times(mut self, results: &Results) -> Records {
+        let times = results.times().to_vec();
+        self.fields.push(Field::numbers(TIME, times));
+        self
+    }
+
+    /// The rows of all parts, one after the other.
+    pub fn joined(parts: Vec<Records>) -> Records {
+        let mut out = Records::default();
+        for part in parts {
+            out.append(part);
+        }
+        out
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.fields.first().map_or(0, |f| f.values.len())
+    }
+
+    /// Whether there is no row.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Adds the rows that follow, of the same columns.
+    pub fn append(&mut self, next: Records) {
+        if self.fields.is_empty() {
+            *self = next;
+            return;
+        }
+        for (field, next) in self.fields.iter_mut().zip(next.fields) {
+            match (&mut field.values, next.values) {
+                (Values::Rows(x), Values::Rows(y)) => x.extend(y),
+                (Values::Numbers(x), Values::Numbers(y)) => x.extend(y),
+                (Values::Words(x), Values::Words(y)) => x.append(&y),
+                (Values::Rows(_) | Values::Numbers(_) | Values::Words(_), _) => {}
+            }
+        }
+    }
+}
+
+impl Words {
+    fn append(&mut self, next: &Words) {
+        let mut known: HashMap<String, i32> = HashMap::new();
+        for (i, name) in self.names.iter().enumerate() {
+            known.insert(name.clone(), i as i32);
+        }
+        let place = |name: &String, names: &mut Vec<String>| -> i32 {
+            *known.entry(name.clone()).or_insert_with(|| {
+                names.push(name.clone());
+                names.len() as i32 - 1
+            })
+        };
+        let mut place = place;
+        let places: Vec<i32> = (next.names.iter())
+            .map(|name| place(name, &mut self.names))
+            .collect();
+        let moved = |&c: &i32| usize::try_from(c).map_or(-1, |c| places[c]);
+        self.codes.extend(next.codes.iter().map(moved));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_named_once_and_stay_what_they_were_when_rows_are_added() {
+        let words = |list: &[&str]| Words::of(list.iter().copied());
+        let first = ["a", "a", "", "b", "a"];
+        let second = ["b", "c", "", "a"];
+        let mut all = words(&first);
+        assert_eq!(all.names, ["a", "b"]);
+        all.append(&words(&second));
+        let said: Vec<&str> = (0..9).map(|i| all.at(i).unwrap_or("")).collect();
+        assert_eq!(said, [&first[..], &second[..]].concat());
+        assert_eq!(all.names, ["a", "b", "c"]);
+    }
+}

@@ -1,0 +1,137 @@
+//! A sweep over manufacturing errors of one design: row i is the i-th cam as made.
+
+use std::ops::Range;
+
+use serde_json::{Value, json};
+
+use super::kernel::Targets;
+use super::plan::NamedScene;
+use super::records::{Field, Records};
+use super::tolerance::{Made, Scatter, Tolerance};
+use crate::error::{Place, Result, SweepError};
+use crate::force;
+use crate::halt::Halt;
+use crate::problem::Shared;
+use crate::scene::{self, Source};
+use crate::synth::synthesise_with;
+
+/// One design, made many times with errors within tolerances.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scattered {
+    /// Its scene.
+    pub scene: NamedScene,
+    /// The tolerances as written: `profile=0.02 mm`.
+    pub tolerances: Vec<String>,
+    /// How many are made.
+    pub count: u64,
+    /// Where the random numbers start.
+    pub seed: u64,
+}
+
+/// Columns of a table of samples after `row`.
+pub const SAMPLE_COLUMNS: [&str; 6] = [
+    "profile_m",
+    "base_radius_m",
+    "mass_kg",
+    "speed_rad_per_s",
+    "force_rms_error_n",
+    "force_rms_error_percent",
+];
+
+/// Samples of a design that is made.
+pub struct Samples {
+    scatter: Scatter,
+    tolerances: Vec<Tolerance>,
+    count: u64,
+    seed: u64,
+}
+
+impl Scattered {
+    /// The tolerances, read.
+    ///
+    /// # Errors
+    /// As [`Tolerance::parse`].
+    pub fn read(&self) -> Result<Vec<Tolerance>> {
+        self.tolerances
+            .iter()
+            .map(|t| Tolerance::parse(t))
+            .collect()
+    }
+
+    /// As data: equal ones have equal descriptions.
+    pub fn description(&self) -> Value {
+        json!({
+            "scenes": [{"name": self.scene.name, "text": self.scene.table.to_string()}],
+            "tolerances": self.tolerances,
+            "sample": {"method": "latin", "count": self.count, "seed": self.seed},
+            "rows": self.count,
+        })
+    }
+
+    /// Makes the design that is scattered.
+    ///
+    /// # Errors
+    /// Faults of the scene and its force; a scene that no cam answers.
+    pub fn samples(&self, targets: Targets, halt: Halt) -> Result<Samples> {
+        let tolerances = self.read()?;
+        let scene = scene::read(&self.scene.table)?;
+        let target = match scene.gait.as_ref().map(|g| (g, &g.source)) {
+            None => None,
+            Some((_, Source::File(_))) => Some(targets(0, &scene)?),
+            Some((gait, Source::Model(name))) => Some(
+                force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
+                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))?,
+            ),
+        };
+        let shared = Shared {
+            halt,
+            ..Shared::default()
+        };
+        let design = synthesise_with(&scene, target.as_ref(), &shared)?;
+        if design.infeasible.is_some() {
+            return Err(SweepError::NoDesign.into());
+        }
+        Ok(Samples {
+            scatter: Scatter::new(&design)?,
+            tolerances,
+            count: self.count,
+            seed: self.seed,
+        })
+    }
+}
+
+impl Samples {
+    /// The samples of a range of rows.
+    pub fn records(&self, rows: Range<u64>) -> Records {
+        let count = (rows.end - rows.start) as usize;
+        let mut columns = SAMPLE_COLUMNS.map(|_| Vec::with_capacity(count));
+        for row in rows.clone() {
+            let made = self
+                .scatter
+                .sample(&self.tolerances, row, self.count, self.seed);
+            for (column, x) in columns.iter_mut().zip(numbers(made)) {
+                column.push(x);
+            }
+        }
+        let mut fields = vec![Field::rows(rows.start, count)];
+        fields.extend(
+            SAMPLE_COLUMNS
+                .iter()
+                .zip(columns)
+                .map(|(n, c)| Field::numbers(n, c)),
+        );
+        Records { fields }
+    }
+}
+
+/// In the order of [`SAMPLE_COLUMNS`].
+fn numbers(made: Made) -> [f64; SAMPLE_COLUMNS.len()] {
+    [
+        made.profile_m,
+        made.base_radius_m,
+        made.mass_kg,
+        made.speed_rad_per_s,
+        made.force_rms_error_n,
+        made.force_rms_error_percent,
+    ]
+}

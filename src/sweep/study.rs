@@ -1,0 +1,354 @@
+//! A sweep that carries all that its rows need, so that any machine answers any of them.
+//!
+//! Row i follows from the study and from i alone: recordings are part of it by their content, not by their path.
+
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use super::axis::Values as AxisValues;
+use super::kernel::{Halts, Kernel, Targets};
+use super::plan::Plan;
+use super::records::Records;
+use super::scatter::{Samples, Scattered};
+use crate::error::{Error, Place, Result, SweepError};
+use crate::force::{self, ForceCurve};
+use crate::scene::{Scene, Source};
+
+/// Force curves of recordings kept in memory.
+const KEPT_CURVES: usize = 256;
+
+/// A file that rows name: index of the base scene, and the path as the scene writes it.
+pub type Named = (usize, String);
+
+/// Files that rows name, with their content.
+pub type Files = BTreeMap<Named, Arc<[u8]>>;
+
+/// What the rows are.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Subject {
+    /// Designs of many scenes.
+    Designs(Plan),
+    /// One design, made with errors within tolerances.
+    Scatter(Scattered),
+}
+
+/// A sweep with the content of every recording that it names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// What the rows are.
+    pub subject: Subject,
+    files: Files,
+}
+
+impl Study {
+    /// A study; `read` gives the content of a file that a base scene names, `None` where there is none.
+    ///
+    /// # Errors
+    /// A recording that is not there, and as [`Plan::validate`].
+    pub fn new(
+        subject: Subject,
+        mut read: impl FnMut(usize, &Path) -> Result<Vec<u8>>,
+    ) -> Result<Study> {
+        let mut files = Files::new();
+        let mut contents: HashMap<(usize, u64), Arc<[u8]>> = HashMap::new();
+        for (scene, name) in subject.recordings() {
+            let path = Path::new(&name);
+            let beside = force::metadata_name(path);
+            let bytes = read(scene, path)?;
+            let subjects = beside.and_then(|p| Some((read(scene, &p).ok()?, p)));
+            let mut keep = |name: String, bytes: Vec<u8>| {
+                // Equal files are held once.
+                let shared = contents
+                    .entry((bytes.len(), checksum(&bytes)))
+                    .or_insert_with(|| bytes.into());
+                files.insert((scene, name), Arc::clone(shared));
+            };
+            keep(name, bytes);
+            if let Some((bytes, path)) = subjects {
+                keep(path.to_string_lossy().into_owned(), bytes);
+            }
+        }
+        Study::with_files(subject, files)
+    }
+
+    /// A study of which all files are known.
+    ///
+    /// # Errors
+    /// As [`Plan::validate`].
+    pub fn with_files(subject: Subject, files: Files) -> Result<Study> {
+        match &subject {
+            Subject::Designs(plan) => plan.validate()?,
+            Subject::Scatter(scatter) => {
+                scatter.read()?;
+            }
+        }
+        Ok(Study { subject, files })
+    }
+
+    /// The files that rows name, with their content.
+    pub fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// Number of rows.
+    ///
+    /// # Errors
+    /// More rows than row numbers.
+    pub fn rows(&self) -> Result<u64> {
+        let rows = match &self.subject {
+            Subject::Designs(plan) => plan.rows(),
+            Subject::Scatter(scatter) => u128::from(scatter.count),
+        };
+        u64::try_from(rows)
+            .ok()
+            .filter(|rows| *rows <= MOST_ROWS)
+            .ok_or_else(|| {
+                SweepError::TooManyRows {
+                    rows: rows.to_string(),
+                }
+                .into()
+            })
+    }
+
+    /// The study as data: equal studies have equal descriptions.
+    pub fn description(&self) -> Value {
+        let mut out = match &self.subject {
+            Subject::Designs(plan) => plan.description(),
+            Subject::Scatter(scatter) => scatter.description(),
+        };
+        let files = self.files.iter().map(|((scene, name), bytes)| {
+            let sum = format!("{:016x}", checksum(bytes));
+            json!({"scene": scene, "name": name, "bytes": bytes.len(), "checksum": sum})
+        });
+        let files: Vec<Value> = files.collect();
+        if !files.is_empty() {
+            out["files"] = json!(files);
+        }
+        out["version"] = json!(env!("CARGO_PKG_VERSION"));
+        out
+    }
+
+    /// A number for the whole study: studies that differ have different ones, but for chance.
+    pub fn fingerprint(&self) -> String {
+        format!(
+            "{:016x}",
+            checksum(self.description().to_string().as_bytes())
+        )
+    }
+
+    /// What a table of its rows says of itself: version and fingerprint.
+    pub fn metadata(&self) -> Vec<(String, String)> {
+        let entry = |key: &str, value: String| (format!("gaitcam.{key}"), value);
+        vec![
+            entry("fingerprint", self.fingerprint()),
+            entry("version", env!("CARGO_PKG_VERSION").to_string()),
+        ]
+    }
+
+    /// What computes rows, on any thread; `halts` gives the end of the searches of a row that begins.
+    ///
+    /// # Errors
+    /// A design that is to be scattered and cannot be made.
+    pub fn worker<'a>(&'a self, targets: Targets<'a>, halts: Halts<'a>) -> Result<Worker<'a>> {
+        Ok(match &self.subject {
+            Subject::Designs(plan) => {
+                // What a clock says does not follow from the plan.
+                let kernel = Kernel::new(&plan.scenes, plan.keys(), targets, &|| 0.0, halts);
+                Worker::Designs(plan, plan.scene_names(), kernel)
+            }
+            Subject::Scatter(scatter) => Worker::Scatter(scatter.samples(targets, halts())?),
+        })
+    }
+
+    /// The force curves of the recordings, each read once while it is in use.
+    pub fn targets(&self) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync + '_ {
+        remembered(|index, scene| self.target(index, scene))
+    }
+
+    fn target(&self, index: usize, scene: &Scene) -> Result<ForceCurve> {
+        let Some((gait, Source::File(path))) = scene.gait.as_ref().map(|g| (g, &g.source)) else {
+            return Err(SweepError::NoForceError.into());
+        };
+        let content = |path: &Path| {
+            let name = path.to_string_lossy().into_owned();
+            self.files.get(&(index, name))
+        };
+        let bytes = content(path)
+            .ok_or_else(|| Error::from(SweepError::NotCarried).at(Place::File(path.clone())))?;
+        let metadata = force::metadata_name(path).and_then(|p| content(&p).map(|b| b.to_vec()));
+        force::force_curve(path, bytes, &gait.read_options(metadata)?, gait.feet)
+    }
+}
+
+/// More rows than this have no numbers in a table of 64-bit floating point.
+const MOST_ROWS: u64 = 1 << 53;
+
+impl Subject {
+    /// The recordings that rows name, with the base scene that does.
+    fn recordings(&self) -> Vec<Named> {
+        let plan = match self {
+            Subject::Designs(plan) => plan,
+            Subject::Scatter(scatter) => {
+                let own = file_of(&scatter.scene.table);
+                return own.into_iter().map(|name| (0, name)).collect();
+            }
+        };
+        let lists = plan.list.iter().flat_map(|l| l.columns.iter());
+        let varied = lists
+            .chain(&plan.axes)
+            .find(|a| a.key.name() == "gait.file");
+        let mut out = Vec::new();
+        for (scene, named) in plan.scenes.iter().enumerate() {
+            match varied.map(|axis| &axis.values) {
+                Some(AxisValues::Words(names)) => {
+                    out.extend(names.iter().map(|name| (scene, name.to_string())));
+                }
+                _ => out.extend(file_of(&named.table).map(|name| (scene, name))),
+            }
+        }
+        out.sort();
+        out.dedup();
+        out
+    }
+}
+
+fn file_of(table: &toml::Table) -> Option<String> {
+    let name = table.get("gait")?.get("file")?.as_str()?;
+    Some(name.to_string())
+}
+
+/// Computes rows of a study.
+pub enum Worker<'a> {
+    /// Designs; with the names of the base scenes where there are several.
+    Designs(&'a Plan, Option<Vec<String>>, Kernel<'a>),
+    /// Samples of one design.
+    Scatter(Samples),
+}
+
+impl Worker<'_> {
+    /// The rows of a range.
+    pub fn run(&self, rows: Range<u64>) -> Records {
+        let count = (rows.end - rows.start) as usize;
+        match self {
+            Worker::Designs(plan, names, kernel) => {
+                let batch = plan.batch(rows.start, count);
+                let results = kernel.run(&batch);
+                Records::of(
+                    rows.start,
+                    kernel.keys(),
+                    &batch,
+                    &results,
+                    names.as_deref(),
+                )
+            }
+            Worker::Scatter(samples) => samples.records(rows),
+        }
+    }
+}
+
+/// Reads the force curves that scenes name, each once while it is in use.
+pub fn remembered(
+    read: impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync,
+) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
+    let kept: Mutex<HashMap<String, Result<ForceCurve>>> = Mutex::new(HashMap::new());
+    move |index, scene| {
+        let name = format!("{index} {:?}", scene.gait);
+        if let Some(curve) = kept.lock().ok().and_then(|k| k.get(&name).cloned()) {
+            return curve;
+        }
+        let curve = read(index, scene);
+        if let Ok(mut kept) = kept.lock() {
+            if kept.len() >= KEPT_CURVES {
+                kept.clear();
+            }
+            kept.insert(name, curve.clone());
+        }
+        curve
+    }
+}
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo).
+fn checksum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &b| {
+        (sum ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// Rows of one block of work at most: bounds the memory and the time between two looks at `stop`.
+const LARGEST_PART: u64 = 4096;
+/// Blocks per thread: enough that no thread waits long for another.
+const PARTS_PER_THREAD: u64 = 16;
+/// Time between two looks at `stop` while threads work.
+const LOOK: Duration = Duration::from_millis(20);
+
+impl Study {
+    /// The rows of a range, over `jobs` threads; `None` where `stop` said so before all were there. It is asked from
+    /// this thread only.
+    ///
+    /// # Errors
+    /// As [`Study::worker`].
+    pub fn run(
+        &self,
+        rows: Range<u64>,
+        jobs: usize,
+        halts: Halts,
+        mut stop: impl FnMut() -> bool,
+    ) -> Result<Option<Records>> {
+        let targets = self.targets();
+        let worker = self.worker(&targets, halts)?;
+        let count = rows.end - rows.start;
+        let part = (count / (PARTS_PER_THREAD * jobs as u64)).clamp(1, LARGEST_PART);
+        let parts = count.div_ceil(part);
+        let range = |k: u64| rows.start + k * part..(rows.start + (k + 1) * part).min(rows.end);
+        if parts == 0 {
+            return Ok(Some(worker.run(rows)));
+        }
+        if jobs <= 1 {
+            let mut all = Records::default();
+            for k in 0..parts {
+                all.append(worker.run(range(k)));
+                if stop() {
+                    return Ok(None);
+                }
+            }
+            return Ok(Some(all));
+        }
+        let next = AtomicU64::new(0);
+        let (send, receive) = channel();
+        let mut done: Vec<Option<Records>> = (0..parts).map(|_| None).collect();
+        std::thread::scope(|scope| {
+            for _ in 0..jobs.min(parts as usize) {
+                let (send, next, worker) = (send.clone(), &next, &worker);
+                scope.spawn(move || {
+                    loop {
+                        let k = next.fetch_add(1, Ordering::Relaxed);
+                        // Nobody listens once the work is stopped.
+                        if k >= parts || send.send((k, worker.run(range(k)))).is_err() {
+                            return;
+                        }
+                    }
+                });
+            }
+            drop(send);
+            loop {
+                match receive.recv_timeout(LOOK) {
+                    Ok((k, records)) => done[k as usize] = Some(records),
+                    Err(RecvTimeoutError::Timeout) => {}
+                    Err(RecvTimeoutError::Disconnected) => return,
+                }
+                if stop() {
+                    next.store(parts, Ordering::Relaxed);
+                }
+            }
+        });
+        let all: Option<Vec<Records>> = done.into_iter().collect();
+        Ok(all.map(Records::joined))
+    }
+}

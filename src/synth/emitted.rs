@@ -1,0 +1,63 @@
+//! The emitted cam of a design on its machine, ready to run.
+
+use std::f64::consts::TAU;
+
+use super::design::Design;
+use super::reason::sentences;
+use crate::drive::Drive;
+use crate::dynamics::hertz::STEEL;
+use crate::dynamics::{Face, Machine, Run};
+use crate::error::Result;
+use crate::scene::{MachineSpec, Scene};
+use crate::wording::Language;
+
+/// Rows of the emitted profile that is run.
+const POINTS: usize = 1440;
+
+impl Design {
+    /// Why there is no cam that could run; `None` where there is one.
+    pub fn no_cam(&self, language: Language) -> Option<String> {
+        if let Some(infeasible) = &self.infeasible {
+            return Some(infeasible.sentence(language));
+        }
+        let undercut = self.cam.follower.is_flat() && self.cam.curvature().undercut;
+        undercut.then(|| sentences(&self.reasons, language))
+    }
+
+    /// The emitted profile, not the law it came from, on a machine: steel on steel over the thickness of the plate,
+    /// driven as `drive` says.
+    ///
+    /// # Errors
+    /// A natural frequency without a mass.
+    pub fn emitted(&self, spec: &MachineSpec, drive: Drive) -> Result<Run> {
+        let machine = Machine {
+            train: spec.train(&drive)?,
+            friction: spec.friction,
+            restitution: spec.restitution,
+            second_cam: spec.second_cam,
+            conjugate: self.conjugate.as_ref().map(|pair| pair.second.clone()),
+            face: Some(Face {
+                length: self.thickness,
+                cam: STEEL,
+                follower: STEEL,
+            }),
+            groove_floor: self.groove.as_ref().map(|groove| groove.depth().0),
+            ..Machine::default()
+        };
+        let angles = (0..POINTS).map(|i| TAU * i as f64 / POINTS as f64);
+        let target = self.target.as_ref();
+        Ok(Run {
+            profile: self.cam.profile(POINTS),
+            target: target.map(|t| angles.map(|theta| t.at(theta)).collect()),
+            cam: self.cam.clone(),
+            drive,
+            machine,
+        })
+    }
+}
+
+/// Whether a scene leaves it to the verdict that contact is kept.
+pub fn contact_is_judged(scene: &Scene) -> bool {
+    let limits = &scene.limits;
+    !limits.unjudged.contact_force && limits.force_min.is_none_or(|low| low >= 0.0)
+}

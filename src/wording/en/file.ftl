@@ -1,0 +1,22 @@
+# Faults in reading scenes and recordings and in putting results into folders.
+file-cannot-read = cannot be read ({ $fault })
+    .help = check the path
+file-cannot-place = the files cannot be moved into place ({ $fault })
+file-folder = is a folder
+    .help = give a file
+file-device = is a pipe or a device, not a file
+    .help = give a file, or - for standard input
+file-too-large = is larger than { $mib } MiB
+file-not-utf8 = is not UTF-8 text
+    .help = a scene is a TOML file, see scenes/
+file-not-toml = { $fault }
+    .help = a scene is a TOML file, see scenes/
+file-not-json = is not JSON ({ $fault })
+file-no-scene-in-summary = holds no scene
+    .help = give a summary.json of gaitcam, or a scene file
+file-replaced = { $file } would be replaced
+    .help = an input file is never overwritten; choose another folder
+file-another-sweep = is another sweep: { $differences }
+    .help = repeat the sweep as it was, or choose another place
+file-not-sweep-folder = holds { $file }, which is no block of a sweep
+    .help = give an empty folder, or the one of this sweep

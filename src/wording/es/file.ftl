@@ -1,0 +1,22 @@
+# Fallos al leer escenas y registros y al colocar resultados en carpetas.
+file-cannot-read = no se puede leer ({ $fault })
+    .help = compruebe la ruta
+file-cannot-place = no se pueden colocar los archivos en su sitio ({ $fault })
+file-folder = es una carpeta
+    .help = indique un archivo
+file-device = es una tubería o un dispositivo, no un archivo
+    .help = indique un archivo, o - para la entrada estándar
+file-too-large = supera { $mib } MiB
+file-not-utf8 = no es texto UTF-8
+    .help = una escena es un archivo TOML, véase scenes/
+file-not-toml = { $fault }
+    .help = una escena es un archivo TOML, véase scenes/
+file-not-json = no es JSON ({ $fault })
+file-no-scene-in-summary = no contiene ninguna escena
+    .help = indique un summary.json de gaitcam o un archivo de escena
+file-replaced = se sustituiría { $file }
+    .help = un archivo de entrada nunca se sobrescribe; elija otra carpeta
+file-another-sweep = es otro barrido: { $differences }
+    .help = repita el barrido tal como era, o elija otro lugar
+file-not-sweep-folder = contiene { $file }, que no es un bloque de un barrido
+    .help = indique una carpeta vacía o la de este barrido
