@@ -17,7 +17,8 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     import pyarrow.parquet
 
     table: Any = pyarrow.table(plan.run(start, stop, jobs=1))
-    beside = f"{os.fspath(file)}.{uuid.uuid4().hex}.partial"
+    folder, name = os.path.split(os.fspath(file))
+    beside = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder
     try:
         with open(beside, "xb") as sink:
             pyarrow.parquet.write_table(table, sink, compression="snappy")

@@ -95,7 +95,7 @@ pub fn numbers<'py>(
     let array = py.import("numpy")?.call_method1("asarray", (given,))?;
     let dimensions: usize = array.getattr("ndim")?.extract()?;
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
-    let empty = array.len().unwrap_or(0) == 0;
+    let empty = dimensions == 1 && array.len()? == 0;
     if !(empty || matches!(&*kind, "f" | "i" | "u")) {
         let kind = array.getattr("dtype")?;
         let what = format!("{name}: an array of {kind} holds no numbers");

@@ -72,7 +72,7 @@ pub fn synth(
     let force = force.as_deref().cloned();
     let input = match &force {
         Some(force) => with_force(&asked.input, force).raise(py)?,
-        None => asked.input.clone(),
+        None => asked.whole(py)?.clone(),
     };
     let interrupt = Interrupt::after(interrupt::limit(py, time_limit)?);
     let made = py.detach(|| made(&input, force.as_ref(), &interrupt));
@@ -279,9 +279,7 @@ impl Design {
     /// The scene that the design answers, with the force that was given.
     #[getter]
     fn scene(&self) -> Scene {
-        Scene {
-            input: self.input.clone(),
-        }
+        Scene::of_input(self.input.clone())
     }
 
     /// Name of the scene.

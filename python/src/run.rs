@@ -82,8 +82,8 @@ fn machine_of(
             return Err(argument(py, &key, what));
         }
     }
-    let input = design.input.clone();
-    let scene = Scene { input }.changed(py, changes)?.input.scene;
+    let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
+    let scene = scene.input.scene;
     let target = design.design.target.as_ref();
     let problem = Problem::settle(&scene, target).raise(py)?;
     Ok((scene.machine, problem.drive))

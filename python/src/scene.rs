@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use gaitcam::error::{Error, ErrorKind, SceneError};
 use gaitcam::scene;
 use gaitcam_files::Input;
 use gaitcam_files::scene::parse;
@@ -9,17 +10,20 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::{self, Reduced};
-use crate::error::Raise;
+use crate::error::{Raise, raised};
 
 /// A scene: what force is wanted, how lift becomes force, what the law may be, the cam and its limits.
 ///
 /// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes what a scene file has, section by section, quantities as text with
-/// their unit. ``Scene()`` is a scene in which nothing is said. Scenes do not change: ``set`` gives a new one.
+/// their unit. A scene may leave the force open, for :func:`synth` to give: ``Scene()`` says nothing at all. Scenes do
+/// not change: ``set`` gives a new one.
 #[pyclass(frozen, module = "gaitcam", eq)]
 #[derive(Clone)]
 pub struct Scene {
     /// The scene with its table and folder.
     pub input: Input,
+    /// What is wrong with it unless a force is given: it leaves the force open.
+    lacks_force: Option<Error>,
 }
 
 impl PartialEq for Scene {
@@ -30,10 +34,54 @@ impl PartialEq for Scene {
 }
 
 impl Scene {
-    /// The scene of a table without a file.
-    pub fn of_table(py: Python<'_>, table: toml::Table, folder: PathBuf) -> PyResult<Scene> {
-        let input = Input::new(table, folder, None).raise(py)?;
-        Ok(Scene { input })
+    /// The scene of a table; it may leave the force open, for `synth` or a sweep to give.
+    pub fn of_table(
+        py: Python<'_>,
+        table: toml::Table,
+        folder: PathBuf,
+        file: Option<PathBuf>,
+    ) -> PyResult<Scene> {
+        let fault = match Input::new(table.clone(), folder.clone(), file.clone()) {
+            Ok(input) => return Ok(Scene::of_input(input)),
+            Err(fault) => fault,
+        };
+        let open = matches!(
+            fault.kind,
+            ErrorKind::Scene(SceneError::NoForceNamed | SceneError::NothingAsked)
+        );
+        if !open {
+            return Err(raised(py, fault));
+        }
+        let scene = scene::read_keys(&table).raise(py)?;
+        let input = Input {
+            scene,
+            table,
+            folder,
+            file,
+        };
+        Ok(Scene {
+            input,
+            lacks_force: Some(fault),
+        })
+    }
+
+    /// A scene that is whole.
+    pub fn of_input(input: Input) -> Scene {
+        Scene {
+            input,
+            lacks_force: None,
+        }
+    }
+
+    /// The scene, which has to name its force or ask for a programme.
+    ///
+    /// # Errors
+    /// It leaves the force open.
+    pub fn whole(&self, py: Python<'_>) -> PyResult<&Input> {
+        match &self.lacks_force {
+            Some(fault) => Err(raised(py, fault.clone())),
+            None => Ok(&self.input),
+        }
     }
 
     /// The built-in footbridge, where no scene is given.
@@ -53,8 +101,7 @@ impl Scene {
             scene::set_value(&mut table, &key, value).raise(py)?;
         }
         let (folder, file) = (self.input.folder.clone(), self.input.file.clone());
-        let input = Input::new(table, folder, file).raise(py)?;
-        Ok(Scene { input })
+        Scene::of_table(py, table, folder, file)
     }
 }
 
@@ -64,21 +111,22 @@ impl Scene {
     #[pyo3(signature = (sections = None))]
     fn new(py: Python<'_>, sections: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
         let table = sections.map_or(Ok(toml::Table::new()), |s| convert::table(s, ""))?;
-        Scene::of_table(py, table, PathBuf::from("."))
+        Scene::of_table(py, table, PathBuf::from("."), None)
     }
 
     /// Reads a scene file (TOML), or the scene in a ``summary.json``.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Scene> {
-        let input = Input::open(&path).raise(py)?;
-        Ok(Scene { input })
+        let table = gaitcam_files::scene::table(&path).raise(py)?;
+        let folder = gaitcam_files::scene::folder_of(&path);
+        Scene::of_table(py, table, folder, Some(path))
     }
 
     /// A scene that comes with the package, by its name; see :meth:`builtins`.
     #[staticmethod]
     fn builtin(py: Python<'_>, name: &str) -> PyResult<Scene> {
         let table = parse(scene::built_in(name).raise(py)?.toml, None).raise(py)?;
-        Scene::of_table(py, table, PathBuf::from("."))
+        Scene::of_table(py, table, PathBuf::from("."), None)
     }
 
     /// Names of the scenes that come with the package.
@@ -98,8 +146,7 @@ impl Scene {
     ) -> PyResult<Scene> {
         let table = parse(text, file.as_deref()).raise(py)?;
         let folder = folder.unwrap_or_else(|| PathBuf::from("."));
-        let input = Input::new(table, folder, file).raise(py)?;
-        Ok(Scene { input })
+        Scene::of_table(py, table, folder, file)
     }
 
     /// A new scene with values changed by their dotted keys: ``scene.set({"limits.stroke": "40 mm"})``.

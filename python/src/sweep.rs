@@ -102,6 +102,7 @@ impl Sweep {
         question.rows(rows)?;
         question.recordings(py, recordings)?;
         question.tolerances(tolerance)?;
+        question.check_scenes(py)?;
         let study = question.study(None).raise(py)?;
         Ok(Sweep {
             question,
@@ -172,7 +173,7 @@ impl Sweep {
         self.study.fingerprint()
     }
 
-    /// The plan as data, as it stands in ``plan.json``.
+    /// The plan as data, as it stands in ``_plan.json``.
     #[getter]
     fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         convert::json(py, &self.study.description())

@@ -20,6 +20,9 @@ pub struct Data {
     pub metadata: Vec<(String, String)>,
 }
 
+/// Keys and values.
+type Pairs = Vec<(String, String)>;
+
 /// A table of named columns of equal length.
 ///
 /// ``table["force_n"]`` is a column: numbers as a read-only numpy array (float64; ``row``: uint64) that shares the
@@ -170,9 +173,7 @@ impl Table {
         PyCapsule::new_with_value(py, arrow::schema(&self.data), c"arrow_schema")
     }
 
-    fn __reduce__<'py>(
-        this: Bound<'py, Self>,
-    ) -> Reduced<'py, (Bound<'py, PyDict>, Vec<(String, String)>)> {
+    fn __reduce__<'py>(this: Bound<'py, Self>) -> Reduced<'py, (Bound<'py, PyDict>, Pairs)> {
         let py = this.py();
         let columns = PyDict::new(py);
         for name in this.get().column_names() {

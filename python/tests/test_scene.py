@@ -4,7 +4,7 @@ import pickle
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import gaitcam
@@ -28,6 +28,7 @@ CHANGES = st.fixed_dictionaries(
 @given(st.sampled_from(BUILT_IN), CHANGES)
 @settings(max_examples=150, deadline=None)
 def test_a_scene_comes_back_from_its_dictionary_its_text_and_its_pickle(name, changes):
+    assume("limits.stroke" not in changes or "oscillating" not in gaitcam.Scene.builtin(name).to_toml())
     scene = gaitcam.Scene.builtin(name).set(changes)
     assert gaitcam.Scene(scene.to_dict()) == scene
     assert gaitcam.Scene.from_toml(scene.to_toml()) == scene
@@ -46,7 +47,7 @@ def test_lists_and_tables_are_values_too():
         {"motion": "cycloidal", "lift": "10 mm", "angle": "180 deg"},
         {"motion": "cycloidal", "lift": "-10 mm", "angle": "180 deg"},
     ]
-    scene = gaitcam.Scene({"name": "two", "law": {"segment": segments}})
+    scene = gaitcam.Scene({"name": "two", "law": {"family": "program", "segment": segments}})
     assert gaitcam.synth(scene).summary["law"]["stroke_m"] == pytest.approx(0.01, rel=1e-9)
     assert scene.set({"law.segment.2.lift": "-5 mm"}) != scene
 

@@ -169,6 +169,7 @@ def test_blocks_hold_the_rows_of_one_run_and_a_second_start_does_only_what_is_mi
     blocks = sorted(out.glob("*.parquet"))
     assert [b.name for b in blocks] == [f"rows-{a:012}-{min(a + 30, 100):012}.parquet" for a in (0, 30, 60, 90)]
     union = pq.read_table(out)
+    assert sorted(p.name for p in out.iterdir()) == ["_plan.json", *(b.name for b in blocks)]
     whole = plan.run()
     assert union.column_names == whole.column_names
     for name in whole.column_names:

@@ -67,6 +67,10 @@ impl Words {
         let mut before: (&str, i32) = ("", -1);
         for word in words {
             // Neighbours mostly have the same word, often the very same text in memory.
+            if word.is_empty() {
+                out.codes.push(-1);
+                continue;
+            }
             if !std::ptr::eq(word, before.0) && word != before.0 {
                 let next = out.names.len() as i32;
                 let code = *known.entry(word).or_insert(next);
@@ -75,7 +79,7 @@ impl Words {
                 }
                 before = (word, code);
             }
-            out.codes.push(if word.is_empty() { -1 } else { before.1 });
+            out.codes.push(before.1);
         }
         out
     }
@@ -224,7 +228,7 @@ mod tests {
     fn words_are_named_once_and_stay_what_they_were_when_rows_are_added() {
         let words = |list: &[&str]| Words::of(list.iter().copied());
         let first = ["a", "a", "", "b", "a"];
-        let second = ["b", "c", "", "a"];
+        let second = ["", "b", "c", "a"];
         let mut all = words(&first);
         assert_eq!(all.names, ["a", "b"]);
         all.append(&words(&second));

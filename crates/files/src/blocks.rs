@@ -1,6 +1,6 @@
 //! A folder that holds a sweep in blocks: one file per range of rows, each whole or not there.
 //!
-//! `plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`; whoever
+//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`; whoever
 //! writes one writes it beside and renames it, so that any number of processes on any number of machines may share
 //! the folder, and a second start does only what is missing.
 
@@ -13,14 +13,16 @@ use std::path::{Path, PathBuf};
 use gaitcam::error::{FileError, Result, WriteError};
 use gaitcam::sweep::{Study, agree};
 use gaitcam_output::Language;
-use gaitcam_output::folder::write_whole;
+use gaitcam_output::folder::{put_whole, write_whole};
 use serde_json::{Value, json};
 
 use crate::read::read_bytes;
 use crate::scene::not_json;
 
 /// What sweep the folder holds.
-pub const PLAN: &str = "plan.json";
+///
+/// Readers of folders of Parquet pass over names that begin with an underscore or a dot.
+pub const PLAN: &str = "_plan.json";
 /// Rows of a block where nobody says how many.
 pub const BLOCK_ROWS: u64 = 131_072;
 /// Name and ending of a block.
@@ -89,6 +91,14 @@ impl Blocks {
     pub fn path(&self, rows: &Range<u64>) -> PathBuf {
         let name = format!("{NAME}{:012}-{:012}{ENDING}", rows.start, rows.end);
         self.folder.join(name)
+    }
+
+    /// Puts a block into its place, whole.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn put(&self, rows: &Range<u64>, bytes: &[u8]) -> Result<()> {
+        put_whole(&self.path(rows), bytes)
     }
 
     /// The blocks of one of `parts` equal shares, counted from 1, that are not there yet.
@@ -176,7 +186,7 @@ mod tests {
         let blocks = open();
         assert_eq!(blocks.missing().unwrap(), [0..4, 4..8, 8..10]);
         fs::write(blocks.path(&(4..8)), b"").unwrap();
-        fs::write(folder.path().join("rows-1-2.parquet.7.partial"), b"").unwrap();
+        fs::write(folder.path().join(".rows-1-2.parquet.7.partial"), b"").unwrap();
         assert_eq!(open().missing().unwrap(), [0..4, 8..10]);
         assert_eq!(open().missing_of(1, 2).unwrap(), [0..4, 8..10]);
         assert!(open().missing_of(2, 2).unwrap().is_empty());

@@ -1,5 +1,6 @@
 //! Writing: a file appears whole or not at all.
 
+use std::ffi::OsString;
 use std::fs;
 use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::Write;
@@ -42,23 +43,40 @@ impl Folder {
 }
 
 /// Writes `bytes` to `path` through a neighbour that is renamed at the end.
+///
+/// # Errors
+/// A file that cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    let fault = |e: std::io::Error| {
-        WriteError::FileRefuses {
-            fault: e.to_string(),
-        }
-        .file(path)
-    };
-    let mut beside = path.as_os_str().to_owned();
+    through_neighbour(path, "", bytes, |_| Ok(()))
+}
+
+/// The same through a hidden neighbour that is on the disk before it has its name: for folders that others read
+/// meanwhile.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
+    through_neighbour(path, ".", bytes, fs::File::sync_all)
+}
+
+fn through_neighbour(
+    path: &Path,
+    prefix: &str,
+    bytes: &[u8],
+    settle: impl FnOnce(&fs::File) -> std::io::Result<()>,
+) -> Result<()> {
     // Processes of several machines may share a folder, and have the same number.
     let random = RandomState::new().build_hasher().finish();
-    beside.push(format!(".{}.{random:x}.partial", std::process::id()));
-    let beside = PathBuf::from(beside);
+    let mut name = OsString::from(prefix);
+    name.push(path.file_name().unwrap_or_default());
+    name.push(format!(".{}.{random:x}.partial", std::process::id()));
+    let beside = path.with_file_name(name);
     let written = fs::File::create(&beside)
-        .and_then(|mut f| f.write_all(bytes))
+        .and_then(|mut f| f.write_all(bytes).and_then(|()| settle(&f)))
         .and_then(|()| fs::rename(&beside, path));
     written.map_err(|e| {
         let _ = fs::remove_file(&beside);
-        fault(e)
+        let fault = e.to_string();
+        WriteError::FileRefuses { fault }.file(path)
     })
 }

@@ -196,19 +196,24 @@ impl Question {
         };
         // A scene that leaves its recording to the sweep is whole with any of them.
         for scene in &mut self.scenes {
-            let input = &mut scene.input;
-            let file = toml::Value::from(first.as_str());
-            scene::set_value(&mut input.table, "gait.file", file).raise(py)?;
-            *input = Input::new(
-                input.table.clone(),
-                input.folder.clone(),
-                input.file.clone(),
-            )
-            .raise(py)?;
+            let Input {
+                mut table,
+                folder,
+                file,
+                ..
+            } = scene.input.clone();
+            let recording = toml::Value::from(first.as_str());
+            scene::set_value(&mut table, "gait.file", recording).raise(py)?;
+            *scene = Scene::of_table(py, table, folder, file)?;
         }
         self.vary
             .insert(0, Asked::Listed(("gait.file".to_string(), names)));
         Ok(())
+    }
+
+    /// Refuses scenes that leave the force open.
+    pub fn check_scenes(&self, py: Python<'_>) -> PyResult<()> {
+        self.scenes.iter().try_for_each(|s| s.whole(py).map(|_| ()))
     }
 
     /// Adds tolerances.

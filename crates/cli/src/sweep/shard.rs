@@ -48,7 +48,6 @@ mod with_parquet {
     use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
     use gaitcam_files::read::read_bytes;
     use gaitcam_files::target::find;
-    use gaitcam_output::folder::write_whole;
     use gaitcam_output::parquet::file;
 
     /// Computes the blocks of the share that the folder lacks.
@@ -75,7 +74,7 @@ mod with_parquet {
         let total = missing.iter().map(|r| r.end - r.start).sum();
         let bar = work::progress(words::text("sweep-designs"), total, 0);
         for block in missing {
-            let path = blocks.path(&block);
+            let rows = block.clone();
             let stopped = || stop.load(Ordering::Relaxed);
             let Some(records) = study.run(block, jobs, &halts, stopped)? else {
                 bar.finish_and_clear();
@@ -83,7 +82,7 @@ mod with_parquet {
                 terminal::report(words::fill("sweep-stopped", &done));
                 return Ok(INTERRUPTED);
             };
-            write_whole(&path, &file(&records, &metadata)?)?;
+            blocks.put(&rows, &file(&records, &metadata)?)?;
             bar.inc(records.len() as u64);
         }
         bar.finish_and_clear();
