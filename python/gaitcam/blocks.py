@@ -2,6 +2,7 @@
 
 import os
 import uuid
+from importlib import import_module
 from os import PathLike
 from typing import Any
 
@@ -13,15 +14,14 @@ BLOCK_ROWS = 131_072
 
 def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     """Computes a block of ``plan`` on one core and puts it at ``file`` whole; returns its number of rows."""
-    import pyarrow
-    import pyarrow.parquet
-
-    table: Any = pyarrow.table(plan.run(start, stop, jobs=1))
+    pyarrow: Any = import_module("pyarrow")
+    parquet: Any = import_module("pyarrow.parquet")
+    table = pyarrow.table(plan.run(start, stop, jobs=1))
     folder, name = os.path.split(os.fspath(file))
     beside = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder
     try:
         with open(beside, "xb") as sink:
-            pyarrow.parquet.write_table(table, sink, compression="snappy")
+            parquet.write_table(table, sink, compression="snappy")
             sink.flush()
             os.fsync(sink.fileno())
         os.replace(beside, file)

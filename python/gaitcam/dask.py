@@ -1,5 +1,6 @@
 """Sweeps on dask.distributed: ``pip install 'gaitcam[dask]'``."""
 
+from importlib import import_module
 from os import PathLike
 from typing import Any
 
@@ -19,8 +20,7 @@ def sweep(
     ``path`` is a folder that every worker sees; ``client`` a ``distributed.Client``, by default the current one. A task
     whose worker dies is computed again elsewhere; a driver that is started again does only what is missing.
     """
-    import distributed
-
+    distributed: Any = import_module("distributed")
     client = client or distributed.Client.current()
     missing = plan.begin(path, block_rows)
     shared = client.scatter(plan, broadcast=True, hash=False)  # once to each worker, recordings included

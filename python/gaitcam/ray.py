@@ -1,5 +1,6 @@
 """Sweeps on Ray Data: ``pip install 'gaitcam[ray]'``."""
 
+from importlib import import_module
 from os import PathLike
 from typing import Any
 
@@ -12,15 +13,14 @@ def sweep(plan: Sweep, path: str | PathLike[str], *, block_rows: int = blocks.BL
     ``path`` is a folder that every node sees. A task that dies with its node is computed again elsewhere; a driver that
     is started again does only what is missing. ``options`` go to ``map_batches``.
     """
-    import ray
-
+    ray: Any = import_module("ray")
     missing = plan.begin(path, block_rows)
+    if not missing:
+        return 0
     shared = ray.put(plan)  # once to each node, recordings included
 
     def compute(batch: dict[str, Any]) -> dict[str, list[int]]:
         return {"rows": [blocks.write(ray.get(shared), *missing[i]) for i in batch["id"]]}
 
-    if not missing:
-        return 0
-    numbers = ray.data.range(len(missing), override_num_blocks=len(missing))
+    numbers = import_module("ray.data").range(len(missing), override_num_blocks=len(missing))
     return int(numbers.map_batches(compute, batch_size=1, **options).sum("rows"))

@@ -131,7 +131,10 @@ impl Sweep {
             let all = Arc::clone(&interrupt);
             Halt::when(move || row.is_asked() || all.is_raised())
         };
-        let found = py.detach(|| self.study.run(rows, jobs, &halts, || interrupt.is_raised()));
+        let found = py.detach(|| {
+            self.study
+                .run(rows, jobs, &halts, &|| interrupt.is_raised())
+        });
         interrupt.result()?;
         let records = found.raise(py)?.unwrap_or_default();
         Ok(Table::new(records, self.study.metadata()))

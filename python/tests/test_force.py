@@ -119,6 +119,11 @@ def test_options_of_a_recording_are_keys_of_the_scene(tmp_path):
         gaitcam.read_gait(tmp_path / "none.csv")
 
 
+def test_scenes_that_come_with_the_package_find_their_recordings_anywhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert gaitcam.synth(gaitcam.Scene.builtin("heel_tester")).verdict == "acceptable"
+
+
 def test_a_whole_recording_may_come_from_arrays():
     # Six steps of half a second on two plates that overlap for a tenth of one.
     rate, step, stance = 1000, 0.55, 0.65

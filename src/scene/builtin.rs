@@ -1,5 +1,7 @@
 //! Scenes that come with the program.
 
+use std::path::Path;
+
 use crate::error::{Error, Result, SceneError, nearest};
 
 /// A scene that comes with the program.
@@ -50,6 +52,18 @@ pub const SCENES: [BuiltIn; 24] = scenes![
 
 /// The default scene: a walker of 700 N on a footbridge at 1.85 steps a second.
 pub const DEFAULT: &str = SCENES[0].toml;
+
+/// The files that built-in scenes name, under the paths that they name.
+const FILES: [(&str, &[u8]); 1] = [(
+    "../data/gait_curves/heel_tester_critical_points.csv",
+    include_bytes!("../../data/gait_curves/heel_tester_critical_points.csv"),
+)];
+
+/// The content of a file that a built-in scene names, by the path that it names.
+pub fn built_in_file(path: &Path) -> Option<&'static [u8]> {
+    let found = FILES.iter().find(|f| Path::new(f.0) == path);
+    found.map(|f| f.1)
+}
 
 /// The built-in scene of a name.
 ///

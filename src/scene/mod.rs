@@ -19,7 +19,7 @@ mod set;
 mod write;
 
 pub use crate::cam::LimitKind;
-pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in};
+pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
 pub use cam::{CamSpec, ConjugateSpec};
 pub use drive::DriveSpec;
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};

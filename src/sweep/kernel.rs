@@ -96,6 +96,11 @@ impl<'a> Kernel<'a> {
 
     /// Answers every row; a scene at fault is a row with its error.
     pub fn run(&self, batch: &Batch) -> Results {
+        self.run_until(batch, &|| false).unwrap_or_default()
+    }
+
+    /// The same, given up between two rows once `stop` says so.
+    pub fn run_until(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Results> {
         let mut results = Results::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
         let mut known: HashMap<(u32, Vec<&str>), usize> = HashMap::new();
@@ -109,6 +114,9 @@ impl<'a> Kernel<'a> {
             .collect();
         let mut previous: Option<(usize, usize)> = None;
         for row in 0..batch.len() {
+            if stop() {
+                return None;
+            }
             let start = (self.clock)();
             let same = previous.filter(|&(other, _)| {
                 batch.scene[other] == batch.scene[row]
@@ -131,7 +139,7 @@ impl<'a> Kernel<'a> {
             answer.time_s = (self.clock)() - start;
             results.push(answer);
         }
-        results
+        Some(results)
     }
 
     fn base(&self, batch: &Batch, row: usize) -> Base {

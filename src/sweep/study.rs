@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -233,22 +233,23 @@ pub enum Worker<'a> {
 }
 
 impl Worker<'_> {
-    /// The rows of a range.
-    pub fn run(&self, rows: Range<u64>) -> Records {
+    /// The rows of a range; `None` where `stop` said so before all were there.
+    pub fn run(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
         let count = (rows.end - rows.start) as usize;
         match self {
             Worker::Designs(plan, names, kernel) => {
                 let batch = plan.batch(rows.start, count);
-                let results = kernel.run(&batch);
-                Records::of(
+                let results = kernel.run_until(&batch, stop)?;
+                let names = names.as_deref();
+                Some(Records::of(
                     rows.start,
                     kernel.keys(),
                     &batch,
                     &results,
-                    names.as_deref(),
-                )
+                    names,
+                ))
             }
-            Worker::Scatter(samples) => samples.records(rows),
+            Worker::Scatter(samples) => (!stop()).then(|| samples.records(rows)),
         }
     }
 }
@@ -281,9 +282,9 @@ fn checksum(bytes: &[u8]) -> u64 {
     })
 }
 
-/// Rows of one block of work at most: bounds the memory and the time between two looks at `stop`.
+/// Rows of one part of the work at most: bounds the memory.
 const LARGEST_PART: u64 = 4096;
-/// Blocks per thread: enough that no thread waits long for another.
+/// Parts per thread: enough that no thread waits long for another.
 const PARTS_PER_THREAD: u64 = 16;
 /// Time between two looks at `stop` while threads work.
 const LOOK: Duration = Duration::from_millis(20);
@@ -299,56 +300,84 @@ impl Study {
         rows: Range<u64>,
         jobs: usize,
         halts: Halts,
-        mut stop: impl FnMut() -> bool,
+        stop: &dyn Fn() -> bool,
     ) -> Result<Option<Records>> {
         let targets = self.targets();
         let worker = self.worker(&targets, halts)?;
-        let count = rows.end - rows.start;
-        let part = (count / (PARTS_PER_THREAD * jobs as u64)).clamp(1, LARGEST_PART);
-        let parts = count.div_ceil(part);
-        let range = |k: u64| rows.start + k * part..(rows.start + (k + 1) * part).min(rows.end);
-        if parts == 0 {
-            return Ok(Some(worker.run(rows)));
+        let parts = Parts::new(rows.clone(), jobs);
+        if parts.count == 0 {
+            // The columns alone.
+            return Ok(worker.run(rows, stop));
         }
-        if jobs <= 1 {
-            let mut all = Records::default();
-            for k in 0..parts {
-                all.append(worker.run(range(k)));
-                if stop() {
-                    return Ok(None);
-                }
-            }
-            return Ok(Some(all));
-        }
-        let next = AtomicU64::new(0);
-        let (send, receive) = channel();
-        let mut done: Vec<Option<Records>> = (0..parts).map(|_| None).collect();
-        std::thread::scope(|scope| {
-            for _ in 0..jobs.min(parts as usize) {
-                let (send, next, worker) = (send.clone(), &next, &worker);
-                scope.spawn(move || {
-                    loop {
-                        let k = next.fetch_add(1, Ordering::Relaxed);
-                        // Nobody listens once the work is stopped.
-                        if k >= parts || send.send((k, worker.run(range(k)))).is_err() {
-                            return;
-                        }
-                    }
-                });
-            }
-            drop(send);
-            loop {
-                match receive.recv_timeout(LOOK) {
-                    Ok((k, records)) => done[k as usize] = Some(records),
-                    Err(RecvTimeoutError::Timeout) => {}
-                    Err(RecvTimeoutError::Disconnected) => return,
-                }
-                if stop() {
-                    next.store(parts, Ordering::Relaxed);
-                }
-            }
-        });
-        let all: Option<Vec<Records>> = done.into_iter().collect();
-        Ok(all.map(Records::joined))
+        let done = if jobs <= 1 {
+            let each = (0..parts.count).map(|k| worker.run(parts.rows(k), stop));
+            each.collect::<Option<Vec<Records>>>()
+        } else {
+            over_threads(&worker, &parts, jobs, stop)
+        };
+        Ok(done.map(Records::joined))
     }
+}
+
+/// Ranges into which work is cut.
+struct Parts {
+    all: Range<u64>,
+    size: u64,
+    count: u64,
+}
+
+impl Parts {
+    fn new(all: Range<u64>, jobs: usize) -> Parts {
+        let rows = all.end - all.start;
+        let size = (rows / (PARTS_PER_THREAD * jobs.max(1) as u64)).clamp(1, LARGEST_PART);
+        let count = rows.div_ceil(size);
+        Parts { all, size, count }
+    }
+
+    fn rows(&self, k: u64) -> Range<u64> {
+        let start = self.all.start + k * self.size;
+        start..(start + self.size).min(self.all.end)
+    }
+}
+
+/// All parts in order; `None` where `stop` ended the work.
+fn over_threads(
+    worker: &Worker,
+    parts: &Parts,
+    jobs: usize,
+    stop: &dyn Fn() -> bool,
+) -> Option<Vec<Records>> {
+    let (next, ended) = (AtomicU64::new(0), AtomicBool::new(false));
+    let (send, receive) = channel();
+    let mut done: Vec<Option<Records>> = (0..parts.count).map(|_| None).collect();
+    std::thread::scope(|scope| {
+        for _ in 0..(jobs as u64).min(parts.count) {
+            let (send, next, ended) = (send.clone(), &next, &ended);
+            scope.spawn(move || {
+                let is_ended = || ended.load(Ordering::Relaxed);
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    let rows = (k < parts.count).then(|| worker.run(parts.rows(k), &is_ended));
+                    let Some(records) = rows.flatten() else {
+                        return;
+                    };
+                    if send.send((k, records)).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(send);
+        loop {
+            match receive.recv_timeout(LOOK) {
+                Ok((k, records)) => done[k as usize] = Some(records),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return,
+            }
+            if stop() {
+                ended.store(true, Ordering::Relaxed);
+            }
+        }
+    });
+    done.into_iter().collect()
 }

@@ -64,8 +64,10 @@ impl Input {
     /// The recording that the scene names, if it names one.
     pub fn recording(&self) -> Option<PathBuf> {
         match &self.scene.gait.as_ref()?.source {
-            Source::File(path) => Some(target::find(&self.folder, path)),
-            Source::Model(_) => None,
+            Source::File(path) if !path.as_os_str().is_empty() => {
+                Some(target::find(&self.folder, path))
+            }
+            Source::File(_) | Source::Model(_) => None,
         }
     }
 

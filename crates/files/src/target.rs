@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::read::read_bytes;
 use gaitcam::error::{Place, Result};
 use gaitcam::force::{self, ForceCurve};
-use gaitcam::scene::{Scene, Source};
+use gaitcam::scene::{self, Scene, Source};
 
 /// The force curve that a scene names, if it names one; its paths are relative to `folder` first.
 ///
@@ -24,11 +24,23 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
                 .map_err(|e| e.at(Place::Key("gait.model".to_string())))
         }
         Source::File(path) => {
+            let bytes = content(folder, path)?;
             let path = find(folder, path);
-            let bytes = read_bytes(&path)?;
             let options = gait.read_options(metadata(&path))?;
             force::force_curve(&path, &bytes, &options, gait.feet).map(Some)
         }
+    }
+}
+
+/// The content of a file that a scene names: one on the disk first, then one that came with the program.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn content(folder: &Path, path: &Path) -> Result<Vec<u8>> {
+    let place = find(folder, path);
+    match scene::built_in_file(path).filter(|_| !place.exists()) {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => read_bytes(&place),
     }
 }
 

@@ -9,7 +9,7 @@ use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
 };
-use gaitcam_files::{Input, read, target};
+use gaitcam_files::{Input, target};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyBytes, PyDict, PyFloat, PyInt, PyString};
@@ -238,7 +238,7 @@ impl Question {
         Study::new(subject, |index, path| {
             let scene = self.scenes.get(index);
             let folder = scene.map_or(Path::new("."), |s| &s.input.folder);
-            read::read_bytes(&target::find(folder, path))
+            target::content(folder, path)
         })
     }
 

@@ -46,8 +46,7 @@ mod with_parquet {
     use gaitcam::error::Result;
     use gaitcam::sweep::{Plan, Study, Subject};
     use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
-    use gaitcam_files::read::read_bytes;
-    use gaitcam_files::target::find;
+    use gaitcam_files::target::content;
     use gaitcam_output::parquet::file;
 
     /// Computes the blocks of the share that the folder lacks.
@@ -62,7 +61,7 @@ mod with_parquet {
         let subject = Subject::Designs(named_by_scene(sweep.plan));
         let study = Study::new(subject, |index, path| {
             let folder = folders.get(index).map_or(".".as_ref(), |f| f.as_path());
-            read_bytes(&find(folder, path))
+            content(folder, path)
         })?;
         let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
         let blocks = Blocks::open(&args.out, &study, rows, language::current())?;
@@ -76,7 +75,7 @@ mod with_parquet {
         for block in missing {
             let rows = block.clone();
             let stopped = || stop.load(Ordering::Relaxed);
-            let Some(records) = study.run(block, jobs, &halts, stopped)? else {
+            let Some(records) = study.run(block, jobs, &halts, &stopped)? else {
                 bar.finish_and_clear();
                 let done = json!({"done": bar.position().to_string(), "rows": total.to_string()});
                 terminal::report(words::fill("sweep-stopped", &done));
