@@ -80,6 +80,8 @@ pub struct Problem {
     pub spans: SpanMemo,
     /// When searches are to end.
     pub halt: Halt,
+    /// Only a design that passes is of use: what cannot reach the accuracy need not be finished.
+    pub only_passing: bool,
     weights: Vec<PhaseWeight>,
     given: Given,
 }
@@ -153,6 +155,7 @@ impl Problem {
             open_doubts: open_doubts(gait, force.as_ref()),
             spans: SpanMemo::default(),
             halt: Halt::never(),
+            only_passing: false,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             given: Given {
                 force,
@@ -196,6 +199,7 @@ impl Problem {
             limits: Limits::default(),
             band: None,
             halt: Halt::never(),
+            only_passing: false,
             ..self.clone()
         }
     }

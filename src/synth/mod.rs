@@ -30,7 +30,8 @@
 //! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
 //! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
 //! of its size. From 250 spans on the coefficients of s, v, a and j are unknowns of their own, tied by
-//! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), and Clarabel takes the active set's place: cost linear in the spans, digits kept.
+//! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), and where rows are many, or the active set's own proof fails, Clarabel takes its place: cost
+//! linear in the spans, digits kept.
 //!
 //! **SOCP.** Prime radius R, height D and offset e join x (theory §6):
 //!

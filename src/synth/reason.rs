@@ -129,9 +129,9 @@ pub enum Reason {
     FarRelaxations { changes: Vec<Change> },
     /// Only all limits together help, by this share.
     AllTogether { share: Quantity },
-    /// Limits that cannot hold even alone; these values are enough, the other limits as they are.
+    /// Values that are enough together, where limits cannot hold even alone.
     FarTogether { changes: Vec<Change> },
-    /// The same where the other limits do not hold beside these values either.
+    /// Limits that cannot hold even alone, with what they would need, where the other limits do not hold beside that.
     OutOfReach { changes: Vec<Change> },
     /// The design fails without any limit too; what it fails by follows.
     NotTheLimits,

@@ -106,7 +106,8 @@ pub fn refine(
             let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
             let mut part = 1.0;
             let shortened = loop {
-                let trial = blend(&current, &target, part, program);
+                let mut trial = blend(&current, &target, part, program);
+                (trial.iterations, trial.rounds) = (target.iterations, target.rounds);
                 let room = clearance(&program.basis.law(&trial.x), &sized(&trial.extra));
                 if room >= ROOM && gained(&trial) > least {
                     taken = part;
@@ -125,8 +126,8 @@ pub fn refine(
         };
         let gain = merit(&current) - merit(&trial);
         let old = merit(&current);
-        trial.iterations = current.iterations + trial.iterations.max(target.iterations);
-        trial.rounds = current.rounds + trial.rounds.max(target.rounds);
+        trial.iterations += current.iterations;
+        trial.rounds += current.rounds;
         current = trial;
         let there = sized(&current.extra).size();
         steps.push(Step {

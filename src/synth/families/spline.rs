@@ -28,6 +28,9 @@ const GROWTH: f64 = 1.5;
 /// … by at least this part.
 const WORTHWHILE: f64 = 0.02;
 
+/// A lower bound of the error beyond what is allowed by this part of it is no rounding.
+const SURELY: f64 = 1e-6;
+
 /// A law of the family, as solved.
 struct Fitted {
     /// The optimum of what is convex, or what the sequence made of it.
@@ -165,6 +168,9 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
         Ok(touched) => touched,
         Err(refused) => return Err(stuck(refused.program, refused.failure, None)),
     };
+    if misses_surely(problem, &touched) {
+        return Err(stuck(touched.program, Failure::Infeasible, None));
+    }
     let mut fitted = Fitted {
         touched,
         least: f64::NEG_INFINITY,
@@ -183,6 +189,17 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
             Err(stuck(fitted.touched.program, failure, Some(limits)))
         }
     }
+}
+
+/// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use.
+fn misses_surely(problem: &Problem, touched: &Touched) -> bool {
+    // More spans may reach it, where their number is open.
+    let judged = problem.only_passing && problem.law.spans.is_some();
+    if !judged || problem.objective() != Minimise::ForceError || problem.is_weighed() {
+        return false;
+    }
+    let least = (2.0 * touched.least()).max(0.0).sqrt();
+    (problem.allowed_error()).is_some_and(|allowed| least > (1.0 + SURELY) * allowed)
 }
 
 /// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.

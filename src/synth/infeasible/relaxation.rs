@@ -7,13 +7,14 @@
 
 use super::reasons::{changes, smallest_relaxations};
 use super::relaxable::{Relaxable, relaxables};
-use crate::cam::Verdict;
+use crate::cam::{Criterion, Verdict};
 use crate::force::ForceCurve;
 use crate::halt::Halt;
 use crate::problem::{Note, Problem};
-use crate::scene::Scene;
+use crate::scene::{Family, Scene};
 use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
+use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
 /// The value is found to this part of it; costly designs to `COARSE`.
@@ -84,13 +85,14 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             .iter()
             .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
-        if let Some(to) = search.smallest(number, from, hint) {
+        let own = search.own_accuracy(number, &design);
+        if let Some(to) = own.or_else(|| search.smallest(number, from, hint)) {
             found.push(told(number, from, to));
         }
     }
     let measures = problem.cam.measures();
     let (cures, together) = if found.is_empty() && !problem.halt.is_asked() {
-        search.several(&numbers)
+        search.several(&numbers, &design.reasons)
     } else {
         let far = found.iter().all(|r| search.is_far(r)) && !found.is_empty();
         let cure = if far {
@@ -153,7 +155,8 @@ fn told(number: Relaxable, from: f64, to: f64) -> Relaxation {
 }
 
 /// The whole design, where it passes.
-fn passing(problem: Problem) -> Option<Design> {
+fn passing(mut problem: Problem) -> Option<Design> {
+    problem.only_passing = true;
     let design = crate::synth::built(problem).ok()?;
     passes(&design).then_some(design)
 }
@@ -232,6 +235,22 @@ impl Search<'_> {
             .find(|&to| self.tried(number, to).is_some())
     }
 
+    /// The accuracy that a design has which misses nothing else. With spans given it has no other: what is asked of
+    /// the accuracy does not enter its law.
+    fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<f64> {
+        let law = &self.problem.law;
+        let given = law.spans.is_some() && law.family == Family::Spline;
+        if !number.is_accuracy() || !given || design.infeasible.is_some() {
+            return None;
+        }
+        let to = number.rounded(design.force.rms_error_n / self.force_mean());
+        let eased = number.with(self.problem, to);
+        let mut checks = design.checks.clone();
+        checks.retain(|c| c.name != Criterion::RmsError);
+        let (verdict, _) = verdict(&eased, &design.cam, &checks, &design.force);
+        (verdict != Verdict::Unacceptable).then_some(to)
+    }
+
     fn force_mean(&self) -> f64 {
         let mean = self.problem.target_mean();
         if mean > 0.0 {
@@ -254,8 +273,12 @@ impl Search<'_> {
         if other > 0.0 { 0.0 } else { self.force }
     }
 
-    /// What helps where no change of a single number does, with the values.
-    fn several(&self, numbers: &[(Relaxable, f64)]) -> (Vec<Reason>, Vec<Relaxation>) {
+    /// What helps where no change of a single number does, beside the reasons known, with the values.
+    fn several(
+        &self,
+        numbers: &[(Relaxable, f64)],
+        known: &[Reason],
+    ) -> (Vec<Reason>, Vec<Relaxation>) {
         if let Some((share, all)) = self.together(numbers) {
             let share = Quantity::share(share);
             return (vec![Reason::AllTogether { share }], all);
@@ -268,7 +291,7 @@ impl Search<'_> {
         match crate::synth::designed(without) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
-                reasons.extend(design.reasons);
+                reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
                 return (reasons, Vec::new());
             }
             Ok(_) => {}
@@ -294,15 +317,36 @@ impl Search<'_> {
         if hopeless.is_empty() {
             return (vec![Reason::NoRelaxation], Vec::new());
         }
-        let told: Vec<Relaxation> = (hopeless.iter())
+        let out_of_reach: Vec<Relaxation> = (hopeless.iter())
             .map(|&(number, from, to)| told(number, from, to))
             .collect();
-        let values: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
-        let list = changes(&told, measures);
-        if passing(changed(self.problem, &values)).is_some() {
-            (vec![Reason::FarTogether { changes: list }], told)
-        } else {
-            (vec![Reason::OutOfReach { changes: list }], Vec::new())
+        // Each at its own edge they may stand in each other's way, or in that of the other limits.
+        let alone: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
+        let reached = changed(self.problem, &alone);
+        let search = Search {
+            problem: &reached,
+            ..*self
+        };
+        let all: Vec<(Relaxable, f64)> = (numbers.iter())
+            .map(|&(number, from)| {
+                let value = alone.iter().find(|a| a.0 == number).map_or(from, |a| a.1);
+                (number, value)
+            })
+            .collect();
+        let eased = search.together(&alone).or_else(|| search.together(&all));
+        match eased {
+            Some((_, mut values)) => {
+                for value in &mut values {
+                    let own = numbers.iter().find(|n| n.0.criterion() == value.limit);
+                    value.from = own.map_or(value.from, |n| n.1);
+                }
+                let changes = changes(&values, measures);
+                (vec![Reason::FarTogether { changes }], values)
+            }
+            None => {
+                let changes = changes(&out_of_reach, measures);
+                (vec![Reason::OutOfReach { changes }], Vec::new())
+            }
         }
     }
 

@@ -2,6 +2,7 @@
 //! solve again, until no limit is broken on the whole turn.
 
 use super::basis::apply;
+use super::certificate::certificate;
 use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution, Stop};
 use super::{active_set, equality};
 use crate::poly::Peak;
@@ -32,7 +33,10 @@ impl Program {
             return Ok(solution);
         }
         if self.lifted.is_some() {
-            return self.solve_by_interior_point();
+            return match self.solve_by_few_rows(&unlimited) {
+                Some(solution) => Ok(solution),
+                None => self.solve_by_interior_point(),
+            };
         }
         match active_set::solve(self, &unlimited) {
             // Two crests that share a row can end a hair above a limit: once more with that hair kept free.
@@ -50,6 +54,17 @@ impl Program {
             Ok(solution) => Ok(solution),
             Err(rows) => self.exchange(rows),
         }
+    }
+
+    /// Many spans with few active rows: the active set, as far as its digits go. Its own proof decides.
+    fn solve_by_few_rows(&self, unlimited: &equality::Unlimited) -> Option<Solution> {
+        let mut few = self.clone();
+        few.settings.active_set.rows = self.settings.active_set.few_rows;
+        let solution = active_set::solve(&few, unlimited).ok()?;
+        let proof = certificate(self, &solution);
+        let kept = solution.violation <= self.settings.tolerance;
+        let proved = proof.relative_gap.max(proof.stationarity) <= self.settings.active_set.proved;
+        (kept && proved).then_some(solution)
     }
 
     /// The same program with this part of every limit's size kept free, where room can be kept.

@@ -46,6 +46,10 @@ pub struct ActiveSetSettings {
     pub steps_per_unknown: usize,
     /// More rows than this at the start are cheaper without a dense basis.
     pub rows: usize,
+    /// … and than this where the spans are many.
+    pub few_rows: usize,
+    /// Gap and stationarity with which its law stands there; otherwise the interior-point method is asked.
+    pub proved: f64,
     /// A row counts as violated beyond this part of its limit's size; far below the rounds' own tolerance.
     pub resolved: f64,
     /// When progress ends, a law that violates limits by less than this is as good as numbers allow.
@@ -151,6 +155,8 @@ impl Default for Settings {
                 rounds: 60,
                 steps_per_unknown: 60,
                 rows: 400,
+                few_rows: 80,
+                proved: 1e-7,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,
                 dependent: 1e-13,

@@ -8,10 +8,10 @@ reason-relaxation = Smallest sufficient change: { $changes }.
 reason-relaxations = Smallest sufficient changes, any one of them: { $changes }.
 reason-no-relaxation = Relaxing a single one of these limits is not sufficient.
 reason-all-together = Relaxing a single one of these limits is not sufficient; relaxing all of them by { $share } is.
-reason-far-relaxations = No small change is sufficient; any one of these large ones is: { $changes }.
-reason-far-together = No small change is sufficient. Even alone, out of reach of any law: { $changes }. These changes together are sufficient.
+reason-far-relaxations = Only a large change of one value is sufficient: { $changes }.
+reason-far-together = No small change is sufficient; these together are: { $changes }.
 reason-out-of-reach = No small change is sufficient. Even alone, out of reach of any law: { $changes }. The other limits do not hold beside these values either.
-reason-not-the-limits = No change of limits or sizes is sufficient: speed, mass, spring, preload or the demands on the law have to change. Without any limit:
+reason-not-the-limits = No change of limits or sizes is sufficient: the design fails without them too. Speed, mass, spring, preload or the conditions on the law have to change.
 reason-change = { $key } { $to } instead of { $from }
 
 # Demands on the law in a conflict.

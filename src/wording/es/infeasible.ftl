@@ -8,10 +8,10 @@ reason-relaxation = Menor cambio suficiente: { $changes }.
 reason-relaxations = Menores cambios suficientes, basta uno de ellos: { $changes }.
 reason-no-relaxation = No basta con ampliar uno solo de estos límites.
 reason-all-together = No basta con ampliar uno solo de estos límites; basta con ampliarlos todos un { $share }.
-reason-far-relaxations = Ningún cambio pequeño basta; basta uno de estos grandes: { $changes }.
-reason-far-together = Ningún cambio pequeño basta. Fuera del alcance de cualquier ley, incluso por separado: { $changes }. Bastan estos cambios juntos.
+reason-far-relaxations = Solo basta un cambio grande de un valor: { $changes }.
+reason-far-together = Ningún cambio pequeño basta; bastan estos juntos: { $changes }.
 reason-out-of-reach = Ningún cambio pequeño basta. Fuera del alcance de cualquier ley, incluso por separado: { $changes }. Los demás límites tampoco se cumplen junto a estos valores.
-reason-not-the-limits = Ningún cambio de límites o tamaños basta: deben cambiar la velocidad, la masa, el muelle, la precarga o las condiciones de la ley. Sin ningún límite:
+reason-not-the-limits = Ningún cambio de límites o tamaños basta: el diseño tampoco es válido sin ellos. Deben cambiar la velocidad, la masa, el muelle, la precarga o las condiciones de la ley.
 reason-change = { $key } { $to } en lugar de { $from }
 
 # Condiciones de la ley en un conflicto.

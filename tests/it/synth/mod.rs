@@ -11,6 +11,7 @@ mod power;
 mod problem;
 mod random;
 mod relaxations;
+mod scale;
 mod targets;
 mod verdict;
 mod verdict_grid;
