@@ -3,11 +3,13 @@
 //! Peak factors (theory §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
 //! Cj·h/β³; Ct = max|a·v| scales the inertia torque.
 
+mod formula;
 mod shapes;
 mod user;
 
 use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
 use crate::error::{Error, LawError, Result, nearest};
+use crate::wording::{self, Language};
 use std::f64::consts::PI;
 
 /// A motion from one lift to another.
@@ -129,6 +131,11 @@ impl End {
             (true, false) => "constant velocity",
             (true, true) => "nothing but a general polynomial",
         }
+    }
+
+    /// The same in the words of a language.
+    pub fn joins_in(&self, language: Language) -> String {
+        wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
     }
 }
 

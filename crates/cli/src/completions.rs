@@ -1,6 +1,6 @@
 //! `gaitcam completions SHELL`: the completion script of a shell.
 
-use clap::{Args, CommandFactory};
+use clap::Args;
 use clap_complete::Shell;
 
 use crate::exit_code::BUILT;
@@ -18,7 +18,7 @@ pub fn run(args: &CompletionsArgs) -> Result<u8> {
     let mut script = Vec::new();
     clap_complete::generate(
         args.shell,
-        &mut crate::Cli::command(),
+        &mut crate::help::command(crate::language::current()),
         "gaitcam",
         &mut script,
     );

@@ -53,6 +53,19 @@ pub enum CliError {
     CannotRepair { fault: String },
     Busy,
     WriterFailed,
+    FileIsThere,
+    UnknownFlag { near: Option<String> },
+    OneTooMany,
+    UnknownVerb { typed: String, near: Option<String> },
+    FlagWithoutValue,
+    FlagChoice { typed: String, choices: String },
+    FlagValue { typed: String, fault: String },
+    FlagWhole { typed: String },
+    FlagRange { typed: String, range: String },
+    MissingArguments { missing: String },
+    FlagConflict { other: String },
+    FlagCount,
+    Arguments { fault: String },
 }
 
 /// Why a scene's name cannot name a folder.

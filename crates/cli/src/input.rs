@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use toml::Table;
 
 use crate::error::{CliError, NameFault};
 use gaitcam::error::{Error, Place, Result};
@@ -25,8 +26,17 @@ pub struct SceneArgs {
 
 /// Reads the scene (or the built-in one) and applies the changes.
 pub fn scene(args: &SceneArgs) -> Result<Input> {
+    let (mut table, folder, file) = written(args)?;
+    for change in &args.set {
+        scene::set(&mut table, change).map_err(at_flag("--set"))?;
+    }
+    Input::new(table, folder, file)
+}
+
+/// The table of a scene as it is written, the folder that its paths are relative to, and its file.
+pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
     let here = || PathBuf::from(".");
-    let (mut table, folder, file) = match &args.scene {
+    Ok(match &args.scene {
         None => (parse(scene::DEFAULT, None)?, here(), None),
         Some(path) if path == Path::new("-") => {
             (parse(&read_standard_input()?, None)?, here(), None)
@@ -35,11 +45,7 @@ pub fn scene(args: &SceneArgs) -> Result<Input> {
             Some(text) => (parse(text, Some(path))?, here(), Some(path.clone())),
             None => (table(path)?, folder_of(path), Some(path.clone())),
         },
-    };
-    for change in &args.set {
-        scene::set(&mut table, change).map_err(at_flag("--set"))?;
-    }
-    Input::new(table, folder, file)
+    })
 }
 
 /// The built-in scene that a path names.

@@ -1,5 +1,6 @@
 //! The language of messages: `--lang`, else `LC_ALL`, else `LANG`, else English.
 
+use std::ffi::OsString;
 use std::sync::OnceLock;
 
 use gaitcam::wording::Language;
@@ -7,12 +8,23 @@ use gaitcam::wording::Language;
 /// Set once, when the arguments are known.
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
 
-/// Settles the language for the rest of the run.
-pub fn settle(flag: Option<&str>) {
-    let _ = LANGUAGE.set(
-        flag.and_then(Language::of_tag)
-            .unwrap_or_else(of_environment),
-    );
+/// Settles the language for the rest of the run, before the arguments are read: their help and faults are in it.
+pub fn settle(arguments: &[OsString]) {
+    let _ = LANGUAGE.set(of_arguments(arguments).unwrap_or_else(of_environment));
+}
+
+/// The value of `--lang`, in either form.
+fn of_arguments(arguments: &[OsString]) -> Option<Language> {
+    let mut words = arguments.iter().map(|a| a.to_string_lossy());
+    while let Some(word) = words.next() {
+        if word == "--lang" {
+            return Language::of_tag(&words.next()?);
+        }
+        if let Some(tag) = word.strip_prefix("--lang=") {
+            return Language::of_tag(tag);
+        }
+    }
+    None
 }
 
 /// The language of everything that is printed.

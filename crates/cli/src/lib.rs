@@ -7,14 +7,18 @@
 mod chart;
 mod compare;
 mod completions;
+mod doctor;
 mod error;
 pub mod exit_code;
 mod front;
 mod gait;
+mod help;
+mod init;
 mod input;
 mod keys;
 mod language;
 mod laws;
+mod manual;
 mod reproduce;
 mod searching;
 mod simulate;
@@ -22,11 +26,12 @@ mod studio;
 mod sweep;
 pub mod synth;
 mod terminal;
+mod usage;
 mod words;
 
 use std::ffi::OsString;
 
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
 
 use exit_code::{BAD_INPUT, BUILT, INTERNAL_ERROR};
 use gaitcam::error::{Error, Result};
@@ -37,9 +42,6 @@ use terminal::{final_exit_code, print_json, record_write_error, report};
 #[derive(Parser, Debug)]
 #[command(name = "gaitcam", version, about, max_term_width = 100)]
 struct Cli {
-    /// Language of messages and reports (default: LC_ALL, LANG, else English)
-    #[arg(long, global = true, value_name = "LANG", value_parser = ["en", "es"])]
-    lang: Option<String>,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -64,38 +66,42 @@ enum Command {
     Chart(chart::ChartArgs),
     /// Open the studio: a page in the browser on which the cam changes with every number
     Studio(studio::StudioArgs),
+    /// Write a commented scene for a machine
+    Init(init::InitArgs),
+    /// Explain what fails in a scene or a recording, and what cures it
+    Doctor(doctor::DoctorArgs),
     /// List the keys of a scene file: values, default and meaning
     Keys(keys::KeysArgs),
     /// List the scenes that come with the program, or print one
     Scenes(keys::ScenesArgs),
     /// List the catalogue of rise laws with their peak factors
     Laws(laws::LawsArgs),
+    /// Write the manual pages
+    Man(manual::ManArgs),
     /// Print the completion script of a shell
     Completions(completions::CompletionsArgs),
 }
 
 /// Runs the command with its arguments (the first is the program's name) and returns the exit code.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    language::settle(&arguments);
+    let parsed = help::command(language::current())
+        .try_get_matches_from(&arguments)
+        .and_then(|found| Cli::from_arg_matches(&found));
+    let cli = match parsed {
         Ok(cli) => cli,
-        Err(e) => {
-            // Help and version are answers, not errors.
-            let code = if e.use_stderr() { BAD_INPUT } else { BUILT };
+        // Help and version are answers, not errors.
+        Err(e) if !e.use_stderr() => {
             record_write_error(e.print());
-            return final_exit_code(code);
+            return final_exit_code(BUILT);
         }
+        Err(e) => return refused(&usage::fault(&e), arguments.iter().any(|a| a == "--json")),
     };
-    language::settle(cli.lang.as_deref());
     let json = cli.command.as_ref().is_some_and(Command::json);
     match std::panic::catch_unwind(|| dispatch(cli)) {
         Ok(Ok(code)) => final_exit_code(code),
-        Ok(Err(error)) => {
-            report(error.sentence(language::current()));
-            if json {
-                print_json(&error_json(&error));
-            }
-            final_exit_code(BAD_INPUT)
-        }
+        Ok(Err(error)) => refused(&error, json),
         Err(_) => {
             report(words::text("run-internal-error"));
             INTERNAL_ERROR
@@ -118,7 +124,19 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Scenes(args) => keys::scenes(&args),
         Command::Laws(args) => laws::run(&args),
         Command::Completions(args) => completions::run(&args),
+        Command::Init(args) => init::run(&args),
+        Command::Doctor(args) => doctor::run(&args),
+        Command::Man(args) => manual::run(&args),
     }
+}
+
+/// Says what is wrong, for programs too where they asked.
+fn refused(error: &Error, json: bool) -> u8 {
+    report(error.sentence(language::current()));
+    if json {
+        print_json(&error_json(error));
+    }
+    final_exit_code(BAD_INPUT)
 }
 
 /// An error for programs; the message is that of standard error.
@@ -149,6 +167,9 @@ impl Command {
             Command::Reproduce(_)
             | Command::Chart(_)
             | Command::Studio(_)
+            | Command::Init(_)
+            | Command::Doctor(_)
+            | Command::Man(_)
             | Command::Completions(_) => false,
         }
     }

@@ -26,6 +26,7 @@ pub use figures::{overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};
+pub use report::laws as laws_report;
 pub use report::sweep as sweep_report;
 
 /// Samples of a motion and its target, for drawings of another make.

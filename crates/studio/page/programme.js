@@ -123,7 +123,7 @@ function catalogue() {
     body.append(make("p", { class: "lead" }, t("studio-laws-lead")));
     const head = ["s", "v", "a", "j"].map((k) => make("th", { scope: "col" }, k));
     const factors = ["cv", "ca", "cj"].map((k) => make("th", { scope: "col", class: "n" }, `C${k[1]}`));
-    const rows = laws.map((law) => make("tr", {}, make("th", { scope: "row" }, law.name),
+    const rows = laws.map((law) => make("tr", {}, make("th", { scope: "row" }, law.name, make("small", { class: "formula" }, law.formula)),
       ...["s", "v", "a", "j"].map((k) => make("td", {}, small(law[k], k))),
       ...["cv", "ca", "cj"].map((k) => make("td", { class: "n" }, law[k] === null ? "∞" : number(law[k], 4))),
       make("td", {}, [...new Set(law.joins)].join(" → "))));

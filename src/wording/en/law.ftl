@@ -79,3 +79,9 @@ law-spline-points = spline { $spline }: { $points } control points are too few f
     .help = give at least { $least }
 law-spline-level = spline { $spline }: initial and final lift do not differ
     .help = the first and last control points must be finite and different
+
+# What may stand beside the end of a law.
+joins-dwell = dwell
+joins-return-of-equal-acceleration = return of equal acceleration
+joins-constant-velocity = constant velocity
+joins-nothing-but-a-general-polynomial = nothing but a general polynomial

@@ -79,3 +79,9 @@ law-spline-points = spline { $spline }: { $points } puntos de control son muy po
     .help = dé al menos { $least }
 law-spline-level = spline { $spline }: las elevaciones inicial y final no difieren
     .help = el primer y el último punto de control deben ser finitos y distintos
+
+# Lo que puede estar junto al extremo de una ley.
+joins-dwell = detenimiento
+joins-return-of-equal-acceleration = retorno de igual aceleración
+joins-constant-velocity = velocidad constante
+joins-nothing-but-a-general-polynomial = solo un polinomio general

@@ -205,3 +205,34 @@ fn lists_and_recordings_in_spanish_hold_no_english_word() {
     let out = folder.path().join("ciclo.csv").display().to_string();
     assert_spanish(&["gait", file.to_str().unwrap(), "--out", &out], 0);
 }
+
+#[test]
+fn help_in_spanish_holds_no_english_word() {
+    assert_spanish(&["--help"], 0);
+    for verb in [
+        "synth",
+        "gait",
+        "simulate",
+        "sweep",
+        "front",
+        "compare",
+        "studio",
+        "keys",
+        "scenes",
+        "laws",
+        "init",
+        "doctor",
+        "man",
+        "completions",
+        "reproduce",
+        "chart",
+    ] {
+        assert_spanish(&[verb, "--help"], 0);
+        let page = said(&[verb, "--help"], 0);
+        for word in ["Usage", "Options", "Print", "default:", "possible"] {
+            assert!(!page.contains(word), "{word} in {page}");
+        }
+    }
+    assert_spanish(&["init"], 0);
+    assert_spanish(&["doctor", "footbridge"], 0);
+}

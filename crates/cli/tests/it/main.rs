@@ -8,6 +8,7 @@ mod folder;
 mod front_and_compare;
 mod gait_command;
 mod gait_doubts;
+mod guidance;
 mod input_and_output;
 mod language;
 mod main_job;

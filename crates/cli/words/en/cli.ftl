@@ -70,6 +70,33 @@ cli-cannot-repair = cannot be repaired ({ $fault })
 cli-busy = another gaitcam is writing this table
     .help = wait for it, or choose another --out
 cli-writer-failed = the table's writer failed
+cli-file-is-there = is there already and is not overwritten
+    .help = give another name with --out
+cli-unknown-flag = unknown option
+    .help = { $near ->
+        [none] gaitcam VERB --help lists the options
+       *[other] did you mean { $near }?
+    }
+cli-one-too-many = one argument too many
+    .help = quote values that contain blanks: --set 'limits.stroke=40 mm'
+cli-unknown-verb = "{ $typed }" is no verb
+    .help = { $near ->
+        [none] gaitcam --help lists the verbs; a scene follows its verb: gaitcam synth SCENE.toml
+       *[other] did you mean { $near }?
+    }
+cli-flag-without-value = needs a value
+cli-flag-choice = "{ $typed }" is not a choice
+    .help = write one of: { $choices }
+cli-flag-value = invalid value "{ $typed }"
+    .help = { $fault }
+cli-flag-whole = invalid value "{ $typed }"
+    .help = write a whole number
+cli-flag-range = invalid value { $typed }
+    .help = it must lie in { $range }
+cli-missing-arguments = missing: { $missing }
+cli-flag-conflict = cannot be used together with { $other }
+cli-flag-count = the number of values is wrong
+cli-arguments = { $fault }
 
 # Every verb.
 run-internal-error = internal error; please report it with the scene
@@ -298,10 +325,6 @@ compare-target = target of { $name }
 laws-head = Rise by 1 in time 1: peak velocity Cv, acceleration Ca, jerk Cj, torque Ct = max|a·v|
 laws-law = law
 laws-joins = joins
-laws-joins-dwell = dwell
-laws-joins-return-of-equal-acceleration = return of equal acceleration
-laws-joins-constant-velocity = constant velocity
-laws-joins-nothing-but-a-general-polynomial = nothing but a general polynomial
 
 # synth --explain.
 explain-title = { $name }: model selection
@@ -340,3 +363,24 @@ explain-chords-force = chords { $chord } µm from the profile, the force of the 
 
 # keys.
 keys-default = default { $text }
+
+init-shaker = A mass that rides on the cam and shakes a footbridge as a walker does: F = M (g + d²s/dt²).
+init-recording = A cam from your own recording of walking, played back by a mass that rides on it.
+init-heel-tester = A heel tester: the lift presses oil or air in a cylinder, the force grows with the lift.
+init-spring-bench = A test bench with a spring: F = F₀ + k s + m d²s/dt²; for prosthetic feet, shoes, joints.
+init-programme = A classical cam from a programme of rises, falls and dwells, without a force.
+init-written = { $file } written
+init-how = Design the cam: gaitcam synth { $file }. Every key: gaitcam keys. Lines that begin with "# key =" are offered and left out.
+doctor-toml = { $file }: { $keys } values
+doctor-keys-right = every key is known, every value is in its range
+doctor-faults = { $count ->
+        [one] One fault: correct it and run this again.
+       *[other] { $count } faults: correct them and run this again.
+    }
+doctor-one-cycle = { $file }: one cycle of { $period } s
+doctor-recording = { $file }: { $columns ->
+        [one] one force column
+       *[other] { $columns } force columns
+    }, { $used } contacts used, { $rejected } left out
+doctor-doubt = { $sentence } Settle it, or accept it with gait.accept = "{ $name }".
+doctor-recording-options = What the file does not say can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).

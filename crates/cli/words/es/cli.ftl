@@ -70,6 +70,33 @@ cli-cannot-repair = no se puede reparar ({ $fault })
 cli-busy = otro gaitcam está escribiendo esta tabla
     .help = espere a que termine, o elija otro --out
 cli-writer-failed = falló la escritura de la tabla
+cli-file-is-there = ya existe y no se sobrescribe
+    .help = dé otro nombre con --out
+cli-unknown-flag = opción desconocida
+    .help = { $near ->
+        [none] gaitcam ORDEN --help enumera las opciones
+       *[other] ¿quería decir { $near }?
+    }
+cli-one-too-many = sobra un argumento
+    .help = ponga entre comillas los valores que contienen espacios: --set 'limits.stroke=40 mm'
+cli-unknown-verb = "{ $typed }" no es una orden
+    .help = { $near ->
+        [none] gaitcam --help enumera las órdenes; la escena sigue a la orden: gaitcam synth ESCENA.toml
+       *[other] ¿quería decir { $near }?
+    }
+cli-flag-without-value = falta su valor
+cli-flag-choice = "{ $typed }" no es una de las opciones
+    .help = escriba una de: { $choices }
+cli-flag-value = valor no válido "{ $typed }"
+    .help = { $fault }
+cli-flag-whole = valor no válido "{ $typed }"
+    .help = escriba un número entero
+cli-flag-range = valor no válido { $typed }
+    .help = debe estar en { $range }
+cli-missing-arguments = falta: { $missing }
+cli-flag-conflict = no se puede usar junto con { $other }
+cli-flag-count = el número de valores no es correcto
+cli-arguments = { $fault }
 
 # Todas las órdenes.
 run-internal-error = error interno; comuníquelo junto con la escena
@@ -298,10 +325,6 @@ compare-target = objetivo de { $name }
 laws-head = Subida de 1 en tiempo 1: máximos de velocidad Cv, aceleración Ca, sobreaceleración Cj, par Ct = max|a·v|
 laws-law = ley
 laws-joins = enlaza con
-laws-joins-dwell = detenimiento
-laws-joins-return-of-equal-acceleration = retorno de igual aceleración
-laws-joins-constant-velocity = velocidad constante
-laws-joins-nothing-but-a-general-polynomial = solo un polinomio general
 
 # synth --explain.
 explain-title = { $name }: selección del modelo
@@ -340,3 +363,24 @@ explain-chords-force = cuerdas a { $chord } µm del perfil, la fuerza de los pun
 
 # keys.
 keys-default = por defecto { $text }
+
+init-shaker = Una masa que descansa sobre la leva y excita una pasarela como quien camina: F = M (g + d²s/dt²).
+init-recording = Una leva de su propio registro de la marcha, reproducida por una masa que descansa sobre ella.
+init-heel-tester = Un ensayador de tacones: la subida comprime aceite o aire en un cilindro, la fuerza crece con ella.
+init-spring-bench = Un banco de ensayo con muelle: F = F₀ + k s + m d²s/dt²; para pies protésicos, calzado, articulaciones.
+init-programme = Una leva clásica de un programa de subidas, bajadas y detenciones, sin fuerza.
+init-written = { $file } escrito
+init-how = Diseñe la leva: gaitcam synth { $file }. Todas las claves: gaitcam keys. Las líneas que empiezan por "# clave =" se ofrecen y no se usan.
+doctor-toml = { $file }: { $keys } valores
+doctor-keys-right = todas las claves existen y todos los valores están en su intervalo
+doctor-faults = { $count ->
+        [one] Un fallo: corríjalo y ejecute esto de nuevo.
+       *[other] { $count } fallos: corríjalos y ejecute esto de nuevo.
+    }
+doctor-one-cycle = { $file }: un ciclo de { $period } s
+doctor-recording = { $file }: { $columns ->
+        [one] una columna de fuerza
+       *[other] { $columns } columnas de fuerza
+    }, { $used } apoyos usados, { $rejected } descartados
+doctor-doubt = { $sentence } Resuélvalo, o acéptelo con gait.accept = "{ $name }".
+doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).

@@ -2,6 +2,7 @@
 
 mod animation;
 mod figures;
+pub mod laws;
 mod motion;
 pub mod parts;
 mod run;

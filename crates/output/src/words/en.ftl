@@ -293,3 +293,35 @@ sheet-pitch-radius = Pitch curve, radius, mm
 sheet-pitch-angle = Pitch curve, angle, °
 sheet-pitch-x = Pitch curve, x, mm
 sheet-pitch-y = Pitch curve, y, mm
+
+# The catalogue of rise laws.
+laws-title = Rise laws
+laws-lead = Each law leads from s = 0 to s = 1 while x goes from 0 to 1. A rise by h over the angle β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk Cj·h/β³ (per radian; times ω, ω², ω³ per second). Where a formula gives the acceleration, the law is its integral.
+laws-joins-both = Both ends join: { $start }.
+laws-joins-each = The start joins: { $start }. The end joins: { $end }.
+laws-torque = Largest acceleration × velocity, which scales the inertia torque: Ct = { $ct }.
+laws-footer = In a scene: family = "program", motion = the name of the law. Factors are those of the continuous law.
+laws-use-constant-velocity = Between two laws that run at the same velocity, for example the working stroke of a feed. Alone between dwells it makes the velocity jump: use it only with semiharmonic or semicycloidal ends.
+laws-use-parabolic = The smallest peak acceleration of all laws for a given lift and time. The acceleration jumps at both ends and in the middle, so it vibrates: low speed only.
+laws-use-cubic = Linear acceleration: the simplest polynomial at rest at both ends. The acceleration jumps at the ends: low speed only.
+laws-use-simple-harmonic = Small peaks and a smooth middle; right where a rise is followed at once by an equal return. Beside a dwell the acceleration jumps.
+laws-use-double-harmonic = A rise from a dwell that is followed at once by its return: at rest below, with its return of equal acceleration above.
+laws-use-cycloidal = Rise between dwells at moderate and high speed: the acceleration is continuous and the jerk finite. Its peak acceleration is high.
+laws-use-semiharmonic-start = From rest to a constant velocity with a small peak acceleration; joins a return of equal acceleration at its slow end.
+laws-use-semiharmonic-end = From a constant velocity to rest with a small peak acceleration; joins a return of equal acceleration at its slow end.
+laws-use-semicycloidal-start = From a dwell to a constant velocity without a jump of the acceleration.
+laws-use-semicycloidal-end = From a constant velocity to a dwell without a jump of the acceleration.
+laws-use-modified-trapezoid = Small peak acceleration with a continuous acceleration: light followers that are limited by inertia force.
+laws-use-modified-sine = Small peak velocity and torque with a continuous acceleration: heavy rotating tables and large masses.
+laws-use-scca = The family between modified trapezoid, modified sine and cycloidal: choose the shares b, c, d to trade acceleration against velocity.
+laws-use-3-4-5 = The usual polynomial between dwells: smooth acceleration, moderate peaks, easy to cut.
+laws-use-4-5-6-7 = Between dwells where the jerk has to start and end at zero: quieter at high speed, with a higher peak acceleration.
+laws-use-5-6-7-8-9 = Between dwells where the snap is zero at the ends as well: stiff, fast machines. The peak acceleration is the highest of the three polynomials.
+laws-use-polynomial-5 = Joins whatever stands beside it in lift, velocity and acceleration: the piece between two laws that do not fit together.
+laws-use-polynomial-7 = As polynomial-5, and the jerk is continuous too.
+laws-use-berzak-d = A polynomial of small peak acceleration between dwells (Bautista Morelos 2018); the jerk at its ends is not zero.
+laws-use-gutman-1-3 = Two harmonics: smaller peak acceleration than the cycloidal law, with no higher harmonics to excite the follower.
+laws-use-freudenstein-1-3 = As commonly printed: its ends are not at rest (v = −1/56), so it joins no dwell. Use freudenstein-1-3-at-rest.
+laws-use-freudenstein-1-3-at-rest = Two harmonics with a small peak acceleration, at rest at both ends.
+laws-use-freudenstein-1-3-5 = Three harmonics: close to the smallest peak acceleration that a sum of three allows.
+laws-use-eccentric = Half a turn of an eccentric disc: the cheapest cam to make. Followed by its own return.

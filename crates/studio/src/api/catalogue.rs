@@ -140,7 +140,7 @@ fn law(rise: &Rise) -> Result<Value> {
     let [s, v, a, j] = curves;
     let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
     Ok(json!({
-        "name": rise.name(), "written": rise.written(),
+        "name": rise.name(), "written": rise.written(), "formula": rise.formula(),
         "cv": finite(factors.cv), "ca": finite(factors.ca), "cj": finite(factors.cj), "ct": finite(factors.ct),
         "joins": [ends.start.joins(), ends.end.joins()],
         "s": s, "v": v, "a": a, "j": j,

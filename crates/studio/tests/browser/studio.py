@@ -8,7 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from playwright.sync_api import sync_playwright
+from playwright.sync_api import TimeoutError, sync_playwright
 
 BINARY = os.environ["GAITCAM"]
 CHROMIUM = os.environ["CHROMIUM"]
@@ -108,6 +108,21 @@ class Page:
         self.page.click("#open-scenes")
         self.page.wait_for_selector(f'[data-scene="{scene}"]')
         self.does(lambda: self.page.click(f'[data-scene="{scene}"]'))
+
+    def downloads(self, name, path):
+        """Clicks a link and keeps its file. A browser under load has now and then lost a click on a link: what the
+        server answers to the same address is then looked at, and one more click allowed."""
+        link = self.page.locator(f'a[download="{name}"]')
+        try:
+            with self.page.expect_download(timeout=10_000) as waiting:
+                link.click()
+        except TimeoutError:
+            answer = self.page.request.get(link.evaluate("a => a.href"))
+            print(f"\n  {name}: no download began; the server answers {answer.status}")
+            assert answer.ok, f"{name}: {answer.status} {answer.text()[:200]}"
+            with self.page.expect_download() as waiting:
+                link.click()
+        waiting.value.save_as(path)
 
     def value(self, key):
         return self.page.input_value(f'[name="{key}"]')

@@ -1,0 +1,241 @@
+//! `gaitcam doctor FILE`: what is wrong with a scene or a recording, all of it at once, and what cures it.
+//!
+//! The same functions as in `synth` and `gait`, one step after another; a scene's faulty keys are set aside so that
+//! those behind them are found too.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use gaitcam::cam::Verdict;
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::{self, Feet, Interpretation, ReadOptions};
+use gaitcam::problem::Shared;
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{relaxed_with, sentences, synthesise_with};
+use serde_json::json;
+use toml::Table;
+
+use crate::exit_code::{self, BAD_INPUT, BUILT, NO_SUCH_CAM};
+use crate::input::{self, Input, SceneArgs, files::read_bytes, target::metadata};
+use crate::language;
+use crate::searching::TimeLimit;
+use crate::terminal::print;
+use crate::words;
+
+const EXAMPLES: &str = "Examples:
+  gaitcam doctor my.toml
+  gaitcam doctor walk.c3d";
+
+/// Most faults of one scene that are listed.
+const MOST: usize = 25;
+
+/// Which file.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct DoctorArgs {
+    /// Scene file, name of a built-in scene, or recording
+    file: PathBuf,
+    #[command(flatten)]
+    time: TimeLimit,
+}
+
+/// Examines the file; the exit code is that of the command that would use it.
+pub fn run(args: &DoctorArgs) -> Result<u8> {
+    let ending = args.file.extension().map(|e| e.to_ascii_lowercase());
+    let scene = ending.is_none_or(|e| e == "toml" || e == "json");
+    if scene {
+        examine_scene(args)
+    } else {
+        let options = ReadOptions {
+            metadata: metadata(&args.file),
+            ..ReadOptions::default()
+        };
+        examine_recording(&args.file, &options)
+    }
+}
+
+fn good(text: &str) {
+    print(&format!("✓ {text}"));
+}
+
+fn bad(text: &str) {
+    print(&format!("✗ {text}"));
+}
+
+fn doubtful(text: &str) {
+    print(&format!("? {text}"));
+}
+
+/// A finding of this verb, by its key.
+fn said(key: &str, data: &serde_json::Value) -> String {
+    words::fill(&format!("doctor-{key}"), data)
+}
+
+fn examine_scene(args: &DoctorArgs) -> Result<u8> {
+    let named = SceneArgs {
+        scene: Some(args.file.clone()),
+        set: Vec::new(),
+    };
+    let (table, folder) = input::table(&named)?;
+    let file = args.file.display().to_string();
+    good(&said(
+        "toml",
+        &json!({"file": file, "keys": leaves(&table)}),
+    ));
+    let (scene, faults) = read_what_is_right(&table);
+    for fault in &faults {
+        bad(&fault.sentence(language::current()));
+    }
+    let Some(scene) = scene.filter(|_| faults.is_empty()) else {
+        print(&said("faults", &json!({"count": faults.len()})));
+        return Ok(BAD_INPUT);
+    };
+    good(&words::text("doctor-keys-right"));
+    let input = Input {
+        scene,
+        table,
+        folder,
+        file: None,
+    };
+    if let (Some(gait), Some(path)) = (&input.scene.gait, input.recording()) {
+        let options = input::target::options(gait, &path)?;
+        let code = examine_recording(&path, &options)?;
+        if code != BUILT {
+            return Ok(code);
+        }
+    }
+    examine_design(&input, args.time)
+}
+
+/// How many values a table holds.
+fn leaves(table: &Table) -> usize {
+    let count = |value: &toml::Value| match value {
+        toml::Value::Table(table) => leaves(table),
+        toml::Value::Array(list) => list
+            .iter()
+            .filter_map(toml::Value::as_table)
+            .map(leaves)
+            .sum::<usize>()
+            .max(1),
+        _ => 1,
+    };
+    table.values().map(count).sum()
+}
+
+/// The scene without its faulty keys, and the fault of each.
+fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
+    let mut left = table.clone();
+    let mut faults = Vec::new();
+    while faults.len() < MOST {
+        match scene::read(&left) {
+            Ok(scene) => return (Some(scene), faults),
+            Err(fault) => {
+                let key = match &fault.place {
+                    Place::Key(key) => key.clone(),
+                    _ => String::new(),
+                };
+                faults.push(fault);
+                if !set_aside(&mut left, &key) {
+                    break;
+                }
+            }
+        }
+    }
+    (None, faults)
+}
+
+/// Takes a key such as `limits.stroke` or `law.segment.2.angle` out of a table; whether it was there.
+fn set_aside(table: &mut Table, key: &str) -> bool {
+    let Some((first, rest)) = key.split_once('.') else {
+        return table.remove(key).is_some();
+    };
+    match table.get_mut(first) {
+        Some(toml::Value::Table(inner)) => set_aside(inner, rest),
+        Some(toml::Value::Array(list)) => {
+            let (number, rest) = rest.split_once('.').unwrap_or((rest, ""));
+            let index = number.parse::<usize>().ok().and_then(|n| n.checked_sub(1));
+            let inner = index
+                .and_then(|i| list.get_mut(i))
+                .and_then(toml::Value::as_table_mut);
+            inner.is_some_and(|inner| set_aside(inner, rest))
+        }
+        _ => false,
+    }
+}
+
+fn examine_recording(path: &Path, options: &ReadOptions) -> Result<u8> {
+    let bytes = read_bytes(path)?;
+    let file = path.display().to_string();
+    if let Some(curve) = force::one_cycle(path, &bytes, options)? {
+        good(&said(
+            "one-cycle",
+            &json!({"file": file, "period": words::fixed(curve.period_s, 3)}),
+        ));
+        return Ok(BUILT);
+    }
+    let recording = match force::read(path, &bytes, options) {
+        Ok(recording) => recording,
+        Err(fault) => {
+            bad(&fault.sentence(language::current()));
+            print(&words::text("doctor-recording-options"));
+            return Ok(BAD_INPUT);
+        }
+    };
+    let stances = force::stances(&recording);
+    let cycle = force::cycle(&recording, &stances, Feet::Both);
+    let understood =
+        Interpretation::of(&file, &recording, &stances, cycle.as_ref().ok(), Feet::Both);
+    let (used, left_out) = understood.counts();
+    good(&said(
+        "recording",
+        &json!({"file": file, "columns": understood.columns.len(), "used": used, "rejected": left_out}),
+    ));
+    let sentences = gaitcam::wording::catalogue(language::current());
+    for warning in &understood.warnings {
+        doubtful(&sentences.sentence("note", warning));
+    }
+    if let Err(fault) = cycle {
+        bad(&fault.sentence(language::current()));
+        print(&words::text("doctor-recording-options"));
+        return Ok(BAD_INPUT);
+    }
+    let doubts = understood.doubts();
+    for doubt in &doubts {
+        let sentence = sentences.sentence("open", doubt);
+        bad(&said(
+            "doubt",
+            &json!({"sentence": sentence, "name": doubt.name()}),
+        ));
+    }
+    Ok(if doubts.is_empty() {
+        BUILT
+    } else {
+        NO_SUCH_CAM
+    })
+}
+
+fn examine_design(input: &Input, time: TimeLimit) -> Result<u8> {
+    let target = input.target()?;
+    let shown = time.shown();
+    let shared = Shared {
+        halt: time.of_design(),
+        ..Shared::default()
+    };
+    let design = match synthesise_with(&input.scene, target.as_ref(), &shared) {
+        Ok(design) => relaxed_with(&input.scene, target.as_ref(), design, &shared.halt),
+        Err(fault) => {
+            bad(&fault.sentence(language::current()));
+            return Ok(BAD_INPUT);
+        }
+    };
+    drop(shown);
+    let text = sentences(&design.reasons, language::current());
+    let verdict = words::name(design.verdict.name());
+    let line = format!("{verdict}: {text}");
+    match design.verdict {
+        Verdict::Acceptable => good(&line),
+        Verdict::NotForHighSpeed => doubtful(&line),
+        Verdict::Unacceptable => bad(&line),
+    }
+    Ok(exit_code::of(design.verdict))
+}

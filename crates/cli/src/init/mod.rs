@@ -1,0 +1,207 @@
+//! `gaitcam init MACHINE`: a scene to begin with, each key with its meaning beside it.
+//!
+//! One TOML file per machine; `#- key = value` is a key that the scene offers and leaves out. The comments are those of
+//! the key table, so that a scene never says something else than `gaitcam keys`.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use gaitcam::error::Result;
+use gaitcam::scene::keys::{self, KEYS};
+use gaitcam::wording::{Language, key_doc};
+use gaitcam_output::folder::write_whole;
+use serde_json::json;
+
+use crate::error::CliError;
+use crate::exit_code::BUILT;
+use crate::language;
+use crate::terminal::print;
+use crate::words;
+
+const EXAMPLES: &str = "Examples:
+  gaitcam init
+  gaitcam init shaker
+  gaitcam init recording --out my_walk.toml";
+
+/// Longest line of a comment.
+const WIDTH: usize = 100;
+/// What stands before a key that is offered and left out.
+const OFFERED: &str = "#- ";
+
+/// Which machine, and where to.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct InitArgs {
+    /// The machine; without it, the machines are listed
+    machine: Option<Machine>,
+    /// File to write, or - for standard output (default MACHINE.toml)
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// Machines with a scene to begin with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Machine {
+    Shaker,
+    Recording,
+    HeelTester,
+    SpringBench,
+    Programme,
+}
+
+impl Machine {
+    fn name(self) -> &'static str {
+        match self {
+            Machine::Shaker => "shaker",
+            Machine::Recording => "recording",
+            Machine::HeelTester => "heel-tester",
+            Machine::SpringBench => "spring-bench",
+            Machine::Programme => "programme",
+        }
+    }
+
+    fn template(self) -> &'static str {
+        match self {
+            Machine::Shaker => include_str!("shaker.toml"),
+            Machine::Recording => include_str!("recording.toml"),
+            Machine::HeelTester => include_str!("heel-tester.toml"),
+            Machine::SpringBench => include_str!("spring-bench.toml"),
+            Machine::Programme => include_str!("programme.toml"),
+        }
+    }
+
+    /// What it is, in one sentence.
+    fn doc(self) -> String {
+        words::text(&format!("init-{}", self.name()))
+    }
+}
+
+/// Writes the scene, never over a file that is there.
+pub fn run(args: &InitArgs) -> Result<u8> {
+    let Some(machine) = args.machine else {
+        for machine in Machine::value_variants() {
+            print(&format!("{:14} {}", machine.name(), machine.doc()));
+        }
+        return Ok(BUILT);
+    };
+    let file = match &args.out {
+        Some(out) => out.clone(),
+        None => PathBuf::from(format!("{}.toml", machine.name())),
+    };
+    let heading = machine.doc();
+    let text = scene(&heading, machine.template(), &file, language::current());
+    if file == Path::new("-") {
+        print(text.trim_end());
+        return Ok(BUILT);
+    }
+    if file.exists() {
+        return Err(CliError::FileIsThere.file(&file));
+    }
+    write_whole(&file, text.as_bytes())?;
+    print(&words::fill(
+        "init-written",
+        &json!({"file": file.display().to_string()}),
+    ));
+    Ok(BUILT)
+}
+
+/// A template with the meaning of each key above it.
+fn scene(heading: &str, template: &str, file: &Path, language: Language) -> String {
+    let shown = if file == Path::new("-") {
+        Path::new("scene.toml")
+    } else {
+        file
+    };
+    let how = words::fill("init-how", &json!({"file": shown.display().to_string()}));
+    let mut out = wrapped(heading, "# ") + &wrapped(&how, "# ") + "\n";
+    let mut section = String::new();
+    let mut explained: Vec<&str> = Vec::new();
+    for line in template.lines() {
+        if line.starts_with('[') {
+            section = line.trim_matches(['[', ']']).to_string();
+        }
+        let row = line
+            .trim_start_matches(OFFERED)
+            .split_once(" = ")
+            .and_then(|(key, _)| {
+                let path = if section.is_empty() {
+                    key.to_string()
+                } else {
+                    format!("{section}.{key}")
+                };
+                let numbered = format!("{section}.N.{key}");
+                KEYS.iter().find(|k| k.path == path || k.path == numbered)
+            });
+        // The second segment of a programme needs no explanation.
+        if let Some(row) = row.filter(|r| !explained.contains(&r.path)) {
+            explained.push(row.path);
+            let text = format!(
+                "{} ({})",
+                key_doc(language, row.path),
+                keys::takes(row, language)
+            );
+            out += &wrapped(&text, "# ");
+        }
+        out += &line.replacen(OFFERED, "# ", 1);
+        out += "\n";
+    }
+    out
+}
+
+/// A text in lines of comment.
+fn wrapped(text: &str, before: &str) -> String {
+    let mut out = String::new();
+    let mut line = before.to_string();
+    for word in text.split_whitespace() {
+        if line.len() > before.len() && line.chars().count() + word.chars().count() > WIDTH {
+            out += line.trim_end();
+            out.push('\n');
+            line = before.to_string();
+        }
+        line += word;
+        line.push(' ');
+    }
+    out + line.trim_end() + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_is_read_with_what_it_offers_and_each_key_is_explained() {
+        for machine in Machine::value_variants() {
+            for language in [Language::En, Language::Es] {
+                let text = scene(
+                    &machine.doc(),
+                    machine.template(),
+                    Path::new("a.toml"),
+                    language,
+                );
+                let offered: String = text
+                    .lines()
+                    .map(|l| match l.strip_prefix("# ") {
+                        Some(key)
+                            if key.split_once(" = ").is_some_and(|(k, _)| !k.contains(' ')) =>
+                        {
+                            key
+                        }
+                        _ => l,
+                    })
+                    .flat_map(|l| [l, "\n"])
+                    .collect();
+                for text in [&text, &offered] {
+                    let table: toml::Table = text.parse().unwrap();
+                    gaitcam::scene::read(&table).unwrap();
+                }
+                let keys = machine
+                    .template()
+                    .lines()
+                    .filter(|l| l.contains(" = "))
+                    .count();
+                let comments = text.lines().filter(|l| l.starts_with("# ")).count();
+                assert!(comments >= 2 + keys.min(12), "{machine:?}");
+            }
+        }
+    }
+}

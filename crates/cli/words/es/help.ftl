@@ -1,0 +1,149 @@
+# Ayuda de la línea de órdenes. Cada mensaje es una orden, o ORDEN-ARGUMENTO; "all-…" vale para varias órdenes.
+label-usage = Uso:
+label-commands = Órdenes
+label-arguments = Argumentos
+label-options = Opciones
+label-examples = Ejemplos:
+label-values = valores:
+label-default = por defecto:
+
+value-file = ARCHIVO
+value-files = ARCHIVOS
+value-scene = ESCENA
+value-scenes = ESCENAS
+value-dir = CARPETA
+value-key = CLAVE
+value-value = VALOR
+value-values = VALORES
+value-seconds = SEGUNDOS
+value-radius = RADIO
+value-column = COLUMNA
+value-columns = COLUMNAS
+value-curve = CURVA
+value-feet = PIES
+value-unit = UNIDAD
+value-rate = FRECUENCIA
+value-mass = MASA
+value-kind = TIPO
+value-model = MODELO
+value-ratio = RAZÓN
+value-angle = ÁNGULO
+value-path = RUTA
+value-design = MÉTODO
+value-seed = SEMILLA
+value-part = PARTE
+value-band = BANDA
+value-folders = CARPETAS
+value-pattern = TEXTO
+value-name = NOMBRE
+value-machine = MÁQUINA
+value-shell = INTÉRPRETE
+value-lang = IDIOMA
+value-command = ORDEN
+
+gaitcam = De una fuerza vertical de la marcha a la leva que la reproduce
+synth = Diseña una leva: curva de fuerza o programa → ley → leva → comprobaciones → archivos
+gait = Lee un registro: formato, canales, apoyos, ciclo medio
+simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el modelo más simple que basta
+sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
+front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
+reproduce = Recalcula todas las cifras de los trabajos de origen: publicada, recalculada, coincidencia
+compare = Compara varios resultados: tabla y diagramas superpuestos
+chart = Mide velocidad frente a precisión en esta máquina y dibuja las gráficas
+studio = Abre el estudio: una página en el navegador en la que la leva cambia con cada número
+keys = Enumera las claves de una escena: valores, valor por defecto y significado
+scenes = Enumera las escenas que trae el programa, o muestra una
+laws = Enumera el catálogo de leyes de subida con sus factores de pico
+init = Escribe una escena comentada para una máquina
+doctor = Explica qué falla en una escena o un registro y qué lo remedia
+man = Escribe las páginas de manual
+completions = Escribe el guion de autocompletado de un intérprete de órdenes
+help = Muestra esta ayuda o la de una orden
+
+all-lang = Idioma de mensajes e informes (por defecto: LC_ALL, LANG, si no inglés)
+all-help = Muestra la ayuda
+all-version = Muestra la versión
+all-scene = Archivo de escena, nombre de una escena incluida (gaitcam scenes), o - para la entrada estándar; por defecto footbridge
+all-set = Cambia un valor: --set 'limits.stroke=40 mm' (se puede repetir)
+all-time_limit = Termina la búsqueda pasado este tiempo y conserva el mejor resultado (por defecto 60 s, en barridos 5 s por diseño)
+all-json = Escribe JSON
+all-out = Carpeta de los archivos (por defecto out/NOMBRE)
+
+synth-json = Escribe summary.json en lugar del resumen; sin --out no se escribe ningún archivo
+synth-no_png = No escribe figuras PNG
+synth-verbose = Muestra cada paso de una sucesión de programas convexos con su mérito
+synth-explain = Explica la elección del modelo: criterio, y coste y efecto del modelo siguiente
+synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del frente (por defecto 20)
+synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
+synth-solid = Escribe además los archivos de taller: sólido (STL, 3MF), arcos (DXF), libro (XLSX)
+synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
+synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
+
+gait-files = Registros: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas
+gait-out = Escribe el ciclo medio en csv y una figura de los apoyos con su media (svg, png); en una carpeta, una de cada por registro
+gait-feet = Pies cuya fuerza contiene el ciclo: both, one, left, right; total: la columna es la suma de ambos
+gait-time = Nombre o número de la columna de tiempo
+gait-force = Nombre o número de una columna de fuerza vertical (se puede repetir)
+gait-unit = Unidad de las columnas de fuerza: N, kN, lbf, kgf, N/kg, BW, %BW
+gait-rate = Frecuencia de muestreo, si el archivo no la da: "1000 Hz"
+gait-mass = Masa de quien camina: "72.6 kg"
+gait-kind = Qué se registró, si no se reconoce: walking, running
+
+simulate-model = auto (el más simple que basta), rigid, flexible, contact
+simulate-out = Carpeta de dynamics.csv, simulation.json y report.html (por defecto out/NOMBRE)
+simulate-natural_frequency = Primera frecuencia propia del tren del seguidor: "60 Hz"
+simulate-damping_ratio = Razón de amortiguamiento del tren del seguidor (por defecto la de la escena, si no 0.05)
+simulate-friction = Coeficiente de rozamiento entre leva y seguidor (por defecto el de la escena, si no 0)
+simulate-restitution = Coeficiente de restitución de un choque, 0 … 1 (por defecto el de la escena, si no 0)
+simulate-second_cam = Ángulo con que una segunda leva igual sigue en el mismo árbol: "180 deg"
+
+sweep-scenes = Archivos de escena; sin ninguno, la escena incluida footbridge
+sweep-set = Cambia un valor en todas las escenas: --set 'limits.stroke=40 mm' (se puede repetir)
+sweep-vary = Varía un valor: 'gait.step_frequency=1.5 Hz:2.4 Hz:10' o law.family=spline,harmonic (se puede repetir)
+sweep-list = Filas de valores que van juntos: un csv cuya cabecera nombra claves
+sweep-recordings = Un diseño por registro: archivos o carpetas (se puede repetir)
+sweep-sample = Toma una muestra de N puntos de los intervalos ('CLAVE=INICIO:FIN') en lugar de una rejilla
+sweep-design = Método de muestreo
+sweep-seed = Semilla de los números aleatorios de la muestra
+sweep-out = La tabla: ARCHIVO.csv o ARCHIVO.parquet
+sweep-resume = Continúa un barrido interrumpido
+sweep-jobs = Hilos; sin ella, uno por núcleo
+sweep-yes = Permite más de cien millones de filas
+sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', base_radius, mass, speed (se puede repetir)
+sweep-band = Error de fuerza que se acepta en una leva fabricada, para el rendimiento: '2 %' de la media
+
+front-file = La tabla que escribió gaitcam sweep
+front-minimise = Columnas que se minimizan, separadas por comas: force_error,torque_max (por defecto force_error,prime_radius)
+front-maximise = Columnas que se maximizan, separadas por comas: liftoff_speed
+front-low_speed = Incluye diseños que no sirven a alta velocidad
+front-best = Escribe además el mejor diseño como resultado normal de synth, en CARPETA/best
+front-all = Incluye todos los diseños, también los inaceptables
+front-out = Carpeta de front.csv, figuras y report.html (por defecto out/NOMBRE-front)
+
+compare-folders = Carpetas que escribió gaitcam synth
+compare-out = Carpeta de la tabla y los diagramas
+compare-json = Escribe los resúmenes en JSON
+
+studio-open = Archivo de escena, carpeta con escenas y registros, o nombre de una escena incluida
+studio-port = Puerto de la página (por defecto, uno libre)
+studio-no_open = Sólo escribe la dirección; no abre el navegador
+
+keys-pattern = Sólo las claves que contienen este texto
+keys-schema = Escribe un JSON Schema del archivo de escena, para editores
+keys-markdown = Escribe la página de referencia en Markdown
+scenes-name = Muestra esta escena en TOML
+
+laws-out = Escribe además laws.html en esta carpeta: fórmulas, curvas, factores y cuándo elegir cada ley
+
+init-machine = La máquina: shaker, heel-tester, spring-bench, programme, recording; sin ella, se enumeran
+init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)
+
+doctor-file = Archivo de escena, nombre de una escena incluida, o registro
+
+man-dir = Carpeta de las páginas gaitcam.1, gaitcam-synth.1 …
+
+completions-shell = El intérprete de órdenes
+
+reproduce-out = Carpeta del informe
+chart-quick = Menos repeticiones y tamaños: menos de un minuto
+chart-out = Carpeta de tablas y figuras
