@@ -6,6 +6,7 @@
 
 mod arc_tangent;
 mod barrel;
+mod bore;
 mod checks;
 mod conjugate;
 mod continuity;
@@ -22,6 +23,7 @@ mod space;
 
 pub use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
+pub use bore::{Bore, Keyway};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;

@@ -130,6 +130,14 @@ pub enum SceneError {
         bore: String,
         least: Quantity,
     },
+    /// A keyway without a bore.
+    KeywayWithoutBore,
+    /// A bore for which the standard has no keyway.
+    NoKeywayForBore { bore: String },
+    /// A width that the standard does not have.
+    NoKeywayOfWidth { width: String, widths: String },
+    /// A keyway as wide as its bore.
+    KeywayTooWide { width: String, bore: String },
     /// An offset as large as the prime radius.
     OffsetReachesPrime { offset: String, prime: String },
     /// A wanted force on a follower whose lift is no length over one turn.

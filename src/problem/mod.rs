@@ -33,8 +33,6 @@ use target::{band_about, weight_at};
 
 /// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
-/// Room around a bore, m, when the base circle follows from it.
-const WALL: f64 = 1e-3;
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
 pub(crate) const USUAL_ACCURACY: f64 = 0.005;
 /// A mean force that differs from the weight by a smaller part is the same: masses are written with four
@@ -272,7 +270,7 @@ impl Problem {
 
     /// Smallest base radius that the bore leaves, m.
     pub fn outside_bore(&self) -> f64 {
-        outside_bore(self.cam.bore)
+        outside_bore(&self.cam)
     }
 
     /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
@@ -465,7 +463,7 @@ pub(crate) fn open_doubts(gait: Option<&Gait>, force: Option<&ForceCurve>) -> Ve
     open
 }
 
-/// Smallest base radius that a bore of given diameter leaves, m.
-pub(crate) fn outside_bore(bore: Option<f64>) -> f64 {
-    bore.map_or(0.0, |b| 0.5 * b + WALL)
+/// Smallest base radius that the hole for the shaft leaves, m.
+pub(crate) fn outside_bore(cam: &CamSpec) -> f64 {
+    cam.hole().map_or(0.0, |hole| hole.least_base_radius())
 }

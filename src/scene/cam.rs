@@ -1,6 +1,6 @@
 //! `[cam]`: the cam and its follower.
 
-use crate::cam::{Closure, FollowerKind, Measures};
+use crate::cam::{Bore, Closure, FollowerKind, Keyway, Measures};
 
 /// Plate thickness of solids when nothing is said, m.
 const THICKNESS: f64 = 0.01;
@@ -28,6 +28,10 @@ pub struct CamSpec {
     pub face_offset: f64,
     /// Diameter of the bore; the base circle stays outside it.
     pub bore: Option<f64>,
+    /// Keyway of the bore.
+    pub keyway: Option<KeywaySpec>,
+    /// Whether θ = 0 is engraved on the solid.
+    pub mark: bool,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
     /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
@@ -58,6 +62,8 @@ impl Default for CamSpec {
             pivot_beside: false,
             face_offset: 0.0,
             bore: None,
+            keyway: None,
+            mark: false,
             thickness: THICKNESS,
             breadth: None,
             travel: None,
@@ -66,6 +72,27 @@ impl Default for CamSpec {
             eccentricity: None,
             conjugate: None,
         }
+    }
+}
+
+/// How wide the keyway is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum KeywaySpec {
+    /// As DIN 6885-1 has it for the bore.
+    Auto,
+    /// A width of DIN 6885-1, m.
+    Width(f64),
+}
+
+impl CamSpec {
+    /// The hole for the shaft; without a keyway where the standard has none for it.
+    pub fn hole(&self) -> Option<Bore> {
+        let diameter = self.bore?;
+        let keyway = self.keyway.and_then(|spec| match spec {
+            KeywaySpec::Auto => Keyway::for_shaft(diameter),
+            KeywaySpec::Width(width) => Keyway::of_width(width),
+        });
+        Some(Bore { diameter, keyway })
     }
 }
 

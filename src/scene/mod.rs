@@ -20,7 +20,7 @@ mod write;
 
 pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
-pub use cam::{CamSpec, ConjugateSpec};
+pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
 pub use drive::DriveSpec;
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use toml::{Table, Value as Toml};
 
-use super::{Family, Minimise, Scene, Source, Weigh};
+use super::{Family, KeywaySpec, Minimise, Scene, Source, Weigh};
+use crate::cam::Keyway;
 use crate::drive::DriveKind;
 use crate::error::{Result, SceneError};
 use crate::units::{Dimension, Quantity};
@@ -57,13 +58,14 @@ impl<'a> Typed<'a> {
 type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
 
 /// In the order in which they are reported.
-const RULES: [Rule; 12] = [
+const RULES: [Rule; 13] = [
     name,
     force,
     objective,
     limits,
     machine,
     size,
+    keyway,
     circles,
     motion,
     pair,
@@ -218,6 +220,39 @@ fn size(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
+/// The keyway of the bore.
+fn keyway(scene: &Scene, typed: Typed) -> Verdict {
+    let Some(spec) = scene.cam.keyway else {
+        return Ok(());
+    };
+    let at = |fault| Err(("cam.keyway", fault));
+    let Some(bore) = scene.cam.bore else {
+        return at(SceneError::KeywayWithoutBore);
+    };
+    let length = |path: &str, value: f64| typed.text(path, value, Dimension::Length);
+    match spec {
+        KeywaySpec::Auto if Keyway::for_shaft(bore).is_none() => {
+            let bore = length("cam.bore", bore);
+            at(SceneError::NoKeywayForBore { bore })
+        }
+        KeywaySpec::Width(width) if Keyway::of_width(width).is_none() => {
+            let widths: Vec<String> = Keyway::widths()
+                .map(|w| format!("{:.0}", 1e3 * w))
+                .collect();
+            let width = length("cam.keyway", width);
+            at(SceneError::NoKeywayOfWidth {
+                width,
+                widths: widths.join(", "),
+            })
+        }
+        KeywaySpec::Width(width) if width >= bore => {
+            let (width, bore) = (length("cam.keyway", width), length("cam.bore", bore));
+            at(SceneError::KeywayTooWide { width, bore })
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Base circle, prime circle, bore and offset.
 fn circles(scene: &Scene, typed: Typed) -> Verdict {
     let cam = &scene.cam;
@@ -240,11 +275,11 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
             SceneError::RollerFillsPrime { roller, base },
         ));
     }
-    if let Some(bore) = cam.bore.filter(|bore| base <= 0.5 * bore) {
+    if let Some(hole) = cam.hole().filter(|hole| base <= hole.reach()) {
         let fault = SceneError::BaseInBore {
             base: length("cam.base_radius", base),
-            bore: length("cam.bore", bore),
-            least: Quantity::new(0.5 * bore, Dimension::Length),
+            bore: length("cam.bore", hole.diameter),
+            least: Quantity::new(hole.reach(), Dimension::Length),
         };
         return Err(("cam.base_radius", fault));
     }

@@ -7,7 +7,7 @@ use super::parameters::Functions;
 use super::proof::Doubt;
 use super::qp::{Certificate, Demand};
 use super::reason::{Reason, sentences};
-use crate::cam::{BarrelGroove, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
+use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::error::SynthError;
@@ -47,8 +47,10 @@ pub struct Design {
     pub conjugate: Option<Conjugate>,
     /// The groove of a barrel cam with both walls.
     pub groove: Option<BarrelGroove>,
-    /// Diameter of the bore, m.
-    pub bore: Option<f64>,
+    /// The hole for the shaft.
+    pub bore: Option<Bore>,
+    /// Whether θ = 0 is engraved on the solid.
+    pub mark: bool,
     /// Thickness of the plate, m.
     pub thickness: f64,
     /// Distance of the force from the target.

@@ -31,6 +31,8 @@ pub struct Contents {
     pub solid: bool,
     /// Radius of a cutter whose path is written, m.
     pub tool: Option<f64>,
+    /// Layers of the DXF drawings.
+    pub drawn: output::dxf::Content,
     /// Language of pictures and report.
     pub language: Language,
 }
@@ -42,6 +44,7 @@ impl Default for Contents {
             png: true,
             solid: false,
             tool: None,
+            drawn: output::dxf::Content::All,
             language: Language::En,
         }
     }
@@ -68,13 +71,13 @@ pub fn write(
     tables(folder, design, contents.points)?;
     folder.write(
         "profile.dxf",
-        &output::dxf::profile(design, contents.points, output::dxf::Content::All),
+        &output::dxf::profile(design, contents.points, contents.drawn),
     )?;
     let outline = output::svg::profile(design, contents.points);
     folder.write("profile.svg", outline.as_bytes())?;
     pictures(folder, design, contents)?;
     if contents.solid {
-        remarks = workshop::write(folder, design, time, language)?;
+        remarks = workshop::write(folder, design, time, contents)?;
     }
     if let Some(radius) = contents.tool {
         remarks.extend(workshop::cutter(folder, design, radius, contents.points)?);

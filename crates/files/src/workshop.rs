@@ -3,8 +3,9 @@
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
-use gaitcam_output::{self as output, Language, Timing, cutter::Gouge};
+use gaitcam_output::{self as output, Timing, cutter::Gouge};
 
+use crate::design::Contents;
 use crate::result_folder::Sink;
 
 /// Vertices of a solid's profile and of the polylines beside the arcs.
@@ -41,12 +42,12 @@ pub fn write(
     folder: &impl Sink,
     design: &Design,
     time: Timing,
-    language: Language,
+    contents: Contents,
 ) -> Result<Vec<Remark>> {
     let mut remarks = Vec::new();
     folder.write(
         "profile.xlsx",
-        &output::xlsx::workbook(design, time, language)?,
+        &output::xlsx::workbook(design, time, contents.language)?,
     )?;
     if let Some(groove) = &design.groove {
         for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
@@ -76,7 +77,7 @@ pub fn write(
         points: VERTICES,
         version: output::dxf::Version::R2000,
         bore: design.bore,
-        content: output::dxf::Content::All,
+        content: contents.drawn,
     };
     match output::dxf::arcs(design, ARCS, options) {
         Some(drawing) => {

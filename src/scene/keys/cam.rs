@@ -5,7 +5,7 @@ use super::row::{
 };
 use super::value::Value;
 use crate::cam::FollowerKind;
-use crate::scene::{ConjugateSpec, Scene};
+use crate::scene::{ConjugateSpec, KeywaySpec, Scene};
 use crate::units::Dimension as D;
 
 /// Most turns of a barrel's groove.
@@ -149,6 +149,38 @@ pub static ROWS: &[Key] = &[
         .default("")
         .relax(Relax::Down)
         .only(|s| !is_straight(s)),
+    key(
+        "cam.keyway",
+        Kind::NumberOr(Measure::same(D::Length), "auto"),
+        Range::Positive,
+        Access {
+            get: |s, _| {
+                s.cam.keyway.map(|spec| match spec {
+                    KeywaySpec::Auto => Value::Text("auto".into()),
+                    KeywaySpec::Width(width) => Value::Number(width),
+                })
+            },
+            set: |s, _, v| {
+                s.cam.keyway = Some(v.number().map_or(KeywaySpec::Auto, KeywaySpec::Width));
+                Ok(())
+            },
+        },
+    )
+    .default("")
+    .only(|s| !is_straight(s)),
+    other(
+        "cam.mark",
+        Kind::Flag,
+        Access {
+            get: |s, _| Some(Value::Flag(s.cam.mark)),
+            set: |s, _, v| {
+                s.cam.mark = v == Value::Flag(true);
+                Ok(())
+            },
+        },
+    )
+    .default("false")
+    .only(|s| !is_straight(s)),
     plain(
         "cam.thickness",
         D::Length,

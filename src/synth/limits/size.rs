@@ -91,12 +91,12 @@ pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
             GEOMETRY,
         ));
     }
-    if let Some(bore) = problem.cam.bore {
+    if let Some(hole) = problem.cam.hole() {
         let worst = size(cam.follower.base_radius());
         out.push(Check::at_least(
             Criterion::Bore,
             worst,
-            0.5 * bore,
+            hole.reach(),
             GEOMETRY,
         ));
     }

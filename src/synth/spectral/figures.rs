@@ -158,7 +158,7 @@ fn kept(
     let bend = motion.level + motion.factor * motion.unit.bend;
     let wanted = scene.limits.curvature.unwrap_or(0.0);
     let given = scene.cam.base_radius.or(scene.cam.prime_radius);
-    let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(scene.cam.bore)));
+    let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(&scene.cam)));
     let mut figures = Figures {
         force,
         mass: drive.mass,
@@ -259,7 +259,7 @@ fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f6
         && figures.smallest_convex_radius >= least_radius
         && (limits.curvature.is_some_and(|rho| rho > 0.0)
             || figures.smallest_convex_radius > GEOMETRY * figures.base_radius)
-        && figures.base_radius >= 0.5 * scene.cam.bore.unwrap_or(0.0)
+        && figures.base_radius >= scene.cam.hole().map_or(0.0, |hole| hole.reach())
         && within(
             force.rms_error_n,
             scene.rms.map(|r| r * force.target_mean_n),

@@ -31,6 +31,8 @@ key-cam-arm = Longitud del brazo desde el pivote al centro del rodillo.
 key-cam-face_offset = Distancia de la cara plana oscilante a la paralela por su pivote, positiva al alejarse de la leva.
 key-cam-pivot_beside = El brazo se mueve en otro plano, de modo que su pivote puede quedar dentro del contorno de la leva.
 key-cam-bore = Diámetro del agujero; el círculo base queda fuera de él.
+key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto la toma del agujero. Apunta a θ = 0; el círculo base queda 3 mm fuera de él.
+key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea que los dibujos siempre tienen.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
 key-cam-breadth = Anchura constante: distancia entre ambas caras o ambos centros de rodillo. La ley solo necesita entonces su primera media vuelta.
 key-cam-travel = Recorrido de una leva de traslación; auto toma lo que cubren los segmentos.

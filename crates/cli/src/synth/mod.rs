@@ -25,7 +25,7 @@ use gaitcam::synth::{Design, relaxed_with, synthesise_with};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{self, Contents, check_inputs_stay};
-use gaitcam_output::Timing;
+use gaitcam_output::{Timing, dxf::Content};
 
 const EXAMPLES: &str = "Examples:
   gaitcam synth
@@ -68,9 +68,23 @@ pub struct SynthArgs {
     /// Also write manufacturing files: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
     #[arg(long)]
     pub solid: bool,
+    /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
+    #[arg(long)]
+    pub cut_only: bool,
     /// Also write the path of a cutter of this radius: --tool '6 mm'
     #[arg(long, value_name = "RADIUS")]
     pub tool: Option<String>,
+}
+
+impl SynthArgs {
+    /// What the DXF drawings show.
+    fn drawn(&self) -> Content {
+        if self.cut_only {
+            Content::CutOnly
+        } else {
+            Content::All
+        }
+    }
 }
 
 /// Rows of law.csv and profile.csv by default.
@@ -107,6 +121,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             png: !args.no_png,
             solid: args.solid,
             tool,
+            drawn: args.drawn(),
             language: crate::language::current(),
         },
         folder: folder(args, &input)?,

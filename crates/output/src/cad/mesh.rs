@@ -5,6 +5,7 @@ use std::io::Cursor;
 use stl_io::{Normal, Triangle, Vertex};
 
 use super::threemf;
+use gaitcam::cam::Bore;
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
@@ -16,8 +17,8 @@ const MM: f64 = 1000.0;
 pub struct Plate {
     /// Thickness; the plate lies on z = 0.
     pub thickness: f64,
-    /// Diameter of the bore about the centre of rotation; none where absent.
-    pub bore: Option<f64>,
+    /// The hole for the shaft; none where absent.
+    pub bore: Option<Bore>,
     /// Vertices of the profile.
     pub points: usize,
 }
@@ -77,16 +78,15 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     match plate.bore {
         None => Ok(full(&outline, thickness)),
         Some(bore) => {
-            let radius = 0.5 * MM * bore;
             let free = clearance(&outline);
-            if !(radius > 0.0 && radius < free) {
+            if !(bore.diameter > 0.0 && MM * bore.reach() < free) {
                 return Err(WriteError::BoreTooLarge {
-                    bore: Quantity::length(2.0 * radius / MM),
+                    bore: Quantity::length(bore.diameter),
                     free: Quantity::length(free / MM),
                 }
                 .into());
             }
-            Ok(bored(&outline, radius, thickness))
+            Ok(bored(&with_corners(outline, &bore), &bore, thickness))
         }
     }
 }
@@ -132,12 +132,40 @@ fn full(outline: &[[f64; 2]], thickness: f64) -> Mesh {
     }
 }
 
-fn bored(outline: &[[f64; 2]], radius: f64, thickness: f64) -> Mesh {
+/// The polygon with a vertex more on each ray from the centre through a corner of the hole.
+fn with_corners(outline: Vec<[f64; 2]>, bore: &Bore) -> Vec<[f64; 2]> {
+    let corners = bore.corners();
+    let n = outline.len();
+    let mut out = Vec::with_capacity(n + corners.len());
+    for (i, &p) in outline.iter().enumerate() {
+        out.push(p);
+        let q = outline[(i + 1) % n];
+        let mut between: Vec<f64> = (corners.iter())
+            .filter_map(|angle| crossing(p, q, *angle))
+            .filter(|u| *u > 0.0 && *u < 1.0)
+            .collect();
+        between.sort_by(f64::total_cmp);
+        let along = |u: f64| [p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1])];
+        out.extend(between.into_iter().map(along));
+    }
+    out
+}
+
+/// Where the ray in a direction crosses the chord from p to q, as a part of the chord.
+fn crossing(p: [f64; 2], q: [f64; 2], angle: f64) -> Option<f64> {
+    let (sin, cos) = angle.sin_cos();
+    let side = |v: [f64; 2]| cos * v[1] - sin * v[0];
+    let (a, b) = (side(p), side(q));
+    let ahead = cos * (p[0] + q[0]) + sin * (p[1] + q[1]) > 0.0;
+    (ahead && a < 0.0 && b > 0.0).then(|| a / (a - b))
+}
+
+fn bored(outline: &[[f64; 2]], bore: &Bore, thickness: f64) -> Mesh {
     let n = outline.len();
     let bore: Vec<[f64; 2]> = outline
         .iter()
         .map(|p| {
-            let scale = radius / p[0].hypot(p[1]);
+            let scale = MM * bore.edge(p[1].atan2(p[0])) / p[0].hypot(p[1]);
             [scale * p[0], scale * p[1]]
         })
         .collect();

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::cad::outline::{Arrow, Edge, EdgePoint, id, marks, zero_mark};
 use crate::escape::escaped;
 use crate::number::append;
+use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
@@ -97,11 +98,11 @@ fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
     if let Some(bore) = synthesis.bore {
         let _ = writeln!(
             out,
-            "<circle id=\"bore\" r=\"{:.6}\" stroke=\"#000000\"/>",
-            0.5 * MM * bore
+            "<path id=\"bore\" d=\"{}\" stroke=\"#000000\"/>",
+            hole(&bore)
         );
     }
-    let bore = synthesis.bore.map_or(0.0, |b| 0.5 * MM * b);
+    let bore = synthesis.bore.map_or(0.0, |b| MM * b.reach());
     let [from, to] = zero_mark(base, bore);
     let _ = writeln!(
         out,
@@ -109,6 +110,22 @@ fn circles(out: &mut String, synthesis: &Design, base: f64, prime: f64) {
         from[0], -from[1], -to[1]
     );
     rotation(out, &Arrow::new(base, bore, synthesis.drive.speed < 0.0));
+}
+
+/// The edge of the hole for the shaft as path data in mm with y down.
+pub(crate) fn hole(bore: &Bore) -> String {
+    let edge = bore.outline();
+    let place = |[x, y, _]: [f64; 3]| format!("{:.6} {:.6}", MM * x, -MM * y);
+    let mut d = format!("M{}", place(edge[0]));
+    for (i, from) in edge.iter().enumerate() {
+        let to = place(edge[(i + 1) % edge.len()]);
+        // Counter-clockwise in the cam's frame is sweep 0 where y points down.
+        d += &match from[2] {
+            0.0 => format!("L{to}"),
+            _ => format!("A{r:.6} {r:.6} 0 0 0 {to}", r = MM * bore.radius()),
+        };
+    }
+    d + "Z"
 }
 
 fn rotation(out: &mut String, arrow: &Arrow) {

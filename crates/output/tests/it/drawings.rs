@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
-use gaitcam::cam::Wall;
+use gaitcam::cam::{Bore, Keyway, Wall};
 use gaitcam::synth::{Design, synthesise};
 use gaitcam_output::dxf::Content;
 
@@ -170,7 +170,7 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
         designed("thesis_barrel.toml"),
     ] {
         let scene = s.name.clone();
-        s.bore = Some(0.01);
+        s.bore = Some(Bore::plain(0.01));
         let all = drawn(&s);
         let cut = read(&gaitcam_output::dxf::profile(&s, 720, Content::CutOnly));
         assert!(cut.layers.iter().all(|l| l.starts_with("CUT_")), "{scene}");
@@ -218,7 +218,7 @@ fn instances(text: &str) -> std::collections::HashMap<usize, String> {
 #[test]
 fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
     for mut s in [footbridge(), heel_tester()] {
-        s.bore = Some(0.01);
+        s.bore = Some(Bore::plain(0.01));
         let bytes = gaitcam_output::step::plate(&s, 0.01).unwrap();
         assert_eq!(bytes, gaitcam_output::step::plate(&s, 0.01).unwrap());
         let text = String::from_utf8(bytes).unwrap();
@@ -251,4 +251,89 @@ fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
         // Four walls, two half bores, below and above.
         assert_eq!(faces.count(), 8);
     }
+}
+
+#[test]
+fn a_keyway_and_a_dot_add_their_faces_and_a_pair_has_two_solids() {
+    let mut s = footbridge();
+    let faces = |s: &Design| {
+        let text = String::from_utf8(gaitcam_output::step::plate(s, 0.01).unwrap()).unwrap();
+        let all = instances(&text);
+        let count = |name: &str| all.values().filter(|e| e.starts_with(name)).count();
+        (count("ADVANCED_FACE"), count("MANIFOLD_SOLID_BREP"))
+    };
+    s.bore = Some(Bore {
+        diameter: 0.02,
+        keyway: Keyway::for_shaft(0.02),
+    });
+    // Four walls, three sides of the keyway, two arcs of the bore, below and above; two walls of the dot and its floor.
+    assert_eq!(faces(&s), (11, 1));
+    s.mark = true;
+    assert_eq!(faces(&s), (14, 1));
+    assert_eq!(faces(&designed("camdas_07_conjugate_roller.toml")).1, 2);
+}
+
+/// Area within a closed polyline with bulges, in the square of its unit.
+fn area(vertices: &[[f64; 3]]) -> f64 {
+    let mut twice = 0.0;
+    for (i, &[x, y, bulge]) in vertices.iter().enumerate() {
+        let [u, v, _] = vertices[(i + 1) % vertices.len()];
+        twice += x * v - u * y;
+        if bulge != 0.0 {
+            let angle = 4.0 * bulge.atan();
+            let radius = (u - x).hypot(v - y) / (2.0 * (0.5 * angle).sin());
+            twice += radius * radius * (angle - angle.sin());
+        }
+    }
+    0.5 * twice
+}
+
+#[test]
+fn the_keyway_is_cut_as_the_standard_has_it() {
+    let mut s = footbridge();
+    let bore = Bore {
+        diameter: 0.02,
+        keyway: Keyway::for_shaft(0.02),
+    };
+    s.bore = Some(bore);
+    let (edge, closed) = drawn(&s).outline("CUT_BORE");
+    assert!(closed);
+    // DIN 6885-1, shaft of 20 mm: 6 mm wide, 2.8 mm deep in the hub: 22.8 mm over the bore.
+    let top = edge.iter().map(|v| v[1]).fold(f64::MIN, f64::max);
+    assert!((top - 12.8).abs() < 1e-9);
+    let corners = edge
+        .iter()
+        .filter(|v| v[1] == top)
+        .map(|v| v[0])
+        .fold(0.0, f64::max);
+    assert!((corners - 3.0).abs() < 1e-9);
+    // 100 π + 6·2.8 and the sliver between chord and bore, by hand: r² asin(3/10) − 3·√91.
+    let wanted = 100.0 * PI + 6.0 * (12.8 - 91.0_f64.sqrt())
+        - (100.0 * 0.3_f64.asin() - 3.0 * 91.0_f64.sqrt());
+    assert!(
+        (area(&edge) - wanted).abs() < 1e-6,
+        "{} {wanted}",
+        area(&edge)
+    );
+    assert!((1e6 * bore.area() - wanted).abs() < 1e-9);
+    // The printed plate has the same hole, in chords.
+    let plate = |bore| gaitcam_output::solid::Plate {
+        thickness: 0.01,
+        bore,
+        points: 1440,
+    };
+    let volume = |bore: Option<Bore>| {
+        let mesh = gaitcam_output::solid::plate(&s, plate(bore)).unwrap();
+        let at = |i: usize| mesh.vertices[i];
+        let six: f64 = (mesh.triangles.iter())
+            .map(|&[a, b, c]| {
+                let (a, b, c) = (at(a), at(b), at(c));
+                a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                    + a[2] * (b[0] * c[1] - b[1] * c[0])
+            })
+            .sum();
+        six / 6.0
+    };
+    let taken = volume(None) - volume(Some(bore));
+    assert!((taken / (10.0 * wanted) - 1.0).abs() < 1e-4, "{taken}");
 }

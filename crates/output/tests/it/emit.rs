@@ -7,7 +7,7 @@ use std::io::{Cursor, Read};
 use crate::designs::{footbridge, heel_tester, impossible};
 use crate::drawing::{groups, read};
 use calamine::{Data, Reader, Xlsx};
-use gaitcam::cam::{Cam, Follower};
+use gaitcam::cam::{Bore, Cam, Follower};
 use gaitcam::law::Law;
 use gaitcam::poly::PiecewisePoly;
 use gaitcam::synth::Design;
@@ -185,7 +185,7 @@ fn dxf_is_the_closed_profile_in_true_millimetres_in_every_dialect() {
         let options = Options {
             points: 1440,
             version,
-            bore: Some(0.02),
+            bore: Some(Bore::plain(0.02)),
             content: Content::All,
         };
         let bytes = gaitcam_output::dxf::drawing(&s, options);
@@ -517,10 +517,10 @@ fn polygon_area(s: &Design, points: usize) -> f64 {
 #[test]
 fn solids_are_watertight_and_hold_the_right_volume() {
     for s in [footbridge(), heel_tester()] {
-        for bore in [None, Some(0.016)] {
+        for bore in [None, Some(0.016_f64)] {
             let form = Plate {
                 thickness: 0.012,
-                bore,
+                bore: bore.map(Bore::plain),
                 points: 1440,
             };
             // The bore polygon has a vertex per profile vertex; its area is that of the circle to 1e-4.
@@ -561,7 +561,7 @@ fn the_3mf_package_holds_the_same_closed_mesh() {
     let s = heel_tester();
     let form = Plate {
         thickness: 0.01,
-        bore: Some(0.02),
+        bore: Some(Bore::plain(0.02)),
         points: 360,
     };
     let bytes = solid::threemf(&s, form).unwrap();
@@ -606,7 +606,7 @@ fn the_3mf_package_holds_the_same_closed_mesh() {
 fn a_plate_that_cannot_be_is_refused_with_the_reason() {
     let good = Plate {
         thickness: 0.01,
-        bore: Some(0.02),
+        bore: Some(Bore::plain(0.02)),
         points: 360,
     };
     let refuse = |s: &Design, form: Plate, word: &str| {
@@ -634,7 +634,7 @@ fn a_plate_that_cannot_be_is_refused_with_the_reason() {
     refuse(
         &s,
         Plate {
-            bore: Some(0.2),
+            bore: Some(Bore::plain(0.2)),
             ..good
         },
         "bore",
@@ -642,7 +642,7 @@ fn a_plate_that_cannot_be_is_refused_with_the_reason() {
     refuse(
         &s,
         Plate {
-            bore: Some(-0.01),
+            bore: Some(Bore::plain(-0.01)),
             ..good
         },
         "bore",
@@ -749,7 +749,7 @@ fn the_same_design_gives_the_same_bytes() {
     let s = heel_tester();
     let form = Plate {
         thickness: 0.01,
-        bore: Some(0.02),
+        bore: Some(Bore::plain(0.02)),
         points: 360,
     };
     let files = || {
@@ -807,7 +807,7 @@ fn odd_designs_are_handed_over_without_fault() {
         assert!(gaitcam_output::xlsx::workbook(&s, TIME, Language::En).is_ok());
         let form = Plate {
             thickness: 0.01,
-            bore: Some(0.01),
+            bore: Some(Bore::plain(0.01)),
             points: 100,
         };
         assert_eq!(solid::stl(&s, form).is_ok(), s.cam.law.is_closed());

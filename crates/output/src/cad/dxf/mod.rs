@@ -5,6 +5,7 @@ mod file;
 use self::file::{Drawing, Shape};
 use super::biarc;
 use super::outline::{Arrow, Edge, marks, zero_mark};
+use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
@@ -59,8 +60,8 @@ pub struct Options {
     pub points: usize,
     /// Dialect.
     pub version: Version,
-    /// Diameter of the bore, m; none drawn where absent.
-    pub bore: Option<f64>,
+    /// The hole for the shaft; none drawn where absent.
+    pub bore: Option<Bore>,
     /// Which layers.
     pub content: Content,
 }
@@ -190,7 +191,15 @@ impl Sheet {
         let follower = &synthesis.cam.follower;
         let round = !follower.is_unrolled();
         if let Some(bore) = self.options.bore.filter(|_| round) {
-            self.circle("CUT_BORE", 0.5 * MM * bore);
+            match bore.keyway {
+                None => self.circle("CUT_BORE", MM * bore.radius()),
+                Some(_) => {
+                    let edge: Vec<[f64; 3]> = (bore.outline().iter())
+                        .map(|&[x, y, bulge]| [MM * x, MM * y, bulge])
+                        .collect();
+                    self.polyline("CUT_BORE", &edge, true);
+                }
+            }
         }
         if self.options.content == Content::CutOnly {
             return;
@@ -211,7 +220,7 @@ impl Sheet {
             self.circle("REF_PRIME_CIRCLE", prime);
         }
         self.circle("REF_BASE_CIRCLE", base);
-        let bore = self.options.bore.map_or(0.0, |b| 0.5 * MM * b);
+        let bore = self.options.bore.map_or(0.0, |b| MM * b.reach());
         self.zero(base, bore);
         self.rotation(&Arrow::new(base, bore, synthesis.drive.speed < 0.0));
     }

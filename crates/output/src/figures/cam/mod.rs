@@ -3,6 +3,8 @@
 mod follower;
 mod table;
 
+use std::f64::consts::TAU;
+
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
@@ -240,7 +242,12 @@ impl<'a> Scene<'a> {
             dashed(plane, circle(self.base), GREEN, BASE)?;
         }
         if let Some(bore) = self.synthesis.bore.filter(|_| !self.is_straight()) {
-            let rim = circle(0.5 * MM * bore);
+            let mut angles: Vec<f64> = (0..=360).map(|i| f64::from(i).to_radians()).collect();
+            angles.extend(bore.corners().iter().map(|a| a.rem_euclid(TAU)));
+            angles.sort_by(f64::total_cmp);
+            let rim: Vec<(f64, f64)> = (angles.iter())
+                .map(|&a| here(bore.edge(a) * a.cos(), bore.edge(a) * a.sin()))
+                .collect();
             plane.draw(&Polygon::new(rim.clone(), PAPER.filled()))?;
             plane.draw(&PathElement::new(rim, stroke(BLUE, 1.6)))?;
         }

@@ -82,6 +82,7 @@ pub fn footbridge() -> Design {
         conjugate: None,
         groove: None,
         bore: None,
+        mark: false,
         thickness: 0.01,
         force: ForceReport {
             rms_error_n: amplitude / 2f64.sqrt(),
@@ -191,6 +192,7 @@ pub fn heel_tester() -> Design {
         conjugate: None,
         groove: None,
         bore: None,
+        mark: false,
         thickness: 0.01,
         force: ForceReport {
             rms_error_n: 36.0,

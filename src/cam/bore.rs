@@ -1,0 +1,227 @@
+//! The hole for the shaft: a bore with or without a keyway, the wall around it.
+
+use serde::Serialize;
+
+/// Parallel keys of DIN 6885-1 (ISO 773): shaft diameter up to, width, depth of the keyway in the hub, mm.
+const DIN_6885: [[f64; 3]; 17] = [
+    [8.0, 2.0, 1.0],
+    [10.0, 3.0, 1.4],
+    [12.0, 4.0, 1.8],
+    [17.0, 5.0, 2.3],
+    [22.0, 6.0, 2.8],
+    [30.0, 8.0, 3.3],
+    [38.0, 10.0, 3.3],
+    [44.0, 12.0, 3.3],
+    [50.0, 14.0, 3.8],
+    [58.0, 16.0, 4.3],
+    [65.0, 18.0, 4.4],
+    [75.0, 20.0, 4.9],
+    [85.0, 22.0, 5.4],
+    [95.0, 25.0, 5.4],
+    [110.0, 28.0, 6.4],
+    [130.0, 32.0, 7.4],
+    [150.0, 36.0, 8.4],
+];
+/// Thinnest shaft of the table, m.
+const THINNEST: f64 = 6e-3;
+/// Wall that is left around a bore, and around a keyway, m.
+const WALL: f64 = 1e-3;
+const KEYED_WALL: f64 = 3e-3;
+
+/// The keyway in the hub.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Keyway {
+    /// Width, m.
+    pub width: f64,
+    /// Depth above the bore's circle at the middle of the keyway, t₂ of the standard, m.
+    pub depth: f64,
+}
+
+impl Keyway {
+    /// The keyway of DIN 6885-1 for a shaft of this diameter, m; `None` outside 6 … 150 mm.
+    ///
+    /// ```
+    /// use gaitcam::cam::Keyway;
+    ///
+    /// assert_eq!(Keyway::for_shaft(0.012), Some(Keyway { width: 0.004, depth: 0.0018 }));
+    /// assert_eq!(Keyway::for_shaft(0.2), None);
+    /// ```
+    pub fn for_shaft(diameter: f64) -> Option<Keyway> {
+        let row = DIN_6885.iter().find(|row| diameter <= 1e-3 * row[0])?;
+        (diameter > THINNEST).then_some(Keyway::of(row))
+    }
+
+    /// The keyway of DIN 6885-1 of this width, m; `None` where the standard has none.
+    pub fn of_width(width: f64) -> Option<Keyway> {
+        let row = DIN_6885
+            .iter()
+            .find(|row| (1e-3 * row[1] - width).abs() < 1e-9)?;
+        Some(Keyway::of(row))
+    }
+
+    /// The widths of the standard, m.
+    pub fn widths() -> impl Iterator<Item = f64> {
+        DIN_6885.iter().map(|row| 1e-3 * row[1])
+    }
+
+    fn of(row: &[f64; 3]) -> Keyway {
+        // Divided, not multiplied by 1e-3: the nearest numbers to those of the standard.
+        Keyway {
+            width: row[1] / 1e3,
+            depth: row[2] / 1e3,
+        }
+    }
+}
+
+/// The hole for the shaft about the centre of rotation; its keyway points along +y, towards θ = 0.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Bore {
+    /// Diameter, m.
+    pub diameter: f64,
+    /// The keyway, if there is one; narrower than the bore.
+    pub keyway: Option<Keyway>,
+}
+
+impl Bore {
+    /// A bore without a keyway; `diameter` in m.
+    pub fn plain(diameter: f64) -> Bore {
+        Bore {
+            diameter,
+            keyway: None,
+        }
+    }
+
+    /// Radius of the round part, m.
+    pub fn radius(&self) -> f64 {
+        0.5 * self.diameter
+    }
+
+    /// Largest distance of the hole's edge from the centre, m: the corners of the keyway.
+    pub fn reach(&self) -> f64 {
+        match self.keyway {
+            None => self.radius(),
+            Some(key) => (self.radius() + key.depth).hypot(0.5 * key.width),
+        }
+    }
+
+    /// Smallest base radius that leaves a wall around the hole, m: 1 mm around a bore; around a keyway 3 mm, and at least
+    /// half its depth.
+    pub fn least_base_radius(&self) -> f64 {
+        match self.keyway {
+            None => self.radius() + WALL,
+            Some(key) => self.reach() + KEYED_WALL.max(0.5 * key.depth),
+        }
+    }
+
+    /// Distance of the hole's edge from the centre in the direction `angle` from +x, rad → m. Every ray meets the edge once.
+    pub fn edge(&self, angle: f64) -> f64 {
+        let Some(key) = self.keyway else {
+            return self.radius();
+        };
+        let (sin, cos) = angle.sin_cos();
+        let (half, top) = (0.5 * key.width, self.radius() + key.depth);
+        let [top_corner, foot] = self.corner_angles(key);
+        // From +y, to either side.
+        let aside = cos.abs().atan2(sin);
+        if aside <= top_corner {
+            top / sin
+        } else if aside < foot {
+            half / cos.abs()
+        } else {
+            self.radius()
+        }
+    }
+
+    /// The hole's edge counter-clockwise: vertices x, y (m) and the bulge of the piece that follows, tan(¼ of its arc), 0
+    /// for a straight one.
+    pub fn outline(&self) -> Vec<[f64; 3]> {
+        let r = self.radius();
+        let Some(key) = self.keyway else {
+            // Two half circles.
+            return vec![[r, 0.0, 1.0], [-r, 0.0, 1.0]];
+        };
+        let (half, top) = (0.5 * key.width, r + key.depth);
+        let foot = (r * r - half * half).sqrt();
+        let [_, aside] = self.corner_angles(key);
+        // The round part in two pieces: from the left foot of the keyway over the lowest point to the right one.
+        let quarter = 0.25 * (std::f64::consts::PI - aside);
+        vec![
+            [half, foot, 0.0],
+            [half, top, 0.0],
+            [-half, top, 0.0],
+            [-half, foot, quarter.tan()],
+            [0.0, -r, quarter.tan()],
+        ]
+    }
+
+    /// Directions in which the edge has a corner, from +x, rad.
+    pub fn corners(&self) -> Vec<f64> {
+        let up = std::f64::consts::FRAC_PI_2;
+        let angles = self.keyway.map(|key| self.corner_angles(key));
+        let both = |a: f64| [up - a, up + a];
+        angles.into_iter().flatten().flat_map(both).collect()
+    }
+
+    /// Angles from the middle of the keyway to its outer corner and to its foot on the bore, rad.
+    fn corner_angles(&self, key: Keyway) -> [f64; 2] {
+        let half = 0.5 * key.width;
+        let outer = half.atan2(self.radius() + key.depth);
+        [outer, (half / self.radius()).clamp(-1.0, 1.0).asin()]
+    }
+
+    /// Area of the hole, m².
+    pub fn area(&self) -> f64 {
+        let r = self.radius();
+        let round = std::f64::consts::PI * r * r;
+        let Some(key) = self.keyway else {
+            return round;
+        };
+        // The keyway's rectangle from the chord of its feet, without the bore's segment above that chord.
+        let half = 0.5 * key.width;
+        let [_, aside] = self.corner_angles(key);
+        let foot = r * aside.cos();
+        let segment = r * r * aside - half * foot;
+        round + key.width * (r + key.depth - foot) - segment
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn outline_edge_and_area_are_of_one_hole() {
+        for bore in [
+            Bore::plain(0.012),
+            Bore {
+                diameter: 0.02,
+                keyway: Keyway::for_shaft(0.02),
+            },
+        ] {
+            // Area by the edge as a function of the angle.
+            let n = 400_000;
+            let step = std::f64::consts::TAU / n as f64;
+            let area: f64 = (0..n)
+                .map(|i| 0.5 * step * bore.edge((i as f64 + 0.5) * step).powi(2))
+                .sum();
+            assert!(
+                (area / bore.area() - 1.0).abs() < 1e-6,
+                "{area} {}",
+                bore.area()
+            );
+            for [x, y, _] in bore.outline() {
+                // Beside a corner the edge is continuous.
+                for turn in [-1e-9, 1e-9] {
+                    let r = bore.edge(y.atan2(x) + turn);
+                    assert!((r - x.hypot(y)).abs() < 1e-9, "{x} {y} {r}");
+                }
+            }
+            let farthest = bore
+                .outline()
+                .iter()
+                .map(|v| v[0].hypot(v[1]))
+                .fold(0.0, f64::max);
+            assert!((farthest - bore.reach()).abs() < 1e-15);
+        }
+    }
+}
