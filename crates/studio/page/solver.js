@@ -34,8 +34,11 @@ async function run(since) {
     const question = { scene: state.scene, changes: state.changes, page, number: mine };
     const answer = await post("design", question, control.signal);
     if (mine === number && !answer.superseded) {
-      if (!waiting) settle(answer.scene, applied);
-      await handlers.show(answer, since, Boolean(waiting));
+      const more = waiting !== null;
+      // The next answer is on its way while this one is drawn.
+      if (more) next();
+      else settle(answer.scene, applied);
+      await handlers.show(answer, since, more);
     }
   } catch (error) {
     if (error.name === "AbortError" || mine !== number) return;
@@ -46,15 +49,17 @@ async function run(since) {
   } finally {
     if (running === control) {
       running = null;
-      if (waiting !== null) {
-        const next = waiting;
-        waiting = null;
-        run(next);
-      } else {
-        handlers.working(false, since);
-      }
+      if (waiting !== null) next();
+      else handlers.working(false, since);
     }
   }
+}
+
+// Asks what waits.
+function next() {
+  const since = waiting;
+  waiting = null;
+  run(since);
 }
 
 // Leaves the present question unanswered.
