@@ -125,20 +125,23 @@ fn leaves(table: &Table) -> usize {
 /// The scene without its faulty keys, and the fault of each.
 fn read_what_is_right(table: &Table) -> (Option<Scene>, Vec<Error>) {
     let mut left = table.clone();
-    let mut faults = Vec::new();
+    let mut faults: Vec<Error> = Vec::new();
     while faults.len() < MOST {
-        match scene::read(&left) {
+        let fault = match scene::read(&left) {
             Ok(scene) => return (Some(scene), faults),
-            Err(fault) => {
-                let key = match &fault.place {
-                    Place::Key(key) => key.clone(),
-                    _ => String::new(),
-                };
-                faults.push(fault);
-                if !set_aside(&mut left, &key) {
-                    break;
-                }
-            }
+            Err(fault) => fault,
+        };
+        // What is missing only because it was set aside is no fault of its own.
+        if faults.iter().any(|known| known.place == fault.place) {
+            break;
+        }
+        let key = match &fault.place {
+            Place::Key(key) => key.clone(),
+            _ => String::new(),
+        };
+        faults.push(fault);
+        if !set_aside(&mut left, &key) {
+            break;
         }
     }
     (None, faults)

@@ -79,7 +79,9 @@ fn said(arguments: &[&str], code: i32) -> String {
 
 /// Words of a text without the punctuation around them; what is quoted, a path or a key stays whole.
 fn words(text: &str) -> impl Iterator<Item = &str> {
+    // What begins with a colon is typed as it stands: `force_error:jerk`, or `:jerk`.
     text.split_whitespace()
+        .filter(|word| !word.starts_with(':'))
         .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
 }
 
