@@ -10,17 +10,20 @@ use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions};
 use gaitcam::problem::Shared;
-use gaitcam::scene::{self, Scene};
+use gaitcam::scene::{self, Scene, Source};
 use gaitcam::synth::{relaxed_with, sentences, synthesise_with};
 use serde_json::json;
 use toml::Table;
 
 use crate::exit_code::{self, BAD_INPUT, BUILT, NO_SUCH_CAM};
-use crate::input::{self, Input, SceneArgs, files::read_bytes, target::metadata};
+use crate::input::{self, SceneArgs};
 use crate::language;
 use crate::searching::TimeLimit;
 use crate::terminal::print;
 use crate::words;
+use gaitcam_files::Input;
+use gaitcam_files::read::read_bytes;
+use gaitcam_files::target::{content, find, metadata};
 
 const EXAMPLES: &str = "Examples:
   gaitcam doctor my.toml
@@ -50,7 +53,7 @@ pub fn run(args: &DoctorArgs) -> Result<u8> {
             metadata: metadata(&args.file),
             ..ReadOptions::default()
         };
-        examine_recording(&args.file, &options)
+        examine_recording(&args.file, &read_bytes(&args.file)?, &options)
     }
 }
 
@@ -76,7 +79,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
         scene: Some(args.file.clone()),
         set: Vec::new(),
     };
-    let (table, folder) = input::table(&named)?;
+    let (table, folder, _) = input::written(&named)?;
     let file = args.file.display().to_string();
     good(&said(
         "toml",
@@ -97,9 +100,12 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
         folder,
         file: None,
     };
-    if let (Some(gait), Some(path)) = (&input.scene.gait, input.recording()) {
-        let options = input::target::options(gait, &path)?;
-        let code = examine_recording(&path, &options)?;
+    if let Some(gait) = &input.scene.gait
+        && let Source::File(path) = &gait.source
+    {
+        let place = find(&input.folder, path);
+        let bytes = content(&input.folder, path)?;
+        let code = examine_recording(&place, &bytes, &gait.read_options(metadata(&place))?)?;
         if code != BUILT {
             return Ok(code);
         }
@@ -166,17 +172,16 @@ fn set_aside(table: &mut Table, key: &str) -> bool {
     }
 }
 
-fn examine_recording(path: &Path, options: &ReadOptions) -> Result<u8> {
-    let bytes = read_bytes(path)?;
+fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<u8> {
     let file = path.display().to_string();
-    if let Some(curve) = force::one_cycle(path, &bytes, options)? {
+    if let Some(curve) = force::one_cycle(path, bytes, options)? {
         good(&said(
             "one-cycle",
             &json!({"file": file, "period": words::fixed(curve.period_s, 3)}),
         ));
         return Ok(BUILT);
     }
-    let recording = match force::read(path, &bytes, options) {
+    let recording = match force::read(path, bytes, options) {
         Ok(recording) => recording,
         Err(fault) => {
             bad(&fault.sentence(language::current()));
