@@ -366,9 +366,9 @@ keys-default = por defecto { $text }
 
 init-shaker = Una masa que descansa sobre la leva y excita una pasarela como quien camina: F = M (g + d²s/dt²).
 init-recording = Una leva de su propio registro de la marcha, reproducida por una masa que descansa sobre ella.
-init-heel-tester = Un ensayador de tacones: la subida comprime aceite o aire en un cilindro, la fuerza crece con ella.
+init-heel-tester = Una ensayadora de tacones: la subida comprime aceite o aire en un cilindro, la fuerza crece con ella.
 init-spring-bench = Un banco de ensayo con muelle: F = F₀ + k s + m d²s/dt²; para pies protésicos, calzado, articulaciones.
-init-programme = Una leva clásica de un programa de subidas, bajadas y detenciones, sin fuerza.
+init-programme = Una leva clásica de un programa de subidas, bajadas y detenimientos, sin fuerza.
 init-written = { $file } escrito
 init-how = Diseñe la leva: gaitcam synth { $file }. Todas las claves: gaitcam keys. Las líneas que empiezan por "# clave =" se ofrecen y no se usan.
 doctor-toml = { $file }: { $keys } valores

@@ -301,32 +301,32 @@ sheet-pitch-y = Curva de paso, y, mm
 
 # El catálogo de leyes de subida.
 laws-title = Leyes de subida
-laws-lead = Cada ley lleva de s = 0 a s = 1 mientras x va de 0 a 1. Una subida h en el ángulo β tiene velocidad de pico Cv·h/β, aceleración Ca·h/β², tirón Cj·h/β³ (por radián; por ω, ω², ω³ en segundos). Donde la fórmula da la aceleración, la ley es su integral.
+laws-lead = Cada ley lleva de s = 0 a s = 1 mientras x va de 0 a 1. Una subida h en el ángulo β tiene velocidad de pico Cv·h/β, aceleración Ca·h/β², sobreaceleración Cj·h/β³ (por radián; por ω, ω², ω³ en segundos). Donde la fórmula da la aceleración, la ley es su integral.
 laws-joins-both = Ambos extremos enlazan con: { $start }.
 laws-joins-each = El inicio enlaza con: { $start }. El final enlaza con: { $end }.
 laws-torque = Mayor aceleración × velocidad, que da la escala del par de inercia: Ct = { $ct }.
 laws-footer = En una escena: family = "program", motion = el nombre de la ley. Los factores son los de la ley continua.
-laws-use-constant-velocity = Entre dos leyes que marchan a la misma velocidad, por ejemplo la carrera de trabajo de un avance. Sola entre detenciones la velocidad salta: úsela sólo con extremos semiarmónicos o semicicloidales.
+laws-use-constant-velocity = Entre dos leyes que marchan a la misma velocidad, por ejemplo la carrera de trabajo de un avance. Sola entre detenimientos la velocidad salta: úsela sólo con extremos semiarmónicos o semicicloidales.
 laws-use-parabolic = La menor aceleración de pico de todas las leyes para una subida y un tiempo dados. La aceleración salta en los extremos y en el centro, así que vibra: sólo a baja velocidad.
 laws-use-cubic = Aceleración lineal: el polinomio más simple en reposo en ambos extremos. La aceleración salta en los extremos: sólo a baja velocidad.
-laws-use-simple-harmonic = Picos pequeños y centro suave; adecuada cuando a la subida sigue en seguida un retorno igual. Junto a una detención la aceleración salta.
-laws-use-double-harmonic = Subida desde una detención a la que sigue en seguida su retorno: en reposo abajo, con su retorno de igual aceleración arriba.
-laws-use-cycloidal = Subida entre detenciones a velocidad media y alta: la aceleración es continua y el tirón finito. Su aceleración de pico es alta.
+laws-use-simple-harmonic = Picos pequeños y centro suave; adecuada cuando a la subida sigue en seguida un retorno igual. Junto a un detenimiento la aceleración salta.
+laws-use-double-harmonic = Subida desde un detenimiento a la que sigue en seguida su retorno: en reposo abajo, con su retorno de igual aceleración arriba.
+laws-use-cycloidal = Subida entre detenimientos a velocidad media y alta: la aceleración es continua y la sobreaceleración finita. Su aceleración de pico es alta.
 laws-use-semiharmonic-start = Del reposo a una velocidad constante con poca aceleración de pico; en su extremo lento enlaza con un retorno de igual aceleración.
 laws-use-semiharmonic-end = De una velocidad constante al reposo con poca aceleración de pico; en su extremo lento enlaza con un retorno de igual aceleración.
-laws-use-semicycloidal-start = De una detención a una velocidad constante sin salto de la aceleración.
-laws-use-semicycloidal-end = De una velocidad constante a una detención sin salto de la aceleración.
+laws-use-semicycloidal-start = De un detenimiento a una velocidad constante sin salto de la aceleración.
+laws-use-semicycloidal-end = De una velocidad constante a un detenimiento sin salto de la aceleración.
 laws-use-modified-trapezoid = Poca aceleración de pico con aceleración continua: seguidores ligeros limitados por la fuerza de inercia.
 laws-use-modified-sine = Poca velocidad y par de pico con aceleración continua: mesas giratorias pesadas y grandes masas.
 laws-use-scca = La familia entre trapecio modificado, seno modificado y cicloidal: elija las partes b, c, d para cambiar aceleración por velocidad.
-laws-use-3-4-5 = El polinomio habitual entre detenciones: aceleración suave, picos moderados, fácil de mecanizar.
-laws-use-4-5-6-7 = Entre detenciones cuando el tirón ha de empezar y acabar en cero: más silenciosa a alta velocidad, con mayor aceleración de pico.
-laws-use-5-6-7-8-9 = Entre detenciones cuando también la derivada del tirón es cero en los extremos: máquinas rígidas y rápidas. Su aceleración de pico es la mayor de los tres polinomios.
+laws-use-3-4-5 = El polinomio habitual entre detenimientos: aceleración suave, picos moderados, fácil de mecanizar.
+laws-use-4-5-6-7 = Entre detenimientos cuando la sobreaceleración ha de empezar y acabar en cero: más silenciosa a alta velocidad, con mayor aceleración de pico.
+laws-use-5-6-7-8-9 = Entre detenimientos cuando también la derivada de la sobreaceleración es cero en los extremos: máquinas rígidas y rápidas. Su aceleración de pico es la mayor de los tres polinomios.
 laws-use-polynomial-5 = Enlaza con lo que haya a su lado en subida, velocidad y aceleración: la pieza entre dos leyes que no encajan.
-laws-use-polynomial-7 = Como polynomial-5, y además el tirón es continuo.
-laws-use-berzak-d = Polinomio de poca aceleración de pico entre detenciones (Bautista Morelos 2018); el tirón en sus extremos no es cero.
+laws-use-polynomial-7 = Como polynomial-5, y además la sobreaceleración es continua.
+laws-use-berzak-d = Polinomio de poca aceleración de pico entre detenimientos (Bautista Morelos 2018); la sobreaceleración en sus extremos no es cero.
 laws-use-gutman-1-3 = Dos armónicos: menos aceleración de pico que la cicloidal, sin armónicos superiores que exciten el seguidor.
-laws-use-freudenstein-1-3 = Tal como suele imprimirse: sus extremos no están en reposo (v = −1/56), así que no enlaza con ninguna detención. Use freudenstein-1-3-at-rest.
+laws-use-freudenstein-1-3 = Tal como suele imprimirse: sus extremos no están en reposo (v = −1/56), así que no enlaza con ningún detenimiento. Use freudenstein-1-3-at-rest.
 laws-use-freudenstein-1-3-at-rest = Dos armónicos con poca aceleración de pico, en reposo en ambos extremos.
 laws-use-freudenstein-1-3-5 = Tres armónicos: cerca de la menor aceleración de pico que permite una suma de tres.
 laws-use-eccentric = Media vuelta de un disco excéntrico: la leva más barata de hacer. Le sigue su propio retorno.
