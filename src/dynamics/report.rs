@@ -32,6 +32,7 @@ pub const LABELS: &[&str] = &[
     "next-model",
     "next-failed",
     "next-rms",
+    "next-same",
     "next-changes",
     "note",
 ];
@@ -174,7 +175,7 @@ impl Outcome {
         let torque = json!({
             "least": say.number(format!("{:.5}", t.min)),
             "most": say.number(format!("{:.5} {unit}", t.max)),
-            "mean": say.number(format!("{:.3e}", t.mean)),
+            "mean": say.number(format!("{:.5}", t.mean + 0.0)),
             "rms": say.number(format!("{:.5}", t.rms)),
         });
         lines.push((label, say.fill("torque-values", torque)));
@@ -224,6 +225,9 @@ impl Outcome {
         lines
     }
 }
+
+/// Changes of a force, N, or of the lost part below this are rounding.
+const LEAST_CHANGE: f64 = 5e-5;
 
 /// Language and units of a table.
 #[derive(Clone, Copy)]
@@ -297,7 +301,16 @@ impl Difference {
             let fault = fault.sentence(language);
             return say.fill("next-failed", json!({"model": model, "fault": fault}));
         }
-        let written = |x: f64| say.number(format!("{x:+.3e}"));
+        let same = self.force_min.abs().max(self.force_max.abs()) < LEAST_CHANGE
+            && self.rms_error.is_none_or(|e| e.abs() < LEAST_CHANGE)
+            && self.lost_fraction.abs() < LEAST_CHANGE;
+        if same {
+            return say.fill("next-same", json!({"model": model}));
+        }
+        let written = |x: f64| {
+            let sign = if x > 0.0 { "+" } else { "" };
+            format!("{sign}{}", say.number(format!("{x:.4}")))
+        };
         let rms = self.rms_error.map_or(String::new(), |e| {
             say.fill("next-rms", json!({"rms": written(e)}))
         });
@@ -306,7 +319,7 @@ impl Difference {
             "least": written(self.force_min),
             "most": written(self.force_max),
             "error": rms,
-            "lost": written(self.lost_fraction),
+            "lost": written(100.0 * self.lost_fraction),
         });
         say.fill("next-changes", values)
     }

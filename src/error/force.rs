@@ -26,6 +26,8 @@ pub enum ForceError {
     UnknownKind { word: String },
     /// A word that names no doubt.
     UnknownDoubt { word: String },
+    /// No recording gives a cycle for a joint mean.
+    NoJointMean { trials: usize },
     /// A word that is no unit of force.
     UnknownUnit { word: String },
     /// No load model has this name.

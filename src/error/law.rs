@@ -133,6 +133,9 @@ pub enum LawError {
     EccentricRatio {
         ratio: f64,
     },
+    TablePairs {
+        numbers: usize,
+    },
     TableRows {
         table: String,
         rows: usize,

@@ -147,6 +147,17 @@ impl Interpretation {
         all
     }
 
+    /// Codes of the warnings, each once, in the order in which they stand.
+    pub fn codes(&self) -> Vec<&'static str> {
+        let mut all: Vec<&str> = Vec::new();
+        for code in self.warnings.iter().map(Note::code) {
+            if !all.contains(&code) {
+                all.push(code);
+            }
+        }
+        all
+    }
+
     /// Used contacts, and rejected ones.
     pub fn counts(&self) -> (usize, usize) {
         let used = self.contacts.iter().filter(|c| c.rejected.is_none());

@@ -8,6 +8,7 @@ mod cycle;
 mod feet;
 mod format;
 mod interpretation;
+mod joint;
 mod kind;
 mod models;
 mod note;
@@ -25,6 +26,7 @@ pub use cycle::{Cycle, MeanStanceCurve, Overlay, Period, cycle, overlay};
 pub use feet::Feet;
 pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
 pub use interpretation::{Clock, Column, Contact, Interpretation};
+pub use joint::{JointMean, LeftOut, Trial, joint_mean};
 pub use kind::{Kind, OpenQuestion};
 pub use models::{ModelInfo, Status, catalogue, fourier, model};
 pub use note::{
@@ -33,6 +35,9 @@ pub use note::{
 pub use plausibility::implausible;
 pub use read::{metadata_name, of_arrays, one_cycle, read};
 pub use recording::{Channel, Foot, ForceUnit, Idle, ReadOptions, Recording, Row, Strike};
-pub use report::{LABELS, csv, cycle_json, cycle_table, json, spread_rms_n, table};
+pub use report::{
+    LABELS, TrialRow, csv, cycle_json, cycle_table, json, spread_rms_n, table, trials_json,
+    trials_table,
+};
 pub use source::force_curve;
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};

@@ -25,7 +25,7 @@ pub enum Axis {
 }
 
 /// What a person should know about how a recording was read or averaged.
-#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[derive(Debug, Clone, PartialEq, Serialize, IntoStaticStr, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
@@ -129,8 +129,16 @@ pub enum Note {
     StancesDiffer { share: Quantity },
     /// The mean is of the total of both feet in one column.
     TotalColumn,
+    /// Feet lie across plates, so the forces of all plates are added.
+    PlatesSummed { plates: usize },
     /// Readings are converter counts, scaled by the mass.
     CountsScaled { mass: Quantity },
+    /// Recordings of walkers of several masses are averaged in body weights.
+    SeveralMasses {
+        low: Quantity,
+        high: Quantity,
+        mean: Quantity,
+    },
 }
 
 /// What part of the weight the feet of a cycle carry over a stride.
@@ -251,6 +259,11 @@ pub enum CycleSource {
 }
 
 impl Note {
+    /// The code used in JSON and in tables.
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
+
     /// What the note leaves open until the user answers; `None` where it only informs.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         match self {

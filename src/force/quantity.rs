@@ -1,19 +1,56 @@
-//! Quantities of this module, for notes and errors.
+//! Quantities of this module, for notes and errors: rounded to what a recording can tell.
 
 use crate::units::{Dimension, Quantity};
 
+/// Significant digits of a quantity that was measured.
+const DIGITS: i32 = 4;
+
 pub(super) fn seconds(value: f64) -> Quantity {
-    Quantity::time(value)
+    Quantity::time(rounded(value))
 }
 
 pub(super) fn newtons(value: f64) -> Quantity {
-    Quantity::force(value)
+    Quantity::force(rounded(value))
 }
 
 pub(super) fn hertz(value: f64) -> Quantity {
-    Quantity::new(value, Dimension::Frequency)
+    Quantity::new(rounded(value), Dimension::Frequency)
 }
 
 pub(super) fn kilograms(value: f64) -> Quantity {
-    Quantity::new(value, Dimension::Mass)
+    Quantity::new(rounded(value), Dimension::Mass)
+}
+
+fn rounded(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let places = DIGITS - 1 - value.abs().log10().floor() as i32;
+    // Tenths and hundredths are exact in words only where they are divided, not multiplied.
+    if places >= 0 {
+        let scale = 10f64.powi(places);
+        (value * scale).round() / scale
+    } else {
+        let scale = 10f64.powi(-places);
+        (value / scale).round() * scale
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_digits_are_kept() {
+        for (x, wanted) in [
+            (109.477, 109.5),
+            (1.026_79, 1.027),
+            (9.997_78, 9.998),
+            (0.018_33, 0.018_33),
+        ] {
+            assert_eq!(rounded(x), wanted);
+        }
+        assert_eq!(rounded(123_456.0), 123_500.0);
+        assert_eq!(rounded(0.0), 0.0);
+    }
 }

@@ -90,8 +90,10 @@ pub enum Rise {
     User {
         /// Its name in messages.
         name: String,
+        /// What a scene says of it, as [`Rise::from_name`] reads it.
+        written: String,
         /// The law on [0, 1], leading from 0 to 1.
-        law: Law,
+        law: Box<Law>,
     },
 }
 
@@ -232,12 +234,14 @@ impl Rise {
         match self {
             Rise::Scca { b, c, d } => format!("scca {b} {c} {d}"),
             Rise::Eccentric { ratio } if ratio.is_finite() => format!("eccentric {ratio}"),
+            Rise::User { written, .. } => written.clone(),
             other => other.name().to_string(),
         }
     }
 
     /// The motion of a name as in the catalogue, or `dwell`. Parameters may follow the name:
-    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio).
+    /// `scca 0.25 0.25 0.5` (b, c, d), `eccentric 4` (ratio), `table 0 0 0.5 0.3 1 1` (pairs of x and s, at rest at
+    /// both ends), `spline 0 0 0 1 1 1` (control points).
     ///
     /// # Errors
     /// An unknown name, with the nearest known one; parameters that are no numbers, too many or out of range.
@@ -256,6 +260,11 @@ impl Rise {
                 })
             })
             .collect::<Result<_>>()?;
+        if !numbers.is_empty()
+            && let Some(own) = Rise::own(&word, &numbers)
+        {
+            return own;
+        }
         let found = Rise::catalogue()
             .into_iter()
             .chain([Rise::Dwell])
@@ -326,7 +335,7 @@ impl Rise {
                 shapes::sine_series(&[(1.0, a), (3.0, a / 54.0), (5.0, a / 1250.0)])
             }
             Rise::Eccentric { ratio } => shapes::eccentric(*ratio)?,
-            Rise::User { law, .. } => law.clone(),
+            Rise::User { law, .. } => (**law).clone(),
         })
     }
 

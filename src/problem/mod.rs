@@ -27,8 +27,9 @@ use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
     Band, CamSpec, DriveSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Minimise,
-    Phase, PhaseWeight, Scene,
+    Phase, PhaseWeight, Scene, Source,
 };
+use crate::units::G;
 use target::{band_about, weight_at};
 
 /// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
@@ -90,8 +91,23 @@ struct Given {
     force: Option<ForceCurve>,
     band: Option<Band>,
     scale: ForceScale,
+    /// Weight of the walker before it is scaled, N.
+    weight_n: Option<f64>,
     drive: DriveSpec,
     remarks: Vec<Note>,
+}
+
+/// Weight of a force's walker, N; of another machine's force its mean.
+fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
+    let mean = force.mean_n();
+    match (&gait.source, gait.period) {
+        (Source::Model(_), _) => gait.model_weight(),
+        (Source::File(_), Some(_)) => mean,
+        (Source::File(_), None) => {
+            let known = force.mass_kg.map(|m| m * G);
+            known.unwrap_or(mean / gait.feet.share())
+        }
+    }
 }
 
 /// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
@@ -136,6 +152,7 @@ impl Problem {
             let doubts = doubts.chain(force.warnings().cloned());
             remarks.extend(doubts.map(|note| Note::Recording { note }));
         }
+        let weight_n = gait.zip(force.as_ref()).map(|(g, f)| weight(g, f));
         Problem {
             name: scene.name.clone(),
             drive: Drive::moving_axis(0.0, 0.0, 0.0),
@@ -159,6 +176,7 @@ impl Problem {
                 force,
                 band: gait.and_then(|g| g.band),
                 scale: gait.map_or(ForceScale::None, |g| g.scale),
+                weight_n,
                 drive: scene.drive.clone(),
                 remarks,
             },
@@ -188,6 +206,18 @@ impl Problem {
         self.target = force.map(Target::new);
         self.length = self.typical_lift();
         Ok(self)
+    }
+
+    /// Weight of the walker that the target is of, N: scaled as the target is; `None` without a force.
+    pub fn weight_n(&self) -> Option<f64> {
+        let (weight, force) = self.given.weight_n.zip(self.given.force.as_ref())?;
+        let scaled =
+            self.drive.kind == DriveKind::MovingAxis && self.given.scale == ForceScale::ToMass;
+        Some(if scaled {
+            weight * self.drive.rest_force / force.mean_n()
+        } else {
+            weight
+        })
     }
 
     /// The same with its force and demands, but without a limit and without a band, and with all the time it

@@ -62,6 +62,8 @@ pub enum Note {
     OutOfTime,
     /// The smallest base circle has no radius.
     NoBaseCircle,
+    /// The wall between the bore and the base circle is thinner than that of a usual hub.
+    ThinWall { wall: Quantity, usual: Quantity },
     /// The size keeps the usual pressure angle.
     UsualPressureAngle { angle: Quantity },
     /// The cam is cut for a follower that gives.

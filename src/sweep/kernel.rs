@@ -349,7 +349,7 @@ fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
         base.last = Some((frequency, target));
     }
     let target = base.last.as_ref()?.1.as_ref()?;
-    spectral::figures(scene, target, scale).map(|f| Row::spectral(&f))
+    spectral::figures(scene, target, scale).map(|f| Row::spectral(&f, target))
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! Answers of many scenes as plain columns.
 
 use crate::cam::Verdict;
+use crate::force::ForceCurve;
+use crate::synth::spectral::HarmonicTarget;
 use crate::synth::{Design, Figures, Tier};
 
 /// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
@@ -33,8 +35,11 @@ pub const NUMBERS: [&str; 25] = [
 ];
 
 /// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the
-/// verdict, the solver's tier, limits that bind (or conflict), limits that fail, and what went wrong.
-pub const WORDS: [&str; 6] = ["outcome", "verdict", "tier", "binding", "failed", "error"];
+/// verdict, the solver's tier, active (or conflicting) limits, limits that fail, what went wrong, and codes of
+/// the warnings about the recording.
+pub const WORDS: [&str; 7] = [
+    "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
+];
 
 /// The last column: how long the row took, s. The only one that differs from run to run.
 pub const TIME: &str = "time_s";
@@ -95,6 +100,8 @@ pub struct Row {
     pub failed: String,
     /// What is wrong with the scene.
     pub error: String,
+    /// Codes of what was guessed, left out or doubtful in its recording, joined by `+`.
+    pub warnings: String,
     /// How long it took, s.
     pub time_s: f64,
 }
@@ -110,6 +117,7 @@ impl Row {
             binding: String::new(),
             failed: String::new(),
             error: what.replace(['\n', '\r'], " "),
+            warnings: String::new(),
             time_s: 0.0,
         }
     }
@@ -130,15 +138,17 @@ impl Row {
             .unwrap_or(Outcome::Error);
         row.verdict = VERDICTS.into_iter().find(|v| v.name() == word(1));
         row.tier = TIERS.into_iter().find(|t| t.name() == word(2));
-        [row.binding, row.failed, row.error] = [3, 4, 5].map(|i| word(i).to_string());
+        [row.binding, row.failed, row.error, row.warnings] =
+            [3, 4, 5, 6].map(|i| word(i).to_string());
         row.time_s = word(WORDS.len()).parse().unwrap_or(0.0);
         row
     }
 
-    /// The row of a spectral design that keeps every limit.
-    pub fn spectral(figures: &Figures) -> Row {
+    /// The row of a spectral design that keeps every limit, for a force.
+    pub fn spectral(figures: &Figures, target: &HarmonicTarget) -> Row {
         Row {
             numbers: numbers(figures),
+            warnings: target.curve().map(warnings).unwrap_or_default(),
             outcome: Outcome::Built,
             verdict: Some(Verdict::Acceptable),
             tier: Some(Tier::Spectral),
@@ -149,6 +159,7 @@ impl Row {
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Design) -> Row {
         let mut row = Row::error(String::new());
+        row.warnings = design.target.as_ref().map(warnings).unwrap_or_default();
         if let Some(infeasible) = &design.infeasible {
             row.numbers[3] = design.target.as_ref().map_or(f64::NAN, |t| t.mean_n());
             row.numbers[7] = design.drive.mass;
@@ -173,6 +184,12 @@ impl Row {
         row.failed = joined(failed.map(|c| c.name.name().to_string()));
         row
     }
+}
+
+/// Codes of the warnings about the recording of a force.
+fn warnings(target: &ForceCurve) -> String {
+    let codes = target.recording.as_ref().map(|r| r.codes());
+    codes.unwrap_or_default().join("+")
 }
 
 /// Names joined by `+`, each once.
@@ -229,7 +246,7 @@ pub struct Results {
     outcome: Vec<u8>,
     verdict: Vec<u8>,
     tier: Vec<u8>,
-    texts: [Sparse; 3],
+    texts: [Sparse; 4],
     time_s: Vec<f64>,
 }
 
@@ -273,10 +290,10 @@ impl Results {
             .push(row.verdict.map_or(NONE, |v| position(&VERDICTS, &v)));
         self.tier
             .push(row.tier.map_or(NONE, |t| position(&TIERS, &t)));
-        for (texts, text) in self
-            .texts
-            .iter_mut()
-            .zip([row.binding, row.failed, row.error])
+        for (texts, text) in
+            self.texts
+                .iter_mut()
+                .zip([row.binding, row.failed, row.error, row.warnings])
         {
             if !text.is_empty() {
                 texts.push((at, text));

@@ -25,6 +25,8 @@ pub struct Design {
     pub name: String,
     /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub target: Option<ForceCurve>,
+    /// Weight that load factors are parts of, N: the walker's, as the scene scales it; `None` without a force.
+    pub weight_n: Option<f64>,
     /// Lowest and highest force of the band that was asked for in place of the curve.
     pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.

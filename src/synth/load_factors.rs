@@ -1,4 +1,5 @@
-//! Dynamic load factors, as codes for footbridges quote them: the harmonics of a force as parts of its mean.
+//! Dynamic load factors, as codes for footbridges quote them: harmonics of the step frequency as parts of the
+//! walker's weight.
 
 use std::f64::consts::TAU;
 
@@ -6,16 +7,18 @@ use serde::Serialize;
 
 use super::design::Design;
 
-/// Harmonics that are quoted.
+/// Harmonics of the step frequency that are quoted.
 const HARMONICS: usize = 6;
 /// Samples of a turn that the harmonics are taken from.
 const SAMPLES: usize = 1024;
 
-/// One harmonic of the target and of the achieved force: F = mean (1 + Σ αₖ sin(kθ − φₖ)).
+/// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadFactor {
     /// Number of the harmonic in a turn of the cam.
     pub harmonic: usize,
+    /// The same as a multiple of the step frequency: half of it where a turn is a stride of two steps.
+    pub of_step: f64,
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// αₖ of the target.
@@ -29,14 +32,16 @@ pub struct LoadFactor {
 }
 
 impl Design {
-    /// Harmonics 1 to 6 of target and achieved force as parts of the target's mean; empty where no force is wanted or
-    /// its mean is not positive.
+    /// Harmonics of target and achieved force up to the sixth of the step frequency, as parts of the walker's weight;
+    /// empty where no force is wanted or the weight is not positive.
+    ///
+    /// A turn is a stride of two steps where the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {
         let Some(target) = &self.target else {
             return Vec::new();
         };
-        let mean = target.mean_n();
-        if mean <= 0.0 || self.is_idle() {
+        let weight = self.weight_n.unwrap_or(target.mean_n());
+        if weight <= 0.0 || self.is_idle() {
             return Vec::new();
         }
         let achieved = self.drive.force_curve(self.pressing());
@@ -44,20 +49,31 @@ impl Design {
         let wanted: Vec<f64> = angles().map(|t| target.at(t)).collect();
         let given: Vec<f64> = angles().map(|t| achieved.eval(t)).collect();
         let turns_per_s = self.drive.speed.abs() / TAU;
-        (1..=HARMONICS)
+        let steps = steps_per_turn(&wanted);
+        (1..=steps * HARMONICS)
             .map(|k| {
                 let (target, target_phase_rad) = harmonic(&wanted, k);
                 let (achieved, achieved_phase_rad) = harmonic(&given, k);
                 LoadFactor {
                     harmonic: k,
+                    of_step: k as f64 / steps as f64,
                     frequency_hz: k as f64 * turns_per_s,
-                    target: target / mean,
+                    target: target / weight,
                     target_phase_rad,
-                    achieved: achieved / mean,
+                    achieved: achieved / weight,
                     achieved_phase_rad,
                 }
             })
             .collect()
+    }
+}
+
+/// Steps in a turn of force: two feet that walk alike leave the first harmonic of their stride nearly empty.
+fn steps_per_turn(samples: &[f64]) -> usize {
+    if harmonic(samples, 2).0 > harmonic(samples, 1).0 {
+        2
+    } else {
+        1
     }
 }
 
@@ -92,5 +108,8 @@ mod tests {
         assert!((first.0 - 280.0).abs() < 1e-9 && first.1.abs() < 1e-9);
         assert!((second.0 - 70.0).abs() < 1e-9 && (second.1 - 0.7).abs() < 1e-9);
         assert!(third.0 < 1e-9);
+        assert_eq!(steps_per_turn(&samples), 1);
+        let stride: Vec<f64> = (0..256).map(|i| samples[2 * i % 256]).collect();
+        assert_eq!(steps_per_turn(&stride), 2);
     }
 }

@@ -233,9 +233,11 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }
+    let weight_n = problem.weight_n();
     Ok(Design {
         name: problem.name,
         phase: problem.phase,
+        weight_n,
         band: problem.band,
         target: problem.target.map(|t| t.curve),
         drive: problem.drive,
@@ -273,6 +275,7 @@ fn notes(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Vec<
     }
     out.extend(families::stopped_at_noise(problem, found.family));
     out.extend(sizing::chosen_size(problem, cam));
+    out.extend(sizing::thin_wall(problem, cam));
     let splines = if found.family == Family::Spline {
         found.degree
     } else {

@@ -156,6 +156,24 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
     Cam::new(law, follower).map_err(key)
 }
 
+/// Wall of a hub as a part of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
+const USUAL_WALL: f64 = 0.25;
+
+/// A wall about the bore that is thinner than that of a usual hub; a bore that cuts the profile is a failed check.
+pub fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
+    let bore = problem.cam.bore?;
+    let wall = cam.follower.base_radius() - 0.5 * bore;
+    let turns = !matches!(
+        cam.follower,
+        Follower::Barrel { .. } | Follower::TranslatingCam { .. }
+    );
+    let usual = USUAL_WALL * bore;
+    (turns && wall > 0.0 && wall < usual).then(|| Note::ThinWall {
+        wall: Quantity::length(wall),
+        usual: Quantity::length(usual),
+    })
+}
+
 /// What was left open about the size and is settled by habit.
 pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {

@@ -8,7 +8,7 @@ use serde_json::Value;
 use unic_langid::LanguageIdentifier;
 
 use super::Language;
-use super::number::{number, quantity};
+use super::number::{fixed, number, quantity};
 
 /// Areas whose messages stand inside those of others.
 const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
@@ -29,6 +29,7 @@ const AS_TYPED: &[&str] = &[
     "length",
     "list",
     "model",
+    "most",
     "motion",
     "movement",
     "name",
@@ -118,6 +119,16 @@ impl Catalogue {
         let found = self.bundle.get_message(&format!("{area}-{variant}"))?;
         let pattern = found.get_attribute("help")?.value();
         Some(self.format(pattern, area, fields))
+    }
+
+    /// Its language.
+    pub fn language(&self) -> Language {
+        self.language
+    }
+
+    /// A number with a fixed count of decimals, with the decimal sign of the language.
+    pub fn fixed(&self, value: f64, decimals: usize) -> String {
+        fixed(self.language, value, decimals)
     }
 
     /// The text of a key without arguments: headings, labels.

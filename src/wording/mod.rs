@@ -24,7 +24,7 @@ use std::sync::OnceLock;
 use serde::Serialize;
 
 pub use catalogue::Catalogue;
-pub use number::{number, people, quantity};
+pub use number::{fixed, number, people, quantity};
 
 /// A language of messages, reports and pictures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]

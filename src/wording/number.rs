@@ -71,6 +71,22 @@ pub fn number(language: Language, value: f64) -> String {
     }
 }
 
+/// A number with a fixed count of decimals, for columns of a table.
+///
+/// ```
+/// use gaitcam::wording::{Language, fixed};
+/// assert_eq!(fixed(Language::Es, 1.05, 3), "1,050");
+/// ```
+pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let zero = text.starts_with('-') && text.chars().all(|c| "-0.".contains(c));
+    let text = if zero { text[1..].to_string() } else { text };
+    match language {
+        Language::En => text,
+        Language::Es => text.replace('.', ","),
+    }
+}
+
 fn short(text: &str) -> &str {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.')

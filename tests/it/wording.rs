@@ -11,7 +11,7 @@ use gaitcam::error::{
     SceneError, SegmentName, SweepError, SynthError, UnitsError, WriteError,
 };
 use gaitcam::force::{
-    ClockSource, CycleSource, Format, Idle, Kind, LABELS, MassSource, Note, OpenQuestion,
+    ClockSource, CycleSource, Format, Idle, Kind, LABELS, LeftOut, MassSource, Note, OpenQuestion,
     RejectReason,
 };
 use gaitcam::problem;
@@ -46,6 +46,8 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("mass-from", MassSource::VARIANTS),
         ("kind", Kind::VARIANTS),
         ("open", OpenQuestion::VARIANTS),
+        ("left-out", LeftOut::VARIANTS),
+        ("left-out", OpenQuestion::VARIANTS),
         ("clock", ClockSource::VARIANTS),
         ("channel", Idle::VARIANTS),
         ("contact", RejectReason::VARIANTS),

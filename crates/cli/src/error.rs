@@ -19,7 +19,6 @@ pub enum CliError {
     SceneName { shown: String, fault: NameFault },
     FewRows { rows: u32, least: u32 },
     CycleEnding { file: String },
-    OneCurve,
     CycleOverRecording,
     NoKeyContains { pattern: String },
     NoModel { typed: String },

@@ -19,6 +19,7 @@ mod keys;
 mod language;
 mod laws;
 mod manual;
+mod recordings;
 mod reproduce;
 mod searching;
 mod simulate;

@@ -19,6 +19,7 @@ use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::{Design, contact_is_judged, synthesise_with};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
+use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
 use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
 
@@ -69,6 +70,12 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
     let folder = ResultFolder::open(&input::result_folder(&input, args.out.as_deref(), "")?)?;
+    let scene = toml::to_string(&input.resolved()).unwrap_or_default();
+    let others = of_another_design(folder.path(), &scene);
+    if !others.is_empty() {
+        check_inputs_stay(folder.path(), &input)
+            .map_err(|e| e.placed(Place::Argument("--out".to_string())))?;
+    }
     let target = input.target()?;
     let solving = Instant::now();
     let mut design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
@@ -100,8 +107,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running, crate::language::current());
     folder.write("report.html", page.as_bytes())?;
+    write_scene(&folder, &input, &scene)?;
     let place = folder.path().to_path_buf();
-    folder.commit(&[])?;
+    folder.commit(&others)?;
     if args.json {
         print_json(&json);
     } else {

@@ -63,6 +63,9 @@ pub fn fixed(value: f64, decimals: usize) -> String {
 
 /// A small number as a power of ten: `1.2e-15`.
 pub fn power(value: f64, decimals: usize) -> String {
+    if value == 0.0 {
+        return "0".to_string();
+    }
     decimal(format!("{value:.decimals$e}"))
 }
 

@@ -8,6 +8,7 @@ use gaitcam_output::{self as output, Language, Timing};
 use serde_json::Value;
 
 use crate::earlier;
+pub use crate::earlier::of_another_design;
 use crate::result_folder::{ResultFolder, Sink};
 use crate::scene::Input;
 use crate::workshop::{self, Remark};
@@ -139,7 +140,10 @@ fn pictures(folder: &impl Sink, design: &Design, contents: Contents) -> Result<(
 }
 
 /// Writes the settled scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.
-fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<()> {
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write_scene(folder: &ResultFolder, input: &Input, text: &str) -> Result<()> {
     let own = folder.path().join(SCENE);
     let name = if input.file.as_deref().is_some_and(|f| same(f, &own)) {
         SCENE_BESIDE_INPUT

@@ -1,6 +1,10 @@
 //! Whole strides of both feet in a recording.
 
-use super::average::{at, periodic, whole_span};
+use super::average::{Mean, at, periodic, whole_span};
+use super::stride_time::{deviation_of, median};
+use super::{Average, Period};
+use crate::force::curve::SAMPLES;
+use crate::force::note::{CycleSource, PeriodSource};
 use crate::force::recording::{Foot, Recording};
 use crate::force::stance::{RejectReason, Rejected, Stance, Stances};
 
@@ -26,6 +30,8 @@ pub(super) struct Stride {
     contacts: Vec<(usize, f64, f64)>,
 }
 
+/// A stride whose duration is further than this from the middle one is not averaged.
+const ODD_STRIDE: f64 = 0.25;
 /// Part of a stride about its ends over which it is blended with its neighbours.
 const BLEND: f64 = 0.04;
 
@@ -83,8 +89,56 @@ fn rejected_fall(r: &Rejected) -> Footfall<'_> {
     }
 }
 
+/// Mean of whole strides that begin with the same foot.
+pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
+    let (kept, from) = like_strides(strides);
+    let mut mean = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    for stride in &kept {
+        sample_stride(recording, stride, &mut row);
+        mean.add(&row);
+    }
+    let n = kept.len();
+    let durations: Vec<f64> = kept.iter().map(|s| s.end_s - s.start_s).collect();
+    let (force_n, spread_n) = mean.finish();
+    Average {
+        period: Period {
+            seconds: durations.iter().sum::<f64>() / n as f64,
+            from: PeriodSource::HeelStrikes,
+            spread_s: deviation_of(&durations),
+        },
+        force_n,
+        spread_n,
+        averaged: n,
+        source: CycleSource::WholeStrides { strides: n, from },
+    }
+}
+
+/// Strides of usual duration that begin with the same foot, and that foot.
+///
+/// Strides from left to left and from right to right share their samples; one kind is averaged.
+fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
+    let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
+    let usual = median(durations).unwrap_or(0.0);
+    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
+    let of = |foot: Option<Foot>| -> Vec<&Stride> {
+        let usual = strides.iter().filter(usual_length);
+        usual.filter(|s| s.foot == foot).collect()
+    };
+    let best = [Some(Foot::Right), Some(Foot::Left), None]
+        .into_iter()
+        .max_by_key(|f| of(*f).len())
+        .unwrap_or(None);
+    let kept = of(best);
+    match best {
+        Some(_) => (kept, best),
+        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+        None => (alternate(&kept), None),
+    }
+}
+
 /// Every other stride of each run of strides that overlap.
-pub(super) fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
+fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
     let mut kept: Vec<&Stride> = Vec::new();
     for s in strides {
         let clash = kept
@@ -98,7 +152,7 @@ pub(super) fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
 }
 
 /// Sum of the contacts of a stride at equal phases, closed at its ends.
-pub(super) fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
+fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
     let rate = recording.rate_hz;
     let spans: Vec<(&[f64], f64, f64)> = stride
         .contacts

@@ -50,19 +50,48 @@ pub(super) fn total_stride(
     strides_of(force, recording)
 }
 
+/// Part of the mean below which the total of a walker who is on the plates all the time does not fall.
+const ON_THE_PLATES: f64 = 0.3;
+
+/// Averages the strides of the sum of all plates, from the first contact to the last, where they carry the walker all
+/// the time: feet may lie across two of them, as on the belts of a treadmill. `None` where they do not.
+pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
+    let live = recording.channels.iter().filter(|c| c.idle.is_none());
+    let (from, to) = first_to_last(stances, |_| true)?;
+    let count = live.clone().map(|c| c.force_n.len()).min()?;
+    let sample = |s: f64| ((s * recording.rate_hz) as usize).min(count);
+    let mut sum = vec![0.0; sample(to).checked_sub(sample(from))?];
+    for channel in live {
+        for (sum, f) in sum.iter_mut().zip(&channel.force_n[sample(from)..]) {
+            *sum += f;
+        }
+    }
+    let mean = sum.iter().sum::<f64>() / sum.len().max(1) as f64;
+    let lowest = sum.iter().copied().fold(f64::INFINITY, f64::min);
+    if lowest < ON_THE_PLATES * mean {
+        return None;
+    }
+    strides_of(&sum, recording)
+}
+
+/// From the first to the last contact, s, on the channels that count.
+fn first_to_last(stances: &Stances, counts: impl Fn(usize) -> bool) -> Option<(f64, f64)> {
+    let used = stances.used.iter().map(|s| (s.channel, s.start_s, s.end_s));
+    let rejected = stances.rejected.iter();
+    let rejected = rejected.map(|r| (r.channel, r.from_s, r.to_s));
+    let own = used
+        .chain(rejected)
+        .filter(|(channel, ..)| counts(*channel));
+    own.map(|(_, from, to)| (from, to))
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
 /// The channel that is the total, from its first contact to its last.
 fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
     let live = recording.channels.iter().enumerate();
     let mut live = live.filter(|(_, c)| c.idle.is_none());
     let (index, channel) = live.next().filter(|_| live.next().is_none())?;
-    let used = stances.used.iter().filter(|s| s.channel == index);
-    let rejected = stances.rejected.iter().filter(|r| r.channel == index);
-    let spans = used.map(|s| (s.start_s, s.end_s));
-    let (from, to) = spans
-        .chain(rejected.map(|r| (r.from_s, r.to_s)))
-        .fold((f64::INFINITY, 0.0_f64), |m, s| {
-            (m.0.min(s.0), m.1.max(s.1))
-        });
+    let (from, to) = first_to_last(stances, |c| c == index)?;
     let sample = |s: f64| ((s * recording.rate_hz) as usize).min(channel.force_n.len());
     channel.force_n.get(sample(from)..sample(to))
 }

@@ -12,13 +12,13 @@ pub(super) enum Field {
 }
 
 /// Powers of ten that are exact in f64.
-const TEN: [f64; 23] = [
+pub(super) const TEN: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
 /// Largest integer below which every integer is exact in f64.
-const EXACT: u64 = 1 << 53;
+pub(super) const EXACT: u64 = 1 << 53;
 
 /// Longest field that can be a number; longer ones are text.
 const LONGEST: usize = 64;

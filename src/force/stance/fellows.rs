@@ -15,8 +15,8 @@ const FEWEST: usize = 8;
 const DURATION: f64 = 0.1;
 /// The same of its loading peak and its impulse.
 const FORCE: f64 = 0.15;
-/// Fewest stances of a channel that are fellows.
-const FELLOWS: usize = 5;
+/// Fewest stances of a channel that are fellows: with one of them unlike, three agree.
+const FELLOWS: usize = 4;
 
 /// Keeps the stances of the speed that most of them have, if the speed changes, and notes it.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
@@ -52,7 +52,7 @@ pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
 }
 
 /// First and last of the sorted values in the fullest window, and how many lie in it.
-fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
+pub(in crate::force) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     let mut best = (0.0, 0.0, 0);
     let mut end = 0;
     for (start, low) in sorted.iter().enumerate() {

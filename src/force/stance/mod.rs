@@ -11,6 +11,7 @@ mod types;
 
 use classify::{Judged, Usual, beside, missing, rejection};
 use contact::{Contact, contacts};
+pub(super) use fellows::largest_group;
 use fellows::{mark_unlike, of_one_speed};
 use recognise::{ballistic, without_stance};
 use shape::{Shape, shape};

@@ -9,7 +9,27 @@ use nalgebra::{DMatrix, DVector};
 /// Degree of the spline through a table: continuous to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
 
+/// Degree of a B-spline whose control points stand in a scene.
+const SPLINE_DEGREE: usize = 5;
+
 impl Rise {
+    /// The law of `table` or `spline` with its numbers, as a scene has them; `None` for another word.
+    pub(super) fn own(word: &str, numbers: &[f64]) -> Option<Result<Rise>> {
+        match word {
+            "table" => {
+                let rows: Vec<(f64, f64)> =
+                    numbers.chunks(2).map(|p| (p[0], p[p.len() - 1])).collect();
+                if numbers.len() % 2 == 1 {
+                    let numbers = numbers.len();
+                    return Some(Err(LawError::TablePairs { numbers }.into()));
+                }
+                Some(Rise::table(word, &rows, true))
+            }
+            "spline" => Some(Rise::spline(word, SPLINE_DEGREE, numbers)),
+            _ => None,
+        }
+    }
+
     /// A law through a table of (x, s), at least two rows, x increasing: a spline of degree 5, at rest
     /// (v = a = 0) at both ends if asked, otherwise as smooth at the ends as inside (not-a-knot).
     ///
@@ -49,9 +69,11 @@ impl Rise {
             .map(|r| ((r.0 - first.0) / (last.0 - first.0), (r.1 - first.1) / lift))
             .collect();
         let poly = through(&points, rest).ok_or(LawError::TableSpacing { table })?;
+        let numbers = rows.iter().flat_map(|r| [r.0, r.1]);
         Ok(Rise::User {
             name: name.to_string(),
-            law: Law::from_poly(poly, false),
+            written: written("table", numbers),
+            law: Box::new(Law::from_poly(poly, false)),
         })
     }
 
@@ -86,9 +108,15 @@ impl Rise {
         let c: Vec<f64> = control.iter().map(|x| (x - control[0]) / lift).collect();
         Ok(Rise::User {
             name: name.to_string(),
-            law: Law::from_poly(space.spline(&c), false),
+            written: written("spline", control.iter().copied()),
+            law: Box::new(Law::from_poly(space.spline(&c), false)),
         })
     }
+}
+
+/// A word with its numbers.
+fn written(word: &str, numbers: impl Iterator<Item = f64>) -> String {
+    numbers.fold(word.to_string(), |text, x| format!("{text} {x}"))
 }
 
 /// Spline of degree 5 through points with x from 0 to 1; `None` where their spacing admits none.

@@ -4,6 +4,7 @@ use crate::cam::{Criterion, Measures};
 use crate::synth::design::Relaxation;
 use crate::synth::named::unit;
 use crate::synth::reason::{Change, Reason, quantity};
+use crate::wording::{Language, number};
 
 /// Which limits cannot hold together.
 pub fn conflicting(conflict: &[Criterion]) -> Reason {
@@ -44,18 +45,10 @@ pub fn smallest_relaxations(relaxations: &[Relaxation], measures: Measures) -> R
 }
 
 /// A limit's value in the units people use for it on a cam of these measures.
-pub fn in_units(measures: Measures, limit: Criterion, value: f64) -> String {
+pub fn in_units(measures: Measures, limit: Criterion, value: f64, language: Language) -> String {
     let unit = unit(measures, limit);
     let value = unit.factor * value;
-    if value.is_infinite() {
-        return "∞".to_string();
-    }
-    // Six places hide what is smaller.
-    unit.after(&if unit.name == "°" {
-        format!("{value:.4}")
-    } else if value != 0.0 && value.abs() < 1e-4 {
-        format!("{value:.4e}")
-    } else {
-        format!("{value:.6}")
-    })
+    // Rounding of what is nothing.
+    let value = if value.abs() < 1e-9 { 0.0 } else { value };
+    unit.after(&number(language, value))
 }

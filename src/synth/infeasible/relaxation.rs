@@ -44,8 +44,18 @@ pub fn relaxed_with(
     design: Design,
     halt: &Halt,
 ) -> Design {
-    // No limit changes the mean of the force: nothing to relax before the mass is right.
-    let hopeless = matches!(design.reasons.first(), Some(Reason::MeanForce { .. }));
+    // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
+    let hopeless = matches!(
+        design.reasons.first(),
+        Some(
+            Reason::MeanForce { .. }
+                | Reason::RecordingKind
+                | Reason::RecordingClock
+                | Reason::RecordingMass
+                | Reason::LiftJumps { .. }
+                | Reason::VelocityJumps { .. }
+        )
+    );
     match Problem::settle(scene, force) {
         Ok(mut problem) if !hopeless && !passes(&design) => {
             problem.halt = halt.clone();

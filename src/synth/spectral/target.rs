@@ -92,6 +92,14 @@ impl HarmonicTarget {
         })
     }
 
+    /// The curve that it was taken from, where it was one.
+    pub fn curve(&self) -> Option<&ForceCurve> {
+        match &self.interpolation {
+            Interpolation::Curve(curve) => Some(curve),
+            Interpolation::Limited(_) => None,
+        }
+    }
+
     /// A mean of 1 with the given harmonics, sampled `samples` times; `None` for more harmonics than are
     /// worth it.
     pub fn of_harmonics(

@@ -85,9 +85,10 @@ simulation-pressure-values = { $pressure } at { $at }, half-width { $width }, la
 simulation-lift-off = lift-off
 simulation-never = at no speed
 simulation-settles = settles
-simulation-settled = after { $turns ->
-        [one] { $turns } turn
-       *[other] { $turns } turns
+simulation-settled = { $turns ->
+        [0] in the first turn
+        [one] after { $turns } turn
+       *[other] after { $turns } turns
     }; repeats every { $period ->
         [one] turn
        *[other] { $period } turns
@@ -98,5 +99,6 @@ simulation-impact-values = { $count } in the run, fastest { $speed } at { $at },
 simulation-next-model = next model
 simulation-next-failed = { $model } could not be run: { $fault }
 simulation-next-rms = , the RMS error by { $rms } N
-simulation-next-changes = { $model } would change the smallest force by { $least } N, the largest by { $most } N{ $error }, the lost part by { $lost }
+simulation-next-same = { $model } gives the same to four decimals
+simulation-next-changes = { $model } would change the smallest force by { $least } N, the largest by { $most } N{ $error }, the part without contact by { $lost } %
 simulation-note = note

@@ -14,6 +14,11 @@ force-unknown-kind = "{ $word }" is not a kind of movement
     .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed of walking and running
 force-unknown-doubt = "{ $word }" cannot be accepted
     .help = list what you accept about the recording: kind, clock, mass
+force-no-joint-mean = { $trials ->
+        [one] the recording gives
+       *[other] none of the { $trials } recordings gives
+    } a cycle for a joint mean
+    .help = the table gives the reason for each; settle what is open with the option that it names, or accept it with --accept
 force-unknown-unit = "{ $word }" is not a unit of force
     .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
 force-unknown-model = "{ $name }" is not a load model
@@ -99,10 +104,19 @@ note-mean-force-not-weight = the mean force over a stride is { $ratio } times { 
 note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
 note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
 note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
-note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement }
+note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement ->
+        [running] { kind-running }
+        [standing] { kind-standing }
+        [jumping] { kind-jumping }
+        [sit-to-stand] { kind-sit-to-stand }
+        [walking] { kind-walking }
+       *[other] { kind-other }
+    }
 note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
 note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most 20 % is expected: partial contacts, cross-talk or two feet on one plate
 note-total-column = the column is taken as the total force of both feet
+note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time
+note-several-masses = the recordings are of walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
 note-counts-scaled = the readings are converter counts without calibration; they are scaled so that the mean force is the weight of { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -138,6 +152,21 @@ kind-other = another movement
 open-kind = the kind of movement
 open-clock = the time scale
 open-mass = the mass and the unit of force
+
+left-out-open = open: { $questions }
+left-out-kind = { open-kind }
+left-out-clock = { open-clock }
+left-out-mass = { open-mass }
+left-out-other-kind = { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }, and most recordings are of { $most ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+left-out-other-speed = another speed: a stride of { $period }, and most take { $low } to { $high }
+left-out-mean-already = a mean cycle already, not a recording
+left-out-no-cycle = no cycle
 
 clock-user = given
 clock-times = time column
@@ -223,8 +252,8 @@ gait-mass = mass
 gait-mass-unknown = not known
 gait-note = note
 gait-channel = channel
-gait-channel-columns = foot   baseline N  stances  rejected
-gait-stance-columns = foot   start s    end s   P1 N     @ %   V N     @ %   P2 N     @ %
+gait-channel-columns = foot       baseline N  stances  rejected
+gait-stance-columns = foot       start s    end s   P1 N     @ %   V N     @ %   P2 N     @ %
 gait-rejected = rejected
 gait-more = … and { $count } more
 gait-no-cycle = no mean cycle
@@ -237,4 +266,20 @@ gait-repeatability = repeats
 gait-samples = samples
 gait-doubt = open
 gait-doubts = Check { $list }; then give the option named, or accept with gait.accept = "{ $names }".
+gait-trial-columns = file  kind  used  rejected  stride s  mass kg  mean N  notes  joint mean
+gait-used = used
+gait-left-out = left out: { $reason }
+gait-joint-mean = { $trials ->
+        [one] joint mean of one recording
+       *[other] joint mean of { $trials } recordings
+    }, { $cycles ->
+        [one] one cycle
+       *[other] { $cycles } cycles
+    }: { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+gait-no-joint-mean = no joint mean
+gait-as-given = one cycle
+gait-several-sources = of several sources
 gait-one-cycle = one force cycle, used as given (no stance detection)

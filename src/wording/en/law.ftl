@@ -56,13 +56,15 @@ law-unknown-motion = unknown motion `{ $motion }`
        *[other] did you mean `{ $nearest }`?
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = give them with the motion
+    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the control points of a spline of degree 5, motion = "spline 0 0 0 1 1 1"
 law-general-degree = a general polynomial of degree { $degree } cannot split its conditions evenly between both ends
     .help = use degree 5 (joins s, v, a) or 7 (also j)
 law-scca-shares = the shares b = { $b }, c = { $c }, d = { $d } of an SCCA law do not add to 1
     .help = b, c and d must be 0 or more and add to 1, for example 0.25, 0.25, 0.5
 law-eccentric-ratio = an eccentric of ratio { $ratio } does not enclose its shaft
     .help = the ratio (disc radius + roller radius)/eccentricity must be more than 1, for example 3
+law-table-pairs = a table of { $numbers } numbers: they are not pairs
+    .help = write x and s in turn, for example motion = "table 0 0 0.5 0.3 1 1"
 law-table-rows = table { $table }: { $rows } rows are too few
     .help = give at least two rows of x and s
 law-table-not-finite = table { $table }: row { $row } is not a finite number

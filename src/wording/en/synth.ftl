@@ -4,8 +4,8 @@ reason-mean-force = The mean target force is { $mean }, but the weight of the ma
 reason-recording-kind = It is open whether the recording is of walking (see the notes). Set gait.kind, or gait.accept = "kind" if it is right.
 reason-recording-clock = The time scale of the recording is open (see the notes). Set gait.rate or gait.mass, or gait.accept = "clock" if it is right.
 reason-recording-mass = The mass of the walker and the size of the forces are open (see the notes). Set gait.mass and gait.unit, or gait.accept = "mass" if they are right.
-reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execute it.
-reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower.
+reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execute it. Prescribe the same lift on both sides.
+reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }: infinite jerk, and vibration at high speed.
 reason-lifts-off = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
 reason-contact-lost = The contact force becomes negative at { $at } (by { $pull }): the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
@@ -42,6 +42,7 @@ design-largest-stroke = The target force accelerates the mass by at most { $acce
 design-phase = The turn of the cam starts at { $phase } of the force cycle, the phase of smallest force error.
 design-out-of-time = The search was ended at its time limit: the result is the best found until then, and relaxations that are not listed were not tried. Allow more with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording; more would fit its noise. Set accuracy.rms to change this.
+design-thin-wall = The wall between the bore and the base circle is { $wall }; a hub usually has a quarter of its bore, { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
 design-no-base-circle = The smallest base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given: the cam is sized for at most { $angle }, the usual value. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits are those of the cam; the force is that of the output end.

@@ -91,9 +91,10 @@ simulation-pressure-values = { $pressure } en { $at }, semianchura { $width }, c
 simulation-lift-off = despegue
 simulation-never = a ninguna velocidad
 simulation-settles = régimen
-simulation-settled = después de { $turns ->
-        [one] { $turns } vuelta
-       *[other] { $turns } vueltas
+simulation-settled = { $turns ->
+        [0] en la primera vuelta
+        [one] después de { $turns } vuelta
+       *[other] después de { $turns } vueltas
     }; se repite cada { $period ->
         [one] vuelta
        *[other] { $period } vueltas
@@ -104,5 +105,6 @@ simulation-impact-values = { $count } en la simulación, el más rápido { $spee
 simulation-next-model = modelo siguiente
 simulation-next-failed = { $model } no se pudo simular: { $fault }
 simulation-next-rms = , el error RMS en { $rms } N
-simulation-next-changes = { $model } cambiaría la fuerza mínima en { $least } N, la máxima en { $most } N{ $error }, la parte sin contacto en { $lost }
+simulation-next-same = { $model } da lo mismo con cuatro decimales
+simulation-next-changes = { $model } cambiaría la fuerza mínima en { $least } N, la máxima en { $most } N{ $error }, la parte sin contacto en { $lost } %
 simulation-note = nota

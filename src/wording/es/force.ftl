@@ -14,6 +14,11 @@ force-unknown-kind = «{ $word }» no es un tipo de movimiento
     .help = los tipos son walking, running, standing, jumping, sit-to-stand y other; el ciclo medio se calcula para walking (marcha) y running (carrera)
 force-unknown-doubt = «{ $word }» no se puede aceptar
     .help = indique lo que acepta del registro: kind (tipo), clock (tiempo), mass (masa)
+force-no-joint-mean = { $trials ->
+        [one] el registro no da
+       *[other] ninguno de los { $trials } registros da
+    } un ciclo para una media conjunta
+    .help = la tabla da el motivo de cada uno; resuelva lo abierto con la opción que cita, o acéptelo con --accept
 force-unknown-unit = «{ $word }» no es una unidad de fuerza
     .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
 force-unknown-model = «{ $name }» no es un modelo de carga
@@ -99,10 +104,19 @@ note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces 
 note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
 note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
 note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
-note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement }
+note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement ->
+        [running] { kind-running }
+        [standing] { kind-standing }
+        [jumping] { kind-jumping }
+        [sit-to-stand] { kind-sit-to-stand }
+        [walking] { kind-walking }
+       *[other] { kind-other }
+    }
 note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
 note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo 20 %: contactos parciales, diafonía o dos pies en una plataforma
 note-total-column = la columna se toma como la fuerza total de ambos pies
+note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
+note-several-masses = los registros son de personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
 note-counts-scaled = las lecturas son cuentas del convertidor sin calibración; se escalan de modo que la fuerza media sea el peso de { $mass }
 
 cycle-whole-strides = { $strides ->
@@ -138,6 +152,21 @@ kind-other = otro movimiento
 open-kind = el tipo de movimiento
 open-clock = la escala de tiempo
 open-mass = la masa y la unidad de fuerza
+
+left-out-open = abierto: { $questions }
+left-out-kind = { open-kind }
+left-out-clock = { open-clock }
+left-out-mass = { open-mass }
+left-out-other-kind = { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }, y la mayoría de los registros son de { $most ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+left-out-other-speed = otra velocidad: zancada de { $period }, y la mayoría dura de { $low } a { $high }
+left-out-mean-already = ya es un ciclo medio, no un registro
+left-out-no-cycle = sin ciclo
 
 clock-user = indicada
 clock-times = columna de tiempo
@@ -235,8 +264,8 @@ gait-mass = masa
 gait-mass-unknown = no conocida
 gait-note = nota
 gait-channel = canal
-gait-channel-columns = pie    lín. base N  apoyos   rechazos
-gait-stance-columns = pie    inicio s   fin s     P1 N     @ %   V N     @ %   P2 N     @ %
+gait-channel-columns = pie        lín. base N  apoyos  rechazos
+gait-stance-columns = pie        inicio s   fin s     P1 N     @ %   V N     @ %   P2 N     @ %
 gait-rejected = rechazado
 gait-more = … y { $count } más
 gait-no-cycle = sin ciclo medio
@@ -249,4 +278,20 @@ gait-repeatability = repetib.
 gait-samples = muestras
 gait-doubt = abierto
 gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
+gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
+gait-used = usado
+gait-left-out = excluido: { $reason }
+gait-joint-mean = { $trials ->
+        [one] media conjunta de un registro
+       *[other] media conjunta de { $trials } registros
+    }, { $cycles ->
+        [one] un ciclo
+       *[other] { $cycles } ciclos
+    }: { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+gait-no-joint-mean = sin media conjunta
+gait-as-given = un ciclo
+gait-several-sources = de varias fuentes
 gait-one-cycle = un ciclo de fuerza, usado tal cual (sin detección de apoyos)

@@ -56,13 +56,15 @@ law-unknown-motion = movimiento desconocido `{ $motion }`
        *[other] ¿quiso decir `{ $nearest }`?
     }
 law-motion-needs-points = el movimiento `{ $motion }` necesita puntos
-    .help = délos con el movimiento
+    .help = escriba parejas x s de partes del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o los puntos de control de un spline de grado 5, motion = "spline 0 0 0 1 1 1"
 law-general-degree = un polinomio general de grado { $degree } no puede repartir por igual sus condiciones entre ambos extremos
     .help = use grado 5 (une s, v, a) o 7 (también j)
 law-scca-shares = las fracciones b = { $b }, c = { $c }, d = { $d } de una ley SCCA no suman 1
     .help = b, c y d deben ser 0 o mayores y sumar 1, por ejemplo 0.25, 0.25, 0.5
 law-eccentric-ratio = una excéntrica de razón { $ratio } no contiene su eje
     .help = la razón (radio del disco + radio del rodillo)/excentricidad debe ser mayor que 1, por ejemplo 3
+law-table-pairs = una tabla de { $numbers } números: no son parejas
+    .help = escriba x y s por turno, por ejemplo motion = "table 0 0 0.5 0.3 1 1"
 law-table-rows = tabla { $table }: { $rows } filas son muy pocas
     .help = dé al menos dos filas de x y s
 law-table-not-finite = tabla { $table }: la fila { $row } no es un número finito

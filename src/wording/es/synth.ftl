@@ -4,8 +4,8 @@ reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la ma
 reason-recording-kind = No está claro que el registro sea de marcha (véanse las notas). Indique gait.kind, o gait.accept = "kind" si es correcto.
 reason-recording-clock = La escala de tiempo del registro no está clara (véanse las notas). Indique gait.rate o gait.mass, o gait.accept = "clock" si es correcta.
 reason-recording-mass = La masa de la persona y la magnitud de las fuerzas no están claras (véanse las notas). Indique gait.mass y gait.unit, o gait.accept = "mass" si son correctas.
-reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla.
-reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor.
+reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla. Prescriba la misma elevación a ambos lados.
+reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
 reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
 reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
@@ -42,6 +42,7 @@ design-largest-stroke = La fuerza objetivo acelera la masa como máximo a { $acc
 design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, la fase de menor error de fuerza.
 design-out-of-time = La búsqueda terminó en su límite de tiempo: el resultado es el mejor hallado hasta entonces, y las relajaciones que no figuran no se probaron. Permita más con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
+design-thin-wall = La pared entre el agujero y el círculo base es de { $wall }; un cubo suele tener la cuarta parte de su agujero, { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
 design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.

@@ -5,6 +5,7 @@ mod cycle;
 mod damaged_files;
 mod doubtful;
 mod hard;
+mod joint;
 mod laboratories;
 mod layouts;
 mod models;

@@ -292,6 +292,33 @@ fn tables_and_control_points_become_laws() {
 }
 
 #[test]
+fn a_scene_writes_tables_and_control_points_behind_the_motion() {
+    // Bernstein coefficients 0 0 0 1 1 1 of degree 5 are those of 10x³ − 15x⁴ + 6x⁵.
+    let exact = Rise::Poly345.law().unwrap();
+    let spline = Rise::from_name("spline 0 0 0 1 1 1").unwrap();
+    let rows = (0..=12).map(|i| f64::from(i) / 12.0);
+    let rows: Vec<String> = rows.map(|x| format!("{x} {}", exact.svaj(x).s)).collect();
+    let table = Rise::from_name(&format!("table {}", rows.join(" "))).unwrap();
+    for i in 0..=100 {
+        let x = f64::from(i) / 100.0;
+        let wanted = exact.svaj(x);
+        for (rise, near) in [(&spline, 1e-12), (&table, 1e-9)] {
+            let found = rise.law().unwrap().svaj(x);
+            assert!((found.s - wanted.s).abs() < near, "{} at {x}", rise.name());
+            assert!((found.a - wanted.a).abs() < 1e4 * near);
+        }
+    }
+    for rise in [spline, table] {
+        assert_eq!(Rise::from_name(&rise.written()).unwrap(), rise);
+    }
+    let fault = |text: &str| Rise::from_name(text).unwrap_err().kind.code();
+    assert_eq!(fault("table"), "law-motion-needs-points");
+    assert_eq!(fault("table 0 0 0.5 0.3 1"), "law-table-pairs");
+    assert_eq!(fault("table 0 0 0.6 0.3 0.5 1"), "law-table-order");
+    assert_eq!(fault("spline 0 0 1"), "law-spline-points");
+}
+
+#[test]
 fn thesis_double_harmonic_accelerates_as_recomputed() {
     // theory §3: h = 10 mm, 135° up, 135° down, dwell 90°, ω = 11.624 rad/s.
     let law = turn(&[

@@ -44,6 +44,34 @@ fn mean_square_jerk(design: &Design) -> f64 {
 }
 
 #[test]
+fn a_smaller_mass_gives_the_alternating_part_alone() {
+    // M s̈ = W a cos θ, so s = −W a/(M ω²) cos θ, whatever share of the weight M is.
+    let (weight, share, mass, period) = (700.0, 0.2, 60.0, 1.0 / 1.85);
+    let n = 720;
+    let force = |i: i32| weight * (1.0 + share * (TAU * f64::from(i) / f64::from(n)).cos());
+    let target = ForceCurve::from_samples("", period, (0..n).map(force).collect()).unwrap();
+    let changes = ["drive.mass=60 kg", "law.family=harmonic", "law.harmonics=1"];
+    let plain = solved(&changes, &target);
+    assert_eq!(plain.reasons[0].code(), "reason-mean-force");
+    let design = solved(
+        &[&changes[..], &["gait.scale=alternating"]].concat(),
+        &target,
+    );
+    assert_eq!(design.verdict.name(), "acceptable", "{:?}", design.reasons);
+    let omega = TAU / period;
+    let stroke = 2.0 * weight * share / (mass * omega * omega);
+    assert!((design.cam.law.stroke() / stroke - 1.0).abs() < 1e-6);
+    let mean = mass * gaitcam::units::G;
+    assert!((design.force.target_mean_n - mean).abs() < 1e-6);
+    assert!((design.force.mean_n - mean).abs() < 1e-6);
+    assert!(design.force.rms_error_n < 1e-3);
+    // Codes quote the part of the walker's weight, not of the machine's.
+    let factors = design.load_factors();
+    assert!((factors[0].achieved - share).abs() < 1e-6, "{factors:?}");
+    assert_eq!((factors.len(), factors[0].of_step), (6, 1.0));
+}
+
+#[test]
 fn inside_a_band_the_law_is_smoother_than_the_nearest_one() {
     let target = young();
     let near = solved(&["law.spans=16"], &target);

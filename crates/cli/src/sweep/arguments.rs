@@ -9,11 +9,12 @@ use super::SweepArgs;
 use crate::error::CliError;
 use crate::input::{self, SceneArgs};
 use crate::language;
+use crate::recordings::{Recordings, recordings};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values, remembered};
-use gaitcam_files::read::{cannot_be_read, read_bytes};
+use gaitcam_files::read::read_bytes;
 use gaitcam_files::target::target;
 
 /// A plan with the folders that the paths of its scenes are relative to.
@@ -38,7 +39,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     let Recordings {
         files: records,
         skipped,
-    } = recordings(&args.recordings)?;
+    } = recordings(&args.recordings, "--recordings")?;
     let mut set = args.set.clone();
     if let Some(first) = records.first() {
         // A scene that leaves its recording to the command line is whole with any of them.
@@ -173,88 +174,6 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
         Some((path, row, name)) => list_fault(path, row, name, &fault),
         None => fault,
     }
-}
-
-/// Endings of recordings; a folder may hold anything else beside them.
-const ENDINGS: [&str; 13] = [
-    "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
-];
-/// First words of texts about a folder, and of the table of subjects beside tables of stances.
-const ABOUT: [&str; 7] = [
-    "readme",
-    "license",
-    "licence",
-    "copying",
-    "notice",
-    "sources",
-    "changelog",
-];
-
-/// The files of `--recordings`.
-#[derive(Default)]
-struct Recordings {
-    files: Vec<String>,
-    skipped: Vec<String>,
-}
-
-/// Every file given, and every recording inside a folder given, in the order of names; hidden files are
-/// left out without a word.
-fn recordings(paths: &[PathBuf]) -> Result<Recordings> {
-    let mut found = Recordings::default();
-    for path in paths {
-        if is_file(path)? {
-            found.files.push(path.to_string_lossy().into_owned());
-        } else {
-            collect(path, &mut found)?;
-        }
-    }
-    if found.files.is_empty() && !paths.is_empty() {
-        let endings = format!(".{}", ENDINGS.join(", ."));
-        let fault = match found.skipped.len() {
-            0 => CliError::NoRecordings { endings },
-            files => CliError::NotRecordings { files, endings },
-        };
-        return Err(fault.flag("--recordings"));
-    }
-    Ok(found)
-}
-
-fn is_file(path: &Path) -> Result<bool> {
-    let about = std::fs::metadata(path).map_err(|e| cannot_be_read(path, &e))?;
-    Ok(about.is_file())
-}
-
-fn collect(folder: &Path, found: &mut Recordings) -> Result<()> {
-    let mut inside = std::fs::read_dir(folder)
-        .and_then(|all| all.map(|entry| entry.map(|e| e.path())).collect())
-        .map_err(|e: std::io::Error| cannot_be_read(folder, &e))
-        .map(|all: Vec<PathBuf>| all)?;
-    inside.sort();
-    for path in inside {
-        let name = path
-            .file_name()
-            .map_or_else(String::new, |n| n.to_string_lossy().into());
-        if name.starts_with('.') {
-            continue;
-        }
-        if !is_file(&path)? {
-            collect(&path, found)?;
-        } else if is_called_a_recording(&name.to_lowercase()) {
-            found.files.push(path.to_string_lossy().into_owned());
-        } else {
-            found.skipped.push(name);
-        }
-    }
-    Ok(())
-}
-
-fn is_called_a_recording(name: &str) -> bool {
-    let Some((stem, ending)) = name.rsplit_once('.') else {
-        return false;
-    };
-    ENDINGS.contains(&ending)
-        && !ABOUT.iter().any(|about| stem.starts_with(about))
-        && !stem.ends_with("metadata")
 }
 
 /// Reads the force curves that scenes name, each once while it is in use.

@@ -1,6 +1,6 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
-use gaitcam::cam::{Check, Measures};
+use gaitcam::cam::{Check, Criterion, Measures};
 use gaitcam::synth::{Binding, Design, SolverReport, in_units, sentences};
 use gaitcam_output::Timing;
 use serde_json::json;
@@ -71,11 +71,18 @@ fn at_most(most: usize, mut lines: Vec<String>, what: &str) -> Vec<String> {
 }
 
 fn check_line(mark: &str, check: &Check, measures: Measures) -> String {
-    let value = |x: f64| words::decimal(in_units(measures, check.name, x));
+    let value = |x: f64| in_units(measures, check.name, x, language::current());
+    let message = match check.name {
+        // The limit is no more than rounding.
+        Criterion::Interference | Criterion::SecondInterference if check.pass => "synth-check-none",
+        // Of the whole turn, not of a place.
+        Criterion::RmsError => "synth-check-overall",
+        _ => "synth-check",
+    };
     row(
         mark,
         &words::fill(
-            "synth-check",
+            message,
             &json!({"name": words::name(check.name.name()), "value": value(check.worst), "limit": value(check.limit),
                 "at": words::decimal(measures.place(check.at, 2))}),
         ),
@@ -130,9 +137,10 @@ fn force(design: &Design) -> Vec<String> {
     rows
 }
 
-/// Dynamic load factors of the first harmonics; all six stand in summary.json.
+/// Dynamic load factors of the first harmonics of the step frequency; all six stand in summary.json.
 fn load_factors(design: &Design) -> Option<String> {
     let all: Vec<String> = (design.load_factors().iter())
+        .filter(|f| f.of_step.fract() == 0.0)
         .take(LOAD_FACTORS)
         .map(|f| fixed(f.achieved, 3))
         .collect();
@@ -270,7 +278,7 @@ fn sensitivities(design: &Design) -> Vec<String> {
             "relaxing",
             &words::fill(
                 "synth-relaxing",
-                &json!({"limit": words::name(easing.limit.name()), "to": words::decimal(in_units(measures, easing.limit, easing.to)),
+                &json!({"limit": words::name(easing.limit.name()), "to": in_units(measures, easing.limit, easing.to, language::current()),
                     "name": name, "unit": unit, "after": fixed(factor * easing.after, 5),
                     "before": fixed(factor * easing.before, 5)}),
             ),

@@ -165,3 +165,21 @@ fn keys_that_a_follower_does_not_have_are_refused() {
         &["cam.folower", "follower"],
     );
 }
+
+#[test]
+fn a_polynomial_whose_velocity_jumps_is_told_its_cure_and_no_relaxation() {
+    let text = "name = \"jump\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"polynomial\"\n\
+        [[law.point]]\nangle = \"0 deg\"\nlift = \"0 mm\"\n[[law.point]]\nangle = \"90 deg\"\nlift = \"10 mm\"\n\
+        [[law.point]]\nangle = \"360 deg\"\nlift = \"0 mm\"\n\
+        [cam]\nfollower = \"roller-translating\"\nbase_radius = \"50 mm\"\nroller_radius = \"10 mm\"\n";
+    let answer = synth(text, &["limits.jerk=100 m/s^3"]);
+    assert!(!answer.1.contains("Relaxing"), "{}", answer.1);
+    says(
+        answer,
+        3,
+        &[
+            "The velocity is discontinuous at 0°",
+            "law.point.N.velocity",
+        ],
+    );
+}

@@ -96,6 +96,32 @@ fn the_run_of_a_design_stays_beside_it_and_goes_with_it() {
 }
 
 #[test]
+fn a_run_does_not_stand_beside_the_design_of_another_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    assert_eq!(run(&["synth", OTHER, "--out", out]), 0);
+    assert_eq!(run(&["simulate", "--out", out]), 0);
+    let known = [
+        "dynamics.csv",
+        "report.html",
+        "scene.toml",
+        "simulation.json",
+    ];
+    assert_eq!(names(folder.path()), known);
+    let scene = fs::read_to_string(folder.path().join("scene.toml")).unwrap();
+    assert!(scene.contains("footbridge"), "{scene}");
+    // The summary of a design is no input that its run may take away.
+    assert_eq!(run(&["synth", OTHER, "--out", out]), 0);
+    let summary = folder.path().join("summary.json");
+    let summary = summary.to_str().unwrap();
+    let change = ["--set", "cam.base_radius=60 mm"];
+    let changed = [&["simulate", summary, "--out", out][..], &change].concat();
+    assert_eq!(run(&changed), 2);
+    assert_eq!(run(&["simulate", summary, "--out", out]), 0);
+    assert!(names(folder.path()).contains(&"law.csv".to_string()));
+}
+
+#[test]
 fn a_folder_that_holds_no_result_loses_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();

@@ -13,8 +13,6 @@ cli-few-rows = invalid value { $rows }
     .help = at least { $least } points are required, fewer only with --front
 cli-cycle-ending = { $file } is neither a .csv file nor a folder
     .help = the cycle is written as .csv, with pictures .svg and .png beside it
-cli-one-curve = one curve file cannot hold the cycles of several recordings
-    .help = give a folder, or one recording at a time
 cli-cycle-over-recording = the mean cycle would replace the recording itself
     .help = give another name
 cli-no-key-contains = no key contains "{ $pattern }"
@@ -44,9 +42,9 @@ cli-list-cell = a value is missing
     .help = every row needs every key
 cli-empty-list = an empty grid: the list has no row
     .help = the first line names keys, each further line gives their values
-cli-no-recordings = an empty grid: there is no file
+cli-no-recordings = there is no file in the folder
     .help = recordings end in { $endings }
-cli-not-recordings = an empty grid: none of { $files } files has the name of a recording
+cli-not-recordings = none of { $files } files has the name of a recording
     .help = recordings end in { $endings }
 cli-no-curve = there is no force curve
 cli-many-rows = { $rows } combinations
@@ -125,6 +123,8 @@ more-notes = { $count } more notes in summary.json
 time-limit-seconds = write a number of seconds above 0, such as 20
 synth-searching = designing (at most { $limit } s)
 synth-check = { $name } { $value } (limit { $limit }) at { $at }
+synth-check-none = { $name } none
+synth-check-overall = { $name } { $value } (limit { $limit })
 synth-force-error = error { $rms } N RMS ({ $percent } % of the mean), { $most } N maximum
 synth-force-range = { $low } … { $high } N, mean { $mean } N
 synth-law = { $family }{ $degree ->
@@ -178,6 +178,7 @@ trade-liftoff-speed = lift-off speed
 
 # gait.
 gait-cycle-of = cycle of { $file }
+gait-joint-mean-of = joint mean of { $file }
 gait-mean-cycle-of = mean cycle of { $file }
 
 # simulate.

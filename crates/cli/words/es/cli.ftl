@@ -13,8 +13,6 @@ cli-few-rows = valor no válido { $rows }
     .help = se necesitan al menos { $least } puntos, menos sólo con --front
 cli-cycle-ending = { $file } no es ni un archivo .csv ni una carpeta
     .help = el ciclo se escribe como .csv, con figuras .svg y .png a su lado
-cli-one-curve = un solo archivo no puede contener los ciclos de varios registros
-    .help = indique una carpeta, o un registro cada vez
 cli-cycle-over-recording = el ciclo medio sustituiría al propio registro
     .help = indique otro nombre
 cli-no-key-contains = ninguna clave contiene "{ $pattern }"
@@ -44,9 +42,9 @@ cli-list-cell = falta un valor
     .help = cada fila necesita todas las claves
 cli-empty-list = rejilla vacía: la lista no tiene filas
     .help = la primera línea nombra las claves, cada línea siguiente da sus valores
-cli-no-recordings = rejilla vacía: no hay ningún archivo
+cli-no-recordings = no hay ningún archivo en la carpeta
     .help = los registros terminan en { $endings }
-cli-not-recordings = rejilla vacía: ninguno de { $files } archivos tiene nombre de registro
+cli-not-recordings = ninguno de { $files } archivos tiene nombre de registro
     .help = los registros terminan en { $endings }
 cli-no-curve = no hay curva de fuerza
 cli-many-rows = { $rows } combinaciones
@@ -125,6 +123,8 @@ more-notes = { $count } notas más en summary.json
 time-limit-seconds = escriba un número de segundos mayor que 0, como 20
 synth-searching = diseñando (como máximo { $limit } s)
 synth-check = { $name } { $value } (límite { $limit }) en { $at }
+synth-check-none = { $name }: ninguna
+synth-check-overall = { $name } { $value } (límite { $limit })
 synth-force-error = error { $rms } N RMS ({ $percent } % de la media), máximo { $most } N
 synth-force-range = { $low } … { $high } N, media { $mean } N
 synth-law = { $family }{ $degree ->
@@ -178,6 +178,7 @@ trade-liftoff-speed = velocidad de despegue
 
 # gait.
 gait-cycle-of = ciclo de { $file }
+gait-joint-mean-of = media conjunta de { $file }
 gait-mean-cycle-of = ciclo medio de { $file }
 
 # simulate.

@@ -16,7 +16,10 @@ const ON_THE_LIMIT: f64 = 0.005;
 /// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
 pub fn shown(measures: Measures, limit: Criterion, value: f64) -> String {
     let unit = unit(measures, limit);
-    unit.after(&number(unit.factor * value, 4))
+    let value = unit.factor * value;
+    // Rounding of what is nothing.
+    let value = if value.abs() < 1e-9 { 0.0 } else { value };
+    unit.after(&number(value, 4))
 }
 
 /// How far the worst value stays from its limit, as a share of the limit; negative when violated.
@@ -98,8 +101,17 @@ pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
             escaped(&words.text(state))
         );
         let worst = shown(measures, check.name, check.worst);
-        let limit = shown(measures, check.name, check.limit);
-        let place = measures.place(check.at, 1);
+        let none = || "—".to_string();
+        let limit = match check.name {
+            // No more than rounding.
+            Criterion::Interference | Criterion::SecondInterference => none(),
+            _ => shown(measures, check.name, check.limit),
+        };
+        let place = match check.name {
+            // Of the whole turn.
+            Criterion::RmsError => none(),
+            _ => measures.place(check.at, 1),
+        };
         cells(out, &[&worst, &limit, &margin, &place]);
     }
     close(out);
@@ -210,13 +222,17 @@ pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     out.push_str("</div>\n");
 }
 
-/// Harmonics of target and achieved force as parts of the mean, as codes for footbridges quote them.
+/// Harmonics of target and achieved force as parts of the weight, as codes for footbridges quote them.
 fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     let all = synthesis.load_factors();
     if all.is_empty() {
         return;
     }
-    let name = escaped(&words.text("report-load-factors"));
+    let weight = number(
+        synthesis.weight_n.unwrap_or(synthesis.force.target_mean_n),
+        4,
+    );
+    let name = escaped(&words.fill("report-load-factors", &[("weight", &weight)]));
     let _ = write!(out, "<div><h3>{name}</h3><table><tr>");
     let heads = [
         "report-harmonic",
@@ -229,7 +245,7 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
     }
     out.push_str("</tr>\n");
     for f in &all {
-        row(out, &f.harmonic.to_string());
+        row(out, &number(f.of_step, 2));
         let angled = |factor: f64, phase: f64| {
             let angle = number(phase.to_degrees(), 3);
             format!("{factor:.4} ∠ {angle}°")

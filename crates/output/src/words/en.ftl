@@ -110,7 +110,7 @@ report-concave-radius = minimum concave radius
 report-face-width = face width
 report-pressure-angle = pressure angle
 report-loads = Torque, power and pressure
-report-load-factors = Dynamic load factors (share of the mean, phase of sin(kθ − φ))
+report-load-factors = Dynamic load factors (harmonics of the step frequency, share of the weight of { $weight } N, phase of sin(kθ − φ))
 report-harmonic = harmonic
 report-frequency = frequency
 report-factor-target = target
@@ -258,6 +258,9 @@ figure-mean-cycle = mean cycle
 figure-body-weight = body weight
 figure-body-weights = BW
 figure-no-stance = no stance is used
+figure-joint-mean = joint mean of { $count } recordings
+figure-joint-facts = { $cycles } cycles · stride { $seconds } s · mass { $mass } kg
+figure-each-recording = each recording
 figure-more-notes = { $count ->
         [one] and one more note
        *[other] and { $count } more notes

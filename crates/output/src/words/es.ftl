@@ -110,7 +110,7 @@ report-concave-radius = radio cóncavo mínimo
 report-face-width = longitud de la cara
 report-pressure-angle = ángulo de presión
 report-loads = Par, potencia y presión
-report-load-factors = Factores de carga dinámica (parte de la media, fase de sen(kθ − φ))
+report-load-factors = Factores de carga dinámica (armónicos de la frecuencia de paso, parte del peso de { $weight } N, fase de sen(kθ − φ))
 report-harmonic = armónico
 report-frequency = frecuencia
 report-factor-target = objetivo
@@ -263,6 +263,9 @@ figure-mean-cycle = ciclo medio
 figure-body-weight = peso corporal
 figure-body-weights = PC
 figure-no-stance = no se usa ningún apoyo
+figure-joint-mean = media conjunta de { $count } registros
+figure-joint-facts = { $cycles } ciclos · zancada { $seconds } s · masa { $mass } kg
+figure-each-recording = cada registro
 figure-more-notes = { $count ->
         [one] y una nota más
        *[other] y { $count } notas más

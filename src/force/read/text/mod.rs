@@ -1,11 +1,13 @@
 //! Recordings in delimited text: one row per sample.
 
 mod choose;
+mod clock_time;
 mod converter;
 mod format;
 mod header;
 mod headerless;
 mod layout;
+mod plain_row;
 mod raw;
 mod stance_table;
 mod table;

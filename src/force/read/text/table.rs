@@ -3,9 +3,11 @@
 use std::collections::VecDeque;
 use std::path::Path;
 
+use super::clock_time::clock;
 use super::header::with_header;
 use super::layout::{Fields, Layout, Lines, Position};
-use crate::error::{ReadError, Result};
+use super::plain_row::plain_row;
+use crate::error::{Error, ReadError, Result};
 use crate::force::read::number::{Field, field, trim, value};
 
 /// Lines of a header that are kept; more are skipped in the middle.
@@ -87,62 +89,6 @@ fn row_width(line: &[u8], layout: Layout) -> Option<usize> {
     is_row.then_some(width)
 }
 
-/// Seconds of a clock time `[hh:]mm:ss.s`, with or without a date before it.
-fn clock(f: &[u8], comma: bool) -> Option<f64> {
-    let f = trim(f);
-    match dated(f, comma) {
-        None => time_of_day(f, comma),
-        some => some,
-    }
-}
-
-/// Seconds of `2024-05-01T10:05:07.5Z` since the year began; a blank may stand for the T, and the zone,
-/// which is the same for all samples, is passed over.
-fn dated(f: &[u8], comma: bool) -> Option<f64> {
-    let number = |from: usize, to: usize| -> Option<f64> {
-        let digits = f.get(from..to)?;
-        let all = digits.iter().all(u8::is_ascii_digit);
-        all.then(|| {
-            digits
-                .iter()
-                .fold(0.0, |n, d| 10.0 * n + f64::from(d - b'0'))
-        })
-    };
-    let parted = f.get(4) == Some(&b'-')
-        && f.get(7) == Some(&b'-')
-        && matches!(f.get(10), Some(b'T' | b't' | b' '));
-    if !parted {
-        return None;
-    }
-    let (year, month, day) = (number(0, 4)?, number(5, 7)?, number(8, 10)?);
-    let rest = &f[11..];
-    let zone = rest
-        .iter()
-        .position(|b| b"Zz+-".contains(b))
-        .unwrap_or(rest.len());
-    let seconds = time_of_day(rest[..zone].trim_ascii(), comma)?;
-    // Days before each month; a leap day only matters to recordings over its midnight.
-    let leap = year % 4.0 == 0.0 && (year % 100.0 != 0.0 || year % 400.0 == 0.0);
-    let before = [0, 31, 59, 90, 120, 151, 181, 212, 243, 273, 304, 334];
-    let days = f64::from(*before.get((month as usize).checked_sub(1)?)?)
-        + day
-        + f64::from(u8::from(leap && month > 2.0));
-    Some(86_400.0 * days + seconds)
-}
-
-fn time_of_day(f: &[u8], comma: bool) -> Option<f64> {
-    let mut seconds = 0.0;
-    let mut parts = 0;
-    for part in trim(f).split(|&b| b == b':') {
-        match field(part, comma) {
-            Field::Number(x) if x >= 0.0 => seconds = 60.0 * seconds + x,
-            _ => return None,
-        }
-        parts += 1;
-    }
-    (2..=3).contains(&parts).then_some(seconds)
-}
-
 /// Numbers of some columns of a table, NaN where a field holds none.
 #[derive(Debug)]
 pub(crate) struct Numbers {
@@ -172,10 +118,27 @@ pub(crate) fn numbers(
     let mut columns: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(room)).collect();
     let mut row = vec![f64::NAN; wanted.len()];
     let mut absent = 0usize;
-    let mut last_time = f64::NEG_INFINITY;
     let mut skipped = Vec::new();
     let mut lines = Lines::from(bytes, table.start);
-    while let Some((at, line)) = lines.next() {
+    let mut last = Last {
+        time: f64::NEG_INFINITY,
+        room,
+    };
+    loop {
+        let here = lines.at;
+        let rest = bytes.get(here.offset..).unwrap_or(&[]);
+        if let Some(length) = plain_row(rest, layout, wanted, &mut row) {
+            last.push(&mut columns, &row, time)
+                .map_err(|e| fault(e, table, path, here.line))?;
+            lines.at = Position {
+                offset: here.offset + length,
+                line: here.line + 1,
+            };
+            continue;
+        }
+        let Some((at, line)) = lines.next() else {
+            break;
+        };
         let present = wanted_fields(line, layout, wanted, &mut row, time);
         let usable = row.iter().filter(|x| x.is_finite()).count();
         if usable == 0 || time.is_some_and(|t| row[t].is_nan()) {
@@ -200,20 +163,65 @@ pub(crate) fn numbers(
         }
         absent += wanted.len() - present;
         let ragged = absent > columns[0].len() * wanted.len() / 2 + 64 * wanted.len().max(8);
-        if ragged || columns[0].len() == room {
-            let fields = table.width;
-            return Err(ReadError::ShortRows { fields }.at_line(path, at.line));
-        }
-        if let Some(t) = time {
-            if row[t] < last_time {
-                let (time, after) = (row[t], last_time);
-                return Err(ReadError::TimeBackwards { time, after }.at_line(path, at.line));
-            }
-            last_time = row[t];
-        }
-        push(&mut columns, &row);
+        let pushed = if ragged {
+            Err(Unfit::Ragged)
+        } else {
+            last.push(&mut columns, &row, time)
+        };
+        pushed.map_err(|e| fault(e, table, path, at.line))?;
     }
     Ok(Numbers { columns, skipped })
+}
+
+/// Why a row cannot follow the rows before it.
+enum Unfit {
+    /// Rows lack most of their fields.
+    Ragged,
+    /// Time falls.
+    Backwards { time: f64, after: f64 },
+}
+
+fn fault(unfit: Unfit, table: &Table, path: &Path, line: usize) -> Error {
+    match unfit {
+        Unfit::Ragged => {
+            let fields = table.width;
+            ReadError::ShortRows { fields }.at_line(path, line)
+        }
+        Unfit::Backwards { time, after } => {
+            ReadError::TimeBackwards { time, after }.at_line(path, line)
+        }
+    }
+}
+
+/// What the next row has to follow.
+struct Last {
+    time: f64,
+    /// Rows for which there is room.
+    room: usize,
+}
+
+impl Last {
+    /// Adds a row, if its time does not fall.
+    #[inline]
+    fn push(
+        &mut self,
+        columns: &mut [Vec<f64>],
+        row: &[f64],
+        time: Option<usize>,
+    ) -> std::result::Result<(), Unfit> {
+        if columns[0].len() == self.room {
+            return Err(Unfit::Ragged);
+        }
+        if let Some(t) = time {
+            if row[t] < self.time {
+                let (time, after) = (row[t], self.time);
+                return Err(Unfit::Backwards { time, after });
+            }
+            self.time = row[t];
+        }
+        push(columns, row);
+        Ok(())
+    }
 }
 
 /// Passes over a table without reading its numbers.
@@ -327,20 +335,6 @@ mod tests {
             e.to_string().starts_with("a.csv line 4: time decreases"),
             "{e}"
         );
-    }
-
-    #[test]
-    fn dates_before_the_clock_time_are_read() {
-        let at = |t: &str| clock(t.as_bytes(), false);
-        let step =
-            at("2024-05-01T10:05:07.001Z").unwrap() - at("2024-05-01T10:05:07.000Z").unwrap();
-        assert!((step - 0.001).abs() < 1e-8);
-        // Over the end of a leap February.
-        let night = at("2024-03-01 00:00:01").unwrap() - at("2024-02-29 23:59:59").unwrap();
-        assert_eq!(night, 2.0);
-        assert_eq!(at("2024-05-01T10:05:07+02:00"), at("2024-05-01T10:05:07"));
-        assert_eq!(at("2024-13-01T10:05:07"), None);
-        assert_eq!(at("2024-05-01"), None);
     }
 
     #[test]

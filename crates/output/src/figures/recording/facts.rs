@@ -26,19 +26,18 @@ pub(super) fn write_facts(
 ) -> Result<f64, DrawingAreaErrorKind<std::convert::Infallible>> {
     let room = (frame.right - frame.left) / e;
     let mut y = frame.top;
-    let left = 2.0 * e;
     let text = |line: &str, colour, y: f64| {
         let lettering = Lettering::new(e, colour).anchored(HPos::Left, VPos::Top);
-        write(canvas, line, [left, y], lettering)
+        write(canvas, line, [frame.left, y], lettering)
     };
-    for line in wrapped(&facts(understood, words), room + 4.0, 3) {
+    for line in wrapped(facts(understood, words).iter().map(String::as_str), room, 3) {
         text(&line, INK, y)?;
         y += 1.5 * e;
     }
     for note in worst(understood) {
         let said = sentence(words.language(), "note", note);
         let colour = if note.doubt().is_some() { RED } else { QUIET };
-        for line in wrapped(&said, room + 4.0, LINES) {
+        for line in wrapped(said.split(' '), room, LINES) {
             text(&line, colour, y)?;
             y += 1.5 * e;
         }
@@ -61,7 +60,7 @@ fn worst(understood: &Interpretation) -> Vec<&Note> {
 }
 
 /// Kind, stride with its source, mass with its source, contacts used.
-fn facts(understood: &Interpretation, words: &Words) -> String {
+fn facts(understood: &Interpretation, words: &Words) -> Vec<String> {
     let library = catalogue(words.language());
     let name = |typed: &str| library.name(typed);
     let mut parts = Vec::new();
@@ -96,13 +95,18 @@ fn facts(understood: &Interpretation, words: &Words) -> String {
             ("rejected", &rejected.to_string()),
         ],
     ));
-    parts.join(" · ")
+    let last = parts.len() - 1;
+    for part in &mut parts[..last] {
+        part.push_str(" ·");
+    }
+    parts
 }
 
-/// Lines of at most `room` letter sizes; what does not fit into `most` of them ends in an ellipsis.
-fn wrapped(text: &str, room: f64, most: usize) -> Vec<String> {
+/// Lines of at most `room` letter sizes of parts that stay whole; what does not fit into `most` of them ends in an
+/// ellipsis.
+fn wrapped<'a>(parts: impl Iterator<Item = &'a str>, room: f64, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
-    for word in text.split(' ') {
+    for word in parts {
         let Some(line) = lines.last_mut() else { break };
         let longer = format!("{line} {word}");
         if line.is_empty() {

@@ -1,10 +1,13 @@
 //! The picture of a recording: the whole of it with every contact, the mean stance of each foot, the mean cycle.
 
 mod facts;
+mod joint;
 mod means;
 mod whole;
 
 use plotters::prelude::*;
+
+pub use joint::joint_mean;
 
 use crate::plot::axes::{Frame, Panel, padded, ticks};
 use crate::plot::layout::{Layout, key_and_levels, strips, title};
@@ -42,7 +45,7 @@ pub fn recording(
                 + match (cycle, &understood.overlay) {
                     (Some(_), _) => 1330,
                     (None, Some(_)) => 980,
-                    (None, None) => 740,
+                    (None, None) => 560,
                 },
         ),
         ..Layout::ALONE
@@ -72,10 +75,11 @@ pub(crate) fn recording_in(
             ..frame
         };
         let lanes = whole::height(understood, e, words);
-        let shares: &[f64] = if cycle.is_some() {
-            &[1.0, 1.0, 0.85]
-        } else {
-            &[1.0, 1.05]
+        let shares: &[f64] = match (cycle, &understood.overlay) {
+            (Some(_), _) => &[1.0, 1.0, 0.85],
+            (None, Some(_)) => &[1.0, 1.05],
+            // A line of words in place of the means.
+            (None, None) => &[1.0, 0.05],
         };
         // Lanes of contacts and their key stand between the recording and the means.
         let gap = 7.6 * e;
@@ -95,13 +99,21 @@ pub(crate) fn recording_in(
         whole::draw(canvas, frames[0], understood, e, words)?;
         means::draw(canvas, below(frames[1]), understood, e, words)?;
         match cycle {
-            Some(curve) => draw_cycle(canvas, below(frames[2]), curve, e, words),
+            Some(curve) => draw_cycle(canvas, below(frames[2]), curve, &[], e, words),
             None => Ok(()),
         }
     })
 }
 
-fn draw_cycle(canvas: &Canvas, frame: Frame, curve: &ForceCurve, e: f64, words: &Words) -> Drawn {
+/// A mean cycle with its band, over the single cycles where there are any.
+fn draw_cycle(
+    canvas: &Canvas,
+    frame: Frame,
+    curve: &ForceCurve,
+    single: &[Curve],
+    e: f64,
+    words: &Words,
+) -> Drawn {
     // The cycle closes: its first sample is drawn again at the end.
     let closed = |v: &[f64]| -> Curve {
         let around: Vec<f64> = v.iter().chain(v.first()).copied().collect();
@@ -117,13 +129,17 @@ fn draw_cycle(canvas: &Canvas, frame: Frame, curve: &ForceCurve, e: f64, words: 
     });
     let weight = curve.mass_kg.unwrap_or(0.0) * G;
     let edges = band.iter().flat_map(|(u, l)| u.iter().chain(l));
-    let values = mean.iter().chain(edges).map(|p| p.1).chain([0.0, weight]);
+    let all = mean.iter().chain(edges).chain(single.iter().flatten());
+    let values = all.map(|p| p.1).chain([0.0, weight]);
     let y = padded(values, 0.1);
     let y = [y[0].max(-0.02 * y[1]), y[1]];
     let x = [0.0, curve.period_s];
     let panel = Panel::over(canvas, frame, x, ticks(x[0], x[1], 8.0), y, e)?;
     if let Some((upper, lower)) = &band {
-        panel.band(upper, lower, ORANGE.mix(0.22))?;
+        panel.band(upper, lower, BLUE.mix(0.22))?;
+    }
+    for one in single {
+        panel.curve(one, QUIET.mix(0.5), 1.0)?;
     }
     panel.level(weight, None, QUIET)?;
     panel.curve(&mean, BLUE, 2.6)?;
@@ -137,8 +153,12 @@ fn draw_cycle(canvas: &Canvas, frame: Frame, curve: &ForceCurve, e: f64, words: 
     ]
     .map(|k| words.text(k));
     let mut entries = vec![(BLUE, 2.6, mean.as_str())];
+    let each = words.text("figure-each-recording");
+    if !single.is_empty() {
+        entries.push((QUIET.mix(0.5), 1.0, &each));
+    }
     if band.is_some() {
-        entries.push((ORANGE.mix(0.22), 14.0, &step));
+        entries.push((BLUE.mix(0.22), 14.0, &step));
     }
     let levels = [(QUIET, weight.as_str())];
     let place = [frame.left, frame.top - 1.1 * e];

@@ -109,16 +109,39 @@ fn shortened(column: &Column, words: &Words) -> String {
     }
 }
 
+/// Longest name beside a lane, letters.
+const LANE_NAME: usize = 9;
+
+/// The foot of a column, otherwise as many whole words of its name as have room.
+fn lane_name(column: &Column, words: &Words) -> String {
+    if column.foot.is_some() {
+        return foot_name(column.foot, words);
+    }
+    let mut name = String::new();
+    for word in column.name.split_whitespace() {
+        let longer = format!("{name} {word}");
+        if longer.trim().chars().count() > LANE_NAME {
+            break;
+        }
+        name = longer.trim().to_string();
+    }
+    if name.is_empty() {
+        let start: String = column.name.chars().take(LANE_NAME - 1).collect();
+        name = format!("{start}…");
+    }
+    name
+}
+
 /// Up and down through the lowest and highest force of each piece.
 fn trace(column: &Column, x: [f64; 2]) -> Curve {
     let n = column.envelope_n.len().max(1) as f64;
     let mut curve = Curve::with_capacity(2 * column.envelope_n.len());
     for (i, [low, high]) in column.envelope_n.iter().enumerate() {
-        let t = x[0] + (x[1] - x[0]) * (i as f64 + 0.5) / n;
+        let at = |part: f64| x[0] + (x[1] - x[0]) * (i as f64 + part) / n;
         // Rising pieces are drawn from below, falling ones from above.
         let rising = column.envelope_n.get(i + 1).is_none_or(|n| n[1] > *high);
         let ends = if rising { [*low, *high] } else { [*high, *low] };
-        curve.extend(ends.map(|f| (t, f)));
+        curve.extend([(at(0.25), ends[0]), (at(0.75), ends[1])]);
     }
     curve
 }
@@ -144,7 +167,7 @@ fn draw_lanes(
         let middle = top + (k as f64 + 0.5) * LANE * e;
         let ends = [[frame.left, middle], [frame.right, middle]];
         line(canvas, &ends, stroke(QUIET.mix(0.3), 1.0))?;
-        let name: String = understood.columns[i].name.chars().take(9).collect();
+        let name = lane_name(&understood.columns[i], words);
         let side = Lettering::new(0.8 * e, QUIET).anchored(HPos::Right, VPos::Center);
         write(canvas, &name, [frame.left - 0.6 * e, middle], side)?;
         for c in understood.contacts.iter().filter(|c| c.column == i) {

@@ -72,6 +72,7 @@ pub fn footbridge() -> Design {
     let sharpest = cam.curvature().convex;
     Design {
         name: "footbridge".into(),
+        weight_n: None,
         target: Some(target),
         drive,
         family: "harmonic".into(),
@@ -180,6 +181,7 @@ pub fn heel_tester() -> Design {
     };
     Design {
         name: "heel_tester".into(),
+        weight_n: None,
         target: Some(target),
         drive,
         family: "polynomial".into(),

@@ -3,6 +3,10 @@
 //! Stances exactly, peaks within 1 % of body weight, positions within 3 % of the stance. The README gives peaks
 //! as recorded, offset and all; they are compared so, by adding the baseline that was removed.
 
+mod landmarks;
+mod movements;
+mod plates;
+
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -36,9 +40,6 @@ fn both(r: &Recording, s: &Stances) -> Cycle {
     cycle(r, s, Feet::Both).unwrap()
 }
 
-/// Channel, whole stances, and of these the highest force as recorded, N.
-type Row<'a> = (&'a str, usize, f64);
-
 /// Slivers of contacts at the edges of a file are neither whole nor cut stances: the README does not count them.
 fn slivers(s: &Stances) -> usize {
     s.rejected
@@ -47,266 +48,9 @@ fn slivers(s: &Stances) -> usize {
         .count()
 }
 
-/// Files: mass in the file, samples per second, plates in the order of the file with stances and peak, and the
-/// number of stances that the recording cuts.
-#[allow(clippy::type_complexity)]
-const TABLE: &[(&str, Option<f64>, f64, &[Row], usize)] = &[
-    // Peaks in BW of the README times the mass it names.
-    (
-        "opensim/grf_walk_2000hz.mot",
-        None,
-        2000.0,
-        &[
-            ("ground_force_r_vy", 2, 1.12 * 85.3 * G),
-            ("ground_force_l_vy", 1, 1.12 * 85.3 * G),
-        ],
-        0,
-    ),
-    (
-        "opensim/std_walking2_grfs.sto",
-        None,
-        20.02,
-        // 948 and 756 N are both peaks of the first plate; the second reaches 741 N.
-        &[("f1_3", 1, 948.0), ("f2_3", 1, 741.0)],
-        0,
-    ),
-    (
-        "opensim/subject01_walk1_grf.mot",
-        None,
-        600.0,
-        &[
-            ("ground_force_vy", 1, 1.08 * 72.6 * G),
-            ("1_ground_force_vy", 2, 1.14 * 72.6 * G),
-        ],
-        1,
-    ),
-    (
-        "c3d/walking2.c3d",
-        None,
-        2000.0,
-        &[("plate 1 Fz1", 1, 951.0), ("plate 2 Fz2", 1, 744.0)],
-        0,
-    ),
-    (
-        "c3d/Gait.c3d",
-        None,
-        1000.0,
-        &[("plate 1", 1, 799.0), ("plate 2", 1, 855.0)],
-        0,
-    ),
-    (
-        "c3d/HC002D06.c3d",
-        Some(32.1),
-        1000.0,
-        &[
-            ("plate 1 Fz1", 1, 1.19 * 32.1 * G),
-            ("plate 2 Fz2", 1, 1.25 * 32.1 * G),
-        ],
-        0,
-    ),
-    (
-        "c3d/HC030A05.c3d",
-        Some(45.8),
-        1000.0,
-        &[
-            ("plate 1 Fz1", 1, 1.12 * 45.8 * G),
-            ("plate 2 Fz2", 1, 1.07 * 45.8 * G),
-        ],
-        0,
-    ),
-    (
-        "c3d/HC032A03.c3d",
-        Some(60.3),
-        1000.0,
-        &[
-            ("plate 1 Fz1", 1, 1.15 * 60.3 * G),
-            ("plate 2 Fz2", 1, 1.04 * 60.3 * G),
-        ],
-        0,
-    ),
-    (
-        "c3d/PiG_Motion3_FF.c3d",
-        Some(74.0),
-        1000.0,
-        &[
-            ("plate 1 Fz1", 1, 1.09 * 74.0 * G),
-            ("plate 2 Fz2", 1, 1.13 * 74.0 * G),
-            ("plate 3 Fz3", 1, 1.14 * 74.0 * G),
-        ],
-        0,
-    ),
-    (
-        "c3d/ADemo1_pc_float.c3d",
-        None,
-        400.0,
-        &[("plate 1", 1, 656.0)],
-        0,
-    ),
-    (
-        "c3d/ADemo1_pc_integer.c3d",
-        None,
-        400.0,
-        &[("plate 1", 1, 656.0)],
-        0,
-    ),
-    (
-        "text/walk1.forces",
-        None,
-        450.0,
-        &[("FY3", 1, 836.0), ("FY5", 1, 802.0), ("FY6", 1, 850.0)],
-        1,
-    ),
-    (
-        "text/BiomecII2018_gait_n.txt",
-        None,
-        150.0,
-        &[("Fy", 1, 773.0)],
-        0,
-    ),
-    (
-        "text/Trial1-FxFyFzMxMyMz.asc",
-        None,
-        200.0,
-        &[("column 4", 1, 930.0)],
-        0,
-    ),
-    (
-        "text/HC038A11_decimal_comma.csv",
-        Some(56.8),
-        1000.0,
-        &[
-            ("Platte 1 Fz", 1, 1.08 * 56.8 * G),
-            ("Platte 2 Fz", 1, 1.10 * 56.8 * G),
-        ],
-        0,
-    ),
-];
-
 fn highest(s: &Stance) -> f64 {
     s.p1.force_n.max(s.p2.map_or(0.0, |p| p.force_n))
 }
-
-fn stances_mass_rate_and_peaks_are_those_of_the_readme(folder: &Path) {
-    for (file, mass, rate, plates, cut) in TABLE {
-        let (r, s) = open(folder, file);
-        assert!(
-            (r.rate_hz / rate - 1.0).abs() < 1e-3,
-            "{file}: {} Hz",
-            r.rate_hz
-        );
-        match (mass, r.mass_kg) {
-            (Some(m), Some(got)) => assert!((got - m).abs() < 0.01, "{file}: {got} kg"),
-            (m, got) => assert_eq!(*m, got, "{file}"),
-        }
-        let whole: usize = plates.iter().map(|p| p.1).sum();
-        assert_eq!(s.used.len(), whole, "{file}: {:?}", s.rejected);
-        let is_cut =
-            |r: RejectReason| matches!(r, RejectReason::CutAtStart | RejectReason::CutAtEnd);
-        assert_eq!(
-            s.rejected.iter().filter(|x| is_cut(x.reason)).count(),
-            *cut,
-            "{file}"
-        );
-        let others = s.rejected.len() - slivers(&s);
-        assert_eq!(others, *cut, "{file}: {:?}", s.rejected);
-        let weight = both(&r, &s).mass_kg * G;
-        for (name, count, peak) in *plates {
-            let i = r
-                .channels
-                .iter()
-                .position(|c| c.name == *name)
-                .unwrap_or_else(|| panic!("{file} lacks {name}"));
-            let mine: Vec<&Stance> = s.used.iter().filter(|s| s.channel == i).collect();
-            assert_eq!(mine.len(), *count, "{file} {name}");
-            let got =
-                mine.iter().map(|s| highest(s)).fold(0.0, f64::max) + r.channels[i].baseline_n;
-            assert!(
-                (got - peak).abs() < 0.01 * weight,
-                "{file} {name}: {got:.1} N, README {peak:.1} N"
-            );
-        }
-    }
-}
-
-/// One stance: forces as recorded (N) and positions (%) of P1, V and P2; `None` where the README names none.
-type Landmarks = [Option<(f64, f64)>; 3];
-
-/// A position that the README does not give.
-const NOT_SAID: f64 = f64::NAN;
-
-fn peaks_and_valleys_lie_where_the_readme_says(folder: &Path) {
-    let n = |f: f64, at: f64| Some((f, at));
-    let rows: &[(&str, usize, Landmarks)] = &[
-        (
-            "c3d/ADemo1_pc_float.c3d",
-            0,
-            [n(619.0, 23.0), n(412.0, 47.0), n(656.0, 79.0)],
-        ),
-        (
-            "text/BiomecII2018_gait_n.txt",
-            0,
-            [n(714.0, 24.0), n(553.0, 43.0), n(773.0, 79.0)],
-        ),
-        (
-            "text/Trial1-FxFyFzMxMyMz.asc",
-            0,
-            [n(930.0, 27.0), n(767.0, 45.0), n(914.0, 70.0)],
-        ),
-        (
-            "opensim/grf_walk_2000hz.mot",
-            0,
-            [
-                n(1.09 * 85.3 * G, 28.0),
-                n(0.72 * 85.3 * G, 49.0),
-                n(1.12 * 85.3 * G, 75.0),
-            ],
-        ),
-        // The README gives both peaks of the C3D plates as recorded, offset and all.
-        (
-            "c3d/walking2.c3d",
-            1,
-            [n(951.0, NOT_SAID), None, n(779.0, NOT_SAID)],
-        ),
-        (
-            "c3d/walking2.c3d",
-            0,
-            [n(540.0, NOT_SAID), None, n(744.0, NOT_SAID)],
-        ),
-        (
-            "opensim/grf_walk_2000hz.mot",
-            1,
-            [
-                n(1.09 * 85.3 * G, 28.0),
-                n(0.78 * 85.3 * G, 49.0),
-                n(1.12 * 85.3 * G, 75.0),
-            ],
-        ),
-    ];
-    for (file, index, landmarks) in rows {
-        let (r, s) = open(folder, file);
-        let weight = both(&r, &s).mass_kg * G;
-        let stance = &s.used[*index];
-        let base = r.channels[stance.channel].baseline_n;
-        let got = [Some(stance.p1), stance.valley, stance.p2];
-        for (k, wanted) in landmarks.iter().enumerate() {
-            let Some((force, at)) = wanted else { continue };
-            let Some(p) = got[k] else {
-                panic!("{file}: {stance:?}")
-            };
-            assert!(
-                (p.force_n + base - force).abs() <= 0.01 * weight,
-                "{file} landmark {k}: {:.1} N, README {force:.1}",
-                p.force_n + base
-            );
-            assert!(
-                at.is_nan() || (100.0 * p.at - at).abs() <= 3.0,
-                "{file} landmark {k}: {:.1} %, README {at}",
-                100.0 * p.at
-            );
-        }
-    }
-}
-
 fn middle(mut v: Vec<f64>) -> f64 {
     v.sort_by(f64::total_cmp);
     v[v.len() / 2]
@@ -488,57 +232,79 @@ fn marked_strikes_and_turns_name_the_feet(folder: &Path) {
     assert_eq!(feet("text/walk1.forces"), ["-", "-", "-"]);
 }
 
-fn every_landmark_the_readme_gives_as_a_range_lies_in_it(folder: &Path) {
-    // File, mass the README names (kg; 1/g where it gives newtons), and P1, V, P2 as ranges.
-    type Range = Option<(f64, f64)>;
-    let rows: &[(&str, f64, [Range; 3])] = &[
-        (
-            "opensim/grf_walk_2000hz.mot",
-            85.3,
-            [Some((1.09, 1.09)), Some((0.72, 0.78)), Some((1.12, 1.12))],
-        ),
-        (
-            "c3d/PiG_Motion3_FF.c3d",
-            74.0,
-            [None, Some((0.73, 0.79)), None],
-        ),
-        (
-            "text/walk1.forces",
-            1.0 / G,
-            [Some((793.0, 836.0)), None, Some((780.0, 850.0))],
-        ),
-    ];
-    for (file, mass, ranges) in rows {
-        let (r, s) = open(folder, file);
-        // 1 % of the body weight, in the unit of the row.
-        let slack = 0.01 * both(&r, &s).mass_kg / mass;
-        for stance in &s.used {
-            let got = [Some(stance.p1), stance.valley, stance.p2];
-            for (range, p) in ranges.iter().zip(got) {
-                if let (Some((low, high)), Some(p)) = (range, p) {
-                    let bw = p.force_n / (mass * G);
-                    assert!(
-                        bw > low - slack && bw < high + slack,
-                        "{file}: {bw} outside {low} to {high}"
-                    );
-                }
-            }
+/// Files of the folder, each of which a check below opens.
+const FILES: [&str; 29] = [
+    "c3d/ADemo1_pc_float.c3d",
+    "c3d/ADemo1_pc_integer.c3d",
+    "c3d/Gait.c3d",
+    "c3d/HC002D06.c3d",
+    "c3d/HC030A05.c3d",
+    "c3d/HC032A03.c3d",
+    "c3d/PiG_Motion3_FF.c3d",
+    "c3d/treadmill_events.c3d",
+    "c3d/walking2.c3d",
+    "insole/GaCo01_01.txt",
+    "insole/opengo_fast_230927_102231.txt",
+    "insole/opengo_normal_230927_102114.txt",
+    "opensim/grf_run.mot",
+    "opensim/grf_walk_2000hz.mot",
+    "opensim/referenceGRF.sto",
+    "opensim/std_walking2_grfs.sto",
+    "opensim/subject01_walk1_grf.mot",
+    "opensim/subject01_walk1_grf_15s_oldheader.mot",
+    "opensim/subject01_walk_grf_truncated.mot",
+    "opensim/subject02_running_grf.mot",
+    "text/BiomecII2018_gait_n.txt",
+    "text/HC038A11_decimal_comma.csv",
+    "text/Trial1-FxFyFzMxMyMz.asc",
+    "text/children_F_V_RAW_left.csv",
+    "text/children_F_V_RAW_right.csv",
+    "text/children_metadata.csv",
+    "text/example_vertical_grf.csv",
+    "text/jump1.txt",
+    "text/walk1.forces",
+];
+
+fn every_file_of_the_folder_is_looked_at(folder: &Path) {
+    let mut found = Vec::new();
+    for room in ["c3d", "insole", "opensim", "text"] {
+        for entry in std::fs::read_dir(folder.join(room)).unwrap() {
+            let name = entry.unwrap().file_name();
+            found.push(format!("{room}/{}", name.to_string_lossy()));
         }
     }
+    found.sort();
+    assert_eq!(found, FILES);
 }
 
 /// Runs every check on the recordings; says how many could not run where the folder is missing.
 #[test]
 fn recordings_are_as_their_readme_says() {
     type Check = fn(&Path);
-    let checks: [(&str, Check); 11] = [
+    let checks: [(&str, Check); 15] = [
+        (
+            "every_file_of_the_folder_is_looked_at",
+            every_file_of_the_folder_is_looked_at,
+        ),
+        (
+            "a_person_who_jumps_is_not_tared_away",
+            movements::a_person_who_jumps_is_not_tared_away,
+        ),
+        (
+            "running_is_named_and_read_when_asked_for",
+            movements::running_is_named_and_read_when_asked_for,
+        ),
+        (
+            "belts_that_feet_cross_are_summed",
+            movements::belts_that_feet_cross_are_summed,
+        ),
         (
             "stances_mass_rate_and_peaks_are_those_of_the_readme",
-            stances_mass_rate_and_peaks_are_those_of_the_readme,
+            plates::stances_mass_rate_and_peaks_are_those_of_the_readme,
         ),
         (
             "peaks_and_valleys_lie_where_the_readme_says",
-            peaks_and_valleys_lie_where_the_readme_says,
+            landmarks::peaks_and_valleys_lie_where_the_readme_says,
         ),
         (
             "a_long_walk_in_an_old_header_gives_the_subjects_mass",
@@ -574,7 +340,7 @@ fn recordings_are_as_their_readme_says() {
         ),
         (
             "every_landmark_the_readme_gives_as_a_range_lies_in_it",
-            every_landmark_the_readme_gives_as_a_range_lies_in_it,
+            landmarks::every_landmark_the_readme_gives_as_a_range_lies_in_it,
         ),
     ];
     let Some(folder) = folder() else {

@@ -1,0 +1,268 @@
+//! `gaitcam gait`: what recordings hold, their mean cycles, and the joint mean of several.
+
+mod places;
+mod several;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::exit_code::{BAD_INPUT, BUILT};
+use crate::input;
+use crate::language;
+use crate::recordings::{is_folder, recordings};
+use crate::terminal::{print, print_json, report};
+use crate::words;
+use gaitcam::error::{Error, Place, Result};
+use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
+use gaitcam::units::Dimension;
+use gaitcam_files::{read::read_bytes, target::metadata};
+use gaitcam_output as output;
+use gaitcam_output::folder::write_whole;
+use places::Places;
+
+const EXAMPLES: &str = "Examples:
+  gaitcam gait walk.c3d
+  gaitcam gait walk.mot --out curve.csv
+  gaitcam gait trials/ --out mean.csv
+  gaitcam gait left.csv right.csv --out curves/ --feet both --rate '1000 Hz'
+  gaitcam gait press.csv --period '0.5 s' --out curve.csv
+  gaitcam gait plate.csv --force Fz --unit kN --mass '72.6 kg' --json";
+
+/// Which recordings, and how to read them.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct GaitArgs {
+    /// Recordings, or folders of them: text, OpenSim .mot/.sto, C3D, insole exports; of several a table and their
+    /// joint mean
+    #[arg(required = true, value_name = "FILE|FOLDER")]
+    files: Vec<PathBuf>,
+    /// Write the mean cycle (of several recordings the joint mean) as csv, with pictures (svg, png); in a folder,
+    /// the cycle of each recording too
+    #[arg(long, value_name = "CURVE.csv|DIR")]
+    out: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Feet whose force the cycle contains: both, one, left, right; total: the column is the sum of both
+    #[arg(long, default_value = "both")]
+    feet: String,
+    /// Name or number of the time column
+    #[arg(long, value_name = "COLUMN")]
+    time: Option<String>,
+    /// Name or number of a vertical force column (may be repeated)
+    #[arg(long, value_name = "COLUMN")]
+    force: Vec<String>,
+    /// Unit of the force columns: N, kN, lbf, kgf, N/kg, BW, %BW
+    #[arg(long)]
+    unit: Option<String>,
+    /// Sampling rate, if the file does not give it: "1000 Hz"
+    #[arg(long)]
+    rate: Option<String>,
+    /// Mass of the walker: "72.6 kg"
+    #[arg(long)]
+    mass: Option<String>,
+    /// What was recorded, if it is not recognised: walking, running
+    #[arg(long)]
+    kind: Option<String>,
+    /// The file is exactly one cycle of this duration, of any machine: "0.5 s"
+    #[arg(long)]
+    period: Option<String>,
+    /// The file covers this part of a turn, the force is zero in the rest: "256 deg"
+    #[arg(long)]
+    span: Option<String>,
+    /// Take a recording into the joint mean although this is open about it: kind, clock, mass
+    #[arg(long, value_name = "LIST", default_value = "")]
+    accept: String,
+}
+
+/// One recording as it was read.
+struct Read {
+    path: PathBuf,
+    /// How it was understood; `None` where it is one cycle as it stands.
+    understood: Option<Interpretation>,
+    /// Its mean cycle.
+    cycle: Option<Cycle>,
+    /// The cycle that the file is.
+    given: Option<ForceCurve>,
+    /// Why it gives no cycle.
+    fault: Option<Error>,
+    /// What is said of it alone.
+    text: String,
+    object: Value,
+}
+
+/// Describes every recording; the exit code is 2 where one that was named holds no cycle, or where there is none at
+/// all.
+pub fn run(args: &GaitArgs) -> Result<u8> {
+    let feet: Feet = args.feet.parse().map_err(input::at_flag("--feet"))?;
+    let accept = OpenQuestion::list(&args.accept).map_err(input::at_flag("--accept"))?;
+    let mut files = recordings(&args.files, "FOLDER")?.files;
+    let named = |file: &str| args.files.iter().any(|f| f == Path::new(file));
+    files.retain(|f| named(f) || !args.out.as_deref().is_some_and(|o| wrote(o, Path::new(f))));
+    let files: Vec<PathBuf> = files.into_iter().map(PathBuf::from).collect();
+    let is_one = args.files.len() == 1 && !is_folder(&args.files[0])?;
+    let places = Places::of(args.out.as_deref(), &files, !is_one)?;
+    if is_one {
+        return one(args, &files[0], &places, feet);
+    }
+    let reads = files
+        .iter()
+        .map(|path| read(args, path, feet).unwrap_or_else(|fault| Read::failed(path, fault)));
+    let is_named = |read: &Read| args.files.contains(&read.path);
+    several::describe(reads.collect(), &places, &accept, args.json, &is_named)
+}
+
+/// Whether a file is a cycle that this command wrote into a folder.
+fn wrote(folder: &Path, file: &Path) -> bool {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let inside = || {
+        let parent = file.parent().and_then(|p| p.canonicalize().ok());
+        parent.is_some() && parent == folder.canonicalize().ok()
+    };
+    let is_cycle = || read_bytes(file).is_ok_and(|b| b.starts_with(b"# cycle"));
+    (name.contains("_cycle") || name == places::JOINT_MEAN) && inside() && is_cycle()
+}
+
+fn one(args: &GaitArgs, path: &Path, places: &Places, feet: Feet) -> Result<u8> {
+    let read = read(args, path, feet)?;
+    if let Some(place) = places.each.first() {
+        read.write(place)?;
+    }
+    if args.json {
+        print_json(&read.object);
+    } else {
+        print(&read.text);
+    }
+    Ok(match read.fault {
+        None => BUILT,
+        Some(fault) => {
+            report(fault.sentence(language::current()));
+            BAD_INPUT
+        }
+    })
+}
+
+fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
+    let options = options(args, path)?;
+    let bytes = read_bytes(path)?;
+    let place = || Place::File(path.to_path_buf());
+    if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
+        let table = force::cycle_table(&curve, language::current());
+        return Ok(Read {
+            path: path.to_path_buf(),
+            understood: None,
+            cycle: None,
+            fault: None,
+            text: format!("{}\n{table}", path.display()),
+            object: force::cycle_json(&curve),
+            given: Some(curve),
+        });
+    }
+    let recording = force::read(path, &bytes, &options)?;
+    drop(bytes);
+    let stances = force::stances(&recording);
+    let cycle = force::cycle(&recording, &stances, feet).map_err(|e| e.at(place()));
+    let name = path
+        .file_name()
+        .map_or_else(String::new, |n| n.to_string_lossy().into());
+    let found = cycle.as_ref().ok();
+    let understood = Interpretation::of(&name, &recording, &stances, found, feet);
+    // A refusal is printed once, on standard error.
+    let table = force::table(
+        &understood,
+        &recording,
+        &stances,
+        cycle.as_ref().map_err(|_| ""),
+        language::current(),
+    );
+    let table = table.trim_end().trim_end_matches(':');
+    let object = force::json(&understood, &recording, &stances, found);
+    let (cycle, fault) = match cycle {
+        Ok(cycle) => (Some(cycle), None),
+        Err(fault) => (None, Some(fault)),
+    };
+    Ok(Read {
+        path: path.to_path_buf(),
+        understood: Some(understood),
+        cycle,
+        given: None,
+        fault,
+        text: format!("{}\n{table}", path.display()),
+        object,
+    })
+}
+
+impl Read {
+    /// A file that could not be read.
+    fn failed(path: &Path, fault: Error) -> Read {
+        Read {
+            path: path.to_path_buf(),
+            understood: None,
+            cycle: None,
+            given: None,
+            fault: Some(fault),
+            text: String::new(),
+            object: json!({"kind": null, "cycle": null}),
+        }
+    }
+
+    /// Its cycle, mean or as given.
+    fn curve(&self) -> Option<&ForceCurve> {
+        self.cycle
+            .as_ref()
+            .map(|c| &c.curve)
+            .or(self.given.as_ref())
+    }
+
+    /// Writes the cycle, and beside a mean one a picture of the recording, which a refused one has too.
+    fn write(&self, place: &Path) -> Result<()> {
+        if let Some(curve) = &self.given {
+            let from = of_files("gait-cycle-of", &self.path.display().to_string());
+            write_whole(place, force::csv(curve, &[&from]).as_bytes())?;
+        }
+        if let Some(cycle) = &self.cycle {
+            let from = of_files("gait-mean-cycle-of", &self.path.display().to_string());
+            let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
+            write_whole(place, csv.as_bytes())?;
+        }
+        let Some(understood) = &self.understood else {
+            return Ok(());
+        };
+        let curve = self.cycle.as_ref().map(|c| &c.curve);
+        let picture = output::recording::recording(understood, curve, language::current());
+        write_picture(place, &picture)
+    }
+}
+
+/// A picture beside a csv, with `.svg` and `.png` in its place.
+fn write_picture(place: &Path, picture: &output::Picture) -> Result<()> {
+    write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
+    write_whole(&place.with_extension("png"), &picture.png())
+}
+
+/// A heading with the names of files.
+fn of_files(key: &str, files: &str) -> String {
+    words::fill(key, &json!({"file": files}))
+}
+
+fn options(args: &GaitArgs, path: &Path) -> Result<ReadOptions> {
+    let unit = args
+        .unit
+        .as_deref()
+        .map(|u| u.parse().map_err(input::at_flag("--unit")));
+    Ok(ReadOptions {
+        time: args.time.clone(),
+        force: args.force.clone(),
+        unit: unit.transpose()?,
+        rate_hz: input::quantity("--rate", args.rate.as_deref(), Dimension::Frequency)?,
+        mass_kg: input::quantity("--mass", args.mass.as_deref(), Dimension::Mass)?,
+        kind: (args.kind.as_deref())
+            .map(|k| k.parse().map_err(input::at_flag("--kind")))
+            .transpose()?,
+        period_s: input::quantity("--period", args.period.as_deref(), Dimension::Time)?,
+        span_rad: input::quantity("--span", args.span.as_deref(), Dimension::Angle)?,
+        metadata: metadata(path),
+    })
+}

@@ -1,0 +1,97 @@
+//! Where mean cycles are written.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::CliError;
+use gaitcam::error::Result;
+use gaitcam_output::folder::Folder;
+
+/// Name of the joint mean in a folder of cycles.
+pub const JOINT_MEAN: &str = "joint_mean.csv";
+
+/// Where the cycles of one or several recordings go. Pictures stand beside each, with `.svg` and `.png` for `.csv`.
+#[derive(Debug, Default)]
+pub struct Places {
+    /// One for each recording, where they are written.
+    pub each: Vec<PathBuf>,
+    /// The joint mean of several.
+    pub joint: Option<PathBuf>,
+}
+
+impl Places {
+    /// The one file named, or `NAME_cycle.csv` and `joint_mean.csv` in a folder.
+    ///
+    /// `several`: a joint mean is computed, and a file named is for it.
+    ///
+    /// # Errors
+    ///
+    /// Where a recording would be replaced, or the name is of another kind of file.
+    pub fn of(out: Option<&Path>, recordings: &[PathBuf], several: bool) -> Result<Places> {
+        let Some(out) = out else {
+            return Ok(Places::default());
+        };
+        let csv = out
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+        if !csv && !out.is_dir() && out.extension().is_some() {
+            let file = out.display().to_string();
+            return Err(CliError::CycleEnding { file }.flag("--out"));
+        }
+        let places = if csv && !out.is_dir() {
+            // As synth does: a folder that is not there yet is made.
+            if let Some(folder) = out.parent().filter(|f| !f.as_os_str().is_empty()) {
+                Folder::open(folder)?;
+            }
+            let file = out.to_path_buf();
+            if several {
+                Places {
+                    each: Vec::new(),
+                    joint: Some(file),
+                }
+            } else {
+                Places {
+                    each: vec![file],
+                    joint: None,
+                }
+            }
+        } else {
+            let folder = Folder::open(out)?;
+            Places {
+                each: named(folder.path(), recordings),
+                joint: several.then(|| folder.path().join(JOINT_MEAN)),
+            }
+        };
+        let all = places.each.iter().chain(&places.joint);
+        for place in all {
+            refuse_recording(place, recordings)?;
+        }
+        Ok(places)
+    }
+}
+
+/// `NAME_cycle.csv` for each recording; recordings of one name from two folders are numbered.
+fn named(folder: &Path, recordings: &[PathBuf]) -> Vec<PathBuf> {
+    let mut places: Vec<PathBuf> = Vec::new();
+    for recording in recordings {
+        let stem = recording.file_stem().unwrap_or_default().to_string_lossy();
+        let numbered = (1..).map(|k| match k {
+            1 => format!("{stem}_cycle.csv"),
+            k => format!("{stem}_cycle_{k}.csv"),
+        });
+        let mut free = numbered.map(|name| folder.join(name));
+        places.extend(free.find(|p| !places.contains(p)));
+    }
+    places
+}
+
+/// A recording is never replaced by a cycle.
+fn refuse_recording(place: &Path, recordings: &[PathBuf]) -> Result<()> {
+    let Ok(place) = place.canonicalize() else {
+        return Ok(());
+    };
+    let same = |r: &PathBuf| r.canonicalize().is_ok_and(|r| r == place);
+    if recordings.iter().any(same) {
+        return Err(CliError::CycleOverRecording.flag("--out"));
+    }
+    Ok(())
+}

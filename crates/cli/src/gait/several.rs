@@ -1,0 +1,130 @@
+//! Several recordings: a table of all, and their joint mean.
+
+use super::places::Places;
+use super::{Read, of_files, write_picture};
+use crate::exit_code::{BAD_INPUT, BUILT};
+use crate::language;
+use crate::terminal::{print, print_json, report};
+use gaitcam::error::Result;
+use gaitcam::force::{
+    self, JointMean, LeftOut, OpenQuestion, Trial, TrialRow, joint_mean, trials_json, trials_table,
+};
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+use gaitcam_output as output;
+use gaitcam_output::folder::write_whole;
+
+/// Prints the table with the joint mean, and writes the cycles that are asked for.
+///
+/// `is_named`: whether a recording was named and not found in a folder, where what gives no cycle is left out.
+pub fn describe(
+    reads: Vec<Read>,
+    places: &Places,
+    accept: &[OpenQuestion],
+    as_json: bool,
+    is_named: &dyn Fn(&Read) -> bool,
+) -> Result<u8> {
+    let open: Vec<Vec<OpenQuestion>> = reads.iter().map(|r| open(r, accept)).collect();
+    let trials: Vec<Trial> = reads
+        .iter()
+        .zip(&open)
+        .filter_map(|(read, open)| Some((read.cycle.as_ref()?, open)))
+        .map(|(cycle, open)| Trial { cycle, open })
+        .collect();
+    let joint = joint_mean(&trials);
+    let left_out = reasons(&reads, &joint, &open);
+    let names = short_names(&reads);
+    let rows: Vec<TrialRow> = reads
+        .iter()
+        .zip(&names)
+        .zip(&left_out)
+        .map(|((read, name), left_out)| TrialRow {
+            name,
+            understood: read.understood.as_ref(),
+            curve: read.curve(),
+            fault: read.fault.as_ref(),
+            left_out: left_out.as_ref(),
+        })
+        .collect();
+    let mean = joint.as_ref().ok();
+    if as_json {
+        let objects = reads.iter().map(|read| {
+            let mut object = read.object.clone();
+            object["file"] = json!(read.path.display().to_string());
+            object
+        });
+        let objects = objects.collect();
+        print_json(&trials_json(&rows, objects, mean));
+    } else {
+        print(trials_table(&rows, mean, language::current()).trim_end());
+    }
+    for (read, place) in reads.iter().zip(&places.each) {
+        read.write(place)?;
+    }
+    if let (Some(mean), Some(place)) = (mean, &places.joint) {
+        let used = names.iter().zip(&left_out).filter(|(_, out)| out.is_none());
+        let used: Vec<&str> = used.map(|(name, _)| name.as_str()).collect();
+        let from = of_files("gait-joint-mean-of", &used.join(", "));
+        write_whole(place, force::csv(&mean.curve, &[&from]).as_bytes())?;
+        let picture = output::recording::joint_mean(mean, &used, language::current());
+        write_picture(place, &picture)?;
+    }
+    let mut code = BUILT;
+    for fault in reads
+        .iter()
+        .filter(|r| is_named(r))
+        .filter_map(|r| r.fault.as_ref())
+    {
+        report(fault.sentence(language::current()));
+        code = BAD_INPUT;
+    }
+    if let Err(fault) = joint {
+        report(fault.sentence(language::current()));
+        code = BAD_INPUT;
+    }
+    Ok(code)
+}
+
+/// Paths without the folder that all of them share.
+fn short_names(reads: &[Read]) -> Vec<String> {
+    let parent = |read: &Read| read.path.parent().map(Path::to_path_buf);
+    let mut parents = reads.iter().map(parent);
+    let mut shared: PathBuf = parents.next().flatten().unwrap_or_default();
+    for parent in parents.map(Option::unwrap_or_default) {
+        while !parent.starts_with(&shared) && shared.pop() {}
+    }
+    let short = |read: &Read| {
+        let name = read.path.strip_prefix(&shared).unwrap_or(&read.path);
+        name.display().to_string()
+    };
+    reads.iter().map(short).collect()
+}
+
+/// What is open about a recording and was not accepted.
+fn open(read: &Read, accept: &[OpenQuestion]) -> Vec<OpenQuestion> {
+    let doubts = read.understood.iter().flat_map(|u| u.doubts());
+    doubts.filter(|d| !accept.contains(d)).collect()
+}
+
+/// Why each recording takes no part in the joint mean; `None` where it does.
+fn reasons(
+    reads: &[Read],
+    joint: &Result<JointMean>,
+    open: &[Vec<OpenQuestion>],
+) -> Vec<Option<LeftOut>> {
+    let mut of_trials = joint.iter().flat_map(|j| j.left_out.clone());
+    let of = |(read, open): (&Read, &Vec<OpenQuestion>)| {
+        if read.given.is_some() {
+            return Some(LeftOut::MeanAlready);
+        }
+        if read.cycle.is_none() {
+            return Some(LeftOut::NoCycle);
+        }
+        let questions = open.clone();
+        of_trials
+            .next()
+            .unwrap_or((!questions.is_empty()).then_some(LeftOut::Open { questions }))
+    };
+    reads.iter().zip(open).map(of).collect()
+}

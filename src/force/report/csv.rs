@@ -1,0 +1,42 @@
+//! A cycle as csv.
+
+use std::fmt::Write as _;
+
+use crate::force::curve::ForceCurve;
+
+/// One cycle as csv that reads back as the same cycle.
+///
+/// `comments` become comment lines; a line end inside one starts another comment line.
+pub fn csv(curve: &ForceCurve, comments: &[&str]) -> String {
+    let n = curve.force_n.len();
+    let mut out = String::with_capacity(48 * n);
+    let _ = write_csv(&mut out, curve, comments);
+    out
+}
+
+fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fmt::Result {
+    writeln!(out, "# cycle, period_s = {}", curve.period_s)?;
+    if let Some(m) = curve.mass_kg {
+        writeln!(out, "# mass_kg = {m}")?;
+    }
+    for line in comments.iter().flat_map(|c| c.lines()) {
+        writeln!(out, "# {line}")?;
+    }
+    let step = curve.period_s / curve.force_n.len() as f64;
+    let times = (0..).map(|i| f64::from(i) * step);
+    match &curve.spread_n {
+        Some(spread) => {
+            writeln!(out, "time_s,force_n,spread_n")?;
+            for ((t, f), s) in times.zip(&curve.force_n).zip(spread) {
+                writeln!(out, "{t},{f},{s}")?;
+            }
+        }
+        None => {
+            writeln!(out, "time_s,force_n")?;
+            for (t, f) in times.zip(&curve.force_n) {
+                writeln!(out, "{t},{f}")?;
+            }
+        }
+    }
+    Ok(())
+}
