@@ -1,4 +1,5 @@
 use super::*;
+use crate::sweep::{Difference, differences};
 
 fn plan(vary: &[&str]) -> Plan {
     Plan {
