@@ -13,7 +13,7 @@ import pytest
 import gaitcam
 
 pytestmark = pytest.mark.engines
-ROWS, BLOCK = 20_000, 500
+ROWS, BLOCK = 4_000, 100
 
 PLAN = textwrap.dedent(f"""
     import gaitcam

@@ -47,7 +47,7 @@ def test_lists_and_tables_are_values_too():
         {"motion": "cycloidal", "lift": "10 mm", "angle": "180 deg"},
         {"motion": "cycloidal", "lift": "-10 mm", "angle": "180 deg"},
     ]
-    scene = gaitcam.Scene({"name": "two", "drive": {"speed": "60 rpm"}, "law": {"family": "program", "segment": segments}})
+    scene = gaitcam.Scene({"name": "two", "drive": {"speed": "60 rpm", "mass": "1 kg"}, "law": {"family": "program", "segment": segments}})
     assert gaitcam.synth(scene).summary["law"]["stroke_m"] == pytest.approx(0.01, rel=1e-9)
     assert scene.set({"law.segment.2.lift": "-5 mm"}) != scene
 

@@ -40,7 +40,7 @@ fn field(column: &sweep::Field) -> Field {
 /// Names, types and units of the columns, with what is known of the whole table.
 pub fn schema(records: &Records, metadata: &[(String, String)]) -> SchemaRef {
     let fields: Vec<Field> = records.fields.iter().map(field).collect();
-    let metadata = metadata.iter().cloned().collect();
+    let metadata: HashMap<String, String> = metadata.iter().cloned().collect();
     Arc::new(Schema::new(fields).with_metadata(metadata))
 }
 

@@ -39,7 +39,6 @@ mod with_parquet {
 
     use super::super::{SweepArgs, arguments, check_size, check_values, work};
     use super::Shard;
-    use crate::error::CliError;
     use crate::exit_code::{BUILT, INTERRUPTED};
     use crate::terminal::{self, print, print_json};
     use crate::{language, words};
@@ -98,11 +97,9 @@ mod with_parquet {
 
     /// A plan whose base scenes have their own names, not those of files, so that it is the same on every machine.
     fn named_by_scene(mut plan: Plan) -> Plan {
-        let own = |table: &toml::Table| table.get("name")?.as_str().map(str::to_string);
-        let names: Vec<Option<String>> = plan.scenes.iter().map(|s| own(&s.table)).collect();
-        for (i, scene) in plan.scenes.iter_mut().enumerate() {
-            let name = names[i].clone().unwrap_or_else(|| "cam".to_string());
-            scene.name = name;
+        for scene in &mut plan.scenes {
+            let own = scene.table.get("name").and_then(|name| name.as_str());
+            scene.name = own.unwrap_or("cam").to_string();
         }
         plan
     }

@@ -607,3 +607,64 @@ fn values_that_do_not_go_with_another_key_cost_their_rows_only() {
     let faults = text.lines().filter(|l| l.contains("bore")).count();
     assert_eq!((text.lines().count(), faults), (5, 1), "{text}");
 }
+
+/// Blocks are Parquet files, which a plain build cannot write.
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn shards_need_the_build_that_writes_parquet() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = sweep(
+        &folder.path().join("blocks"),
+        &["--vary", "law.degree=3,5", "--shard", "1/2"],
+    );
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.contains("--features parquet"), "{said}");
+}
+
+#[cfg(feature = "parquet")]
+#[test]
+fn shards_fill_one_folder_that_front_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("blocks");
+    let vary = [
+        "--vary",
+        "law.family=harmonic",
+        "--vary",
+        "gait.body_weight=600 N:800 N:10",
+    ];
+    let share = |which: &str| {
+        let more = ["--shard", which, "--block-rows", "3"];
+        sweep(&out, &[&vary[..], &more].concat())
+    };
+    for which in ["1/2", "2/2", "1/2"] {
+        let output = share(which);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+    }
+    let mut names: Vec<String> = std::fs::read_dir(&out)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert_eq!(names.len(), 5, "{names:?}");
+    assert_eq!(names[0], "_plan.json");
+    assert_eq!(names[4], "rows-000000000009-000000000010.parquet");
+    let other = [
+        "--vary",
+        "gait.body_weight=600 N:900 N:10",
+        "--shard",
+        "1/2",
+        "--block-rows",
+        "3",
+    ];
+    let refused = sweep(&out, &other);
+    assert_eq!(refused.status.code(), Some(2));
+    let front = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        .args(["front", "--json", "--minimise", "stroke", "--out"])
+        .arg(folder.path().join("front"))
+        .arg(&out)
+        .output()
+        .unwrap();
+    let found: serde_json::Value = serde_json::from_slice(&front.stdout).unwrap();
+    assert_eq!(found["rows"], 10);
+}
