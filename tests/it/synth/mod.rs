@@ -7,6 +7,7 @@ mod families;
 mod guard;
 mod loads;
 mod machine;
+mod out_of_reach;
 mod power;
 mod problem;
 mod random;

@@ -1,0 +1,35 @@
+//! Limits that no small change mends are told as what they are.
+
+use super::relaxations::{HUMP, assignment, good, scene_of};
+use gaitcam::synth::{Reason, relaxed, synthesise};
+
+/// Limits a hundred times below what any law has: no share of all of them is advice, the two values are.
+#[test]
+fn limits_out_of_reach_are_told_by_themselves() {
+    let changes = ["limits.velocity=0.0004 m/s", "limits.face_width=0.1 mm"];
+    let scene = scene_of(HUMP, &changes);
+    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    let Some(Reason::FarTogether { changes }) = design.reasons.last() else {
+        panic!("{}", design.reason(gaitcam::wording::Language::En));
+    };
+    assert_eq!(changes.len(), 2, "{changes:?}");
+    let settings: Vec<String> = (design.together.iter())
+        .map(|r| assignment(r.limit.name(), r.to.unwrap()))
+        .collect();
+    let all: Vec<&str> = settings.iter().map(String::as_str).collect();
+    assert!(good(&synthesise(&scene_of(HUMP, &all), None).unwrap()));
+    // One of them a hair tighter is too tight.
+    let tight = &design.together[0];
+    let tight = assignment(tight.limit.name(), 0.98 * tight.to.unwrap());
+    let pair = [tight.as_str(), all[1]];
+    assert!(!good(&synthesise(&scene_of(HUMP, &pair), None).unwrap()));
+}
+
+/// A single change that helps, and is a hundredfold, is said to be large.
+#[test]
+fn a_hundredfold_relaxation_is_said_to_be_large() {
+    let scene = scene_of(HUMP, &["limits.velocity=0.0004 m/s"]);
+    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    let far = matches!(design.reasons.last(), Some(Reason::FarRelaxations { .. }));
+    assert!(far, "{}", design.reason(gaitcam::wording::Language::En));
+}
