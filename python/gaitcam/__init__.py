@@ -46,6 +46,9 @@ class Svaj(NamedTuple):
 #: ``gaitcam.sweep(scene, vary=...).run()`` is the table of a whole sweep; see :class:`Sweep`.
 sweep = Sweep
 
+# Last, since they need what stands above; the engines themselves are imported when they are used.
+from gaitcam import blocks, dask, ray  # noqa: E402
+
 __all__ = [
     "Design",
     "Force",
@@ -59,10 +62,13 @@ __all__ = [
     "Sweep",
     "Table",
     "__version__",
+    "blocks",
+    "dask",
     "front",
     "keys",
     "laws",
     "program",
+    "ray",
     "read_gait",
     "simulate",
     "sweep",
