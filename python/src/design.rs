@@ -161,6 +161,7 @@ impl Design {
             solid,
             tool: tool.map(|t| length(t, "tool")).transpose()?,
             language: language(py, lang)?,
+            title: self.input.title(),
             ..Contents::default()
         })
     }

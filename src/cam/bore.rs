@@ -183,6 +183,17 @@ impl Bore {
         let segment = r * r * aside - half * foot;
         round + key.width * (r + key.depth - foot) - segment
     }
+
+    /// First moment of that area about the x axis, m³: only the keyway has one.
+    pub fn moment(&self) -> f64 {
+        let Some(key) = self.keyway else {
+            return 0.0;
+        };
+        let (r, half) = (self.radius(), 0.5 * key.width);
+        let (foot, top) = ((r * r - half * half).sqrt(), r + key.depth);
+        // The rectangle ∫ w y dy from foot to top, less the segment ∫ 2√(r² − y²) y dy = ⅔ half³.
+        half * (top * top - foot * foot) - 2.0 / 3.0 * half.powi(3)
+    }
 }
 
 #[cfg(test)]
@@ -222,6 +233,13 @@ mod tests {
                 .map(|v| v[0].hypot(v[1]))
                 .fold(0.0, f64::max);
             assert!((farthest - bore.reach()).abs() < 1e-15);
+            let moment: f64 = (0..n)
+                .map(|i| {
+                    let angle = (i as f64 + 0.5) * step;
+                    step * bore.edge(angle).powi(3) * angle.sin() / 3.0
+                })
+                .sum();
+            assert!((moment - bore.moment()).abs() < 1e-6 * bore.area() * bore.radius());
         }
     }
 }

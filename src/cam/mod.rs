@@ -6,6 +6,7 @@
 
 mod arc_tangent;
 mod barrel;
+mod body;
 mod bore;
 mod checks;
 mod conjugate;
@@ -14,6 +15,7 @@ mod fit;
 mod follower;
 mod follower_kind;
 mod geometry;
+mod inspect;
 mod interference;
 mod measures;
 mod profile;
@@ -23,12 +25,14 @@ mod space;
 
 pub use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
+pub use body::{Hole, LEAST_WALL, PlanArea};
 pub use bore::{Bore, Keyway};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
 pub use follower::Follower;
 pub use follower_kind::FollowerKind;
+pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
 pub use measures::{Measures, Unit};
 pub use profile::ProfilePoint;

@@ -93,6 +93,22 @@ pub enum CamError {
         radius: Quantity,
         floor: Quantity,
     },
+    MeasuredFew {
+        points: usize,
+        least: usize,
+    },
+    MeasuredNotFinite {
+        row: usize,
+    },
+    MeasuredUnrolled {
+        follower: &'static str,
+    },
+    MeasuredCircle,
+    MeasuredOther {
+        distance: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
 }
 
 /// A length of a follower or cam.

@@ -65,6 +65,9 @@ pub enum CliError {
     FlagConflict { other: String },
     FlagCount,
     Arguments { fault: String },
+    MeasuredColumns { found: String },
+    MeasuredField { text: String },
+    NegativeBall { typed: String },
 }
 
 /// Why a scene's name cannot name a folder.

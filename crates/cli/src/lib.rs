@@ -15,6 +15,7 @@ mod gait;
 mod help;
 mod init;
 mod input;
+mod inspect;
 mod keys;
 mod language;
 mod laws;
@@ -55,6 +56,8 @@ enum Command {
     Gait(gait::GaitArgs),
     /// Simulate the finished cam: force, torque, lift-off, vibration, with the simplest sufficient model
     Simulate(simulate::SimulateArgs),
+    /// Fit measured points of a made cam to its design: deviations, and what this very cam does
+    Inspect(inspect::InspectArgs),
     /// Design thousands of scenes: a grid, a list or a sample of values, into one table
     Sweep(sweep::SweepArgs),
     /// Pareto front of a sweep: table, pictures, and the best design as a normal result
@@ -115,6 +118,7 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Synth(args) => synth::run(&args),
         Command::Simulate(args) => simulate::run(&args),
         Command::Gait(args) => gait::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
         Command::Reproduce(args) => reproduce::run(&args),
@@ -159,6 +163,7 @@ impl Command {
             Command::Synth(args) => args.json,
             Command::Simulate(args) => args.json,
             Command::Gait(args) => args.json,
+            Command::Inspect(args) => args.json,
             Command::Sweep(args) => args.json,
             Command::Front(args) => args.json,
             Command::Compare(args) => args.json,

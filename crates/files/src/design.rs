@@ -34,6 +34,8 @@ pub struct Contents {
     pub tool: Option<f64>,
     /// Layers of the DXF drawings.
     pub drawn: output::dxf::Content,
+    /// What stands in the title block of the drawing beside the design.
+    pub title: output::drawing::Title,
     /// Language of pictures and report.
     pub language: Language,
 }
@@ -46,6 +48,7 @@ impl Default for Contents {
             solid: false,
             tool: None,
             drawn: output::dxf::Content::All,
+            title: output::drawing::Title::default(),
             language: Language::En,
         }
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Every file that `synth` may write, and so may remove.
-pub(crate) const OF_DESIGN: [&str; 21] = [
+pub(crate) const OF_DESIGN: [&str; 23] = [
     "law.csv",
     "profile.csv",
     "second_profile.csv",
@@ -24,6 +24,8 @@ pub(crate) const OF_DESIGN: [&str; 21] = [
     "groove_upper.stl",
     "groove_lower.stl",
     "cutter.csv",
+    "cutter.nc",
+    "drawing.pdf",
     "report.html",
     "summary.json",
 ];

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
 use toml::{Table, Value};
 
@@ -9,6 +10,7 @@ use crate::{read, target};
 use gaitcam::error::{Error, FileError, Place, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene, Source};
+use gaitcam_output::drawing::{Title, revision};
 
 /// A scene with the folder that its paths are relative to.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,6 +73,17 @@ impl Input {
         }
     }
 
+    /// What the title block of a drawing says of the scene.
+    pub fn title(&self) -> Title {
+        let text = toml::to_string(&self.table).unwrap_or_default();
+        let usual = Title::default();
+        Title {
+            revision: Some(revision(&text)),
+            date: self.file.as_deref().and_then(last_change),
+            accuracy: self.scene.rms.unwrap_or(usual.accuracy),
+        }
+    }
+
     /// The force curve that the scene names, if it names one.
     ///
     /// # Errors
@@ -78,6 +91,13 @@ impl Input {
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         target::target(&self.scene, &self.folder)
     }
+}
+
+/// Day on which a file was last changed, counted from 1970-01-01 (UTC).
+fn last_change(file: &Path) -> Option<u64> {
+    const SECONDS: u64 = 86_400;
+    let time = fs::metadata(file).ok()?.modified().ok()?;
+    Some(time.duration_since(UNIX_EPOCH).ok()?.as_secs() / SECONDS)
 }
 
 /// The folder that paths in a scene file are relative to.

@@ -32,11 +32,16 @@ pub enum Remark {
     },
     /// There are none.
     NoArcs,
+    /// There is no drawing: the cam has no radii about a centre.
+    NoDrawing,
     /// The cutter damages the profile.
     Gouge(Gouge),
+    /// There is no program for the cutter.
+    NoProgram,
 }
 
-/// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf and profile.xlsx (a barrel: its walls as STL).
+/// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf, profile.xlsx and drawing.pdf (a barrel: its walls
+/// as STL).
 /// Returns what could not be written, and why.
 pub fn write(
     folder: &impl Sink,
@@ -56,6 +61,10 @@ pub fn write(
             folder.write(&format!("groove_{name}.stl"), &bytes)?;
         }
         return Ok(remarks);
+    }
+    match output::drawing::pdf(design, &contents.title, contents.language) {
+        Some(bytes) => folder.write("drawing.pdf", &bytes)?,
+        None => remarks.push(Remark::NoDrawing),
     }
     let plate = output::solid::Plate {
         thickness: design.thickness,
@@ -92,7 +101,7 @@ pub fn write(
     Ok(remarks)
 }
 
-/// Writes cutter.csv and says where the cutter would gouge.
+/// Writes cutter.csv and says where the cutter would gouge; where it does not, cutter.nc as well.
 pub fn cutter(
     folder: &impl Sink,
     design: &Design,
@@ -101,5 +110,14 @@ pub fn cutter(
 ) -> Result<Vec<Remark>> {
     let path = output::cutter::path(design, radius, points)?;
     folder.write("cutter.csv", output::cutter::csv(&path).as_bytes())?;
-    Ok(path.gouges.into_iter().map(Remark::Gouge).collect())
+    let program = match path.gouges.is_empty() {
+        true => output::gcode::program(design, radius)?,
+        false => None,
+    };
+    let mut remarks: Vec<Remark> = path.gouges.into_iter().map(Remark::Gouge).collect();
+    match program {
+        Some(text) => folder.write("cutter.nc", text.as_bytes())?,
+        None => remarks.push(Remark::NoProgram),
+    }
+    Ok(remarks)
 }

@@ -20,9 +20,9 @@ mod pose;
 pub mod report;
 mod words;
 
-pub use cad::{biarc, cutter, dxf, groove, mesh as solid, step, svg};
+pub use cad::{biarc, cutter, drawing, dxf, gcode, groove, mesh as solid, step, svg};
 pub use data::{csv, json, xlsx};
-pub use figures::{overlay, recording, sweep as sweep_plots};
+pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;
 pub use plot::picture::{self, Picture};
 pub use plot::{palette, sheet};

@@ -65,7 +65,7 @@ pub struct SynthArgs {
     /// :torque, :power, :hertz_pressure, :liftoff_speed
     #[arg(long, value_name = "A:B")]
     pub front: Option<String>,
-    /// Also write manufacturing files: solid (STL, 3MF), arcs (DXF), workbook (XLSX)
+    /// Also write manufacturing files: drawing (PDF), solid (STEP, STL, 3MF), arcs (DXF), workbook (XLSX)
     #[arg(long)]
     pub solid: bool,
     /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
@@ -122,6 +122,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             solid: args.solid,
             tool,
             drawn: args.drawn(),
+            title: input.title(),
             language: crate::language::current(),
         },
         folder: folder(args, &input)?,

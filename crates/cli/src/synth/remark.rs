@@ -18,6 +18,8 @@ pub fn sentence(remark: &Remark, measures: Measures) -> String {
             words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
         }
         Remark::NoArcs => words::text("synth-no-arcs"),
+        Remark::NoDrawing => words::text("synth-no-drawing"),
+        Remark::NoProgram => words::text("synth-no-program"),
         Remark::Gouge(gouge) => self::gouge(gouge, measures),
     }
 }

@@ -153,6 +153,8 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
         "profile.xlsx",
         "profile_arcs.dxf",
         "cutter.csv",
+        "cutter.nc",
+        "drawing.pdf",
         "cam.svg",
         "cam.png",
         "report.html",

@@ -11,6 +11,7 @@ mod gait_doubts;
 mod gait_trials;
 mod guidance;
 mod input_and_output;
+mod inspect_command;
 mod language;
 mod main_job;
 mod open_recordings;

@@ -1,4 +1,9 @@
 # Faults that only the command can meet: files, flags, folders.
+cli-measured-columns = no columns of measured points among: { $found }
+    .help = name them x_mm,y_mm or angle_deg,radius_mm (or m, in, rad)
+cli-measured-field = "{ $text }" is not a finite number
+    .help = each line needs two numbers with a decimal point
+cli-negative-ball = the radius of a probing ball is 0 or more, not { $typed }
 cli-cannot-write = cannot be written ({ $fault })
 cli-cannot-open = cannot be opened ({ $fault })
 cli-not-csv = is not a CSV table ({ $fault })
@@ -155,6 +160,8 @@ synth-step-head = step   prime radius          objective   relative clearance   
 synth-ended = stopped: { $why }
 synth-no-solid = no solid: { $fault }
 synth-no-step = no STEP file: { $fault }
+synth-no-program = no cutter.nc: only the outside of a smooth cam that the cutter fits is written as a program
+synth-no-drawing = no drawing: the cam has no radii about a centre
 synth-arcs = profile_arcs.dxf: { $arcs } arcs, at most { $deviation } mm from the profile
 synth-no-arcs = no arcs: the profile is not smooth enough for them
 synth-gouge-hollow = the cutter radius is too large for the concave profile at { $at }: { $radius } mm maximum
@@ -385,3 +392,17 @@ doctor-recording = { $file }: { $columns ->
     }, { $used } contacts used, { $rejected } left out
 doctor-doubt = { $sentence } Settle it, or accept it with gait.accept = "{ $name }".
 doctor-recording-options = What the file does not say can be given: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (see gaitcam keys gait).
+
+# inspect.
+inspect-no-cam = there is no cam to compare with: { $why }
+inspect-fit = { $points } points; the cam lies turned by { $turn }° with its centre at x { $x } mm, y { $y } mm
+inspect-alike = the cam repeats itself: it fits as well turned by { $others }
+inspect-deviation = deviation along the normal: { $rms } µm RMS, from { $least } µm at { $below } to { $most } µm at { $above }
+inspect-waves = { $waves } waves per turn explain it; { $left } RMS are left as noise
+inspect-rms = force error RMS: designed { $before }, as made { $after } { $unit }
+inspect-max = force error maximum: designed { $before }, as made { $after } { $unit }
+inspect-least-force = smallest force: designed { $before }, as made { $after } { $unit }
+inspect-most-force = largest force: designed { $before }, as made { $after } { $unit }
+inspect-acceleration = peak acceleration: designed { $before }, as made { $after } { $unit }
+inspect-liftoff = lift-off speed: designed { $before }, as made { $after } { $unit }
+inspect-lifts-off = this cam loses contact at the speed of the scene

@@ -1,4 +1,9 @@
 # Errores que sólo la orden encuentra: archivos, opciones, carpetas.
+cli-measured-columns = ninguna columna de puntos medidos entre: { $found }
+    .help = llámelas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad)
+cli-measured-field = "{ $text }" no es un número finito
+    .help = cada línea necesita dos números con punto decimal
+cli-negative-ball = el radio de una bola palpadora es 0 o más, no { $typed }
 cli-cannot-write = no se puede escribir ({ $fault })
 cli-cannot-open = no se puede abrir ({ $fault })
 cli-not-csv = no es una tabla CSV ({ $fault })
@@ -155,6 +160,8 @@ synth-step-head = paso radio primario           objetivo    holgura relativa    
 synth-ended = detenida: { $why }
 synth-no-solid = sin sólido: { $fault }
 synth-no-step = sin archivo STEP: { $fault }
+synth-no-program = sin cutter.nc: solo se programa el exterior de una leva suave en la que cabe la fresa
+synth-no-drawing = sin plano: la leva no tiene radios alrededor de un centro
 synth-arcs = profile_arcs.dxf: { $arcs } arcos, a lo sumo a { $deviation } mm del perfil
 synth-no-arcs = sin arcos: el perfil no es bastante suave
 synth-gouge-hollow = la fresa es demasiado grande para el perfil cóncavo en { $at }: radio máximo { $radius } mm
@@ -385,3 +392,17 @@ doctor-recording = { $file }: { $columns ->
     }, { $used } apoyos usados, { $rejected } descartados
 doctor-doubt = { $sentence } Resuélvalo, o acéptelo con gait.accept = "{ $name }".
 doctor-recording-options = Lo que el archivo no dice se puede indicar: gait.time, gait.force, gait.unit, gait.rate, gait.mass, gait.kind, gait.period (véase gaitcam keys gait).
+
+# inspect.
+inspect-no-cam = no hay leva con que comparar: { $why }
+inspect-fit = { $points } puntos; la leva está girada { $turn }° con su centro en x { $x } mm, y { $y } mm
+inspect-alike = la leva se repite: ajusta igual de bien girada { $others }
+inspect-deviation = desviación según la normal: { $rms } µm RMS, de { $least } µm en { $below } a { $most } µm en { $above }
+inspect-waves = la explican { $waves } ondas por vuelta; quedan { $left } RMS como ruido
+inspect-rms = error de fuerza RMS: diseñado { $before }, hecho { $after } { $unit }
+inspect-max = error de fuerza máximo: diseñado { $before }, hecho { $after } { $unit }
+inspect-least-force = fuerza mínima: diseñada { $before }, hecha { $after } { $unit }
+inspect-most-force = fuerza máxima: diseñada { $before }, hecha { $after } { $unit }
+inspect-acceleration = aceleración máxima: diseñada { $before }, hecha { $after } { $unit }
+inspect-liftoff = velocidad de despegue: diseñada { $before }, hecha { $after } { $unit }
+inspect-lifts-off = esta leva pierde el contacto a la velocidad de la escena

@@ -40,10 +40,12 @@ value-machine = MÁQUINA
 value-shell = INTÉRPRETE
 value-lang = IDIOMA
 value-command = ORDEN
+value-result = RESULTADO
 
 gaitcam = De una fuerza vertical de la marcha a la leva que la reproduce
 synth = Diseña una leva: curva de fuerza o programa → ley → leva → comprobaciones → archivos
 gait = Lee un registro: formato, canales, apoyos, ciclo medio
+inspect = Ajusta los puntos medidos de una leva hecha a su diseño: desviaciones, y qué hará esta misma leva
 simulate = Simula la leva acabada: fuerza, par, despegue, vibración, con el modelo más simple que basta
 sweep = Diseña miles de escenas: una rejilla, una lista o una muestra de valores, en una sola tabla
 front = Frente de Pareto de un barrido: tabla, figuras y el mejor diseño como resultado normal
@@ -75,7 +77,7 @@ synth-verbose = Muestra cada paso de una sucesión de programas convexos con su 
 synth-explain = Explica la elección del modelo: criterio, y coste y efecto del modelo siguiente
 synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del frente (por defecto 20)
 synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
-synth-solid = Escribe además los archivos de taller: sólido (STL, 3MF), arcos (DXF), libro (XLSX)
+synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP, STL, 3MF), arcos (DXF), libro (XLSX)
 synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
 
@@ -147,3 +149,9 @@ completions-shell = El intérprete de órdenes
 reproduce-out = Carpeta del informe
 chart-quick = Menos repeticiones y tamaños: menos de un minuto
 chart-out = Carpeta de tablas y figuras
+
+inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
+inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir
+inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
+inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
+inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo

@@ -157,7 +157,7 @@ fn from_arc(q: [f64; 2], a: [f64; 2], b: [f64; 2], bulge: f64) -> f64 {
 }
 
 /// Centre and radius of the arc from `a` to `b`; `None` where it is flat.
-fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<([f64; 2], f64)> {
+pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<([f64; 2], f64)> {
     let c = [b[0] - a[0], b[1] - a[1]];
     let length = c[0].hypot(c[1]);
     if length == 0.0 || bulge.abs() < FLAT {

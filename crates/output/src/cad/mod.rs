@@ -2,7 +2,9 @@
 
 pub mod biarc;
 pub mod cutter;
+pub mod drawing;
 pub mod dxf;
+pub mod gcode;
 pub mod groove;
 pub mod mesh;
 pub mod outline;

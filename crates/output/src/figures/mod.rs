@@ -3,6 +3,7 @@
 pub mod cam;
 pub mod curvature;
 pub mod force;
+pub mod inspection;
 pub mod law;
 pub mod overlay;
 pub mod recording;

@@ -8,6 +8,7 @@ pub mod parts;
 mod run;
 pub mod sweep;
 mod tables;
+mod workshop;
 
 use std::fmt::Write;
 
@@ -75,6 +76,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
     if synthesis.infeasible.is_none() {
         tables::active(&mut out, synthesis, &words);
         tables::numbers(&mut out, synthesis, &words);
+        workshop::section(&mut out, synthesis, &words);
     }
     tables::solution(&mut out, synthesis, time, &words);
     let footer = words.text(match synthesis.cam.follower.measures() {

@@ -259,9 +259,10 @@ fn load_factors(out: &mut String, synthesis: &Design, words: &Words) {
 }
 
 /// Keys of the names, and values.
-type Rows = Vec<(&'static str, String)>;
+pub(super) type Rows = Vec<(&'static str, String)>;
 
-fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
+/// A table of two columns under its name.
+pub(super) fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
     let name = escaped(&words.text(name));
     let _ = write!(out, "<div><h3>{name}</h3><table>");
     for (key, value) in rows {

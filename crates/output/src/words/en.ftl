@@ -328,3 +328,62 @@ laws-use-freudenstein-1-3 = As commonly printed: its ends are not at rest (v = �
 laws-use-freudenstein-1-3-at-rest = Two harmonics with a small peak acceleration, at rest at both ends.
 laws-use-freudenstein-1-3-5 = Three harmonics: close to the smallest peak acceleration that a sum of three allows.
 laws-use-eccentric = Half a turn of an eccentric disc: the cheapest cam to make. Followed by its own return.
+
+# The workshop drawing.
+drawing-first = first cam
+drawing-second = second cam
+drawing-base-circle = base circle
+drawing-prime-circle = prime circle
+drawing-largest-radius = largest radius
+drawing-bore = bore
+drawing-keyway = keyway, height
+drawing-radii = φ: angle at the centre from the mark θ = 0, clockwise in this view. r: radius of the profile.
+drawing-radii-ball = b: radius at which the centre of a ball R { $radius } mm stands that is moved along the ray until it touches.
+drawing-material = Material
+drawing-steel = steel
+drawing-roughness = Roughness, µm: profile (other faces)
+drawing-tolerance = Profile tolerance, normal to the profile
+drawing-force-error = Force error, RMS, of 95 % of cams made so
+drawing-force = { $error } % of mean (designed { $own } %)
+drawing-no-force = no force given
+drawing-follower = Follower
+drawing-face = Contact length on the face
+drawing-roller = Roller
+drawing-convex = Smallest convex radius
+drawing-concave = Smallest concave radius (largest cutter)
+drawing-speed = Speed
+drawing-scale = Scale (sheet)
+drawing-revision = Revision (hash of the scene)
+drawing-date = Date of the scene
+drawing-sheet = Sheet
+drawing-units = Units
+drawing-mm = mm, degrees
+drawing-program = Drawn by
+
+# The picture of a measured cam.
+figure-inspection = measured profile
+figure-deviation = deviation along the normal, µm
+figure-inspected-force = force
+figure-as-made = as made
+figure-as-designed = as designed
+figure-exaggerated = as made, deviations × { $factor }
+
+# Workshop.
+report-workshop = Workshop
+report-cutting = Cutting
+report-largest-cutter = largest cutter
+report-cutter-fits = R { $radius }, the smallest concave radius
+report-any-cutter = any: the profile is convex
+report-hollow-and-roller = smallest concave radius
+report-times-roller = { $ratio } times the roller radius
+report-wall = wall at the bore
+report-wall-enough = { $wall } (at least { $least })
+report-wall-thin = { $wall }: thinner than { $least }; increase the base radius or reduce the bore
+report-balance = Mass and balance (steel, 7850 kg/m³)
+report-cam-mass = mass of the cam
+report-centroid = centre of mass
+report-unbalance = unbalance
+report-unbalance-force = force of the unbalance at this speed
+report-hole = hole that balances the cam
+report-hole-at = Ø { $diameter } at { $place }
+report-no-hole = none: no single round hole has the room

@@ -333,3 +333,62 @@ laws-use-freudenstein-1-3 = Tal como suele imprimirse: sus extremos no están en
 laws-use-freudenstein-1-3-at-rest = Dos armónicos con poca aceleración de pico, en reposo en ambos extremos.
 laws-use-freudenstein-1-3-5 = Tres armónicos: cerca de la menor aceleración de pico que permite una suma de tres.
 laws-use-eccentric = Media vuelta de un disco excéntrico: la leva más barata de hacer. Le sigue su propio retorno.
+
+# El plano de taller.
+drawing-first = primera leva
+drawing-second = segunda leva
+drawing-base-circle = círculo base
+drawing-prime-circle = círculo primario
+drawing-largest-radius = radio máximo
+drawing-bore = agujero
+drawing-keyway = chavetero, altura
+drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
+drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } mm que se acerca por el rayo hasta tocar.
+drawing-material = Material
+drawing-steel = acero
+drawing-roughness = Rugosidad, µm: perfil (otras caras)
+drawing-tolerance = Tolerancia del perfil, según la normal
+drawing-force-error = Error de fuerza, RMS, del 95 % de las levas así hechas
+drawing-force = { $error } % de la media (diseñado { $own } %)
+drawing-no-force = sin fuerza dada
+drawing-follower = Seguidor
+drawing-face = Longitud de contacto en la cara
+drawing-roller = Rodillo
+drawing-convex = Radio convexo mínimo
+drawing-concave = Radio cóncavo mínimo (fresa mayor)
+drawing-speed = Velocidad
+drawing-scale = Escala (hoja)
+drawing-revision = Revisión (resumen de la escena)
+drawing-date = Fecha de la escena
+drawing-sheet = Hoja
+drawing-units = Unidades
+drawing-mm = mm, grados
+drawing-program = Dibujado por
+
+# La imagen de una leva medida.
+figure-inspection = perfil medido
+figure-deviation = desviación según la normal, µm
+figure-inspected-force = fuerza
+figure-as-made = hecha
+figure-as-designed = diseñada
+figure-exaggerated = hecha, desviaciones × { $factor }
+
+# Taller.
+report-workshop = Taller
+report-cutting = Mecanizado
+report-largest-cutter = fresa mayor
+report-cutter-fits = R { $radius }, el radio cóncavo mínimo
+report-any-cutter = cualquiera: el perfil es convexo
+report-hollow-and-roller = radio cóncavo mínimo
+report-times-roller = { $ratio } veces el radio del rodillo
+report-wall = pared en el agujero
+report-wall-enough = { $wall } (como mínimo { $least })
+report-wall-thin = { $wall }: menos de { $least }; aumente el radio base o reduzca el agujero
+report-balance = Masa y equilibrado (acero, 7850 kg/m³)
+report-cam-mass = masa de la leva
+report-centroid = centro de masas
+report-unbalance = desequilibrio
+report-unbalance-force = fuerza del desequilibrio a esta velocidad
+report-hole = agujero que equilibra la leva
+report-hole-at = Ø { $diameter } en { $place }
+report-no-hole = ninguno: no hay sitio para un solo agujero redondo

@@ -4,4 +4,6 @@ mod designs;
 mod drawing;
 mod drawings;
 mod emit;
+mod machining;
+mod sheets;
 mod words;

@@ -23,7 +23,7 @@ fn every_key_has_a_text_and_every_text_is_used() {
     let mut code = String::new();
     sources(&root, &mut code);
     let area = |k: &&str| {
-        ["report-", "figure-", "sheet-"]
+        ["report-", "figure-", "sheet-", "drawing-"]
             .iter()
             .any(|area| k.starts_with(area))
     };

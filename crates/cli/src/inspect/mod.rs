@@ -1,0 +1,290 @@
+//! `gaitcam inspect`: measured points of a made cam → deviations of its profile → what this very cam does.
+
+mod points;
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::error::CliError;
+use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::input::{self, SceneArgs};
+use crate::language;
+use crate::searching;
+use crate::synth::files_in;
+use crate::terminal::{print, print_json, report};
+use crate::words::{self, fixed};
+use gaitcam::cam::{Inspection, Measures};
+use gaitcam::error::{FileError, Place, Result};
+use gaitcam::sweep::{Behaviour, MadeCam};
+use gaitcam::synth::{Design, sentences, synthesise_with};
+use gaitcam::units::Dimension;
+use gaitcam_files::{ResultFolder, Sink};
+use gaitcam_output::inspection;
+use points::Points;
+
+const EXAMPLES: &str = "Examples:
+  gaitcam inspect out/footbridge measured.csv
+  gaitcam inspect scenes/heel_tester.toml centres.csv --ball '1 mm' --out out/inspected
+
+measured.csv: columns x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point a line, in any order.";
+
+/// Which design, and what was measured.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct InspectArgs {
+    /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
+    #[arg(value_name = "RESULT")]
+    design: PathBuf,
+    /// Measured points of the profile, with centre and zero angle as the measuring machine has them
+    #[arg(value_name = "FILE")]
+    measured: PathBuf,
+    /// The points are centres of a probing ball of this radius: --ball '1 mm'
+    #[arg(long, value_name = "RADIUS")]
+    ball: Option<String>,
+    /// Change a value of the scene: --set 'drive.speed=60 rpm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<String>,
+    /// Folder for the files (default: the design's folder, or out/NAME_inspected)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print inspection.json instead of the text summary; without --out no file is written
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Fits the points and writes table, pictures and summary; exit code 3 when the design has no cam.
+pub fn run(args: &InspectArgs) -> Result<u8> {
+    let ball = input::quantity("--ball", args.ball.as_deref(), Dimension::Length)?.unwrap_or(0.0);
+    if ball < 0.0 {
+        let typed = args.ball.clone().unwrap_or_default();
+        return Err(CliError::NegativeBall { typed }.flag("--ball"));
+    }
+    let points = points::read(&args.measured)?;
+    let summary = args.design.join("summary.json");
+    let scene = if args.design.is_dir() {
+        &summary
+    } else {
+        &args.design
+    };
+    let input = input::scene(&SceneArgs {
+        scene: Some(scene.clone()),
+        set: args.set.clone(),
+    })?;
+    let target = input.target()?;
+    let design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
+    if let Some(infeasible) = &design.infeasible {
+        let why = sentences(&infeasible.reasons, language::current());
+        report(words::fill("inspect-no-cam", &json!({"why": why})));
+        return Ok(NO_SUCH_CAM);
+    }
+    let found = design
+        .cam
+        .inspect(&points.xy, ball)
+        .map_err(|e| e.at(Place::File(args.measured.clone())))?;
+    let made = MadeCam::of(&design, &found);
+    let json = summary_json(&design, &found, made.as_ref());
+    let place = match folder(args, &input)? {
+        Some(path) => Some(write(
+            &path,
+            args,
+            (&design, &found, made.as_ref()),
+            (&points, &json),
+        )?),
+        None => None,
+    };
+    if args.json {
+        print_json(&json);
+        return Ok(BUILT);
+    }
+    print(&text(&design, &found, made.as_ref()));
+    if let Some(place) = place {
+        print(&files_in(&place, "deviation.svg"));
+    }
+    Ok(BUILT)
+}
+
+/// Where the files go; none where only the summary is printed.
+fn folder(args: &InspectArgs, input: &input::Input) -> Result<Option<PathBuf>> {
+    match &args.out {
+        Some(out) => Ok(Some(out.clone())),
+        None if args.json => Ok(None),
+        None if args.design.is_dir() => Ok(Some(args.design.clone())),
+        None => input::result_folder(input, None, "_inspected").map(Some),
+    }
+}
+
+/// Every file that is written.
+const FILES: [&str; 6] = [
+    "inspection.csv",
+    "inspection.json",
+    "deviation.svg",
+    "deviation.png",
+    "deviation_polar.svg",
+    "deviation_polar.png",
+];
+
+type Found<'a> = (&'a Design, &'a Inspection, Option<&'a MadeCam>);
+
+fn write(
+    path: &Path,
+    args: &InspectArgs,
+    (design, found, made): Found,
+    (points, json): (&Points, &Value),
+) -> Result<PathBuf> {
+    let measured = args.measured.canonicalize().ok();
+    let replaced = FILES
+        .iter()
+        .any(|name| measured.is_some() && path.join(name).canonicalize().ok() == measured);
+    if replaced {
+        let file = args.measured.display().to_string();
+        return Err(FileError::Replaced { file }.file(path));
+    }
+    let folder = ResultFolder::open(path)?;
+    folder.write("inspection.csv", table(found, points).as_bytes())?;
+    let text = serde_json::to_string_pretty(json).unwrap_or_default();
+    folder.write("inspection.json", text.as_bytes())?;
+    let pictures = [
+        (
+            "deviation",
+            inspection::diagram(design, found, made, language::current()),
+        ),
+        (
+            "deviation_polar",
+            inspection::polar(design, found, language::current()),
+        ),
+    ];
+    for (name, picture) in pictures {
+        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
+        folder.write(&format!("{name}.png"), &picture.png())?;
+    }
+    let place = folder.path().to_path_buf();
+    folder.commit(&[])?;
+    Ok(place)
+}
+
+/// The points in the order of their cam angles.
+fn table(found: &Inspection, points: &Points) -> String {
+    let mut out = String::from("line,theta_rad,deviation_m\n");
+    for d in &found.deviations {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "{},{:?},{:?}", points.lines[d.row], d.theta, d.normal);
+    }
+    out
+}
+
+fn summary_json(design: &Design, found: &Inspection, made: Option<&MadeCam>) -> Value {
+    let [least, most] = found.extremes().map_or([None; 2], |e| e.map(Some));
+    let place = |d: Option<gaitcam::cam::Deviation>| {
+        d.map(|d| json!({"deviation_m": d.normal, "at_rad": d.theta}))
+    };
+    json!({
+        "name": design.name,
+        "points": found.deviations.len(),
+        "turn_rad": found.turn,
+        "centre_m": found.centre,
+        "fits_as_well_rad": found.alike,
+        "deviation": {"rms_m": found.rms(), "min": place(least), "max": place(most)},
+        "waves": made.map(|m| m.waves),
+        "left_m": made.map(|m| m.left),
+        "designed": made.map(|m| behaviour(&m.designed)),
+        "made": made.map(|m| behaviour(&m.made)),
+    })
+}
+
+fn behaviour(b: &Behaviour) -> Value {
+    json!({
+        "force_rms_error_n": b.rms_error_n,
+        "force_max_error_n": b.max_error_n,
+        "force_min_n": b.min_n,
+        "force_max_n": b.max_n,
+        "acceleration_max": b.acceleration,
+        "liftoff_speed_rad_per_s": b.liftoff_speed,
+    })
+}
+
+fn text(design: &Design, found: &Inspection, made: Option<&MadeCam>) -> String {
+    let measures = design.cam.follower.measures();
+    let micro = |x: f64| fixed(1e6 * x, 2);
+    let degrees = |x: f64| fixed(x.to_degrees(), 4);
+    let place = |x: f64| words::decimal(measures.place(x, 1));
+    let mut lines = vec![format!("{}:", design.name)];
+    let mut line = |key: &str, data: Value| lines.push(format!("  {}", words::fill(key, &data)));
+    let centre = found.centre.map(|x| fixed(1e3 * x, 4));
+    line(
+        "inspect-fit",
+        json!({"points": found.deviations.len().to_string(), "turn": degrees(found.turn), "x": centre[0], "y": centre[1]}),
+    );
+    if !found.alike.is_empty() {
+        let others: Vec<String> = found
+            .alike
+            .iter()
+            .map(|t| format!("{}°", degrees(*t)))
+            .collect();
+        line("inspect-alike", json!({"others": others.join("; ")}));
+    }
+    if let Some([least, most]) = found.extremes() {
+        line(
+            "inspect-deviation",
+            json!({"rms": micro(found.rms()), "least": micro(least.normal), "below": place(least.theta),
+                "most": micro(most.normal), "above": place(most.theta)}),
+        );
+    }
+    let Some(made) = made else {
+        return lines.join("\n");
+    };
+    let lift = measures.lift(0);
+    let left = lift.after(&words::power(lift.factor * made.left, 1));
+    line(
+        "inspect-waves",
+        json!({"waves": made.waves.to_string(), "left": left}),
+    );
+    lines.extend(comparison(design, made, measures));
+    lines.join("\n")
+}
+
+/// One line per quantity: as designed, as made.
+fn comparison(design: &Design, made: &MadeCam, measures: Measures) -> Vec<String> {
+    let (before, after) = (&made.designed, &made.made);
+    let force = measures.force().name;
+    let acceleration = measures.by_time(2).name;
+    let mut rows: Vec<(&str, Option<f64>, Option<f64>, &str)> = Vec::new();
+    if !design.is_idle() {
+        rows.push(("inspect-rms", before.rms_error_n, after.rms_error_n, force));
+        rows.push(("inspect-max", before.max_error_n, after.max_error_n, force));
+        rows.push((
+            "inspect-least-force",
+            Some(before.min_n),
+            Some(after.min_n),
+            force,
+        ));
+        rows.push((
+            "inspect-most-force",
+            Some(before.max_n),
+            Some(after.max_n),
+            force,
+        ));
+    }
+    let peaks = [before.acceleration, after.acceleration].map(Some);
+    rows.push(("inspect-acceleration", peaks[0], peaks[1], acceleration));
+    let speeds = [before.liftoff_speed, after.liftoff_speed];
+    rows.push(("inspect-liftoff", speeds[0], speeds[1], "rad/s"));
+    let mut out: Vec<String> = rows
+        .into_iter()
+        .filter_map(|(key, before, after, unit)| {
+            let number = |x: f64| words::decimal(format!("{x:.4}"));
+            let (before, after) = (number(before?), number(after?));
+            let data = json!({"before": before, "after": after, "unit": unit});
+            Some(format!("  {}", words::fill(key, &data)))
+        })
+        .collect();
+    let lifts = after
+        .liftoff_speed
+        .is_some_and(|w| w < design.drive.speed.abs());
+    if lifts {
+        out.push(format!("  {}", words::text("inspect-lifts-off")));
+    }
+    out
+}

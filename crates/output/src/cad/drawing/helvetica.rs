@@ -1,0 +1,112 @@
+//! Helvetica and Symbol, which every PDF reader has: which byte stands for a character, and how wide it is.
+//!
+//! Widths in thousandths of an em, from the metrics of the standard fonts; Helvetica in Windows' encoding.
+
+/// One of the two fonts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Face {
+    /// Letters and digits.
+    Helvetica,
+    /// Greek letters and signs.
+    Symbol,
+}
+
+/// Stands where neither font has the character.
+const UNKNOWN: Glyph = Glyph {
+    face: Face::Helvetica,
+    byte: b'?',
+};
+
+/// A character of one of the fonts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Glyph {
+    /// Its font.
+    pub face: Face,
+    /// Its code there.
+    pub byte: u8,
+}
+
+/// Characters of Symbol: the character, its code, its width.
+const SYMBOLS: [(char, u8, u16); 14] = [
+    ('−', 0x2d, 549),
+    ('Δ', b'D', 612),
+    ('α', b'a', 631),
+    ('β', b'b', 549),
+    ('θ', b'q', 521),
+    ('ξ', b'x', 493),
+    ('π', b'p', 549),
+    ('ρ', b'r', 549),
+    ('φ', b'f', 521),
+    ('ω', b'w', 686),
+    ('≤', 0xa3, 549),
+    ('∞', 0xa5, 713),
+    ('→', 0xae, 987),
+    ('≥', 0xb3, 549),
+];
+
+/// Helvetica from the space to the tilde.
+#[rustfmt::skip]
+const ASCII: [u16; 95] = [
+    278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
+    556, 556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,
+    1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
+    667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,
+    333, 556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,
+    556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
+];
+
+/// Helvetica from the space that does not break (0xA0) to ÿ.
+#[rustfmt::skip]
+const LATIN: [u16; 96] = [
+    278, 333, 556, 556, 556, 556, 260, 556, 333, 737, 370, 556, 584, 333, 737, 333,
+    400, 584, 333, 333, 333, 556, 537, 278, 333, 333, 365, 556, 834, 834, 834, 611,
+    667, 667, 667, 667, 667, 667, 1000, 722, 667, 667, 667, 667, 278, 278, 278, 278,
+    722, 722, 778, 778, 778, 778, 778, 584, 778, 722, 722, 722, 722, 667, 667, 611,
+    556, 556, 556, 556, 556, 556, 889, 500, 556, 556, 556, 556, 278, 278, 278, 278,
+    556, 556, 556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500,
+];
+
+/// The glyph of a character; a question mark where there is none.
+pub fn glyph(c: char) -> Glyph {
+    let helvetica = |byte| Glyph {
+        face: Face::Helvetica,
+        byte,
+    };
+    match c {
+        ' '..='~' | '\u{a0}'..='ÿ' => helvetica(u8::try_from(u32::from(c)).unwrap_or(b'?')),
+        '…' => helvetica(0x85),
+        '’' => helvetica(0x92),
+        '–' => helvetica(0x96),
+        '—' => helvetica(0x97),
+        _ => SYMBOLS
+            .iter()
+            .find(|row| row.0 == c)
+            .map_or(UNKNOWN, |row| Glyph {
+                face: Face::Symbol,
+                byte: row.1,
+            }),
+    }
+}
+
+impl Glyph {
+    /// Its width, ems.
+    fn width(self) -> f64 {
+        let thousandths = match (self.face, self.byte) {
+            (Face::Symbol, byte) => SYMBOLS
+                .iter()
+                .find(|row| row.1 == byte)
+                .map_or(549, |row| row.2),
+            (Face::Helvetica, byte @ 0x20..=0x7e) => ASCII[usize::from(byte - 0x20)],
+            (Face::Helvetica, byte @ 0xa0..) => LATIN[usize::from(byte - 0xa0)],
+            (Face::Helvetica, 0x85 | 0x97) => 1000,
+            (Face::Helvetica, 0x92) => 222,
+            (Face::Helvetica, _) => 556,
+        };
+        f64::from(thousandths) / 1000.0
+    }
+}
+
+/// Width of a line of text, ems.
+pub fn width(text: &str) -> f64 {
+    text.chars().map(|c| glyph(c).width()).sum()
+}

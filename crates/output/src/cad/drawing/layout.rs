@@ -1,0 +1,204 @@
+//! Which sheet a cam needs, at which scale, and where on it everything stands; mm from the lower left corner.
+
+/// A rectangle: left, bottom, right, top.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Area {
+    /// Left edge.
+    pub left: f64,
+    /// Lower edge.
+    pub bottom: f64,
+    /// Right edge.
+    pub right: f64,
+    /// Upper edge.
+    pub top: f64,
+}
+
+impl Area {
+    fn width(self) -> f64 {
+        self.right - self.left
+    }
+
+    fn height(self) -> f64 {
+        self.top - self.bottom
+    }
+}
+
+/// Room for the labels of dimensions on both sides of the plan view, mm.
+pub const LABELS: f64 = 40.0;
+/// Room above the plan view for the mark of θ = 0, and below for the dimension of the side view, mm.
+pub const ABOVE: f64 = 12.0;
+/// The same below.
+pub const BELOW: f64 = 14.0;
+/// Room right of the side view for the number of a thin plate's thickness, mm.
+pub const BESIDE: f64 = 16.0;
+/// Distance of the frame from the sheet's edge, mm; on the left, where sheets are bound, it is 20.
+const EDGE: f64 = 10.0;
+const BOUND: f64 = 20.0;
+
+/// Scales of ISO 5455, without their powers of ten.
+const ENLARGED: [f64; 3] = [5.0, 2.0, 1.0];
+const REDUCED: [f64; 3] = [2.0, 5.0, 10.0];
+
+/// A scale: so many millimetres on the sheet for so many of the cam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    sheet: f64,
+    cam: f64,
+}
+
+impl Scale {
+    /// Millimetres on the sheet per millimetre.
+    pub fn factor(self) -> f64 {
+        self.sheet / self.cam
+    }
+
+    /// As drawings state it: `1 : 2`.
+    pub fn text(self) -> String {
+        format!("{} : {}", self.sheet, self.cam)
+    }
+
+    /// 50 : 1 down to 1 : 10 000, largest first.
+    fn all() -> impl Iterator<Item = Scale> {
+        let enlarged = [10.0, 1.0].into_iter().flat_map(|ten| {
+            ENLARGED.map(|step| Scale {
+                sheet: ten * step,
+                cam: 1.0,
+            })
+        });
+        let reduced = [1.0, 10.0, 100.0, 1000.0].into_iter().flat_map(|ten| {
+            REDUCED.map(|step| Scale {
+                sheet: 1.0,
+                cam: ten * step,
+            })
+        });
+        enlarged.chain(reduced)
+    }
+}
+
+/// A sheet laid out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// Its name: A4, A3.
+    pub name: &'static str,
+    /// Width and height of the paper.
+    pub paper: [f64; 2],
+    /// The frame.
+    pub frame: Area,
+    /// The views.
+    pub views: Area,
+    /// The table.
+    pub table: Area,
+    /// Tables beside each other that the rows are dealt to.
+    pub blocks: usize,
+    /// The title block.
+    pub title: Area,
+    /// Columns of its fields.
+    pub columns: usize,
+    /// Scale of the views.
+    pub scale: Scale,
+}
+
+/// Heights of the title block and the table, mm, on both sheets.
+const TITLE: [f64; 2] = [50.0, 74.0];
+const TABLE: [f64; 2] = [96.0, 137.0];
+/// Width of the column with table and title block on A3.
+const COLUMN: f64 = 112.0;
+const GAP: f64 = 2.0;
+
+impl Layout {
+    /// The sheet for a cam within a circle of `radius` m about its centre and of `thickness` m: A4, or A3 where
+    /// A4 would draw it smaller than it is and A3 larger than A4 does.
+    pub fn of(radius: f64, thickness: f64) -> Layout {
+        let (small, large) = (Self::a4(), Self::a3());
+        let [on_a4, on_a3] = [small, large].map(|l| l.fitted(radius, thickness));
+        if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
+            on_a4
+        } else {
+            on_a3
+        }
+    }
+
+    fn fitted(self, radius: f64, thickness: f64) -> Layout {
+        let fits = |scale: &Scale| {
+            let mm = 1e3 * scale.factor();
+            let wide = 2.0 * mm * radius + 2.0 * LABELS + mm * thickness + BESIDE;
+            let high = 2.0 * mm * radius + ABOVE + BELOW;
+            wide <= self.views.width() && high <= self.views.height()
+        };
+        let scale = Scale::all().find(fits).unwrap_or(self.scale);
+        Layout { scale, ..self }
+    }
+
+    fn a4() -> Layout {
+        let frame = Area {
+            left: BOUND,
+            bottom: EDGE,
+            right: 210.0 - EDGE,
+            top: 297.0 - EDGE,
+        };
+        let title = Area {
+            top: frame.bottom + TITLE[0],
+            ..frame
+        };
+        let table = Area {
+            bottom: title.top + GAP,
+            top: title.top + GAP + TABLE[0],
+            ..frame
+        };
+        Layout {
+            name: "A4",
+            paper: [210.0, 297.0],
+            frame,
+            views: Area {
+                bottom: table.top,
+                ..frame
+            },
+            table,
+            blocks: 3,
+            title,
+            columns: 3,
+            scale: SMALLEST,
+        }
+    }
+
+    fn a3() -> Layout {
+        let frame = Area {
+            left: BOUND,
+            bottom: EDGE,
+            right: 420.0 - EDGE,
+            top: 297.0 - EDGE,
+        };
+        let column = frame.right - COLUMN;
+        let title = Area {
+            left: column,
+            top: frame.bottom + TITLE[1],
+            ..frame
+        };
+        let table = Area {
+            left: column,
+            bottom: title.top + GAP,
+            top: title.top + GAP + TABLE[1],
+            ..frame
+        };
+        Layout {
+            name: "A3",
+            paper: [420.0, 297.0],
+            frame,
+            views: Area {
+                right: column - GAP,
+                ..frame
+            },
+            table,
+            blocks: 2,
+            title,
+            columns: 2,
+            scale: SMALLEST,
+        }
+    }
+}
+
+/// The scale of a cam that no scale brings onto the sheet.
+const SMALLEST: Scale = Scale {
+    sheet: 1.0,
+    cam: 10_000.0,
+};

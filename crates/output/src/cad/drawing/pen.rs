@@ -1,0 +1,184 @@
+//! Lines and letters on a sheet of a PDF: millimetres from the lower left corner, y up.
+
+use pdf_writer::{Buf, Content, Name, Str};
+
+use super::helvetica::{Face, Glyph, glyph, width};
+
+/// Points of a PDF per millimetre.
+pub const POINT: f64 = 72.0 / 25.4;
+/// Names of the fonts in the sheet's resources.
+pub const HELVETICA: Name<'static> = Name(b"Helvetica");
+/// The same of Symbol.
+pub const SYMBOL: Name<'static> = Name(b"Symbol");
+
+/// Length of a control arm that makes a quarter of a circle of radius 1 (to 3e-4 of the radius).
+const QUARTER: f64 = 0.552_284_749_8;
+
+/// Kinds of lines by ISO 128: their width, mm, and pattern.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// Visible edges.
+    Outline,
+    /// Dimensions, leaders, tables.
+    Thin,
+    /// Hidden edges.
+    Hidden,
+    /// Axes and reference circles: long dash, dot.
+    Centre,
+}
+
+impl Stroke {
+    fn width(self) -> f64 {
+        match self {
+            Stroke::Outline => 0.5,
+            _ => 0.18,
+        }
+    }
+
+    fn dashes(self) -> &'static [f64] {
+        match self {
+            Stroke::Outline | Stroke::Thin => &[],
+            Stroke::Hidden => &[2.0, 1.0],
+            Stroke::Centre => &[6.0, 1.0, 0.5, 1.0],
+        }
+    }
+}
+
+/// Which of its points a text is placed by; always on the baseline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Its start.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// What is drawn on one sheet.
+pub struct Pen {
+    content: Content,
+}
+
+fn pt(mm: f64) -> f32 {
+    (POINT * mm) as f32
+}
+
+impl Pen {
+    /// An empty sheet.
+    pub fn new() -> Self {
+        Pen {
+            content: Content::new(),
+        }
+    }
+
+    /// The sheet's content stream.
+    pub fn finish(self) -> Buf {
+        self.content.finish()
+    }
+
+    fn take(&mut self, stroke: Stroke) {
+        self.content.set_line_width(pt(stroke.width()));
+        let dashes = stroke.dashes().iter().map(|&d| pt(d));
+        self.content.set_dash_pattern(dashes, 0.0);
+    }
+
+    fn trace(&mut self, points: &[[f64; 2]]) {
+        for (i, [x, y]) in points.iter().enumerate() {
+            if i == 0 {
+                self.content.move_to(pt(*x), pt(*y));
+            } else {
+                self.content.line_to(pt(*x), pt(*y));
+            }
+        }
+    }
+
+    /// A line through points.
+    pub fn line(&mut self, points: &[[f64; 2]], stroke: Stroke) {
+        self.take(stroke);
+        self.trace(points);
+        self.content.stroke();
+    }
+
+    /// A closed line.
+    pub fn ring(&mut self, points: &[[f64; 2]], stroke: Stroke) {
+        self.take(stroke);
+        self.trace(points);
+        self.content.close_and_stroke();
+    }
+
+    /// A rectangle by two corners.
+    pub fn frame(&mut self, [left, bottom]: [f64; 2], [right, top]: [f64; 2], stroke: Stroke) {
+        let corners = [[left, bottom], [right, bottom], [right, top], [left, top]];
+        self.ring(&corners, stroke);
+    }
+
+    /// A circle.
+    pub fn circle(&mut self, [x, y]: [f64; 2], r: f64, stroke: Stroke) {
+        self.take(stroke);
+        self.content.move_to(pt(x + r), pt(y));
+        let mut from = [1.0, 0.0];
+        for to in [[0.0, 1.0], [-1.0, 0.0], [0.0, -1.0], [1.0, 0.0]] {
+            let arm = |a: [f64; 2], b: [f64; 2]| {
+                [
+                    pt(x + r * (a[0] + QUARTER * b[0])),
+                    pt(y + r * (a[1] + QUARTER * b[1])),
+                ]
+            };
+            let ([x1, y1], [x2, y2]) = (arm(from, to), arm(to, from));
+            let (x3, y3) = (pt(x + r * to[0]), pt(y + r * to[1]));
+            self.content.cubic_to(x1, y1, x2, y2, x3, y3);
+            from = to;
+        }
+        self.content.close_and_stroke();
+    }
+
+    /// A filled arrowhead with its tip at `tip`, pointing along the unit vector `along`.
+    pub fn arrowhead(&mut self, tip: [f64; 2], along: [f64; 2]) {
+        /// Its length and half width, mm.
+        const SIZE: [f64; 2] = [2.5, 0.42];
+        let back = |side: f64| {
+            [
+                tip[0] - SIZE[0] * along[0] - side * SIZE[1] * along[1],
+                tip[1] - SIZE[0] * along[1] + side * SIZE[1] * along[0],
+            ]
+        };
+        self.trace(&[tip, back(1.0), back(-1.0)]);
+        self.content.close_path().fill_nonzero();
+    }
+
+    /// A line of text of `size` mm per em.
+    pub fn text(&mut self, text: &str, [x, y]: [f64; 2], size: f64, anchor: Anchor) {
+        let long = size * width(text);
+        let start = match anchor {
+            Anchor::Start => x,
+            Anchor::Middle => x - 0.5 * long,
+            Anchor::End => x - long,
+        };
+        let glyphs: Vec<Glyph> = text.chars().map(glyph).collect();
+        self.content.begin_text();
+        self.content
+            .set_text_matrix([1.0, 0.0, 0.0, 1.0, pt(start), pt(y)]);
+        for run in glyphs.chunk_by(|a, b| a.face == b.face) {
+            let font = match run[0].face {
+                Face::Helvetica => HELVETICA,
+                Face::Symbol => SYMBOL,
+            };
+            let bytes: Vec<u8> = run.iter().map(|g| g.byte).collect();
+            self.content.set_font(font, pt(size));
+            self.content.show(Str(&bytes));
+        }
+        self.content.end_text();
+    }
+
+    /// The same, smaller where it would be wider than `room` mm.
+    pub fn text_within(&mut self, text: &str, at: [f64; 2], size: f64, room: f64) {
+        let long = size * width(text);
+        let size = if long > room {
+            size * room / long
+        } else {
+            size
+        };
+        self.text(text, at, size, Anchor::Start);
+    }
+}

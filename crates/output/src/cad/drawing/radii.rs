@@ -1,0 +1,98 @@
+//! The table of radii: where the profile lies at given polar angles, and where a probing ball that is moved
+//! towards the cam's centre comes to rest.
+
+use super::super::outline::{Edge, EdgePoint};
+
+/// Points of the profile between which its crossings with a ray are looked for.
+const SAMPLES: usize = 2880;
+/// Halvings that bring a crossing to rounding.
+const HALVINGS: usize = 60;
+
+/// One row; lengths in m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Radius {
+    /// Polar angle from the mark of θ = 0 (+y) clockwise, as the profile runs, rad.
+    pub angle: f64,
+    /// Distance of the profile from the cam's centre.
+    pub profile: f64,
+    /// Distance of the ball's centre where the ball touches the profile.
+    pub ball: f64,
+}
+
+/// `count` rows at equal steps of the polar angle, for a ball of radius `ball` m.
+///
+/// Where a ray meets the profile more than once the outermost point counts: it is the one that a probe
+/// meets.
+pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
+    let breaks = edge.breaks();
+    let (start, end) = match breaks {
+        [first, .., last] => (*first, *last),
+        _ => return Vec::new(),
+    };
+    let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
+    let mut points: Vec<EdgePoint> = (0..=SAMPLES).map(|i| edge.at(at(i))).collect();
+    if let Some(last) = points.last_mut() {
+        // One point, to the last digit, so that no ray slips through the seam.
+        *last = EdgePoint {
+            theta: end,
+            ..edge.at(start)
+        };
+    }
+    (0..count)
+        .map(|k| {
+            let angle = std::f64::consts::TAU * k as f64 / count as f64;
+            let [profile, ball] = [0.0, ball].map(|off| outermost(edge, &points, angle, off));
+            Radius {
+                angle,
+                profile,
+                ball,
+            }
+        })
+        .collect()
+}
+
+/// The point of the profile that lies farthest from the centre, among `count` of them.
+pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
+    let distance = |e: &EdgePoint| e.p[0].hypot(e.p[1]);
+    edge.points(count)
+        .into_iter()
+        .max_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .unwrap_or_else(|| edge.at(0.0))
+}
+
+/// The profile's point moved out by `off` along the normal.
+fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
+    // The profile runs clockwise: outwards lies to the left of its tangent.
+    [point.p[0] - off * point.t[1], point.p[1] + off * point.t[0]]
+}
+
+/// Farthest crossing of the ray at a polar angle with the parallel of the profile at distance `off`; 0 where
+/// there is none.
+fn outermost(edge: &Edge, points: &[EdgePoint], angle: f64, off: f64) -> f64 {
+    let (sin, cos) = angle.sin_cos();
+    let beside = |e: &EdgePoint| {
+        let [x, y] = moved(e, off);
+        cos * x - sin * y
+    };
+    let along = |e: &EdgePoint| {
+        let [x, y] = moved(e, off);
+        sin * x + cos * y
+    };
+    let mut most: f64 = 0.0;
+    for pair in points.windows(2) {
+        let sides = [&pair[0], &pair[1]].map(|e| beside(e) > 0.0);
+        if sides[0] != sides[1] && along(&pair[0]) > 0.0 {
+            let (mut low, mut high) = (pair[0].theta, pair[1].theta);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if (beside(&edge.at(middle)) > 0.0) == sides[0] {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            most = most.max(along(&edge.at(0.5 * (low + high))));
+        }
+    }
+    most
+}

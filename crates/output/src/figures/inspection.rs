@@ -1,0 +1,101 @@
+//! Pictures of a measured cam: its deviations over the cam angle, and around the profile.
+
+use gaitcam::cam::Inspection;
+use gaitcam::sweep::MadeCam;
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+
+use super::overlay::{Strip, diagrams_over, profiles};
+use crate::number::number;
+use crate::plot::picture::Picture;
+use crate::words::Words;
+
+/// Points of the curves.
+const POINTS: usize = 1440;
+/// Largest deviation in the polar picture, as part of the cam's size.
+const SHOWN: f64 = 0.08;
+
+/// Deviations along the normal and, where the cam's law is known, the force as designed and as made.
+pub fn diagram(
+    design: &Design,
+    found: &Inspection,
+    made: Option<&MadeCam>,
+    language: Language,
+) -> Picture {
+    let words = Words::new(language);
+    let measures = design.cam.follower.measures();
+    let points = found
+        .deviations
+        .iter()
+        .map(|d| (d.theta.to_degrees(), 1e6 * d.normal));
+    let mut rows = vec![Strip {
+        quantity: words.text("figure-deviation"),
+        curves: vec![points.collect(), Vec::new()],
+    }];
+    let forces = made.filter(|_| !design.is_idle()).map(|made| {
+        let force = |law: &gaitcam::law::Law| -> Vec<(f64, f64)> {
+            (0..=POINTS)
+                .map(|i| {
+                    let theta = std::f64::consts::TAU * i as f64 / POINTS as f64;
+                    (theta.to_degrees(), design.drive.force(law.svaj(theta)))
+                })
+                .collect()
+        };
+        vec![force(&made.law), force(design.pressing())]
+    });
+    if let Some(curves) = forces {
+        let name = format!(
+            "{}, {}",
+            words.text("figure-inspected-force"),
+            measures.force().name
+        );
+        rows.push(Strip {
+            quantity: name,
+            curves,
+        });
+    }
+    let names = ["figure-as-made", "figure-as-designed"].map(|key| words.text(key));
+    let across = words.across(measures);
+    let what = words.text("figure-inspection");
+    diagrams_over(&across, &design.name, &what, &names, &rows)
+}
+
+/// The profile with the deviations drawn along its normals, exaggerated by a round factor.
+pub fn polar(design: &Design, found: &Inspection, language: Language) -> Picture {
+    let words = Words::new(language);
+    let cam = &design.cam;
+    let largest = found
+        .deviations
+        .iter()
+        .fold(0.0_f64, |m, d| m.max(d.normal.abs()));
+    let factor = round_down(SHOWN * cam.follower.prime_radius() / largest.max(1e-12));
+    let profile = cam.profile(POINTS);
+    let mut exact: Vec<[f64; 2]> = profile.iter().map(|p| [p.x, p.y]).collect();
+    exact.extend(exact.first().copied());
+    let mut measured: Vec<[f64; 2]> = found
+        .deviations
+        .iter()
+        .map(|d| {
+            let p = cam.point(d.theta);
+            let [nx, ny] = cam.normal(&p);
+            let off = factor * d.normal;
+            [p.x + off * nx, p.y + off * ny]
+        })
+        .collect();
+    measured.extend(measured.first().copied());
+    let shown = number(factor, 1);
+    let names = [
+        words.text("figure-as-designed"),
+        words.fill("figure-exaggerated", &[("factor", &shown)]),
+    ];
+    let what = words.text("figure-inspection");
+    profiles(&design.name, &what, &names, &[exact, measured])
+}
+
+/// The largest of 1, 2, 5, 10, 20 … that is not above `x`, at least 1.
+fn round_down(x: f64) -> f64 {
+    let ten = 10f64.powf(x.max(1.0).log10().floor());
+    let part = x.max(1.0) / ten;
+    let step = [5.0, 2.0].into_iter().find(|s| *s <= part);
+    ten * step.unwrap_or(1.0)
+}

@@ -1,0 +1,101 @@
+//! The report's section for those who make the cam: hollows, walls, mass and balance.
+
+use std::f64::consts::PI;
+
+use gaitcam::cam::{Bore, Hole, LEAST_WALL};
+use gaitcam::synth::Design;
+
+use super::heading;
+use super::tables::{Rows, table};
+use crate::number::{millimetres, number};
+use crate::words::Words;
+
+/// Density of steel, kg/m³.
+const STEEL: f64 = 7850.0;
+
+/// The section; nothing for a cam that does not turn.
+pub fn section(out: &mut String, design: &Design, words: &Words) {
+    if design.cam.follower.is_unrolled() {
+        return;
+    }
+    heading(out, &words.text("report-workshop"));
+    out.push_str("<div class=\"columns\">\n");
+    table(out, words, "report-cutting", &cutting(design, words));
+    let balance = balance(design, words);
+    if !balance.is_empty() {
+        table(out, words, "report-balance", &balance);
+    }
+    out.push_str("</div>\n");
+}
+
+fn cutting(design: &Design, words: &Words) -> Rows {
+    let cam = &design.cam;
+    let hollow = cam.curvature().concave.map(|c| -c.value);
+    let cutter = match hollow {
+        Some(radius) => words.fill("report-cutter-fits", &[("radius", &millimetres(radius, 4))]),
+        None => words.text("report-any-cutter"),
+    };
+    let mut rows = vec![("report-largest-cutter", cutter)];
+    let roller = cam.follower.roller_radius();
+    if let Some(radius) = hollow.filter(|_| roller > 0.0) {
+        let ratio = number(radius / roller, 3);
+        rows.push((
+            "report-hollow-and-roller",
+            words.fill("report-times-roller", &[("ratio", &ratio)]),
+        ));
+    }
+    if let Some(bore) = design.bore {
+        let wall = least_wall(design, &bore);
+        let thick = millimetres(wall, 3);
+        let least = millimetres(LEAST_WALL, 2);
+        let arguments = [("wall", thick.as_str()), ("least", &least)];
+        let key = if wall < LEAST_WALL {
+            "report-wall-thin"
+        } else {
+            "report-wall-enough"
+        };
+        rows.push(("report-wall", words.fill(key, &arguments)));
+    }
+    rows
+}
+
+/// Smallest distance along a ray from the edge of the bore to the profile, m.
+fn least_wall(design: &Design, bore: &Bore) -> f64 {
+    let profile = design.cam.profile(7200);
+    let walls = profile
+        .iter()
+        .map(|p| p.x.hypot(p.y) - bore.edge(p.y.atan2(p.x)));
+    walls.fold(f64::INFINITY, f64::min)
+}
+
+fn balance(design: &Design, words: &Words) -> Rows {
+    let Some(body) = design.cam.body(design.bore) else {
+        return Vec::new();
+    };
+    let per_area = STEEL * design.thickness;
+    let grams = |kilograms: f64| format!("{} g", number(1e3 * kilograms, 4));
+    let mut rows = vec![("report-cam-mass", grams(per_area * body.area))];
+    rows.push(("report-centroid", polar(body.centroid)));
+    let unbalance = 1e6 * per_area * body.moment();
+    rows.push(("report-unbalance", format!("{} g·mm", number(unbalance, 4))));
+    let push = per_area * body.moment() * design.drive.speed * design.drive.speed;
+    rows.push(("report-unbalance-force", format!("{} N", number(push, 3))));
+    let hole = match design.cam.balance_hole(design.bore) {
+        Some(Hole { centre, diameter }) => {
+            let (diameter, place) = (millimetres(diameter, 4), polar(centre));
+            words.fill(
+                "report-hole-at",
+                &[("diameter", &diameter), ("place", &place)],
+            )
+        }
+        None => words.text("report-no-hole"),
+    };
+    rows.push(("report-hole", hole));
+    rows
+}
+
+/// Distance from the centre and angle from the mark of θ = 0 clockwise, as the drawing has them.
+fn polar([x, y]: [f64; 2]) -> String {
+    let angle = x.atan2(y).rem_euclid(2.0 * PI).to_degrees();
+    format!("R {}, φ {angle:.1}°", millimetres(x.hypot(y), 4))
+}

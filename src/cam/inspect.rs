@@ -1,0 +1,438 @@
+//! A made cam, measured: where the points of a coordinate measuring machine lie on the profile, and how far off.
+//!
+//! The machine knows neither the cam's centre nor its zero angle. The best fit is the rigid motion (a turn and
+//! a shift) with the least sum of squared normal distances to the exact profile, found by Gauss and Newton's
+//! method: the distance of a point changes by n·J(q − b) per turn and by n per shift, n being the normal at its
+//! foot. The sum has other minima, so the search starts from many angles.
+//!
+//! What a turn or a shift can explain is not seen as deviation: an eccentric bore shows only where the centre
+//! of the bore is measured as well.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::{Cam, ProfilePoint};
+use crate::error::{CamError, Result};
+use crate::quantity::Quantity;
+
+/// Fewest points: three unknowns and a shape to tell.
+pub const FEWEST: usize = 12;
+/// Angles from which the search starts.
+const STARTS: usize = 72;
+/// Points and profile samples of the search, and its rounds.
+const COARSE_POINTS: usize = 90;
+const COARSE_PROFILE: usize = 360;
+const COARSE_ROUNDS: usize = 12;
+/// Samples among which the foot of a point is looked for, and rounds of the fit on exact feet.
+const PROFILE: usize = 2880;
+const ROUNDS: usize = 40;
+/// A fit whose last step is below this part of the cam's size is settled.
+const SETTLED: f64 = 1e-14;
+/// Starts that end nearer to each other than this, rad, have found the same fit.
+const SAME: f64 = 0.02;
+/// Minima of the search that are refined.
+const REFINED: usize = 12;
+/// A fit is as good as the best up to this factor, and this length, m.
+const ALIKE: (f64, f64) = (1.02, 1e-9);
+/// Points farther from the profile than this part of its difference of radii are of another cam.
+const OTHER: f64 = 0.1;
+/// Smallest share of the normal equations' directions in the largest, below which the turn is unknown.
+const DETERMINED: f64 = 1e-9;
+
+/// One measured point against the profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Deviation {
+    /// Its place in the list of measured points, from 0.
+    pub row: usize,
+    /// Cam angle at which its foot on the profile touches the follower, rad.
+    pub theta: f64,
+    /// Distance from the profile along the normal, m: positive where there is too much material.
+    pub normal: f64,
+}
+
+/// How measured points lie on a cam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inspection {
+    /// Angle by which the cam lies turned counter-clockwise in the measuring frame, rad in (−π, π].
+    pub turn: f64,
+    /// The cam's centre in the measuring frame, m.
+    pub centre: [f64; 2],
+    /// The points in the order of their cam angles.
+    pub deviations: Vec<Deviation>,
+    /// Other turns that fit as well, rad: the cam repeats itself.
+    pub alike: Vec<f64>,
+}
+
+impl Inspection {
+    /// Root mean square of the deviations, m.
+    pub fn rms(&self) -> f64 {
+        let squares = self.deviations.iter().map(|d| d.normal * d.normal);
+        (squares.sum::<f64>() / self.deviations.len() as f64).sqrt()
+    }
+
+    /// The points farthest inside and outside the profile.
+    pub fn extremes(&self) -> Option<[Deviation; 2]> {
+        let order = |a: &&Deviation, b: &&Deviation| a.normal.total_cmp(&b.normal);
+        let least = self.deviations.iter().min_by(order)?;
+        let most = self.deviations.iter().max_by(order)?;
+        Some([*least, *most])
+    }
+}
+
+/// A rigid motion from the measuring frame to the cam's: q = R(angle)(m − pivot) + place.
+#[derive(Debug, Clone, Copy)]
+struct Pose {
+    angle: f64,
+    pivot: [f64; 2],
+    place: [f64; 2],
+}
+
+/// A point in the cam's frame with the profile's normal at its foot and its distance along that.
+#[derive(Debug, Clone, Copy)]
+struct Foot {
+    q: [f64; 2],
+    theta: f64,
+    normal: [f64; 2],
+    distance: f64,
+}
+
+/// A profile point with its outward normal.
+#[derive(Debug, Clone, Copy)]
+struct Sample {
+    theta: f64,
+    p: [f64; 2],
+    normal: [f64; 2],
+}
+
+impl Cam {
+    /// Fits measured points (m, any order, any frame) to the profile; with `ball` > 0 they are centres of a
+    /// probing ball of that radius, m.
+    ///
+    /// # Errors
+    /// On fewer than [`FEWEST`] points, on coordinates that are not finite, on points that fit nowhere (those of
+    /// another cam), on a cam that is a circle, whose zero angle cannot be found, and on a cam that does not turn.
+    pub fn inspect(&self, points: &[[f64; 2]], ball: f64) -> Result<Inspection> {
+        self.refuse_unfit(points)?;
+        let exact = Exact {
+            cam: self,
+            ball,
+            samples: self.samples(PROFILE),
+        };
+        let size = self.follower.prime_radius();
+        let mut fits = Vec::new();
+        for pose in self.starts(points, ball) {
+            let (pose, feet) = exact.refined(pose, points, size);
+            fits.push((rms(&feet), pose, feet));
+        }
+        fits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((least, pose, feet)) = fits.first() else {
+            return Err(CamError::MeasuredCircle.into());
+        };
+        let radii = exact.samples.iter().map(|s| s.p[0].hypot(s.p[1]));
+        let (low, high) = radii.fold((f64::INFINITY, 0.0_f64), |(l, h), r| (l.min(r), h.max(r)));
+        if *least > OTHER * (high - low) {
+            return Err(CamError::MeasuredOther {
+                distance: Quantity::length(*least),
+                low: Quantity::length(low),
+                high: Quantity::length(high),
+            }
+            .into());
+        }
+        if !is_determined(feet, pose, size) {
+            return Err(CamError::MeasuredCircle.into());
+        }
+        let as_good = |fit: &&(f64, Pose, Vec<Foot>)| fit.0 <= ALIKE.0 * least + ALIKE.1;
+        let others = fits[1..].iter().filter(as_good);
+        Ok(Inspection {
+            turn: wrapped(-pose.angle),
+            centre: pose.centre(),
+            deviations: deviations(feet),
+            alike: others.map(|fit| wrapped(-fit.1.angle)).collect(),
+        })
+    }
+
+    fn refuse_unfit(&self, points: &[[f64; 2]]) -> Result<()> {
+        if self.follower.is_unrolled() {
+            let follower = self.follower.name();
+            return Err(CamError::MeasuredUnrolled { follower }.into());
+        }
+        if let Some(row) = points.iter().position(|p| p.iter().any(|x| !x.is_finite())) {
+            return Err(CamError::MeasuredNotFinite { row: row + 1 }.into());
+        }
+        if points.len() < FEWEST {
+            let (points, least) = (points.len(), FEWEST);
+            return Err(CamError::MeasuredFew { points, least }.into());
+        }
+        Ok(())
+    }
+
+    fn samples(&self, n: usize) -> Vec<Sample> {
+        let sample = |p: &ProfilePoint| Sample {
+            theta: p.theta,
+            p: [p.x, p.y],
+            normal: self.normal(p),
+        };
+        self.profile(n).iter().map(sample).collect()
+    }
+
+    /// The minima that the search finds, best first: from every start the distances to the tangents at the
+    /// nearest samples are made small.
+    fn starts(&self, points: &[[f64; 2]], ball: f64) -> Vec<Pose> {
+        let samples = self.samples(COARSE_PROFILE);
+        let every = points.len().div_ceil(COARSE_POINTS);
+        let few: Vec<[f64; 2]> = points.iter().copied().step_by(every).collect();
+        let outline: Vec<[f64; 2]> = samples.iter().map(|s| s.p).collect();
+        let (pivot, place) = (middle(points), middle(&outline));
+        let size = self.follower.prime_radius();
+        let mut found: Vec<(f64, Pose)> = Vec::new();
+        for k in 0..STARTS {
+            let mut pose = Pose {
+                angle: std::f64::consts::TAU * k as f64 / STARTS as f64,
+                pivot,
+                place,
+            };
+            let feet_of = |pose: &Pose| -> Vec<Foot> {
+                let near = |m: &[f64; 2]| tangent_foot(&samples, pose.seen(*m), ball);
+                few.iter().map(near).collect()
+            };
+            for _ in 0..COARSE_ROUNDS {
+                let feet = feet_of(&pose);
+                let Some(step) = step(&feet, &pose, size) else {
+                    break;
+                };
+                pose = pose.moved(step);
+            }
+            found.push((rms(&feet_of(&pose)), pose));
+        }
+        found.retain(|f| f.0.is_finite());
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut distinct: Vec<Pose> = Vec::new();
+        for (_, pose) in found {
+            let known = |p: &Pose| wrapped(p.angle - pose.angle).abs() < SAME;
+            if !distinct.iter().any(known) {
+                distinct.push(pose);
+            }
+        }
+        distinct.truncate(REFINED);
+        distinct
+    }
+}
+
+/// The profile itself, with samples to begin from.
+struct Exact<'a> {
+    cam: &'a Cam,
+    ball: f64,
+    samples: Vec<Sample>,
+}
+
+impl Exact<'_> {
+    /// The fit on exact feet that begins at `pose`.
+    fn refined(&self, mut pose: Pose, points: &[[f64; 2]], size: f64) -> (Pose, Vec<Foot>) {
+        let feet_of = |pose: &Pose| -> Vec<Foot> {
+            points.iter().map(|m| self.foot(pose.seen(*m))).collect()
+        };
+        let mut feet = feet_of(&pose);
+        for _ in 0..ROUNDS {
+            let Some(step) = step(&feet, &pose, size) else {
+                break;
+            };
+            pose = pose.moved(step);
+            feet = feet_of(&pose);
+            let moved = step[0].abs() * size + step[1].abs() + step[2].abs();
+            if moved < SETTLED * size {
+                break;
+            }
+        }
+        (pose, feet)
+    }
+
+    /// The foot of a point: where the profile's tangent is square to the way from the profile to it.
+    fn foot(&self, q: [f64; 2]) -> Foot {
+        let n = self.samples.len();
+        let near = nearest(&self.samples, q);
+        let step = std::f64::consts::TAU / n as f64;
+        let here = self.samples[near].theta;
+        let along = |s: &Sample| {
+            let [x, y] = [q[0] - s.p[0], q[1] - s.p[1]];
+            // The tangent in the sense of growing θ is the outward normal turned to the right.
+            x * s.normal[1] - y * s.normal[0]
+        };
+        let at = |theta: f64| {
+            let p = self.cam.point(theta);
+            Sample {
+                theta,
+                p: [p.x, p.y],
+                normal: self.cam.normal(&p),
+            }
+        };
+        let theta = root(here - step, here + step, |theta| along(&at(theta)));
+        let found = at(theta.unwrap_or(here));
+        Foot {
+            theta: found.theta.rem_euclid(std::f64::consts::TAU),
+            ..tangent_distance(&found, q, self.ball)
+        }
+    }
+}
+
+/// Root of a function that falls from above zero at `low` to below zero at `high`, by false position with the
+/// older end's value halved (Illinois); `None` where the signs are not so.
+fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
+    let (mut above, mut below) = (f(low), f(high));
+    if above < 0.0 || below > 0.0 {
+        return None;
+    }
+    let mut side = 0;
+    let mut x = 0.5 * (low + high);
+    for _ in 0..60 {
+        let next = (low * below - high * above) / (below - above);
+        if !next.is_finite() || (next - x).abs() < 1e-16 {
+            break;
+        }
+        x = next;
+        let value = f(x);
+        if value == 0.0 {
+            break;
+        }
+        if value > 0.0 {
+            (low, above) = (x, value);
+            if side == 1 {
+                below *= 0.5;
+            }
+            side = 1;
+        } else {
+            (high, below) = (x, value);
+            if side == -1 {
+                above *= 0.5;
+            }
+            side = -1;
+        }
+    }
+    Some(x)
+}
+
+impl Pose {
+    fn seen(&self, m: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [m[0] - self.pivot[0], m[1] - self.pivot[1]];
+        let (sin, cos) = self.angle.sin_cos();
+        [
+            cos * x - sin * y + self.place[0],
+            sin * x + cos * y + self.place[1],
+        ]
+    }
+
+    /// Turned about its place and shifted.
+    fn moved(&self, [turn, x, y]: [f64; 3]) -> Pose {
+        Pose {
+            angle: self.angle + turn,
+            pivot: self.pivot,
+            place: [self.place[0] + x, self.place[1] + y],
+        }
+    }
+
+    /// Where the cam's centre lies in the measuring frame.
+    fn centre(&self) -> [f64; 2] {
+        let (sin, cos) = self.angle.sin_cos();
+        let [x, y] = self.place;
+        [
+            self.pivot[0] - (cos * x + sin * y),
+            self.pivot[1] - (cos * y - sin * x),
+        ]
+    }
+}
+
+fn nearest(samples: &[Sample], q: [f64; 2]) -> usize {
+    let mut best = (0, f64::INFINITY);
+    for (i, s) in samples.iter().enumerate() {
+        let (x, y) = (q[0] - s.p[0], q[1] - s.p[1]);
+        let square = x * x + y * y;
+        if square < best.1 {
+            best = (i, square);
+        }
+    }
+    best.0
+}
+
+fn tangent_foot(samples: &[Sample], q: [f64; 2], ball: f64) -> Foot {
+    tangent_distance(&samples[nearest(samples, q)], q, ball)
+}
+
+fn tangent_distance(s: &Sample, q: [f64; 2], ball: f64) -> Foot {
+    let away = (q[0] - s.p[0]) * s.normal[0] + (q[1] - s.p[1]) * s.normal[1];
+    Foot {
+        q,
+        theta: s.theta,
+        normal: s.normal,
+        distance: away - ball,
+    }
+}
+
+/// The normal equations of the linearised distances, the turn measured by the cam's size.
+fn normal_equations(feet: &[Foot], pose: &Pose, size: f64) -> (Matrix3<f64>, Vector3<f64>) {
+    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for foot in feet {
+        let [x, y] = [foot.q[0] - pose.place[0], foot.q[1] - pose.place[1]];
+        let [nx, ny] = foot.normal;
+        let row = Vector3::new((ny * x - nx * y) / size, nx, ny);
+        matrix += row * row.transpose();
+        right -= foot.distance * row;
+    }
+    (matrix, right)
+}
+
+/// The step of Gauss and Newton: turn, rad, and shift, m.
+fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
+    let (matrix, right) = normal_equations(feet, pose, size);
+    let found = matrix.cholesky()?.solve(&right);
+    let step = [found[0] / size, found[1], found[2]];
+    step.iter().all(|x| x.is_finite()).then_some(step)
+}
+
+/// Whether the points say how the cam is turned.
+fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
+    let (matrix, _) = normal_equations(feet, pose, size);
+    let shares = matrix.symmetric_eigenvalues();
+    shares.min() > DETERMINED * shares.max()
+}
+
+fn rms(feet: &[Foot]) -> f64 {
+    let squares = feet.iter().map(|f| f.distance * f.distance);
+    (squares.sum::<f64>() / feet.len() as f64).sqrt()
+}
+
+fn deviations(feet: &[Foot]) -> Vec<Deviation> {
+    let deviation = |(row, f): (usize, &Foot)| Deviation {
+        row,
+        theta: f.theta,
+        normal: f.distance,
+    };
+    let mut out: Vec<Deviation> = feet.iter().enumerate().map(deviation).collect();
+    out.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+    out
+}
+
+/// Centre of the circle of least squares through points, m: (x² + y²) = 2ax + 2by + c is linear.
+fn middle(points: &[[f64; 2]]) -> [f64; 2] {
+    let n = points.len() as f64;
+    let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
+    let (mut matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for p in points {
+        let [x, y] = [p[0] - mean[0], p[1] - mean[1]];
+        let row = Vector3::new(2.0 * x, 2.0 * y, 1.0);
+        matrix += row * row.transpose();
+        right += (x * x + y * y) * row;
+    }
+    match matrix.lu().solve(&right) {
+        Some(c) if c[0].is_finite() && c[1].is_finite() => [mean[0] + c[0], mean[1] + c[1]],
+        _ => mean,
+    }
+}
+
+/// An angle brought to (−π, π].
+fn wrapped(angle: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    let inside = angle.rem_euclid(turn);
+    if inside > 0.5 * turn {
+        inside - turn
+    } else {
+        inside
+    }
+}

@@ -1,0 +1,255 @@
+//! What a made cam does: from the deviations of its profile to its law, force, acceleration and lift-off.
+//!
+//! A deviation δ along the profile's normal moves the follower by ε = δ/l, to first order and at the same cam
+//! angle: l is the cosine of the pressure angle on a slide, the lever of the normal about the pivot on an arm.
+//! ε(θ) is fitted by as many waves as the points support (Schwarz's criterion); what is left is the noise of
+//! measuring and roughness, and would only be magnified by the derivatives.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::cam::{Cam, Inspection};
+use crate::dynamics::rigid::liftoff_speed;
+use crate::dynamics::rigid::touch::held;
+use crate::law::{Law, Wave};
+use crate::synth::Design;
+
+/// Most waves per turn.
+const MOST_WAVES: usize = 60;
+/// Points per wave, at least.
+const POINTS_PER_WAVE: usize = 4;
+/// Deviations below this, m, are rounding.
+const ROUNDING: f64 = 1e-10;
+/// Points for the RMS of the force: the functions are smooth, so the trapezoidal rule converges fast.
+const POINTS: usize = 4096;
+
+/// What a cam does on its machine; the law's extremes are exact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Behaviour {
+    /// RMS distance of the force to its target, N.
+    pub rms_error_n: Option<f64>,
+    /// Largest distance of the force to its target, N.
+    pub max_error_n: Option<f64>,
+    /// Smallest force, N.
+    pub min_n: f64,
+    /// Largest force, N.
+    pub max_n: f64,
+    /// Largest acceleration without its sign, m/s² (an arm: rad/s²).
+    pub acceleration: f64,
+    /// Lowest speed at which the follower leaves the cam, rad/s.
+    pub liftoff_speed: Option<f64>,
+}
+
+/// A made cam.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MadeCam {
+    /// The law that it gives the follower.
+    pub law: Law,
+    /// Waves per turn by which its law differs from the design's.
+    pub waves: usize,
+    /// RMS of what the waves leave, m (an arm: rad).
+    pub left: f64,
+    /// What it does.
+    pub made: Behaviour,
+    /// What the design does.
+    pub designed: Behaviour,
+}
+
+impl MadeCam {
+    /// The cam of `design` as it was measured. `None` for a law that does not cover one turn.
+    pub fn of(design: &Design, inspection: &Inspection) -> Option<MadeCam> {
+        let (start, length) = design.cam.law.extent();
+        if !design.cam.law.is_closed() || (length - TAU).abs() > 1e-9 || start != 0.0 {
+            return None;
+        }
+        let moves: Vec<(f64, f64)> = inspection
+            .deviations
+            .iter()
+            .map(|d| (d.theta, d.normal / lever(&design.cam, d.theta)))
+            .collect();
+        let series = Series::fitted(&moves);
+        let law = series.added_to(&design.cam.law);
+        let pressing = series.added_to(design.pressing());
+        Some(MadeCam {
+            made: behaviour(design, &pressing, &law),
+            designed: behaviour(design, design.pressing(), &design.cam.law),
+            law,
+            waves: series.terms.len(),
+            left: series.left,
+        })
+    }
+}
+
+fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
+    let drive = &design.drive;
+    let (low, high) = drive.force_curve(pressing).extremes();
+    let (least, most) = pressing.extremes(2);
+    let error = |target: &crate::force::ForceCurve| {
+        let (mut square, mut largest) = (0.0, 0.0_f64);
+        for i in 0..POINTS {
+            let theta = TAU * i as f64 / POINTS as f64;
+            let off = drive.force(pressing.svaj(theta)) - target.at(theta);
+            square += off * off / POINTS as f64;
+            largest = largest.max(off.abs());
+        }
+        (square.sqrt(), largest)
+    };
+    let error = design.target.as_ref().map(error);
+    let made = Cam {
+        law: cut.clone(),
+        follower: design.cam.follower,
+    };
+    let second = design.conjugate.as_ref().map(|pair| &pair.second);
+    let free = !design.is_idle() && !held(&made, second);
+    Behaviour {
+        rms_error_n: error.map(|e| e.0),
+        max_error_n: error.map(|e| e.1),
+        min_n: low.value,
+        max_n: high.value,
+        acceleration: drive.speed * drive.speed * most.value.max(-least.value),
+        liftoff_speed: free.then(|| liftoff_speed(pressing, drive)).flatten(),
+    }
+}
+
+/// How far the profile's normal moves per lift: the cosine of the pressure angle, or the normal's lever about
+/// the pivot, m.
+fn lever(cam: &Cam, theta: f64) -> f64 {
+    let point = cam.point(theta);
+    let normal = cam.normal(&point);
+    let (sin, cos) = theta.sin_cos();
+    match cam.follower.pivot() {
+        None => normal[0] * sin + normal[1] * cos,
+        Some([c, _]) => {
+            let arm = [point.x - c * cos, point.y + c * sin];
+            // A pivot on +x lifts clockwise, one on −x counter-clockwise.
+            -c.signum() * (normal[1] * arm[0] - normal[0] * arm[1])
+        }
+    }
+}
+
+/// A mean and waves per turn.
+struct Series {
+    mean: f64,
+    /// Amplitudes (cos, sin) of waves 1, 2, …
+    terms: Vec<(f64, f64)>,
+    /// RMS of what they leave.
+    left: f64,
+}
+
+impl Series {
+    /// Least squares on values at increasing angles, with the number of waves that makes
+    /// n ln(mean square left) + (number of terms) ln n smallest. The widest gap between points is at least half
+    /// a wave's length.
+    fn fitted(values: &[(f64, f64)]) -> Series {
+        let n = values.len();
+        let most = MOST_WAVES
+            .min(n.saturating_sub(1) / POINTS_PER_WAVE)
+            .min((PI / widest_gap(values)) as usize);
+        let columns = orthonormal(values, 2 * most + 1);
+        let mut square: f64 = values.iter().map(|v| v.1 * v.1).sum();
+        let mut best = (f64::INFINITY, 0, 0.0);
+        for (k, column) in columns.iter().enumerate() {
+            square = (square - column.share * column.share).max(0.0);
+            if k % 2 == 0 {
+                let mean = (square / n as f64).max(ROUNDING * ROUNDING);
+                let score = n as f64 * mean.ln() + (k + 1) as f64 * (n as f64).ln();
+                if score < best.0 {
+                    best = (score, k + 1, square);
+                }
+            }
+        }
+        let (_, kept, left) = best;
+        let coefficients = back_substituted(&columns[..kept]);
+        Series {
+            mean: coefficients.first().copied().unwrap_or(0.0),
+            terms: coefficients
+                .get(1..)
+                .unwrap_or_default()
+                .chunks_exact(2)
+                .map(|c| (c[0], c[1]))
+                .collect(),
+            left: (left / n as f64).sqrt(),
+        }
+    }
+
+    /// The law with the series on top.
+    fn added_to(&self, law: &Law) -> Law {
+        let raised = law.raised(self.mean);
+        let waves: Vec<Vec<Wave>> = (0..raised.poly().pieces())
+            .map(|i| {
+                let start = raised.breaks()[i];
+                let own = raised.waves(i).iter().copied();
+                let added = self.terms.iter().enumerate().map(|(k, &(cos, sin))| {
+                    let rate = (k + 1) as f64;
+                    Wave { rate, cos, sin }.from(start)
+                });
+                own.chain(added).collect()
+            })
+            .collect();
+        Law::with_waves(raised.poly().clone(), waves, true)
+    }
+}
+
+fn widest_gap(values: &[(f64, f64)]) -> f64 {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else {
+        return TAU;
+    };
+    let seam = first.0 + TAU - last.0;
+    values
+        .windows(2)
+        .map(|w| w[1].0 - w[0].0)
+        .fold(seam, f64::max)
+}
+
+/// A column of 1, cos θ, sin θ, cos 2θ … made square to those before it.
+struct Orthonormal {
+    unit: Vec<f64>,
+    /// Its parts along those before it, and its own length.
+    parts: Vec<f64>,
+    /// The values' part along it.
+    share: f64,
+}
+
+/// Gram and Schmidt's method, twice over, which keeps the columns square to rounding.
+fn orthonormal(values: &[(f64, f64)], count: usize) -> Vec<Orthonormal> {
+    let mut out: Vec<Orthonormal> = Vec::with_capacity(count);
+    for k in 0..count {
+        let wave = k.div_ceil(2) as f64;
+        let function = |theta: f64| match k % 2 {
+            1 => (wave * theta).cos(),
+            _ if k == 0 => 1.0,
+            _ => (wave * theta).sin(),
+        };
+        let mut column: Vec<f64> = values.iter().map(|v| function(v.0)).collect();
+        let mut parts = vec![0.0; k + 1];
+        for _ in 0..2 {
+            for (i, before) in out.iter().enumerate() {
+                let part: f64 = column.iter().zip(&before.unit).map(|(a, b)| a * b).sum();
+                parts[i] += part;
+                for (x, unit) in column.iter_mut().zip(&before.unit) {
+                    *x -= part * unit;
+                }
+            }
+        }
+        let length = column.iter().map(|x| x * x).sum::<f64>().sqrt();
+        parts[k] = length;
+        column.iter_mut().for_each(|x| *x /= length);
+        let share = column.iter().zip(values).map(|(a, v)| a * v.1).sum();
+        out.push(Orthonormal {
+            unit: column,
+            parts,
+            share,
+        });
+    }
+    out
+}
+
+/// Coefficients of the columns as they were before they were made square.
+fn back_substituted(columns: &[Orthonormal]) -> Vec<f64> {
+    let n = columns.len();
+    let mut out = vec![0.0; n];
+    for i in (0..n).rev() {
+        let later: f64 = (i + 1..n).map(|k| columns[k].parts[i] * out[k]).sum();
+        out[i] = (columns[i].share - later) / columns[i].parts[i];
+    }
+    out
+}
