@@ -21,7 +21,7 @@ use gaitcam::error::{FileError, Place, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences, synthesise_with};
 use gaitcam::units::Dimension;
-use gaitcam_files::{ResultFolder, Sink};
+use gaitcam_files::ResultFolder;
 use gaitcam_output::inspection;
 use points::Points;
 
