@@ -135,13 +135,19 @@ impl Cam {
         if !is_determined(feet, pose, size) {
             return Err(CamError::MeasuredCircle.into());
         }
-        let as_good = |fit: &&(f64, Pose, Vec<Foot>)| fit.0 <= ALIKE.0 * least + ALIKE.1;
-        let others = fits[1..].iter().filter(as_good);
+        let mut turns = vec![wrapped(-pose.angle)];
+        for (off, pose, _) in &fits[1..] {
+            let turn = wrapped(-pose.angle);
+            let known = turns.iter().any(|t| wrapped(t - turn).abs() < SAME);
+            if *off <= ALIKE.0 * least + ALIKE.1 && !known {
+                turns.push(turn);
+            }
+        }
         Ok(Inspection {
-            turn: wrapped(-pose.angle),
+            turn: turns[0],
             centre: pose.centre(),
             deviations: deviations(feet),
-            alike: others.map(|fit| wrapped(-fit.1.angle)).collect(),
+            alike: turns[1..].to_vec(),
         })
     }
 
