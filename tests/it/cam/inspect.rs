@@ -99,12 +99,8 @@ fn measured(cam: &Cam, deviations: &[f64], ball: f64) -> Vec<[f64; 2]> {
 
 fn assert_recovered(found: &Inspection, deviations: &[f64]) {
     assert!((found.turn - TURN).abs() < 1e-8, "{}", found.turn);
-    for k in 0..2 {
-        assert!(
-            (found.centre[k] - CENTRE[k]).abs() < 1e-9,
-            "{:?}",
-            found.centre
-        );
+    for (found, truth) in found.centre.iter().zip(CENTRE) {
+        assert!((found - truth).abs() < 1e-9, "{found}");
     }
     for d in &found.deviations {
         let truth = deviations[77 * d.row % POINTS];
