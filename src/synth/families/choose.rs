@@ -55,7 +55,9 @@ pub fn ladder(problem: &Problem) -> Result<Found, NoLaw> {
 /// families that were passed over say what they missed by.
 pub fn simplest(problem: &Problem) -> Result<Found, NoLaw> {
     let mut passed_over = Vec::new();
-    if problem.target.is_some()
+    // Whether any family passes is seen by the last of them alone.
+    if !problem.only_passing
+        && problem.target.is_some()
         && !problem.has_demands()
         && problem.objective() == Minimise::ForceError
     {

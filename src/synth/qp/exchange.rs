@@ -33,10 +33,7 @@ impl Program {
             return Ok(solution);
         }
         if self.lifted.is_some() {
-            return match self.solve_by_few_rows(&unlimited) {
-                Some(solution) => Ok(solution),
-                None => self.solve_by_interior_point(),
-            };
+            return self.solve_many_spans(&unlimited);
         }
         match active_set::solve(self, &unlimited) {
             // Two crests that share a row can end a hair above a limit: once more with that hair kept free.
@@ -56,15 +53,27 @@ impl Program {
         }
     }
 
-    /// Many spans with few active rows: the active set, as far as its digits go. Its own proof decides.
-    fn solve_by_few_rows(&self, unlimited: &equality::Unlimited) -> Option<Solution> {
+    /// Many spans: the active set while rows are few and its digits last, the interior-point method otherwise; of two
+    /// laws that keep the limits the one with the better proof.
+    fn solve_many_spans(&self, unlimited: &equality::Unlimited) -> Result<Solution, Failure> {
+        let settings = &self.settings.active_set;
         let mut few = self.clone();
-        few.settings.active_set.rows = self.settings.active_set.few_rows;
-        let solution = active_set::solve(&few, unlimited).ok()?;
-        let proof = certificate(self, &solution);
-        let kept = solution.violation <= self.settings.tolerance;
-        let proved = proof.relative_gap.max(proof.stationarity) <= self.settings.active_set.proved;
-        (kept && proved).then_some(solution)
+        few.settings.active_set.rows = settings.few_rows;
+        let doubt = |s: &Solution| {
+            let proof = certificate(self, s);
+            proof.relative_gap.max(proof.stationarity)
+        };
+        let kept = |s: &Solution| s.violation <= self.settings.tolerance;
+        let first = active_set::solve(&few, unlimited).ok().filter(kept);
+        let first = first.map(|s| (doubt(&s), s));
+        match first {
+            Some((gap, solution)) if gap <= settings.proved => Ok(solution),
+            None => self.solve_by_interior_point(),
+            Some((gap, solution)) => match self.solve_by_interior_point() {
+                Ok(second) if kept(&second) && doubt(&second) < gap => Ok(second),
+                _ => Ok(solution),
+            },
+        }
     }
 
     /// The same program with this part of every limit's size kept free, where room can be kept.

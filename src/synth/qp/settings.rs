@@ -48,7 +48,7 @@ pub struct ActiveSetSettings {
     pub rows: usize,
     /// … and than this where the spans are many.
     pub few_rows: usize,
-    /// Gap and stationarity with which its law stands there; otherwise the interior-point method is asked.
+    /// Gap and stationarity with which its law stands there; otherwise the interior-point method is asked too.
     pub proved: f64,
     /// A row counts as violated beyond this part of its limit's size; far below the rounds' own tolerance.
     pub resolved: f64,
@@ -156,7 +156,7 @@ impl Default for Settings {
                 steps_per_unknown: 60,
                 rows: 400,
                 few_rows: 80,
-                proved: 1e-7,
+                proved: 1e-6,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,
                 dependent: 1e-13,
