@@ -4,7 +4,7 @@ use super::layout::{Layout, Separator};
 use crate::force::read::number::{EXACT, TEN};
 
 /// Most digits of a number that this reader takes.
-const DIGITS: u32 = 17;
+const DIGITS: usize = 17;
 
 /// Reads the wanted fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
 /// its line end.
@@ -26,22 +26,19 @@ pub(super) fn plain_row(
     while next < wanted.len() {
         let first = *rest.get(at)?;
         at += usize::from(first == b'-' || first == b'+');
-        let (mut mantissa, mut digits, mut behind, mut marked) = (0u64, 0u32, 0u32, false);
-        let end = loop {
-            let c = *rest.get(at)?;
-            let digit = c.wrapping_sub(b'0');
-            if digit < 10 {
-                mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
-                digits += 1;
-                behind += u32::from(marked);
-            } else if c == mark && !marked {
-                marked = true;
-            } else {
-                break c;
-            }
+        let start = at;
+        let mut mantissa = 0u64;
+        digits(rest, &mut at, &mut mantissa);
+        let (mut count, mut behind) = (at - start, 0);
+        if rest.get(at) == Some(&mark) {
             at += 1;
-        };
-        if digits == 0 || digits > DIGITS || mantissa > EXACT {
+            let start = at;
+            digits(rest, &mut at, &mut mantissa);
+            behind = at - start;
+            count += behind;
+        }
+        let end = *rest.get(at)?;
+        if count == 0 || count > DIGITS || mantissa > EXACT {
             return None;
         }
         let last = matches!(end, b'\n' | b'\r');
@@ -49,7 +46,7 @@ pub(super) fn plain_row(
             return None;
         }
         if wanted[next] == column {
-            let size = mantissa as f64 / TEN[behind as usize];
+            let size = mantissa as f64 / TEN[behind];
             row[next] = if first == b'-' { -size } else { size };
             next += 1;
         }
@@ -65,6 +62,19 @@ pub(super) fn plain_row(
     // The last separator is passed already; a line end is not.
     let end = rest[at..].iter().position(|&b| b == b'\n')?;
     Some(at + end + 1)
+}
+
+/// Adds the digits at a place to a number, and passes over them.
+#[inline]
+fn digits(rest: &[u8], at: &mut usize, mantissa: &mut u64) {
+    while let Some(c) = rest.get(*at) {
+        let digit = c.wrapping_sub(b'0');
+        if digit > 9 {
+            return;
+        }
+        *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+        *at += 1;
+    }
 }
 
 #[cfg(test)]
