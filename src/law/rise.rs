@@ -125,14 +125,19 @@ impl End {
             .unwrap_or(3)
     }
 
+    /// Whatever may stand beside an end: at rest without and with acceleration, moving without and with it.
+    pub const JOINS: [&'static str; 4] = [
+        "dwell",
+        "return of equal acceleration",
+        "constant velocity",
+        "nothing but a general polynomial",
+    ];
+
     /// What may stand beside this end without a jump of v or a.
     pub fn joins(&self) -> &'static str {
-        match (self.at.v.abs() > REST, self.at.a.abs() > REST) {
-            (false, false) => "dwell",
-            (false, true) => "return of equal acceleration",
-            (true, false) => "constant velocity",
-            (true, true) => "nothing but a general polynomial",
-        }
+        let moves = usize::from(self.at.v.abs() > REST);
+        let accelerates = usize::from(self.at.a.abs() > REST);
+        End::JOINS[2 * moves + accelerates]
     }
 
     /// The same in the words of a language.

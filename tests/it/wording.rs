@@ -14,6 +14,7 @@ use gaitcam::force::{
     ClockSource, CycleSource, Format, Idle, Kind, LABELS, LeftOut, MassSource, Note, OpenQuestion,
     RejectReason,
 };
+use gaitcam::law::End;
 use gaitcam::problem;
 use gaitcam::scene::SCENES;
 use gaitcam::scene::keys::KEYS;
@@ -84,6 +85,11 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
     );
     codes.extend(SCENES.iter().map(|s| format!("built-in-{}", s.name)));
     codes.insert("scene-no-effect".to_string());
+    codes.extend(
+        End::JOINS
+            .iter()
+            .map(|j| format!("joins-{}", j.replace(' ', "-"))),
+    );
     let words = catalogue(Language::En);
     let own = words.keys().iter().filter(|k| !k.starts_with("name-"));
     let keys: BTreeSet<String> = own.cloned().collect();
