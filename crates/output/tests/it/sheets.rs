@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::cam::Follower;
+use gaitcam::cam::{Bore, Follower, Keyway};
 use gaitcam::law::Law;
 use gaitcam::synth::{Design, synthesise};
 use gaitcam::wording::Language;
@@ -147,6 +147,21 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
     // A slide and a barrel have no radii about a centre.
     let slide = designed("translating_cam.toml");
     assert_eq!(drawing::pdf(&slide, &TITLE, Language::En), None);
+}
+
+#[test]
+fn bore_and_keyway_are_dimensioned_as_they_are_measured() {
+    let mut design = heel_tester();
+    design.bore = Some(Bore {
+        diameter: 0.012,
+        keyway: Keyway::for_shaft(0.012),
+    });
+    let pdf = drawing::pdf(&design, &TITLE, Language::En).unwrap();
+    let sheet = &sheets(&pdf)[0];
+    // DIN 6885-1: a keyway of 4 mm, 1.8 mm deep, in a hub of 12 mm.
+    for text in ["\u{d8} 12.000 H7", "4.0 JS9, 13.80"] {
+        assert!(sheet.iter().any(|s| s.text == text), "{text}");
+    }
 }
 
 #[test]

@@ -44,6 +44,9 @@ const SLOTS: [[f64; 2]; 8] = [
     [-1.0, -0.8],
 ];
 
+/// Height from which on a place lies above the keyway.
+const HIGH: f64 = 0.5;
+
 /// One label with what it points at.
 struct Label {
     text: [String; 2],
@@ -54,6 +57,8 @@ struct Label {
 enum Target {
     Circle(f64),
     Point([f64; 2]),
+    /// A point that is pointed at from above.
+    Below([f64; 2]),
 }
 
 /// The views on the sheet.
@@ -161,14 +166,8 @@ impl<'a> Views<'a> {
         let mut free: Vec<[f64; 2]> = SLOTS.to_vec();
         for label in self.wanted() {
             let slot = match label.of {
-                // The label nearest to the point.
-                Target::Point(p) => (0..free.len()).min_by(|&a, &b| {
-                    let far = |k: usize| {
-                        let [x, y] = self.slot(free[k]);
-                        (x - p[0]).hypot(y - p[1])
-                    };
-                    far(a).total_cmp(&far(b))
-                }),
+                Target::Point(p) => self.nearest(&free, p, -1.0),
+                Target::Below(p) => self.nearest(&free, p, HIGH),
                 Target::Circle(_) => (!free.is_empty()).then_some(0),
             };
             if let Some(slot) = slot {
@@ -176,6 +175,17 @@ impl<'a> Views<'a> {
                 self.label(pen, &label, slot);
             }
         }
+    }
+
+    /// The free place nearest to a point, among those at least at the height `from`, a part of the column's.
+    fn nearest(&self, free: &[[f64; 2]], p: [f64; 2], from: f64) -> Option<usize> {
+        let far = |k: usize| {
+            let [x, y] = self.slot(free[k]);
+            (x - p[0]).hypot(y - p[1])
+        };
+        (0..free.len())
+            .filter(|&k| free[k][1] >= from)
+            .min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
     /// Largest radius first: it takes the place nearest to it.
@@ -229,7 +239,7 @@ impl<'a> Views<'a> {
         let corner = [0.5 * key.width, bore.radius() + key.depth];
         Label {
             text: [words.text("drawing-keyway"), size],
-            of: Target::Point(self.place(corner)),
+            of: Target::Below(self.place(corner)),
         }
     }
 
@@ -255,7 +265,7 @@ impl<'a> Views<'a> {
     fn label(&self, pen: &mut Pen, label: &Label, slot: [f64; 2]) {
         let end = self.slot(slot);
         let from = match label.of {
-            Target::Point(p) => p,
+            Target::Point(p) | Target::Below(p) => p,
             Target::Circle(r) => {
                 let [dx, dy] = [end[0] - self.centre[0], end[1] - self.centre[1]];
                 let far = dx.hypot(dy);
