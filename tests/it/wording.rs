@@ -41,15 +41,6 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("law", LawError::VARIANTS),
         ("law", SegmentName::VARIANTS),
         ("law", JoinCure::VARIANTS),
-        (
-            "joins",
-            &[
-                "constant-velocity",
-                "dwell",
-                "nothing-but-a-general-polynomial",
-                "return-of-equal-acceleration",
-            ][..],
-        ),
         ("read", ReadError::VARIANTS),
         ("note", Note::VARIANTS),
         ("cycle", CycleSource::VARIANTS),
