@@ -27,9 +27,7 @@ use points::Points;
 
 const EXAMPLES: &str = "Examples:
   gaitcam inspect out/footbridge measured.csv
-  gaitcam inspect scenes/heel_tester.toml centres.csv --ball '1 mm' --out out/inspected
-
-measured.csv: columns x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point a line, in any order.";
+  gaitcam inspect scenes/heel_tester.toml centres.csv --ball '1 mm' --out out/inspected";
 
 /// Which design, and what was measured.
 #[derive(Args, Debug)]
@@ -38,7 +36,8 @@ pub struct InspectArgs {
     /// The design: a folder or summary.json of synth, a scene file or the name of a built-in scene
     #[arg(value_name = "RESULT")]
     design: PathBuf,
-    /// Measured points of the profile, with centre and zero angle as the measuring machine has them
+    /// Measured points of the profile, with centre and zero angle as the measuring machine has them: a csv with the columns
+    /// x_mm,y_mm or angle_deg,radius_mm (or m, in, rad), one point a line, in any order
     #[arg(value_name = "FILE")]
     measured: PathBuf,
     /// The points are centres of a probing ball of this radius: --ball '1 mm'

@@ -226,6 +226,7 @@ fn help_in_spanish_holds_no_english_word() {
         "doctor",
         "man",
         "completions",
+        "inspect",
         "reproduce",
         "chart",
     ] {

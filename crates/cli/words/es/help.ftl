@@ -115,13 +115,15 @@ sweep-sample = Toma una muestra de N puntos de los intervalos ('CLAVE=INICIO:FIN
 sweep-design = Método de muestreo
 sweep-seed = Semilla de los números aleatorios de la muestra
 sweep-out = La tabla: ARCHIVO.csv o ARCHIVO.parquet
+sweep-shard = Calcula una de N partes iguales, en bloques de filas: --out es una carpeta que todas comparten, y sólo se calculan los bloques que faltan
+sweep-block_rows = Filas de un bloque (por defecto 131072)
 sweep-resume = Continúa un barrido interrumpido
 sweep-jobs = Hilos; sin ella, uno por núcleo
 sweep-yes = Permite más de cien millones de filas
-sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', base_radius, mass, speed (se puede repetir)
+sweep-tolerance = Tolerancia de fabricación de un diseño: 'profile=0.02 mm', 'base_radius=…', 'mass=…', 'speed=…' (se puede repetir)
 sweep-band = Error de fuerza que se acepta en una leva fabricada, para el rendimiento: '2 %' de la media
 
-front-file = La tabla que escribió gaitcam sweep
+front-file = La tabla que escribió gaitcam sweep, o la carpeta de sus bloques
 front-minimise = Columnas que se minimizan, separadas por comas: force_error,torque_max (por defecto force_error,prime_radius)
 front-maximise = Columnas que se maximizan, separadas por comas: liftoff_speed
 front-low_speed = Incluye diseños que no sirven a alta velocidad
@@ -158,7 +160,7 @@ chart-quick = Menos repeticiones y tamaños: menos de un minuto
 chart-out = Carpeta de tablas y figuras
 
 inspect-design = El diseño: una carpeta o summary.json de synth, un archivo de escena o el nombre de una escena incluida
-inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir
+inspect-measured = Puntos medidos del perfil, con el centro y el ángulo cero que tenga la máquina de medir: un csv con las columnas x_mm,y_mm o angle_deg,radius_mm (o m, in, rad), un punto por línea, en cualquier orden
 inspect-ball = Los puntos son centros de una bola palpadora de este radio: --ball '1 mm'
 inspect-out = Carpeta de los archivos (por defecto la del diseño, o out/NOMBRE_inspected)
 inspect-json = Escribe inspection.json en lugar del resumen; sin --out no se escribe ningún archivo
