@@ -1,5 +1,7 @@
 //! Numbers as people write them.
 
+use gaitcam::wording::Language;
+
 /// Appends `x` rounded to at most `decimals` decimals (12 or fewer), without trailing zeros and without −0.
 ///
 /// Drawings hold tens of thousands of coordinates; this takes a tenth of the time of `format!`.
@@ -38,6 +40,69 @@ pub fn append_decimal(out: &mut String, units: i64, decimals: u32) {
         }
     }
     out.extend(digits[at..].iter().map(|&d| char::from(d)));
+}
+
+/// A text whose numbers have the decimal sign of a language. What only looks like a number, `0.1.0` or `walk_1.5`, stays.
+pub fn in_language(text: &str, language: Language) -> String {
+    if language == Language::En || !text.contains('.') {
+        return text.to_string();
+    }
+    let letters: Vec<char> = text.chars().collect();
+    let is_sign = |i: usize| letters[i] == '.' && is_decimal(&letters, i);
+    (0..letters.len())
+        .map(|i| if is_sign(i) { ',' } else { letters[i] })
+        .collect()
+}
+
+/// Whether the point at `i` stands in a number of its own.
+fn is_decimal(letters: &[char], i: usize) -> bool {
+    let digit = |k: usize| letters.get(k).is_some_and(char::is_ascii_digit);
+    if i == 0 || !digit(i - 1) || !digit(i + 1) {
+        return false;
+    }
+    let start = (0..i).rev().find(|&k| !digit(k));
+    let end = (i + 1..letters.len()).find(|&k| !digit(k));
+    let of_word = |c: char| c.is_alphanumeric() || c == '_';
+    let begins = start.is_none_or(|k| match letters[k] {
+        '.' => false,
+        // A name such as walk-1.5; a minus sign has no letter before it.
+        '-' => k == 0 || !of_word(letters[k - 1]),
+        c => !of_word(c),
+    });
+    let ends = end.is_none_or(|k| match letters[k] {
+        '.' => !digit(k + 1),
+        'e' => letters
+            .get(k + 1)
+            .is_some_and(|c| "+-0123456789".contains(*c)),
+        c => !of_word(c),
+    });
+    begins && ends
+}
+
+/// A page whose visible numbers have the decimal sign of a language; scripts, styles and code stay as they are.
+pub fn page_in_language(page: String, language: Language) -> String {
+    if language == Language::En {
+        return page;
+    }
+    let mut out = String::with_capacity(page.len());
+    let mut rest = page.as_str();
+    while let Some(open) = rest.find('<') {
+        out += &in_language(&rest[..open], language);
+        rest = &rest[open..];
+        let literal = ["script", "style", "code", "pre"].into_iter().find(|name| {
+            rest[1..]
+                .strip_prefix(name)
+                .is_some_and(|r| r.starts_with(['>', ' ']))
+        });
+        let end = match literal {
+            Some(name) => rest.find(&format!("</{name}>")),
+            None => rest.find('>').map(|at| at + 1),
+        };
+        let (tag, after) = rest.split_at(end.unwrap_or(rest.len()).max(1));
+        out += tag;
+        rest = after;
+    }
+    out + &in_language(rest, language)
 }
 
 /// `x` to `digits` significant digits, without exponent in the usual range, with a true minus sign.
@@ -89,7 +154,30 @@ pub fn degrees(theta: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::append;
+    use super::*;
+
+    #[test]
+    fn numbers_get_the_sign_of_the_language_and_names_keep_their_points() {
+        let said = |text: &str| in_language(text, Language::Es);
+        assert_eq!(said("3.46 N, −0.5° (1.2e-6)."), "3,46 N, −0,5° (1,2e-6).");
+        for name in [
+            "gaitcam 0.1.0",
+            "walk_1.5",
+            "walk-1.5",
+            "law.segment.1.angle",
+            "1.x",
+            "v1.5",
+        ] {
+            assert_eq!(said(name), name);
+        }
+        assert_eq!(in_language("3.46 N", Language::En), "3.46 N");
+        let page =
+            "<p title=\"1.5\">1.5 mm</p><script>x = 1.5 < 2.5</script><b>2.5</b>".to_string();
+        assert_eq!(
+            page_in_language(page, Language::Es),
+            "<p title=\"1.5\">1,5 mm</p><script>x = 1.5 < 2.5</script><b>2,5</b>"
+        );
+    }
 
     #[test]
     fn appended_numbers_read_back_and_are_as_short_as_can_be() {

@@ -9,6 +9,7 @@ use clap::Args;
 use serde_json::{Value, json};
 
 use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::language;
 use crate::terminal::{print, print_json};
 use crate::words;
 use gaitcam::cam::Verdict;
@@ -107,6 +108,7 @@ fn pictures(designs: &[Design]) -> [(&'static str, Picture); 3] {
             diagrams_over(&across, &force, "", &force_names, &[forces]),
         ),
     ]
+    .map(|(name, picture)| (name, picture.in_language(language::current())))
 }
 
 /// The force of every cam, and every different target.

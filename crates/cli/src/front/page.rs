@@ -75,7 +75,8 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
             ("front-picture-least", sweep_plots::Best::Least)
         };
         let title = words::fill(title, &json!({"name": name, "text": shown}));
-        let picture = sweep_plots::heat_map(&title, x, y, z, sense);
+        let picture =
+            sweep_plots::heat_map(&title, x, y, z, sense).in_language(crate::language::current());
         drawn.push(("heat", words::text("front-heading-heat"), picture));
     }
     if inputs.len() + goals.len() > 1 {
@@ -100,6 +101,7 @@ fn plane(
     let title = words::fill("front-picture-front", &json!({"name": name}));
     let (x, y) = (fewer(x.clone()), fewer(y.clone()));
     sweep_plots::front(&title, &x, &y, &points, Some(place(best)))
+        .in_language(crate::language::current())
 }
 
 fn parallel(
@@ -128,7 +130,7 @@ fn parallel(
         .position(|p| p.row == best.row)
         .map(|i| start + i);
     let title = words::fill("front-picture-parallel", &json!({"name": name}));
-    sweep_plots::parallel(&title, &all, &lines, winner)
+    sweep_plots::parallel(&title, &all, &lines, winner).in_language(crate::language::current())
 }
 
 fn page<'a>(

@@ -21,7 +21,7 @@ use crate::words;
 const EXAMPLES: &str = "Examples:
   gaitcam init
   gaitcam init shaker
-  gaitcam init recording --out my_walk.toml";
+  gaitcam init walk --out my_walk.toml";
 
 /// Longest line of a comment.
 const WIDTH: usize = 100;
@@ -43,7 +43,7 @@ pub struct InitArgs {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Machine {
     Shaker,
-    Recording,
+    Walk,
     HeelTester,
     SpringBench,
     Programme,
@@ -53,7 +53,7 @@ impl Machine {
     fn name(self) -> &'static str {
         match self {
             Machine::Shaker => "shaker",
-            Machine::Recording => "recording",
+            Machine::Walk => "walk",
             Machine::HeelTester => "heel-tester",
             Machine::SpringBench => "spring-bench",
             Machine::Programme => "programme",
@@ -63,7 +63,7 @@ impl Machine {
     fn template(self) -> &'static str {
         match self {
             Machine::Shaker => include_str!("shaker.toml"),
-            Machine::Recording => include_str!("recording.toml"),
+            Machine::Walk => include_str!("walk.toml"),
             Machine::HeelTester => include_str!("heel-tester.toml"),
             Machine::SpringBench => include_str!("spring-bench.toml"),
             Machine::Programme => include_str!("programme.toml"),

@@ -66,7 +66,8 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         .zip(y.values.iter().copied())
         .collect();
     let title = title(&input.scene.name, against);
-    let picture = sweep_plots::front(&title, &x, &y, &line, None);
+    let picture =
+        sweep_plots::front(&title, &x, &y, &line, None).in_language(crate::language::current());
     folder.write("front.svg", picture.svg().as_bytes())?;
     folder.write("front.png", &picture.png())?;
     if args.json {

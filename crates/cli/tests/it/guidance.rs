@@ -39,7 +39,7 @@ fn every_machine_of_init_becomes_an_acceptable_cam() {
         let scene = format!("{machine}.toml");
         let before = fs::read(folder.path().join(&scene)).unwrap();
         let mut arguments = vec!["synth", &scene, "--no-png"];
-        if machine == "recording" {
+        if machine == "walk" {
             arguments.extend(["--set", "gait.file=walk.csv"]);
         }
         let designed = run(folder.path(), &arguments);

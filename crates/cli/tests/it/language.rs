@@ -85,9 +85,18 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
 }
 
+/// A text without the choices of an argument, `[valores: walking, running]`, which are typed as they stand.
+fn without_choices(mut text: String) -> String {
+    while let Some(from) = text.find("[valores:") {
+        let length = text[from..].find(']').unwrap();
+        text.replace_range(from..=from + length, "");
+    }
+    text
+}
+
 /// Fails on an English word.
 fn assert_spanish(arguments: &[&str], code: i32) {
-    let text = said(arguments, code);
+    let text = without_choices(said(arguments, code));
     // Choices of a key, `both | one | left`, are typed as they stand.
     for line in text.lines().filter(|line| !line.contains(" | ")) {
         let found = words(line).find(|w| ENGLISH.contains(&w.to_lowercase().as_str()));
@@ -238,4 +247,39 @@ fn help_in_spanish_holds_no_english_word() {
     }
     assert_spanish(&["init"], 0);
     assert_spanish(&["doctor", "footbridge"], 0);
+}
+
+#[test]
+fn pages_and_pictures_in_spanish_show_no_decimal_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("puente").display().to_string();
+    said(&["synth", "footbridge", "--no-png", "--out", &out], 0);
+    said(&["simulate", "footbridge", "--out", &out], 0);
+    said(&["laws", "--out", &out], 0);
+    for file in [
+        "report.html",
+        "laws.html",
+        "force.svg",
+        "svaj.svg",
+        "cam.svg",
+    ] {
+        let page = std::fs::read_to_string(format!("{out}/{file}")).unwrap();
+        // Scripts, styles and code are for machines.
+        let mut seen = page;
+        for name in ["script", "style", "code"] {
+            while let Some(from) = seen.find(&format!("<{name}")) {
+                let length = seen[from..].find(&format!("</{name}>")).unwrap();
+                seen.replace_range(from..from + length, "");
+            }
+        }
+        let behind = |part: &str| {
+            part.split_once('>')
+                .map_or("", |(_, text)| text)
+                .to_string()
+        };
+        let text: Vec<String> = seen.split('<').skip(1).map(behind).collect();
+        let text = text.join("\n");
+        let point = text.lines().find(|line| has_decimal_point(line));
+        assert_eq!(point, None, "{file}");
+    }
 }

@@ -373,7 +373,7 @@ explain-chords-force = chords { $chord } µm from the profile, the force of the 
 keys-default = default { $text }
 
 init-shaker = A mass that rides on the cam and shakes a footbridge as a walker does: F = M (g + d²s/dt²).
-init-recording = A cam from your own recording of walking, played back by a mass that rides on it.
+init-walk = A cam from your own recording of walking, played back by a mass that rides on it.
 init-heel-tester = A heel tester: the lift presses oil or air in a cylinder, the force grows with the lift.
 init-spring-bench = A test bench with a spring: F = F₀ + k s + m d²s/dt²; for prosthetic feet, shoes, joints.
 init-programme = A classical cam from a programme of rises, falls and dwells, without a force.

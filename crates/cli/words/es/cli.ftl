@@ -373,7 +373,7 @@ explain-chords-force = cuerdas a { $chord } µm del perfil, la fuerza de los pun
 keys-default = por defecto { $text }
 
 init-shaker = Una masa que descansa sobre la leva y excita una pasarela como quien camina: F = M (g + d²s/dt²).
-init-recording = Una leva de su propio registro de la marcha, reproducida por una masa que descansa sobre ella.
+init-walk = Una leva de su propio registro de la marcha, reproducida por una masa que descansa sobre ella.
 init-heel-tester = Una ensayadora de tacones: la subida comprime aceite o aire en un cilindro, la fuerza crece con ella.
 init-spring-bench = Un banco de ensayo con muelle: F = F₀ + k s + m d²s/dt²; para pies protésicos, calzado, articulaciones.
 init-programme = Una leva clásica de un programa de subidas, bajadas y detenimientos, sin fuerza.

@@ -146,7 +146,7 @@ scenes-name = Muestra esta escena en TOML
 
 laws-out = Escribe además laws.html en esta carpeta: fórmulas, curvas, factores y cuándo elegir cada ley
 
-init-machine = La máquina: shaker, heel-tester, spring-bench, programme, recording; sin ella, se enumeran
+init-machine = La máquina; sin ella, se enumeran
 init-out = Archivo que se escribe, o - para la salida estándar (por defecto MÁQUINA.toml)
 
 doctor-file = Archivo de escena, nombre de una escena incluida, o registro

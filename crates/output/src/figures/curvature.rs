@@ -103,6 +103,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         panel.quantity(&words.text("figure-pressure-angle"), 5.7 * e)?;
         panel.across(&words.across(measures))
     })
+    .in_language(words.language())
 }
 
 /// Largest radius of curvature drawn, mm. Beside a disc's own size everything larger is straight; what is

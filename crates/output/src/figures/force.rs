@@ -83,6 +83,7 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
         }
         key(canvas, legend, e, &entries)
     })
+    .in_language(words.language())
 }
 
 /// The force of the cam over its angle, with its extremes.

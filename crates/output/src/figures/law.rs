@@ -55,6 +55,7 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
         }
         Ok(())
     })
+    .in_language(words.language())
 }
 
 /// Where a derivative is infinite, and whether upwards: where the one below it jumps, and both ways where one

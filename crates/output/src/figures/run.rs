@@ -107,4 +107,5 @@ pub(crate) fn run_in(
         }
         key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
     })
+    .in_language(words.language())
 }

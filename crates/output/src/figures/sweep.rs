@@ -499,4 +499,5 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
         }
         border(canvas, f)
     })
+    .in_language(language)
 }

@@ -9,7 +9,8 @@ use super::palette;
 use super::raster;
 use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
 use crate::escape::escaped;
-use crate::number::{append, append_decimal};
+use crate::number::{append, append_decimal, in_language};
+use gaitcam::wording::Language;
 
 /// A finished picture on a white ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,16 @@ impl Picture {
             height,
             shapes,
         }
+    }
+
+    /// The same with the decimal sign of a language in its texts.
+    pub fn in_language(mut self, language: Language) -> Self {
+        for shape in &mut self.shapes {
+            if let Shape::Text { text, .. } = shape {
+                *text = in_language(text, language);
+            }
+        }
+        self
     }
 
     /// A file of its own: fixed colours on white.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::{head, paragraph};
 use crate::escape::escaped;
-use crate::number::number;
+use crate::number::{number, page_in_language};
 use crate::words::Words;
 use gaitcam::error::Result;
 use gaitcam::law::{Factors, Law, Rise};
@@ -35,7 +35,7 @@ pub fn html(language: Language) -> Result<String> {
     out.push_str("</main>\n<footer>\n");
     paragraph(&mut out, &words.text("laws-footer"));
     out.push_str("</footer>\n</body>\n</html>\n");
-    Ok(out)
+    Ok(page_in_language(out, language))
 }
 
 fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {

@@ -14,7 +14,7 @@ use std::fmt::Write;
 
 use crate::Timing;
 use crate::escape::escaped;
-use crate::number::{millimetres, number, range};
+use crate::number::{millimetres, number, page_in_language, range};
 use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
@@ -89,7 +89,7 @@ fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: L
         let _ = write!(out, "<script>\n{SCRIPT}</script>\n");
     }
     out.push_str("</body>\n</html>\n");
-    out
+    page_in_language(out, language)
 }
 
 /// Everything before the page's header.

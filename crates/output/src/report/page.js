@@ -28,6 +28,7 @@
     if (!cell) return;
     var shown = v === null ? "\u2014" : v.toFixed(digits);
     if (/^-0\.?0*$/.test(shown)) shown = shown.slice(1);
+    if (document.documentElement.lang === "es") shown = shown.replace(".", ",");
     cell.textContent = v === null ? shown : shown.replace("-", "\u2212") + unit;
   }
   // A thin line across every diagram at the present angle.

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::{Card, cards, figures, head, heading, paragraph};
 use crate::escape::escaped;
+use crate::number::page_in_language;
 use crate::plot::picture::Picture;
 use crate::words::Words;
 use gaitcam::wording::Language;
@@ -57,7 +58,7 @@ pub fn html(page: &Page, language: Language) -> String {
     out.push_str("</main>\n<footer>\n");
     paragraph(&mut out, &words.text("report-footer-sweep"));
     out.push_str("</footer>\n</body>\n</html>\n");
-    out
+    page_in_language(out, language)
 }
 
 fn table(out: &mut String, table: &Table) {

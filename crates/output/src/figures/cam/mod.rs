@@ -48,6 +48,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
         scene.table(canvas, [table, top + 2.0 * e], e, words)?;
         scale_bar(canvas, [table, height - 2.5 * e], scale, 0.2 * width, e)
     })
+    .in_language(words.language())
 }
 
 /// What is drawn, mm.

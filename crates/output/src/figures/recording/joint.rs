@@ -52,4 +52,5 @@ pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Pict
             .collect();
         draw_cycle(canvas, frame, &joint.curve, &single, e, words)
     })
+    .in_language(words.language())
 }

@@ -103,6 +103,7 @@ pub(crate) fn recording_in(
             None => Ok(()),
         }
     })
+    .in_language(words.language())
 }
 
 /// A mean cycle with its band, over the single cycles where there are any.
