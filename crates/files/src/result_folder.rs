@@ -1,7 +1,7 @@
 //! A folder that holds one result, replaced as a whole.
 //!
 //! New files are written into a hidden folder inside. When all are there, that folder is renamed to
-//! [`READY`], which is the decision: from then on every gaitcam that opens the folder completes the move, so
+//! `READY`, which is the decision: from then on every gaitcam that opens the folder completes the move, so
 //! a process that is killed leaves the old result or the new one. A lock keeps a second writer waiting.
 //! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
 
