@@ -1,7 +1,7 @@
 // The programme of segments as a table, the catalogue of laws as small curves.
 
 import { $, make, clear, svg } from "./dom.js";
-import { t, number, onLanguage } from "./words.js";
+import { t, number, language, onLanguage } from "./words.js";
 import { get } from "./net.js";
 import { onTab, openTab, dialog } from "./view.js";
 
@@ -123,10 +123,10 @@ function catalogue() {
     body.append(make("p", { class: "lead" }, t("studio-laws-lead")));
     const head = ["s", "v", "a", "j"].map((k) => make("th", { scope: "col" }, k));
     const factors = ["cv", "ca", "cj"].map((k) => make("th", { scope: "col", class: "n" }, `C${k[1]}`));
-    const rows = laws.map((law) => make("tr", {}, make("th", { scope: "row" }, law.name, make("small", { class: "formula" }, law.formula)),
+    const rows = laws.map((law) => make("tr", {}, make("th", { scope: "row" }, law.name, make("small", { class: "formula" }, law.formula), make("small", { class: "advice" }, law.advice[language()])),
       ...["s", "v", "a", "j"].map((k) => make("td", {}, small(law[k], k))),
       ...["cv", "ca", "cj"].map((k) => make("td", { class: "n" }, law[k] === null ? "∞" : number(law[k], 4))),
-      make("td", {}, [...new Set(law.joins)].join(" → "))));
+      make("td", {}, [...new Set(law.joins[language()])].join(" → "))));
     body.append(make("div", { class: "scroll", tabindex: "0" }, make("table", {}, make("thead", {}, make("tr", {}, make("th", { scope: "col" }, t("studio-column-motion")), ...head, ...factors, make("th", { scope: "col" }, t("studio-laws-joins")))), make("tbody", {}, ...rows))));
   });
 }

@@ -38,6 +38,11 @@ pub fn html(language: Language) -> Result<String> {
     Ok(page_in_language(out, language))
 }
 
+/// When to choose a law of the catalogue, in the words of a language.
+pub fn advice(rise: &Rise, language: Language) -> String {
+    Words::new(language).text(&format!("laws-use-{}", rise.name()))
+}
+
 fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {
     let (law, factors, ends) = (rise.law()?, rise.factors()?, rise.ends()?);
     let name = rise.name();
@@ -45,7 +50,7 @@ fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {
     for piece in rise.formula().split("; ") {
         let _ = writeln!(out, "<p><code>{}</code></p>", escaped(piece));
     }
-    paragraph(out, &words.text(&format!("laws-use-{name}")));
+    paragraph(out, &advice(rise, words.language()));
     let joins = [ends.start, ends.end].map(|end| end.joins_in(words.language()));
     let [start, end] = &joins;
     let key = if start == end {

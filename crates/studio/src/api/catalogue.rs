@@ -14,8 +14,8 @@ use gaitcam::law::Rise;
 use gaitcam::scene::{self, SCENES, built_in, keys};
 use gaitcam::synth::{Design, synthesise};
 use gaitcam::wording::{Language, scene_doc};
-use gaitcam_output::palette;
 use gaitcam_output::report::parts;
+use gaitcam_output::{laws_report, palette};
 
 /// Points of a law's small curve.
 const POINTS: usize = 60;
@@ -138,11 +138,13 @@ fn law(rise: &Rise) -> Result<Value> {
         }
     }
     let [s, v, a, j] = curves;
+    let joins = |language| [ends.start.joins_in(language), ends.end.joins_in(language)];
     let finite = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
     Ok(json!({
         "name": rise.name(), "written": rise.written(), "formula": rise.formula(),
+        "advice": {"en": laws_report::advice(rise, Language::En), "es": laws_report::advice(rise, Language::Es)},
         "cv": finite(factors.cv), "ca": finite(factors.ca), "cj": finite(factors.cj), "ct": finite(factors.ct),
-        "joins": [ends.start.joins(), ends.end.joins()],
+        "joins": {"en": joins(Language::En), "es": joins(Language::Es)},
         "s": s, "v": v, "a": a, "j": j,
     }))
 }
