@@ -7,7 +7,7 @@ use strum::VariantNames;
 
 use super::{Error, ErrorKind, Place};
 
-/// Why a file or folder will not do. Texts in fields are what the system says.
+/// What is wrong with a file or folder. Texts in fields are what the system says.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

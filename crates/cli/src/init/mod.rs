@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use gaitcam::error::Result;
-use gaitcam::scene::keys::{self, KEYS};
+use gaitcam::scene::keys::{self, KEYS, Key};
 use gaitcam::wording::{Language, key_doc};
 use gaitcam_output::folder::write_whole;
 use serde_json::json;
@@ -120,18 +120,7 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
         if line.starts_with('[') {
             section = line.trim_matches(['[', ']']).to_string();
         }
-        let row = line
-            .trim_start_matches(OFFERED)
-            .split_once(" = ")
-            .and_then(|(key, _)| {
-                let path = if section.is_empty() {
-                    key.to_string()
-                } else {
-                    format!("{section}.{key}")
-                };
-                let numbered = format!("{section}.N.{key}");
-                KEYS.iter().find(|k| k.path == path || k.path == numbered)
-            });
+        let row = row_of(&section, line);
         // The second segment of a programme needs no explanation.
         if let Some(row) = row.filter(|r| !explained.contains(&r.path)) {
             explained.push(row.path);
@@ -146,6 +135,18 @@ fn scene(heading: &str, template: &str, file: &Path, language: Language) -> Stri
         out += "\n";
     }
     out
+}
+
+/// The row of the key table that a line of a template gives a value for.
+fn row_of(section: &str, line: &str) -> Option<&'static Key> {
+    let (key, _) = line.trim_start_matches(OFFERED).split_once(" = ")?;
+    let path = if section.is_empty() {
+        key.to_string()
+    } else {
+        format!("{section}.{key}")
+    };
+    let numbered = format!("{section}.N.{key}");
+    KEYS.iter().find(|k| k.path == path || k.path == numbered)
 }
 
 /// A text in lines of comment.
@@ -194,13 +195,20 @@ mod tests {
                     let table: toml::Table = text.parse().unwrap();
                     gaitcam::scene::read(&table).unwrap();
                 }
-                let keys = machine
-                    .template()
+                let said: String = text
                     .lines()
-                    .filter(|l| l.contains(" = "))
-                    .count();
-                let comments = text.lines().filter(|l| l.starts_with("# ")).count();
-                assert!(comments >= 2 + keys.min(12), "{machine:?}");
+                    .flat_map(|l| [l.trim_start_matches("# "), " "])
+                    .collect();
+                let mut section = "";
+                for line in machine.template().lines() {
+                    if line.starts_with('[') {
+                        section = line.trim_matches(['[', ']']);
+                    }
+                    if line.contains(" = ") {
+                        let row = row_of(section, line).expect(line);
+                        assert!(said.contains(&key_doc(language, row.path)), "{line}");
+                    }
+                }
             }
         }
     }

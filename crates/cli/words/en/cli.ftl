@@ -77,14 +77,14 @@ cli-file-is-there = is there already and is not overwritten
     .help = give another name with --out
 cli-unknown-flag = unknown option
     .help = { $near ->
-        [none] gaitcam VERB --help lists the options
+        [none] gaitcam COMMAND --help lists the options
        *[other] did you mean { $near }?
     }
 cli-one-too-many = one argument too many
     .help = quote values that contain blanks: --set 'limits.stroke=40 mm'
-cli-unknown-verb = "{ $typed }" is no verb
+cli-unknown-verb = "{ $typed }" is not a command
     .help = { $near ->
-        [none] gaitcam --help lists the verbs; a scene follows its verb: gaitcam synth SCENE.toml
+        [none] gaitcam --help lists the commands; a scene follows its command: gaitcam synth SCENE.toml
        *[other] did you mean { $near }?
     }
 cli-flag-without-value = needs a value
