@@ -2,11 +2,11 @@
 
 use std::ffi::OsString;
 use std::fs;
-use std::hash::{BuildHasher, Hasher, RandomState};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::{Result, WriteError};
+use tempfile::Builder;
 
 /// A folder that is known to take files.
 pub struct Folder {
@@ -65,17 +65,24 @@ fn through_neighbour(
     bytes: &[u8],
     settle: impl FnOnce(&fs::File) -> std::io::Result<()>,
 ) -> Result<()> {
-    // Processes of several machines may share a folder, and have the same number.
-    let random = RandomState::new().build_hasher().finish();
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.{random:x}.partial", std::process::id()));
-    let beside = path.with_file_name(name);
-    let written = fs::File::create(&beside)
-        .and_then(|mut f| f.write_all(bytes).and_then(|()| settle(&f)))
-        .and_then(|()| fs::rename(&beside, path));
-    written.map_err(|e| {
-        let _ = fs::remove_file(&beside);
+    name.push(".");
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let written = Builder::new()
+        .prefix(&name)
+        .suffix(".partial")
+        // With the rights that the user's files have, not those of a secret.
+        .make_in(folder, |p| fs::File::create_new(p))
+        .and_then(|mut beside| {
+            beside.as_file_mut().write_all(bytes)?;
+            settle(beside.as_file())?;
+            beside.persist(path).map_err(|e| e.error)
+        });
+    written.map(|_| ()).map_err(|e| {
         let fault = e.to_string();
         WriteError::FileRefuses { fault }.file(path)
     })

@@ -421,11 +421,10 @@ fn pictures_are_whole_and_nothing_is_cut_off() {
         ] {
             assert_eq!(elements(&picture.svg())[0], "svg");
             let bytes = picture.png();
-            let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().unwrap();
-            let mut pixels = vec![0; reader.output_buffer_size()];
-            let info = reader.next_frame(&mut pixels).unwrap();
-            assert_eq!((info.width, info.height), (1200, 800));
-            assert_eq!(info.color_type, png::ColorType::Rgb);
+            let mut reader = zune_png::PngDecoder::new(&bytes);
+            let pixels = reader.decode_raw().unwrap();
+            assert_eq!(reader.get_dimensions(), Some((1200, 800)));
+            assert_eq!(pixels.len(), 3 * 1200 * 800);
             let blank = |x: usize, y: usize| pixels[3 * (1200 * y + x)..][..3] == [255; 3];
             // Ink in the middle, a blank edge all around.
             assert!((0..800).any(|y| (0..1200).any(|x| !blank(x, y))));
