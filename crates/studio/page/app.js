@@ -197,7 +197,8 @@ function tools(start) {
     history.replaceState(null, "", place);
     try {
       await navigator.clipboard.writeText(place.href);
-      notice(t("studio-linked"));
+      const recording = store.shortened();
+      notice(recording ? t("studio-linked-cycle", { file: recording }) : t("studio-linked"));
     } catch {
       notice(t("studio-linked-address"));
     }

@@ -1,6 +1,6 @@
 // One diagram over the cam's angle: axes, curves, limits, cursor.
 
-import { make, svg, clear } from "./dom.js";
+import { make, say, svg, clear } from "./dom.js";
 import { t, number, quantity, language } from "./words.js";
 import * as clock from "./clock.js";
 
@@ -35,11 +35,13 @@ export class Chart {
     this.heading = make("h3", {});
     this.picture = svg("svg", { role: "img" });
     this.root = make("figure", { class: `chart ${id}`, "data-chart": id },
-      make("figcaption", {}, this.heading, this.value), this.picture);
+      make("figcaption", {}, this.heading, this.value), make("div", { class: "plot" }, this.picture));
+    // The cursor lies over the picture: it moves with every frame, and the picture is not drawn again for it.
+    this.cursor = make("div", { class: "cursor" });
+    this.dot = make("div", { class: "dot" });
+    this.picture.after(this.cursor, this.dot);
     this.plot = svg("g");
-    this.cursor = svg("line", { class: "cursor" });
-    this.dot = svg("circle", { class: "dot", r: 3.2 });
-    this.picture.append(this.plot, this.cursor, this.dot);
+    this.picture.append(this.plot);
     this.size = [0, 0];
     new ResizeObserver(() => this.resize()).observe(this.picture);
     this.drag();
@@ -53,12 +55,11 @@ export class Chart {
     this.follow();
   }
 
-  // `pinned` are designs to compare with: each has curves and a colour.
+  // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
   show(curves, panel, pinned) {
     Object.assign(this, { curves, panel, pinned });
-    this.heading.textContent = `${this.name()}, ${panel.unit}`;
+    say(this.heading, `${this.name()}, ${panel.unit}`);
     this.draw();
-    this.follow();
   }
 
   name() {
@@ -97,6 +98,7 @@ export class Chart {
     this.x = (theta) => LEFT + (theta - start) / length * (width - LEFT - RIGHT);
     this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
     this.bottom = bottom;
+    this.cursor.style.height = `${bottom - TOP}px`;
     const plot = clear(this.plot);
     this.grid(plot, width, bottom, low, high, labels);
     plot.append(...this.pinned.map((other) => this.other(other)));
@@ -113,9 +115,10 @@ export class Chart {
   grid(plot, width, bottom, low, high, labels) {
     const { start, length, unit } = this.curves;
     const rows = ticks(low, high, Math.max(3, (bottom - TOP) / 30));
+    const lines = { axis: "", grid: "" };
     for (const y of rows) {
       const at = this.y(y);
-      plot.append(svg("path", { class: y === 0 ? "axis" : "grid", d: `M${LEFT} ${at}H${width - RIGHT}` }));
+      lines[y === 0 ? "axis" : "grid"] += `M${LEFT} ${at}H${width - RIGHT}`;
       const text = svg("text", { class: "tick", x: LEFT - 5, y: at + 3.5, "text-anchor": "end" });
       text.textContent = tickText(y, rows);
       plot.append(text);
@@ -123,12 +126,13 @@ export class Chart {
     const columns = unit === "°" && length > 100 ? [0, 1, 2, 3, 4].map((k) => start + k * length / 4) : ticks(start, start + length, 4);
     for (const x of columns) {
       const at = this.x(x);
-      plot.append(svg("path", { class: "grid", d: `M${at} ${TOP}V${bottom}` }));
+      lines.grid += `M${at} ${TOP}V${bottom}`;
       if (!labels) continue;
       const text = svg("text", { class: "tick", x: Math.min(at, width - 14), y: bottom + 13, "text-anchor": "middle" });
       text.textContent = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
       plot.append(text);
     }
+    for (const [name, d] of Object.entries(lines)) if (d) plot.prepend(svg("path", { class: name, d }));
   }
 
   other({ curves, panel, colour }) {
@@ -191,19 +195,12 @@ export class Chart {
     if (!this.panel || !this.x) return;
     const theta = clock.angle();
     const at = this.x(theta).toFixed(1);
-    this.cursor.setAttribute("x1", at);
-    this.cursor.setAttribute("x2", at);
-    this.cursor.setAttribute("y1", TOP);
-    this.cursor.setAttribute("y2", this.bottom);
+    this.cursor.style.transform = `translate(${at}px, ${TOP}px)`;
     const i = this.index(theta);
     const main = this.panel.lines.find((l) => l.role === "main").y[i];
     const target = this.panel.lines.find((l) => l.role === "target")?.y[i];
-    this.dot.setAttribute("visibility", main === null ? "hidden" : "visible");
-    if (main !== null) {
-      this.dot.setAttribute("cx", at);
-      this.dot.setAttribute("cy", this.y(main).toFixed(1));
-    }
-    this.value.textContent = target === undefined ? number(main) : `${number(main)} / ${number(target)}`;
+    this.dot.style.transform = main === null ? "scale(0)" : `translate(${at}px, ${this.y(main).toFixed(1)}px)`;
+    say(this.value, target === undefined ? number(main) : `${number(main)} / ${number(target)}`);
   }
 
   drag() {

@@ -11,7 +11,7 @@ let pinned = [];
 
 export function load() {
   clock.onAngle(() => { for (const chart of charts.values()) chart.follow(); });
-  onLanguage(() => { if (shown) show(shown); });
+  onLanguage(again);
 }
 
 export function show(curves) {
@@ -42,5 +42,11 @@ export function show(curves) {
 // Designs to lie under the present one.
 export function compare(list) {
   pinned = list;
-  if (shown) show(shown);
+  again();
+}
+
+function again() {
+  if (!shown) return;
+  show(shown);
+  clock.set(clock.angle());
 }

@@ -28,6 +28,11 @@ export function clear(element) {
   return element;
 }
 
+// Gives an element its text; one that has it already is left alone, so that nothing is laid out again.
+export function say(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 // Shows a short notice that goes by itself.
 let timer = 0;
 export function notice(text, lasting = false) {

@@ -3,7 +3,7 @@
 import { $, make, clear, notice } from "./dom.js";
 import { t, number, onLanguage } from "./words.js";
 import { post, send, get } from "./net.js";
-import { addFile } from "./store.js";
+import { addCycle, addFile } from "./store.js";
 import { onTab, openTab, tab } from "./view.js";
 import * as hand from "./hand.js";
 
@@ -65,7 +65,9 @@ async function take(file) {
   try {
     recording = await send(`recording?name=${encodeURIComponent(file.name)}`, file);
     without = new Set();
+    // A link holds the recording; of a large or binary one the mean cycle, unless something about it is open.
     if (file.size < 60000 && !/\.c3d$/i.test(file.name)) addFile(recording.file, await file.text());
+    else if (recording.csv && !recording.doubts?.length) addCycle(recording.file, recording.csv);
     use(recording.use);
   } catch (error) {
     recording = null;

@@ -58,6 +58,7 @@ function row(key) {
   entry.slider = make("input", { type: "range", "data-key": name, hidden: true, tabindex: "0", min: 0, max: 1, step: "any",
     "aria-label": t("studio-slider", { name: label(name) }) });
   slide(entry);
+  entry.text = `${name} ${label(name)} ${key.doc[language()]}`.toLowerCase();
   entry.root = make("div", { class: "row", "data-row": name },
     make("label", { for: id(name), title: `${name}: ${key.doc[language()]}` }, label(name)), more, entry.input, entry.slider, help, entry.fault);
   rows.set(name, entry);
@@ -92,6 +93,8 @@ function input(key) {
 
 function send(key, value, how) {
   if (how === "choice") gesture += 1;
+  // What stands in the page is no longer what the last design said.
+  rows.get(key).seen = null;
   edit([{ set: { key, value } }], `${key} ${gesture}`);
 }
 
@@ -128,15 +131,21 @@ function slide(entry) {
 
 // The fields of a design.
 export function update(fields) {
+  let moved = false;
   for (const [key, entry] of rows) {
     const field = fields[key];
-    entry.root.hidden = !field || (!field.acts && field.text === "");
-    if (field) show(entry, field);
+    const hidden = !field || (!field.acts && field.text === "");
+    moved = moved || hidden !== entry.root.hidden;
+    entry.root.hidden = hidden;
+    const seen = JSON.stringify(field);
+    // Most fields are as they were: only the others touch the page.
+    if (field && seen !== entry.seen) show(entry, field);
+    entry.seen = seen;
   }
+  if (!moved) return;
   for (const fold of document.querySelectorAll("#values .section")) {
     fold.hidden = ![...fold.querySelectorAll(".row")].some((row) => !row.hidden);
   }
-  find();
 }
 
 function show(entry, field) {
@@ -184,13 +193,10 @@ export function clearFault() {
 
 function find() {
   const wanted = ($("find-value")?.value ?? "").trim().toLowerCase();
-  for (const [key, { root }] of rows) {
-    const text = `${key} ${label(key)} ${root.querySelector(".help").textContent}`.toLowerCase();
-    root.classList.toggle("unfound", wanted !== "" && !text.includes(wanted));
-  }
+  for (const { root, text } of rows.values()) root.classList.toggle("unfound", wanted !== "" && !text.includes(wanted));
 }
 
 export function reset() {
   dragged = null;
-  for (const entry of rows.values()) entry.field = null;
+  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null });
 }

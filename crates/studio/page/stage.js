@@ -4,16 +4,22 @@ import { $, svg, make, clear } from "./dom.js";
 import { t, quantity, onLanguage } from "./words.js";
 import * as clock from "./clock.js";
 
-const COLOURS = ["none", "pressure_angle", "curvature", "force", "hertz"];
-const UNITS = { pressure_angle: "°", curvature: "1/m", force: "N", hertz: "MPa" };
+const COLOURS = ["none", "pressure_angle", "curvature", "curvature_use", "force", "hertz"];
+const UNITS = { pressure_angle: "°", curvature: "1/m", curvature_use: "%", force: "N", hertz: "MPa" };
 const PIECES = 240;
 let answer = null;
 let parts = {};
 let frame = null;
 let renewed = true;
 let pinned = [];
+let strokes = [];
+let size = [0, 0];
 
 export function load() {
+  new ResizeObserver(([{ contentRect }]) => {
+    size = [contentRect.width, contentRect.height];
+    draw($("stage").querySelector("svg"));
+  }).observe($("stage"));
   for (const id of ["circles", "pitch", "normal", "osculating", "places"]) {
     $(`show-${id}`).addEventListener("change", () => { decorate(); follow(); });
   }
@@ -38,6 +44,9 @@ export function show(next) {
   const picture = stage.querySelector("svg");
   picture.setAttribute("aria-hidden", "true");
   picture.removeAttribute("role");
+  strokes = [...picture.querySelectorAll("[stroke-width], [stroke-dasharray]")].map((e) => ({
+    style: e.style, width: Number(e.getAttribute("stroke-width") ?? 1), dashes: e.getAttribute("stroke-dasharray")?.split(/[ ,]+/).map(Number),
+  }));
   keepFrame(picture);
   parts = {};
   for (const id of ["cam-turning", "cam-follower", "cam-second", "cam-push", "cam-contact"]) parts[id] = picture.querySelector(`#${id}`);
@@ -54,7 +63,6 @@ export function show(next) {
   stage.setAttribute("aria-valuemax", motion.start + motion.length);
   Object.assign($("angle"), { min: motion.start, max: motion.start + motion.length });
   decorate();
-  follow();
 }
 
 // A drawing that changes little keeps its frame, so that the cam is seen to grow and shrink.
@@ -69,6 +77,18 @@ function keepFrame(picture) {
     frame = [next[0] - room * next[2], next[1] - room * next[3], next[2] * (1 + 2 * room), next[3] * (1 + 2 * room)];
   }
   picture.setAttribute("viewBox", frame.join(" "));
+  draw(picture);
+}
+
+// Lines keep their width in pixels at any scale. (With vector-effect each frame would measure every line again.)
+function draw(picture) {
+  if (!picture || !frame || size[0] * size[1] === 0) return;
+  const pixel = Math.max(frame[2] / size[0], frame[3] / size[1]);
+  picture.style.setProperty("--pixel", pixel);
+  for (const { style, width, dashes } of strokes) {
+    style.strokeWidth = width * pixel;
+    if (dashes) style.strokeDasharray = dashes.map((d) => d * pixel).join(" ");
+  }
 }
 
 // The next drawing chooses its own frame.
@@ -78,7 +98,9 @@ export function anew() {
 
 export function compare(list) {
   pinned = list;
-  if (answer) show(answer);
+  if (!answer) return;
+  show(answer);
+  follow();
 }
 
 function other({ curves, colour }) {

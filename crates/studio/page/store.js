@@ -5,6 +5,7 @@ const future = [];
 let scene = "";
 let changes = [];
 let files = {};
+const cycles = {};
 let writing = 0;
 
 const LONGEST_FILE = 60000;
@@ -78,6 +79,11 @@ export function addFile(name, text) {
   if (text.length <= LONGEST_FILE) files[name] = text;
 }
 
+// The mean cycle of a recording that is too large for a link or binary.
+export function addCycle(name, csv) {
+  cycles[name] = { name: `${name.replace(/\.[^.]*$/, "")}_cycle.csv`, csv };
+}
+
 // --- the address ---------------------------------------------------------------------------------
 
 async function pass(bytes, through) {
@@ -96,13 +102,26 @@ function bytes(text) {
   return Uint8Array.from(plain, (c) => c.charCodeAt(0));
 }
 
-// Files that the scene names, small enough for a link.
-function needed() {
-  return Object.fromEntries(Object.entries(files).filter(([name]) => scene.includes(JSON.stringify(name))));
+const named = (name) => scene.includes(JSON.stringify(name));
+
+// The scene with the files that it names, small enough for a link: of a large or binary recording the mean cycle.
+function portable() {
+  const held = { scene, files: Object.fromEntries(Object.entries(files).filter(([name]) => named(name))) };
+  for (const [name, cycle] of Object.entries(cycles)) {
+    if (!named(name) || held.files[name]) continue;
+    held.scene = held.scene.replaceAll(JSON.stringify(name), JSON.stringify(cycle.name));
+    held.files[cycle.name] = cycle.csv;
+  }
+  return held;
+}
+
+// Whether a link would hold a recording's mean cycle in its place.
+export function shortened() {
+  return Object.keys(cycles).find((name) => named(name) && !files[name]);
 }
 
 export async function packed() {
-  const text = JSON.stringify({ scene, files: needed() });
+  const text = JSON.stringify(portable());
   return base64(await pass(new TextEncoder().encode(text), new CompressionStream("deflate-raw")));
 }
 

@@ -1,7 +1,7 @@
 // Verdict with reasons, conflict with its relaxations, figures, active limits, tables.
 
-import { $, make, clear } from "./dom.js";
-import { t } from "./words.js";
+import { $, make, say, clear } from "./dom.js";
+import { t, language } from "./words.js";
 import { post } from "./net.js";
 import { page } from "./solver.js";
 
@@ -17,18 +17,33 @@ export function show(answer) {
   const state = answer.infeasible ? "infeasible" : answer.verdict;
   $("verdict").dataset.verdict = answer.verdict;
   $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
-  $("verdict-name").textContent = t(`studio-verdict-${state}`);
-  $("verdict-reasons").textContent = answer.reasons;
+  say($("verdict-name"), t(`studio-verdict-${state}`));
+  say($("verdict-reasons"), answer.reasons);
   figures(answer);
   conflict(answer, answer.relaxations, []);
-  limits(answer);
+  renewed($("limits"), [answer.easing, answer.active, answer.notes], () => limits(answer));
   tables(answer);
   if (answer.needs_relaxing) relax(answer);
 }
 
-function figures(answer) {
-  clear($("figures")).append(...answer.figures.map(({ name, value, more }) =>
-    make("div", {}, make("dt", {}, name), make("dd", {}, value, more ? make("small", {}, more) : null))));
+// Fills a box anew where what it shows has changed.
+const filled = new Map();
+function renewed(box, content, fill) {
+  const seen = JSON.stringify([language(), content]);
+  if (filled.get(box.id) === seen) return;
+  filled.set(box.id, seen);
+  fill();
+}
+
+function figures({ figures: list }) {
+  const form = list.map(({ name, more }) => [name, Boolean(more)]);
+  renewed($("figures"), form, () => clear($("figures")).append(...list.map(({ name, more }) =>
+    make("div", {}, make("dt", {}, name), make("dd", {}, make("span", {}), more ? make("small", {}) : null)))));
+  list.forEach(({ value, more }, i) => {
+    const [text, small] = $("figures").children[i].lastChild.children;
+    say(text, value);
+    if (small) say(small, more);
+  });
 }
 
 // The whole design is tried with every relaxation, which takes longer than the design itself.

@@ -51,10 +51,12 @@ export function choose(next) {
 export function number(x, digits = 4) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
   const size = Math.abs(x);
-  if (size !== 0 && (size < 1e-4 || size >= 1e7)) return x.toExponential(digits - 2).replace("-", "−");
+  const tiny = size !== 0 && (size < 1e-4 || size >= 1e7);
   const decimals = size === 0 ? 0 : Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(size))));
-  const text = x.toLocaleString(tag, { minimumFractionDigits: decimals, maximumFractionDigits: decimals, useGrouping: false });
-  return /^-0([.,]0*)?$/.test(text) ? text.slice(1) : text.replace("-", "−");
+  // Not toLocaleString, which takes a hundred times longer: this is called for every frame.
+  const plain = (tiny ? x.toExponential(digits - 2) : x.toFixed(decimals));
+  const text = tag === "es" ? plain.replace(".", ",") : plain;
+  return /^-0([.,]0*)?$/.test(text) ? text.slice(1) : text.replaceAll("-", "−");
 }
 
 // A number with its unit; degrees stand close to it.

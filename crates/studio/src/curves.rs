@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use gaitcam::cam::{Cam, Follower, Measures, ProfilePoint, Unit};
+use gaitcam::cam::{Cam, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::rigid::touch::touch;
 use gaitcam::law::Svaj;
@@ -78,14 +78,10 @@ pub struct Contour {
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Direction of the normal away from the cam, degrees in the cam's frame.
-    normal: Vec<Shown>,
-    /// Radii of the circles, mm.
-    base: f64,
-    prime: f64,
-    /// Pressure angle, °; curvature, 1/m; force, N; Hertz pressure, MPa.
+    /// Pressure angle, °; curvature, 1/m, and as a part of what is allowed, %; force, N; Hertz pressure, MPa.
     pressure_angle: Vec<Shown>,
     curvature: Vec<Shown>,
+    curvature_use: Vec<Shown>,
     force: Vec<Shown>,
     hertz: Vec<Shown>,
 }
@@ -308,6 +304,16 @@ fn contour(design: &Design, samples: &[Sample]) -> Contour {
         samples.iter().map(|s| short(value(s))).collect()
     };
     let normal = |s: &Sample| normal(cam, s);
+    // The smallest radius allowed where the contour is convex, and where it is concave.
+    let [convex, concave] =
+        [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
+            let limited = design
+                .checks
+                .iter()
+                .find(|c| c.name == name && c.limit > 0.0);
+            limited.map_or(f64::NAN, |c| c.limit)
+        });
+    let sharpest = |s: &Sample| if s.point.rho > 0.0 { convex } else { concave };
     let most = 20.0 * cam.follower.prime_radius();
     let bent = |s: &Sample| {
         if s.point.rho.abs() > most {
@@ -322,11 +328,9 @@ fn contour(design: &Design, samples: &[Sample]) -> Contour {
         centre_x: all(&|s| MM * (s.point.x - bent(s) * normal(s).cos())),
         centre_y: all(&|s| MM * (s.point.y - bent(s) * normal(s).sin())),
         radius: all(&|s| MM * bent(s)),
-        normal: all(&|s| normal(s).to_degrees()),
-        base: MM * cam.follower.base_radius(),
-        prime: MM * cam.follower.prime_radius(),
         pressure_angle: all(&|s| s.point.pressure_angle.to_degrees().abs()),
         curvature: all(&|s| 1.0 / s.point.rho),
+        curvature_use: all(&|s| 100.0 * sharpest(s) / s.point.rho.abs()),
         force: all(&|s| s.force),
         hertz: all(&|s| hertz(design, s)),
     }

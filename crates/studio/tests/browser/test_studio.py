@@ -284,7 +284,7 @@ class Studio(unittest.TestCase):
 
     def seen_at_once(self, page):
         boxes = "all => all.map(e => e.getBoundingClientRect()).map(b => [b.top, b.bottom, b.left, b.right])"
-        seen = page.page.eval_on_selector_all("#stage, .chart > svg", boxes)
+        seen = page.page.eval_on_selector_all("#stage, .chart svg", boxes)
         self.assertGreaterEqual(len(seen), 10)
         for top, bottom, left, right in seen:
             self.assertTrue(top >= 0 and bottom <= 900 and left >= 0 and right <= 1400, (top, bottom, left, right))
