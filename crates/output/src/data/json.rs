@@ -163,6 +163,17 @@ struct CamSummary {
     pressure_angle_max_rad: f64,
     pressure_angle_min_rad: f64,
     face_width_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    second: Option<SecondCamSummary>,
+}
+
+/// The second cam of a pair.
+#[derive(Serialize)]
+struct SecondCamSummary {
+    base_radius_m: f64,
+    prime_radius_m: f64,
+    rho_min_m: Real,
+    rho_min_at_rad: f64,
 }
 
 /// What the design asks of a rigid machine without friction.
@@ -324,6 +335,15 @@ impl CamSummary {
             pressure_angle_max_rad: phi_max.value,
             pressure_angle_min_rad: phi_min.value,
             face_width_m: cam.face_width(),
+            second: synthesis.conjugate.as_ref().map(|pair| {
+                let (second, convex) = (&pair.second, pair.second.curvature().convex);
+                SecondCamSummary {
+                    base_radius_m: second.follower.base_radius(),
+                    prime_radius_m: second.follower.prime_radius(),
+                    rho_min_m: Real(convex.value),
+                    rho_min_at_rad: convex.at,
+                }
+            }),
         }
     }
 }
