@@ -147,6 +147,12 @@ impl Interpretation {
         all
     }
 
+    /// The warnings that open a question.
+    pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
+        let opens = |n: &&Note| n.doubt() == Some(question);
+        self.warnings.iter().filter(opens).cloned().collect()
+    }
+
     /// Codes of the warnings, each once, in the order in which they stand.
     pub fn codes(&self) -> Vec<&'static str> {
         let mut all: Vec<&str> = Vec::new();

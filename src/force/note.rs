@@ -281,6 +281,25 @@ impl Note {
             _ => None,
         }
     }
+
+    /// Keys of the section `gait` that settle what the note leaves open, the likeliest first.
+    pub fn settled_by(&self) -> &'static [&'static str] {
+        match self {
+            Note::KindDiffers { .. } => &["gait.kind"],
+            Note::DutyImplausible { .. } => &["gait.kind", "gait.rate"],
+            Note::CountOrMilliseconds { .. }
+            | Note::DurationsLost { .. }
+            | Note::RatesDiffer { .. } => &["gait.rate"],
+            Note::StrideAssumed { .. } => &["gait.mass", "gait.period", "gait.span"],
+            Note::StrideImplausible { .. } => &["gait.rate", "gait.kind"],
+            Note::UnitUnconfirmed { .. } => &["gait.unit", "gait.mass"],
+            Note::PeakImplausible { .. } => &["gait.mass", "gait.unit", "gait.kind"],
+            Note::MeanForceNotWeight { .. } => &["gait.mass", "gait.unit", "gait.feet"],
+            Note::MassImplausible { .. } => &["gait.unit", "gait.feet"],
+            Note::StancesDiffer { .. } => &["gait.force", "gait.feet"],
+            _ => &[],
+        }
+    }
 }
 
 impl fmt::Display for Note {

@@ -22,7 +22,7 @@ use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Result, SynthError};
-use crate::force::{ForceCurve, OpenQuestion, implausible, spread_rms_n};
+use crate::force::{self, ForceCurve, OpenQuestion, implausible, spread_rms_n};
 use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
@@ -74,7 +74,7 @@ pub struct Problem {
     /// The law has to stay above the base circle; dropped only to show what demands ask that cannot.
     pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
-    pub open_doubts: Vec<OpenQuestion>,
+    pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Numbers of spans already found for this force and law.
     pub spans: SpanMemo,
     /// When searches are to end.
@@ -167,7 +167,7 @@ impl Problem {
             machine: scene.machine.clone(),
             accuracy: scene.rms,
             above_base_circle: true,
-            open_doubts: open_doubts(gait, force.as_ref()),
+            open_questions: open_questions(gait, force.as_ref()),
             spans: SpanMemo::default(),
             halt: Halt::never(),
             only_passing: false,
@@ -482,15 +482,20 @@ impl Problem {
     }
 }
 
-/// What is open about a recording and was not accepted by the scene.
-pub(crate) fn open_doubts(gait: Option<&Gait>, force: Option<&ForceCurve>) -> Vec<OpenQuestion> {
+/// What is open about a recording and was not accepted by the scene, with what opens it.
+pub(crate) fn open_questions(
+    gait: Option<&Gait>,
+    force: Option<&ForceCurve>,
+) -> Vec<(OpenQuestion, Vec<force::Note>)> {
     let recording = force.and_then(|f| f.recording.as_ref());
     let (Some(gait), Some(recording)) = (gait, recording) else {
         return Vec::new();
     };
     let mut open = recording.doubts();
     open.retain(|d| !gait.accept.contains(d));
-    open
+    open.into_iter()
+        .map(|question| (question, recording.opened_by(question)))
+        .collect()
 }
 
 /// Smallest base radius that the hole for the shaft leaves, m.

@@ -16,7 +16,7 @@ use super::results::{Results, Row};
 use crate::error::{Error, Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
-use crate::problem::open_doubts;
+use crate::problem::open_questions;
 use crate::problem::{Shared, SpanMemo};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::synth::spectral::{self, HarmonicTarget};
@@ -306,7 +306,7 @@ impl<'a> Kernel<'a> {
         let gait = scene.gait.as_ref()?;
         let Source::Model(name) = &gait.source else {
             let curve = (self.targets)(index, scene).ok()?;
-            if !open_doubts(Some(gait), Some(&curve)).is_empty() {
+            if !open_questions(Some(gait), Some(&curve)).is_empty() {
                 return None;
             }
             return Some((HarmonicTarget::of_curve(curve)?, false));

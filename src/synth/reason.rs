@@ -6,6 +6,7 @@ use strum::VariantNames;
 use super::named::dimension;
 use super::qp::{Demand, Stop};
 use crate::cam::{Criterion, Measures};
+use crate::force::Note;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
@@ -25,11 +26,20 @@ pub enum Reason {
         error: Quantity,
     },
     /// What the recording is of is open.
-    RecordingKind,
+    RecordingKind {
+        because: Vec<Note>,
+        keys: Vec<&'static str>,
+    },
     /// How long a stride of the recording lasts is open.
-    RecordingClock,
+    RecordingClock {
+        because: Vec<Note>,
+        keys: Vec<&'static str>,
+    },
     /// How large the forces of the recording are is open.
-    RecordingMass,
+    RecordingMass {
+        because: Vec<Note>,
+        keys: Vec<&'static str>,
+    },
     /// The lift jumps.
     LiftJumps { at: Quantity },
     /// The velocity jumps.
@@ -109,6 +119,8 @@ pub enum Reason {
         value: Quantity,
         allowed: Quantity,
     },
+    /// A limit on a derivative that is infinite, since the one below it jumps.
+    LimitUnbounded { limit: Criterion, at: Quantity },
     /// Demands that contradict each other as equations.
     DemandsContradict { demands: Vec<Demand> },
     /// Demands that no law on or above the base circle meets together.

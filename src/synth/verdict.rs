@@ -6,7 +6,7 @@ use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
-use crate::force::OpenQuestion;
+use crate::force::{Note, OpenQuestion};
 use crate::problem::Problem;
 use crate::units::{Dimension, Quantity};
 
@@ -18,7 +18,7 @@ pub fn verdict(
     force: &ForceReport,
 ) -> (Verdict, Vec<Reason>) {
     let mut bad: Vec<Reason> = mean_force(problem, force).into_iter().collect();
-    bad.extend(problem.open_doubts.iter().map(|d| open(*d)));
+    bad.extend(problem.open_questions.iter().cloned().map(open));
     bad.extend([0, 1].into_iter().filter_map(|k| jump(cam, k)));
     let mut failed: Vec<&Check> = checks.iter().filter(|c| !c.pass).collect();
     failed.sort_by_key(|c| severity(c.name));
@@ -48,11 +48,17 @@ pub fn mean_force(problem: &Problem, force: &ForceReport) -> Option<Reason> {
 }
 
 /// What is open about the recording as a reason.
-fn open(doubt: OpenQuestion) -> Reason {
-    match doubt {
-        OpenQuestion::Kind => Reason::RecordingKind,
-        OpenQuestion::Clock => Reason::RecordingClock,
-        OpenQuestion::Mass => Reason::RecordingMass,
+fn open((question, because): (OpenQuestion, Vec<Note>)) -> Reason {
+    let mut keys: Vec<&'static str> = Vec::new();
+    for key in because.iter().flat_map(|note| note.settled_by()) {
+        if !keys.contains(key) {
+            keys.push(key);
+        }
+    }
+    match question {
+        OpenQuestion::Kind => Reason::RecordingKind { because, keys },
+        OpenQuestion::Clock => Reason::RecordingClock { because, keys },
+        OpenQuestion::Mass => Reason::RecordingMass { because, keys },
     }
 }
 
@@ -204,6 +210,7 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
             allowed,
         },
         Criterion::Band => Reason::OutsideBand { at, excess: value },
+        limit if check.worst.is_infinite() => Reason::LimitUnbounded { limit, at },
         limit => Reason::LimitBroken {
             limit,
             at,

@@ -45,17 +45,18 @@ pub fn relaxed_with(
     halt: &Halt,
 ) -> Design {
     // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
-    let hopeless = matches!(
-        design.reasons.first(),
-        Some(
+    let hopeless = design.reasons.iter().any(|reason| {
+        matches!(
+            reason,
             Reason::MeanForce { .. }
-                | Reason::RecordingKind
-                | Reason::RecordingClock
-                | Reason::RecordingMass
+                | Reason::RecordingKind { .. }
+                | Reason::RecordingClock { .. }
+                | Reason::RecordingMass { .. }
                 | Reason::LiftJumps { .. }
                 | Reason::VelocityJumps { .. }
+                | Reason::LimitUnbounded { .. }
         )
-    );
+    });
     match Problem::settle(scene, force) {
         Ok(mut problem) if !hopeless && !passes(&design) => {
             problem.halt = halt.clone();

@@ -1,9 +1,9 @@
 # Reasons for the verdict on a design.
 reason-all-hold = All limits are satisfied; lift, velocity and acceleration are continuous over the whole cycle.
 reason-mean-force = The mean target force is { $mean }, but the weight of the mass is { $weight }. A cam cannot change the mean force over a turn, so the force error is at least { $error } RMS. Set drive.mass = "auto" or gait.scale = "to-mass".
-reason-recording-kind = It is open whether the recording is of walking (see the notes). Set gait.kind, or gait.accept = "kind" if it is right.
-reason-recording-clock = The time scale of the recording is open (see the notes). Set gait.rate or gait.mass, or gait.accept = "clock" if it is right.
-reason-recording-mass = The mass of the walker and the size of the forces are open (see the notes). Set gait.mass and gait.unit, or gait.accept = "mass" if they are right.
+reason-recording-kind = The kind of movement in the recording is not certain: { $because }. Set { $keys }, or gait.accept = "kind" if it is right as it is.
+reason-recording-clock = The time scale of the recording is not certain: { $because }. Set { $keys }, or gait.accept = "clock" if it is right as it is.
+reason-recording-mass = The mass of the walker and the size of the forces are not certain: { $because }. Set { $keys }, or gait.accept = "mass" if they are right as they are.
 reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execute it. Prescribe the same lift on both sides.
 reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }: infinite jerk, and vibration at high speed.
@@ -26,6 +26,7 @@ reason-force-error = The force error is { $error } RMS; the maximum is { $allowe
 reason-below-base-circle = The law falls { $depth } below the base circle at { $at }.
 reason-prime-radius = The cam needs a prime radius of { $needed }; the maximum is { $allowed }. Allow a larger pressure angle or a larger force error.
 reason-outside-band = The force is outside its band by { $excess } at { $at }. Widen the band, or allow more spans.
+reason-limit-unbounded = The { $limit } is infinite at { $at }, because the derivative before it jumps there: no value of this limit is sufficient. Use a law that is continuous there, or remove the limit.
 reason-limit-broken = The limit { $limit } is violated at { $at }: the value is { $value }, the limit { $allowed }.
 
 # Notes on problem and design beside the verdict.

@@ -1,9 +1,9 @@
 # Razones del veredicto sobre un diseño.
 reason-all-hold = Se cumplen todos los límites; elevación, velocidad y aceleración son continuas en todo el ciclo.
 reason-mean-force = La fuerza objetivo media es { $mean }, pero el peso de la masa es { $weight }. Una leva no puede cambiar la fuerza media de una vuelta, de modo que el error de fuerza es como mínimo { $error } RMS. Fije drive.mass = "auto" o gait.scale = "to-mass".
-reason-recording-kind = No está claro que el registro sea de marcha (véanse las notas). Indique gait.kind, o gait.accept = "kind" si es correcto.
-reason-recording-clock = La escala de tiempo del registro no está clara (véanse las notas). Indique gait.rate o gait.mass, o gait.accept = "clock" si es correcta.
-reason-recording-mass = La masa de la persona y la magnitud de las fuerzas no están claras (véanse las notas). Indique gait.mass y gait.unit, o gait.accept = "mass" si son correctas.
+reason-recording-kind = No está claro qué movimiento contiene el registro: { $because }. Indique { $keys }, o gait.accept = "kind" si es correcto tal como está.
+reason-recording-clock = La escala de tiempo del registro no está clara: { $because }. Indique { $keys }, o gait.accept = "clock" si es correcta tal como está.
+reason-recording-mass = La masa de la persona y la magnitud de las fuerzas no están claras: { $because }. Indique { $keys }, o gait.accept = "mass" si son correctas tal como están.
 reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor puede realizarla. Prescriba la misma elevación a ambos lados.
 reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
@@ -26,6 +26,7 @@ reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allo
 reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.
 reason-prime-radius = La leva necesita un radio primario de { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayor.
 reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
+reason-limit-unbounded = La magnitud «{ $limit }» es infinita en { $at }, porque la derivada anterior es discontinua allí: ningún valor de este límite es suficiente. Use una ley continua en ese punto o elimine el límite.
 reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value } y el límite { $allowed }.
 
 # Notas sobre el problema y el diseño, además del veredicto.

@@ -107,6 +107,52 @@ fn a_clock_that_may_count_samples_is_refused_until_the_user_answers() {
 }
 
 #[test]
+fn a_single_stance_names_what_was_assumed_and_the_keys_that_settle_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("heel.csv");
+    let rows = (0..680).map(|i| {
+        let t = f64::from(i) / 1000.0 - 0.01;
+        let force = if (0.0..0.66).contains(&t) {
+            walking(t)
+        } else {
+            0.0
+        };
+        format!("{:.3},{force:.2}\n", f64::from(i) / 1000.0)
+    });
+    fs::write(
+        &path,
+        "time_s,force_N\n".to_string() + &rows.collect::<String>(),
+    )
+    .unwrap();
+    let file = path.display().to_string();
+    let (exit, json) = synth(&file, &["gait.feet=both"]);
+    assert_eq!(exit, 3);
+    let clock = json["reasons"].as_array().unwrap().iter();
+    let clock = clock
+        .clone()
+        .find(|r| r["code"] == "reason-recording-clock");
+    let clock = clock.unwrap_or_else(|| panic!("{}", json["reasons"]));
+    assert!(clock["because"][0]["stride-assumed"].is_object(), "{clock}");
+    assert_eq!(clock["keys"][0], "gait.mass");
+    // The mass carried over one stride gives its duration: 1.1 s at 70 kg.
+    let (_, json) = synth(&file, &["gait.feet=both", "gait.mass=70 kg"]);
+    assert!(
+        !has_reason(&json, "reason-recording-clock"),
+        "{}",
+        json["reasons"]
+    );
+    let period = json["recording"]["period_s"].as_f64().unwrap();
+    let impulse = (0..66_000)
+        .map(|i| walking(f64::from(i) * 1e-5) * 1e-5)
+        .sum::<f64>();
+    let expected = 2.0 * impulse / (70.0 * 9.80665);
+    assert!(
+        (period / expected - 1.0).abs() < 0.01,
+        "{period} {expected}"
+    );
+}
+
+#[test]
 fn a_sweep_over_recordings_says_in_each_row_what_was_warned_of() {
     let folder = tempfile::tempdir().unwrap();
     write(
