@@ -26,7 +26,7 @@ reason-force-error = The force error is { $error } RMS; the maximum is { $allowe
 reason-below-base-circle = The law falls { $depth } below the base circle at { $at }.
 reason-prime-radius = The cam needs a prime radius of { $needed }; the maximum is { $allowed }. Allow a larger pressure angle or a larger force error.
 reason-outside-band = The force is outside its band by { $excess } at { $at }. Widen the band, or allow more spans.
-reason-limit-unbounded = The { $limit } is infinite at { $at }, because the derivative before it jumps there: no value of this limit is sufficient. Use a law that is continuous there, or remove the limit.
+reason-limit-unbounded = The { $limit } is infinite at { $at }: the next lower derivative is discontinuous there, and no value of this limit is sufficient. Use a law without that discontinuity, or remove the limit.
 reason-limit-broken = The limit { $limit } is violated at { $at }: the value is { $value }, the limit { $allowed }.
 
 # Notes on problem and design beside the verdict.

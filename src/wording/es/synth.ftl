@@ -26,7 +26,7 @@ reason-force-error = El error de fuerza es { $error } RMS; el máximo es { $allo
 reason-below-base-circle = La ley baja { $depth } por debajo del círculo base en { $at }.
 reason-prime-radius = La leva necesita un radio primario de { $needed }; el máximo es { $allowed }. Admita un ángulo de presión o un error de fuerza mayor.
 reason-outside-band = La fuerza queda fuera de su banda en { $excess } en { $at }. Amplíe la banda o admita más tramos.
-reason-limit-unbounded = La magnitud «{ $limit }» es infinita en { $at }, porque la derivada anterior es discontinua allí: ningún valor de este límite es suficiente. Use una ley continua en ese punto o elimine el límite.
+reason-limit-unbounded = La magnitud «{ $limit }» es infinita en { $at }: la derivada de orden inferior es discontinua en ese punto y ningún valor de este límite es suficiente. Use una ley sin esa discontinuidad o elimine el límite.
 reason-limit-broken = No se cumple el límite «{ $limit }» en { $at }: el valor es { $value } y el límite { $allowed }.
 
 # Notas sobre el problema y el diseño, además del veredicto.
