@@ -1,6 +1,6 @@
 //! What the hand-over costs, file by file and together.
 
-#[path = "../crates/output/tests/it/designs/mod.rs"]
+#[path = "../crates/output/tests/it/designs.rs"]
 mod designs;
 
 use divan::{Bencher, black_box};

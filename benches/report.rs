@@ -12,7 +12,7 @@ use gaitcam::cam::{Cam, Follower, smallest_prime_circle};
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, Limits};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::{Error, Result};

@@ -4,8 +4,8 @@
 use std::error::Error;
 use std::f64::consts::TAU;
 
-use gaitcam::force::ForceCurve;
-use gaitcam::{scene, synth};
+use gaitcam::scene::{CamSpec, Gait};
+use gaitcam::{ForceCurve, LimitKind, Limits, Scene, synthesise};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     // One cycle of 0.8 s: 500 N with two harmonics, at equal steps of time.
@@ -15,9 +15,17 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     });
     let target = ForceCurve::from_samples("two harmonics", 0.8, samples.collect())?;
 
-    let mut table: toml::Table = scene::DEFAULT.parse()?;
-    scene::set(&mut table, "limits.stroke=100 mm")?;
-    let design = synth::synthesise(&scene::read(&table)?, Some(&target))?;
+    // The cam carries the mass whose weight is the mean force; it turns once a cycle.
+    let limits = Limits::default()
+        .with(LimitKind::Stroke, 0.100)
+        .with(LimitKind::Curvature, 0.005);
+    let scene = Scene::default()
+        .named("two harmonics")
+        .with_gait(Gait::given())
+        .with_cam(CamSpec::default().with_bore(0.012))
+        .with_limits(limits)
+        .with_accuracy(0.005);
+    let design = synthesise(&scene, Some(&target))?;
 
     let (law, cam) = (&design.cam.law, &design.cam);
     println!("{}: {}", design.name, design.verdict.name());

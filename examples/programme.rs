@@ -3,45 +3,43 @@
 //! `cargo run --release --example programme`
 use std::error::Error;
 
-use gaitcam::cam::{Cam, Continuity, Follower};
-use gaitcam::law::{Extent, Rise, Segment, program};
+use gaitcam::cam::Continuity;
+use gaitcam::law::Rise;
+use gaitcam::scene::{CamSpec, DriveSpec, LawSpec, SegmentSpec};
+use gaitcam::{FollowerKind, LimitKind, Limits, Scene, synthesise};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
     // Up 20 mm in 120°, dwell, down in 90°, dwell.
-    let segment = |motion, lift, degrees: f64| Segment {
-        motion,
-        lift,
-        angle: degrees.to_radians(),
-    };
-    let law = program(
-        &[
-            segment(Rise::from_name("cycloidal")?, 0.020, 120.0),
-            segment(Rise::Dwell, 0.0, 60.0),
-            segment(Rise::from_name("modified-sine")?, -0.020, 90.0),
-            segment(Rise::Dwell, 0.0, 90.0),
-        ],
-        Extent::TURN,
-    )?;
-    let follower = Follower::RollerTranslating {
-        prime_radius: 0.050,
-        offset: 0.0,
-        roller_radius: 0.010,
-    };
-    let cam = Cam::new(law, follower)?;
+    let angle = f64::to_radians;
+    let law = LawSpec::program(vec![
+        SegmentSpec::new(Rise::Cycloidal, 0.020, angle(120.0)),
+        SegmentSpec::dwell(angle(60.0)),
+        SegmentSpec::new(Rise::ModifiedSine, -0.020, angle(90.0)),
+        SegmentSpec::dwell(angle(90.0)),
+    ]);
+    let cam = CamSpec::new(FollowerKind::RollerTranslating)
+        .with_prime_radius(0.050)
+        .with_offset(0.0)
+        .with_roller(0.010);
+    let scene = Scene::default()
+        .named("two dwells")
+        .with_drive(DriveSpec::fixed_axis(0.5, 2000.0).with_speed(10.0))
+        .with_law(law)
+        .with_cam(cam)
+        .with_limits(Limits::default().with(LimitKind::PressureAngle, angle(30.0)));
+    let design = synthesise(&scene, None)?;
 
-    let (fall, rise) = cam.pressure_angle_extremes();
-    let sharpest = cam.curvature().convex;
-    println!("{:?}", Continuity::of(&cam));
-    println!(
-        "pressure angle {:.2}° … {:.2}°",
-        fall.value.to_degrees(),
-        rise.value.to_degrees()
-    );
-    println!(
-        "smallest convex radius {:.2} mm at {:.1}°",
-        1e3 * sharpest.value,
-        sharpest.at.to_degrees()
-    );
-    assert!(!cam.curvature().undercut);
+    println!("{}: {}", design.name, design.verdict.name());
+    for check in &design.checks {
+        let outcome = if check.pass { "ok" } else { "fails" };
+        println!(
+            "{outcome:<6} {} at {:.1}°",
+            check.name,
+            check.at.to_degrees()
+        );
+    }
+    let continuity = Continuity::of(&design.cam);
+    assert!(continuity.s && continuity.v && continuity.a);
+    assert!(!design.cam.curvature().undercut);
     Ok(())
 }

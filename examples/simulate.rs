@@ -3,22 +3,26 @@
 //! `cargo run --release --example simulate`
 use std::error::Error;
 
-use gaitcam::dynamics::{Model, Run, simulate};
-use gaitcam::force::{Feet, model};
-use gaitcam::{scene, synth};
+use gaitcam::dynamics::{Model, Run};
+use gaitcam::scene::{CamSpec, Gait};
+use gaitcam::{Scene, simulate, synthesise};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let scene = scene::read(&scene::DEFAULT.parse()?)?;
-    let target = model("young", Some(1.85), 700.0, Feet::Both)?;
-    let design = synth::synthesise(&scene, Some(&target))?;
+    let walker = Gait::model("young")
+        .with_step_frequency(1.85)
+        .with_body_weight(700.0);
+    let scene = Scene::default()
+        .with_gait(walker)
+        .with_cam(CamSpec::default().with_bore(0.012))
+        .with_accuracy(0.005);
+    let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+
     let run = Run::new(design.cam.clone(), design.drive, 1440);
     let outcome = simulate(&run, Model::Auto)?;
     println!("model: {}", outcome.model.name());
-    println!(
-        "force {:.1} … {:.1} N",
-        outcome.force.min, outcome.force.max
-    );
+    let force = outcome.force;
+    println!("force {:.1} … {:.1} N", force.min, force.max);
     assert!(!outcome.contact_lost);
-    assert!((outcome.force.max - design.force.max_n).abs() < 0.01 * design.force.max_n);
+    assert!((force.max - design.force.max_n).abs() < 0.01 * design.force.max_n);
     Ok(())
 }

@@ -3,16 +3,17 @@
 //! `cargo run --release --example sweep`
 use std::error::Error;
 
-use gaitcam::force::{Feet, model};
-use gaitcam::{scene, synth};
+use gaitcam::error::Result;
+use gaitcam::scene::{CamSpec, Gait};
+use gaitcam::{Scene, synthesise};
 use rayon::prelude::*;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub fn main() -> std::result::Result<(), Box<dyn Error>> {
     let frequencies: Vec<f64> = (0..8).map(|i| 1.5 + 0.1 * f64::from(i)).collect();
-    let strokes = frequencies
+    let strokes: Vec<f64> = frequencies
         .par_iter()
         .map(|&frequency| stroke(frequency))
-        .collect::<gaitcam::error::Result<Vec<f64>>>()?;
+        .collect::<Result<_>>()?;
     for (frequency, stroke) in frequencies.iter().zip(&strokes) {
         println!("{frequency:.1} Hz: {:.2} mm", 1e3 * stroke);
     }
@@ -22,10 +23,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Stroke of the cam for a walker of 700 N at a step frequency.
-fn stroke(frequency: f64) -> gaitcam::error::Result<f64> {
-    let mut table = scene::DEFAULT.parse().unwrap_or_default();
-    scene::set(&mut table, &format!("gait.step_frequency={frequency} Hz"))?;
-    let target = model("young", Some(frequency), 700.0, Feet::Both)?;
-    let design = synth::synthesise(&scene::read(&table)?, Some(&target))?;
+fn stroke(frequency: f64) -> Result<f64> {
+    let walker = Gait::model("young")
+        .with_step_frequency(frequency)
+        .with_body_weight(700.0);
+    let scene = Scene::default()
+        .with_gait(walker)
+        .with_cam(CamSpec::default().with_bore(0.012))
+        .with_accuracy(0.005);
+    let design = synthesise(&scene, scene.model_force()?.as_ref())?;
     Ok(design.cam.law.stroke())
 }

@@ -2,9 +2,21 @@
 
 use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
+use serde::Serialize;
 
 /// Which machine stands between the cam and the force.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// ```
+/// use gaitcam::drive::{Drive, DriveKind};
+///
+/// // F = (P/V)·A²·s: a hydraulic drive is a spring of (P/V)·(πr²)².
+/// let drive = Drive::hydraulic(2e9, 0.01, 5.0);
+/// assert_eq!(drive.kind, DriveKind::Hydraulic);
+/// let area = std::f64::consts::PI * 1e-4;
+/// assert!((drive.spring_rate / (2e9 * area * area) - 1.0).abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum DriveKind {
     /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
@@ -40,7 +52,7 @@ impl DriveKind {
 /// let drive = Drive::fixed_axis(0.5, 2000.0, 10.0).with_preload(30.0);
 /// assert_eq!(drive.force(Svaj { s: 0.01, v: 0.0, a: 0.0, j: 0.0 }), 50.0);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drive {
     /// The machine.
     pub kind: DriveKind,

@@ -25,26 +25,30 @@
 //! # From end to end
 //!
 //! ```
-//! use gaitcam::{force, scene, synthesise};
+//! use gaitcam::scene::{CamSpec, Gait};
+//! use gaitcam::{LimitKind, Limits, Scene, synthesise};
 //!
-//! let table: toml::Table = scene::DEFAULT.parse()?;
-//! let scene = scene::read(&table)?;
-//! let target = force::model("young", Some(1.85), 700.0, force::Feet::Both)?;
-//! let design = synthesise(&scene, Some(&target))?;
+//! let scene = Scene::default()
+//!     .with_gait(Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0))
+//!     .with_cam(CamSpec::default().with_bore(0.012))
+//!     .with_limits(Limits::default().with(LimitKind::Curvature, 0.005))
+//!     .with_accuracy(0.005);
+//! let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 //!
 //! assert!(design.force.rms_error_percent_of_mean <= 0.5);
 //! assert!((design.cam.law.stroke() - 0.0492).abs() < 0.0002);
 //! assert!(design.checks.iter().all(|check| check.pass));
 //! let contact = design.cam.point(1.0); // where cam and follower touch at θ = 1 rad
 //! assert!(contact.rho > 0.005);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), gaitcam::error::Error>(())
 //! ```
 //!
 //! # The modules
 //!
 //! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
 //! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
-//! downwards only.
+//! downwards only. What is hidden from these pages (`synth::qp`, `dynamics::contact` …) serves the project's own
+//! evidence and benchmarks and may change at any time.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 

@@ -7,6 +7,15 @@ use serde::ser::{SerializeStruct, Serializer};
 pub(crate) type Exponents = [i32; 4];
 
 /// What a number measures.
+///
+/// ```
+/// use gaitcam::units::{Dimension, parse};
+///
+/// assert_eq!(Dimension::SpringRate.si(), "N/m");
+/// assert_eq!(parse("2 in", Dimension::Length)?, 0.0508);
+/// assert!(parse("2 in", Dimension::Mass).is_err());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs)] // the names are the documentation
 pub enum Dimension {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use gaitcam::error::{Place, Result};
+use gaitcam::error::{Placed, Result};
 use gaitcam::problem::Shared;
 use gaitcam::scene;
 use gaitcam::synth::{relaxed_with, synthesise_with};
@@ -102,10 +102,7 @@ fn made(
         None => input.target()?,
     };
     let target = force.map(|f| &f.curve).or(named.as_ref());
-    let shared = Shared {
-        halt: interrupt.halt(),
-        ..Shared::default()
-    };
+    let shared = Shared::until(interrupt.halt());
     let begun = interrupt.elapsed_s();
     let design = synthesise_with(&input.scene, target, &shared)?;
     let solve_s = interrupt.elapsed_s() - begun;
@@ -211,9 +208,7 @@ pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
 fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
     if let Ok(text) = given.extract::<String>() {
         let value = parse(&text, Dimension::Length);
-        return value
-            .map_err(|e| e.at(Place::Key(name.to_string())))
-            .raise(given.py());
+        return value.map_err(|e| e.at_key(name)).raise(given.py());
     }
     given.extract()
 }

@@ -1,6 +1,6 @@
 //! Faults as Python exceptions: what is wrong, at which key, what would be right.
 
-use gaitcam::error::{Error, Place};
+use gaitcam::error::{Error, Place, Placed};
 use gaitcam::wording::Language;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -65,6 +65,6 @@ impl<T> Raise<T> for gaitcam::error::Result<T> {
 
 /// A fault of an argument that only Python can have.
 pub fn argument(py: Python<'_>, name: &str, what: String) -> PyErr {
-    let fault = Error::own("python-argument", what).at(Place::Key(name.to_string()));
+    let fault = Error::own("python-argument", what).at_key(name);
     raised(py, fault)
 }

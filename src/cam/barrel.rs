@@ -9,9 +9,23 @@ use crate::error::{CamError, Result};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, stand_in};
 use crate::quantity::Quantity;
+use serde::Serialize;
 
 /// What runs in the groove.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use gaitcam::cam::{BarrelGroove, Rollers};
+/// use gaitcam::law::Law;
+///
+/// // A stud with two rollers of 5 mm, set off by ±0.2 mm: the groove is wide enough for both.
+/// let rollers = Rollers::TwoEccentric { radius: 0.005, eccentricity: 0.0002 };
+/// let law = Law::harmonic(0.0, &[(0.01, 0.0)]);
+/// let groove = BarrelGroove::new(law, 0.04, 0.05, rollers)?;
+/// assert_eq!(groove.roller_radius(), 0.005);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Rollers {
     /// One roller: it touches one wall at a time and changes its sense of rotation with it.
     One {
@@ -29,6 +43,18 @@ pub enum Rollers {
 }
 
 /// One side of the groove.
+///
+/// ```
+/// use gaitcam::cam::{BarrelGroove, Rollers, Wall};
+/// use gaitcam::law::Law;
+///
+/// // At rest both walls are parallels, one roller radius from the axis of the groove.
+/// let rest = Law::harmonic(0.0, &[]);
+/// let groove = BarrelGroove::new(rest, 0.04, 0.05, Rollers::One { radius: 0.005 })?;
+/// let [upper, lower] = [Wall::Upper, Wall::Lower].map(|wall| groove.wall_unrolled(1.0, 0.05, wall));
+/// assert!((upper[1] - lower[1] - 0.01).abs() < 1e-15);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wall {
     /// Towards +z: index 1 in Bautista Morelos (2018).
@@ -47,7 +73,19 @@ impl Wall {
 }
 
 /// A groove: law, depth and rollers.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// ```
+/// use gaitcam::cam::{BarrelGroove, Rollers};
+/// use gaitcam::law::Law;
+///
+/// // tan φ = s′/R: 20 mm cos θ on a radius of 50 mm is steepest at θ = 90°, where tan φ = 0.4.
+/// let law = Law::harmonic(0.0, &[(0.02, 0.0)]);
+/// let groove = BarrelGroove::new(law, 0.045, 0.055, Rollers::One { radius: 0.005 })?;
+/// let angle = groove.pressure_angle(std::f64::consts::FRAC_PI_2, 0.05);
+/// assert!((angle.tan().abs() - 0.4).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BarrelGroove {
     law: Law,
     inner: f64,

@@ -18,6 +18,19 @@ const PLACES: usize = 400;
 const PROFILE: usize = 1440;
 
 /// A plate with the cam's outline and its bore.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // An eccentric disc of 30 mm about (10 mm, 0): its area, and its centre of area.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let body = cam.body(None).unwrap();
+/// assert!((body.area - std::f64::consts::PI * 0.03 * 0.03).abs() < 1e-9);
+/// assert!((body.centroid[0] - 0.01).abs() < 1e-9 && body.centroid[1].abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanArea {
     /// Area, m².
@@ -27,6 +40,19 @@ pub struct PlanArea {
 }
 
 /// A round hole through the plate.
+///
+/// ```
+/// use gaitcam::cam::{Bore, Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // A disc of 31 mm about (1 mm, 0): the hole takes as much moment away as π R² e.
+/// let law = Law::harmonic(0.001, &[(0.0, 0.001)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.03 })?;
+/// let hole = cam.balance_hole(Some(Bore::plain(0.012))).unwrap();
+/// let taken = 0.25 * hole.diameter * hole.diameter * hole.centre[0];
+/// assert!((taken / (0.031 * 0.031 * 0.001) - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hole {
     /// Its centre in the cam's frame, m.

@@ -29,6 +29,15 @@ const WALL: f64 = 1e-3;
 const KEYED_WALL: f64 = 3e-3;
 
 /// The keyway in the hub.
+///
+/// ```
+/// use gaitcam::cam::Keyway;
+///
+/// // DIN 6885-1 for shafts above 17 mm, up to 22 mm: 6 mm wide, 2.8 mm deep in the hub.
+/// let keyway = Keyway::for_shaft(0.020).unwrap();
+/// assert_eq!((keyway.width, keyway.depth), (0.006, 0.0028));
+/// assert_eq!(Keyway::of_width(0.006), Some(keyway));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Keyway {
     /// Width, m.
@@ -74,6 +83,14 @@ impl Keyway {
 }
 
 /// The hole for the shaft about the centre of rotation; its keyway points along +y, towards θ = 0.
+///
+/// ```
+/// use gaitcam::cam::Bore;
+///
+/// let bore = Bore::plain(0.012);
+/// assert_eq!(bore.radius(), 0.006);
+/// assert!((bore.area() - std::f64::consts::PI * 0.006 * 0.006).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Bore {
     /// Diameter, m.

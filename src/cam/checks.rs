@@ -6,6 +6,18 @@ use super::Criterion;
 use crate::poly::Extreme;
 
 /// Where the finished profile is sharpest.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // An eccentric disc: one radius all around, nowhere hollow.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let curvature = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?.curvature();
+/// assert!((curvature.convex.value - 0.03).abs() < 1e-12);
+/// assert!(curvature.concave.is_none() && !curvature.undercut);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curvature {
     /// Smallest radius of the convex side, m, signed: negative means undercut. Infinite when no part is
@@ -27,7 +39,7 @@ pub struct Curvature {
 /// assert!(Check::at_most(LimitKind::Stroke, stroke, 0.05, 0.0).pass);
 /// assert!(!Check::at_most(LimitKind::Stroke, stroke, 0.049, 0.01).pass);
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
     /// What is checked.
     pub name: Criterion,

@@ -7,8 +7,21 @@
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
 use crate::error::{CamError, ErrorKind, Result};
 use crate::quantity::Quantity;
+use serde::Serialize;
 
 /// What closes the pair.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
+/// use gaitcam::law::Law;
+///
+/// // Faces 70 mm apart on a cam of base radius 20 mm and stroke 20 mm: the second has 30 mm.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let pair = Conjugate::new(&cam, Closure::Distance(0.07), None)?;
+/// assert!((pair.second.follower.base_radius() - 0.03).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Closure {
     /// Distance of both faces, or of both roller centres along the line of motion, m (translating).
@@ -20,7 +33,20 @@ pub enum Closure {
 }
 
 /// A pair of conjugate cams.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// ```
+/// use gaitcam::cam::{Cam, Closure, Conjugate, Follower};
+/// use gaitcam::law::Law;
+///
+/// // Both faces stay 70 mm apart over the whole turn.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let pair = Conjugate::new(&cam, Closure::SecondBaseRadius(0.03), None)?;
+/// assert!((pair.total - 0.07).abs() < 1e-12);
+/// assert!((pair.sum(1.0) - pair.total).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Conjugate {
     /// The cam that drives the rise.
     pub first: Cam,

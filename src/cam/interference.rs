@@ -6,6 +6,18 @@
 use super::{Cam, Follower};
 
 /// What touches the cam where it should not.
+///
+/// ```
+/// use gaitcam::cam::{Body, Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // A roller of 12 mm on a prime circle of 40 mm touches nothing else.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let follower = Follower::RollerTranslating { prime_radius: 0.04, offset: 0.0, roller_radius: 0.012 };
+/// let found = Cam::new(law, follower)?.interference(360, 0.0, 1e-6);
+/// assert!(found.iter().all(|i| i.body != Body::Roller));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Body {
     /// The roller or the mushroom's arc.
@@ -17,6 +29,17 @@ pub enum Body {
 }
 
 /// The worst interference of one body.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // The face of an eccentric disc lies along its edge and in no part of it.
+/// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?;
+/// assert!(cam.interference(360, 0.0, 1e-6).is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interference {
     /// What touches.

@@ -4,24 +4,18 @@
 //! point fixed in space is seen in the cam's frame turned by R(−θ) = [[cos θ, sin θ], [−sin θ, cos θ]].
 //! The profile is therefore traversed clockwise; curvature is positive where the cam is convex.
 
-mod arc_tangent;
 mod barrel;
 mod body;
 mod bore;
 mod checks;
 mod conjugate;
 mod continuity;
-mod fit;
 mod follower;
-mod follower_kind;
 mod geometry;
 mod inspect;
 mod interference;
-mod measures;
 mod profile;
-mod shape;
 mod size;
-mod space;
 
 pub use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
@@ -30,11 +24,9 @@ pub use bore::{Bore, Keyway};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
-pub use follower::Follower;
-pub use follower_kind::FollowerKind;
+pub use follower::{Follower, FollowerKind, Measures, Unit};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
-pub use measures::{Measures, Unit};
 pub use profile::ProfilePoint;
 pub use size::{
     PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,
@@ -42,6 +34,7 @@ pub use size::{
 
 use crate::error::Result;
 use crate::law::Law;
+use serde::Serialize;
 
 /// A law of motion on its follower.
 ///
@@ -57,7 +50,7 @@ use crate::law::Law;
 /// }
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cam {
     /// The law of motion; its lift is measured from the base (prime) circle.
     pub law: Law,

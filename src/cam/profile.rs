@@ -11,6 +11,20 @@ const NO_JUMP: f64 = 1e-9;
 /// One row of the profile; lengths in m, angles in rad.
 ///
 /// A translating cam and an unrolled barrel have their profile over the travel: x along it, y up.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // A roller of 10 mm at rest on its prime circle of 40 mm: a disc of 30 mm.
+/// let rest = Law::harmonic(0.0, &[]);
+/// let follower = Follower::RollerTranslating { prime_radius: 0.04, offset: 0.0, roller_radius: 0.01 };
+/// let point = Cam::new(rest, follower)?.point(1.0);
+/// assert!((point.x.hypot(point.y) - 0.03).abs() < 1e-15);
+/// assert!((point.pitch_x.hypot(point.pitch_y) - 0.04).abs() < 1e-15);
+/// assert!((point.rho - 0.03).abs() < 1e-15 && point.pressure_angle.abs() < 1e-15);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ProfilePoint {
     /// Cam angle at which this point touches the follower (m of travel for a translating cam).

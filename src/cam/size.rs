@@ -5,6 +5,17 @@ use crate::error::{CamError, Result};
 use crate::law::Law;
 
 /// A prime circle and the offset of the follower's line of motion, m.
+///
+/// ```
+/// use gaitcam::cam::smallest_prime_circle;
+/// use gaitcam::law::Law;
+///
+/// // s = h (1 − cos θ)/2 on the line through the centre: (v/tan φ − s) is largest where tan θ = −1/tan φ.
+/// let (h, tan) = (0.02, 30f64.to_radians().tan());
+/// let law = Law::harmonic(0.5 * h, &[(-0.5 * h, 0.0)]);
+/// let circle = smallest_prime_circle(&law, 30f64.to_radians(), 30f64.to_radians(), Some(0.0));
+/// assert!((circle.radius - 0.5 * h * ((1.0 / (tan * tan) + 1.0).sqrt() - 1.0)).abs() < 1e-9);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrimeCircle {
     /// Radius Rp = √(D² + e²).
@@ -64,6 +75,18 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
 }
 
 /// What a cam must keep while it shrinks.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower, SizeLimits, smallest_for};
+/// use gaitcam::law::Law;
+///
+/// // ρ = Rb + s + s″ of s = 20 mm + 20 mm cos 2θ is least at θ = 0: Rb + 40 − 80 mm.
+/// let law = Law::harmonic(0.02, &[(0.0, 0.0), (0.02, 0.0)]);
+/// let cam = Cam { law, follower: Follower::FlatTranslating { base_radius: 0.1 } };
+/// let limits = SizeLimits { rho_min: 0.005, ..SizeLimits::no_undercut() };
+/// assert!((smallest_for(&cam, &limits)? - 0.045).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeLimits {
     /// Least convex radius of the finished cam, m; 0 stops at the cusp.

@@ -10,26 +10,38 @@
 //! [`choose`] picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
 //! the end of a compliant follower moves as wanted.
 
-pub mod choose;
+mod choose;
+#[doc(hidden)]
 pub mod contact;
+#[doc(hidden)]
 pub mod flexible;
 mod models;
-pub mod outcome;
-pub mod piecewise_force;
+mod outcome;
+mod piecewise_force;
 mod prepared;
 mod reason;
+#[doc(hidden)]
 pub mod recover;
+#[doc(hidden)]
 pub mod report;
+#[doc(hidden)]
 pub mod rigid;
 mod rows;
 mod run;
 mod simulate;
+#[doc(hidden)]
 pub mod surface;
+#[doc(hidden)]
 pub mod thesis;
 
+pub use contact::impact::Pulse;
+pub use contact::{Impact, Limits as ContactLimits};
 pub use flexible::Train;
-pub use outcome::{Model, Outcome};
+pub use flexible::polydyne::Miss;
+pub use outcome::{Difference, Force, Model, Outcome, Pressure, Row, Torque};
 pub use reason::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
+pub use recover::{Emitted, recover};
 pub use rigid::hertz;
+pub use rigid::touch::{Touch, touch};
 pub use run::{Face, Machine, Run};
 pub use simulate::simulate;

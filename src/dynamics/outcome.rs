@@ -8,6 +8,13 @@ use super::rigid::hertz::LineContact;
 use crate::error::Error;
 
 /// Which model ran.
+///
+/// ```
+/// use gaitcam::dynamics::Model;
+///
+/// assert_eq!(Model::parse("contact"), Some(Model::Contact));
+/// assert_eq!(Model::Flexible.name(), "flexible");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
@@ -41,6 +48,22 @@ impl Model {
 }
 
 /// One row of `dynamics.csv`.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // The face of an eccentric disc rubs at the speed of the disc's edge less that of the lift: power is torque times ω.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?;
+/// for row in &outcome.rows {
+///     assert!((row.power - 3.0 * row.torque).abs() < 1e-9);
+///     assert_eq!(row.gap, 0.0);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Row {
     /// Cam angle, rad; over as many turns as the motion takes to repeat.
@@ -66,6 +89,19 @@ pub struct Row {
 }
 
 /// Extremes and error of the force, N.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // M (g ± ω²e)
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let force = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?.force;
+/// assert!((force.min - 97.2).abs() < 1e-4 && (force.max - 99.0).abs() < 1e-4);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Force {
     /// Smallest.
@@ -77,6 +113,19 @@ pub struct Force {
 }
 
 /// Torque of the shaft, N·m.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // Without friction nothing is used up over a turn.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let torque = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?.torque;
+/// assert!(torque.mean.abs() < 1e-9 && torque.max > 0.9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Torque {
     /// Smallest.
@@ -90,6 +139,23 @@ pub struct Torque {
 }
 
 /// What the next model up would change.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, Train, simulate};
+/// use gaitcam::law::Law;
+///
+/// // A stiff follower: the next model up changes next to nothing.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let drive = Drive::moving_axis(10.0, 9.81, 3.0);
+/// let mut run = Run::new(cam, drive, 720);
+/// run.machine.train = Some(Train::from_frequency(&drive, 200.0, 0.05)?);
+/// let next = simulate(&run, Model::Auto)?.next.unwrap();
+/// assert_eq!(next.model, Model::Flexible);
+/// assert!(next.force_max.abs() < 1e-3);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
     /// The model that was run for comparison.
@@ -107,6 +173,22 @@ pub struct Difference {
 }
 
 /// The highest line pressure and where it acts.
+///
+/// ```
+/// use gaitcam::dynamics::hertz::STEEL;
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Face, Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // An eccentric is equally curved all around: the pressure is highest where the force is, at its lowest point.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
+/// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
+/// let highest = simulate(&run, Model::Rigid)?.hertz.unwrap();
+/// assert!((highest.theta - 1.5 * std::f64::consts::PI).abs() < 0.01);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressure {
     /// Cam angle, rad.
@@ -116,6 +198,20 @@ pub struct Pressure {
 }
 
 /// What a run found.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // M (g − ω²e) = 0 at ω = √(g/e)
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let outcome = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Auto)?;
+/// assert!(!outcome.contact_lost);
+/// assert!((outcome.liftoff_speed.unwrap() / (9.81_f64 / 0.01).sqrt() - 1.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// The model whose numbers these are; never `Auto`.

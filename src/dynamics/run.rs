@@ -8,6 +8,15 @@ use crate::drive::Drive;
 
 /// What is known of the machine beyond its drive; the default is a rigid one without friction, with
 /// plastic landings and one cam.
+///
+/// ```
+/// use gaitcam::dynamics::Machine;
+///
+/// // A rigid machine without friction, with plastic landings and one cam.
+/// let machine = Machine::default();
+/// assert_eq!((machine.friction, machine.restitution), (0.0, 0.0));
+/// assert!(machine.train.is_none() && machine.second_cam.is_none());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Machine {
     /// The elastic train between cam and mass, where it is known.
@@ -46,6 +55,23 @@ impl Default for Machine {
 }
 
 /// Cylindrical surfaces that press on each other along a line.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::hertz::{STEEL, line, modulus};
+/// use gaitcam::dynamics::{Face, Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // A disc of 30 mm under a flat face, pressed by 100 N: Hertz's pressure of a line of 12 mm.
+/// let cam = Cam::new(Law::harmonic(0.0, &[]), Follower::FlatTranslating { base_radius: 0.03 })?;
+/// let mut run = Run::new(cam, Drive::fixed_axis(0.5, 1000.0, 10.0).with_preload(100.0), 720);
+/// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
+/// let found = simulate(&run, Model::Rigid)?.hertz.unwrap();
+/// let known = line(100.0, 0.012, 1.0 / 0.03, modulus(STEEL, STEEL));
+/// assert!((found.contact.pressure / known.pressure - 1.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Face {
     /// Length of the line, m: the thickness of the cam.

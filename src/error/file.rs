@@ -1,13 +1,19 @@
 //! Faults in reading scenes and recordings from files and in putting results into folders.
 
-use std::path::Path;
-
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind, Place};
+use super::{Error, ErrorKind};
 
 /// What is wrong with a file or folder. Texts in fields are what the system says.
+///
+/// ```
+/// use gaitcam::error::{FileError, Placed};
+///
+/// let error = FileError::NotUtf8.at_byte("walk.csv".as_ref(), 41);
+/// assert_eq!(error.kind.code(), "file-not-utf8");
+/// assert!(error.to_string().starts_with("walk.csv byte 41: "));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -31,22 +37,5 @@ pub enum FileError {
 impl From<FileError> for Error {
     fn from(e: FileError) -> Error {
         Error::from(ErrorKind::File(e))
-    }
-}
-
-impl FileError {
-    /// In a whole file.
-    pub fn file(self, path: &Path) -> Error {
-        Error::from(self).at(Place::File(path.to_path_buf()))
-    }
-
-    /// In one line of a file, counted from 1.
-    pub fn line(self, path: &Path, line: usize) -> Error {
-        Error::from(self).at(Place::Line(path.to_path_buf(), line))
-    }
-
-    /// At a byte of a file, counted from 0.
-    pub fn byte(self, path: &Path, offset: usize) -> Error {
-        Error::from(self).at(Place::Byte(path.to_path_buf(), offset))
     }
 }

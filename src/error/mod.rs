@@ -9,6 +9,7 @@ mod dynamics;
 mod file;
 mod force;
 mod law;
+mod place;
 mod read;
 mod scene;
 mod sweep;
@@ -17,7 +18,6 @@ mod units;
 mod write;
 
 use std::fmt;
-use std::path::PathBuf;
 
 use serde::Serialize;
 
@@ -28,6 +28,7 @@ pub use dynamics::DynamicsError;
 pub use file::FileError;
 pub use force::ForceError;
 pub use law::{JoinCure, LawError, SegmentName};
+pub use place::{Place, Placed};
 pub use read::{CycleColumn, FileKind, ReadError};
 pub use scene::SceneError;
 pub use sweep::SweepError;
@@ -35,40 +36,22 @@ pub use synth::SynthError;
 pub use units::UnitsError;
 pub use write::WriteError;
 
-/// Where in the input a fault was found.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Place {
-    /// Nothing to point at (for library callers who pass values).
-    Unplaced,
-    /// A whole file.
-    File(PathBuf),
-    /// One line of a text file, counted from 1.
-    Line(PathBuf, usize),
-    /// A byte offset in a binary file, counted from 0.
-    Byte(PathBuf, usize),
-    /// A dotted key of a scene, for example `limits.stroke`.
-    Key(String),
-    /// A flag or argument of the command line, for example `--set`.
-    Argument(String),
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Place::Unplaced => Ok(()),
-            Place::File(path) => write!(f, "{}: ", path.display()),
-            Place::Line(path, line) => write!(f, "{} line {line}: ", path.display()),
-            Place::Byte(path, offset) => write!(f, "{} byte {offset}: ", path.display()),
-            Place::Key(key) => write!(f, "{key}: "),
-            Place::Argument(flag) => write!(f, "{flag}: "),
-        }
-    }
-}
-
 /// What kind of fault it is, with its data.
 ///
 /// Each kind has a code (`law-uncovered`) that scripts and tests compare; sentences may change.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::error::ErrorKind;
+/// use gaitcam::law::Law;
+/// use gaitcam::wording::Language;
+///
+/// let follower = Follower::FlatTranslating { base_radius: -0.02 };
+/// let error = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), follower).unwrap_err();
+/// assert!(matches!(error.kind, ErrorKind::Cam(_)));
+/// assert_eq!(error.kind.code(), "cam-not-positive");
+/// assert!(!error.kind.sentence(Language::Es).is_empty());
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -207,6 +190,17 @@ impl ErrorKind {
 /// A fault in the input: where, and what kind.
 ///
 /// Displays as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
+///
+/// ```
+/// use gaitcam::error::{Error, Place};
+/// use gaitcam::force::{Feet, model};
+///
+/// let error = model("yung", Some(1.85), 700.0, Feet::Both).unwrap_err();
+/// assert_eq!((error.place.clone(), error.kind.code()), (Place::Unplaced, "force-misspelt-model".to_string()));
+/// assert!(error.to_string().contains("young"));
+/// // Callers may have faults of their own.
+/// assert_eq!(Error::own("no-cam", "there is no cam").what(), "there is no cam");
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Error {
     /// Where the fault is.
@@ -216,6 +210,17 @@ pub struct Error {
 }
 
 /// Result of everything that reads input.
+///
+/// ```
+/// use gaitcam::error::Result;
+/// use gaitcam::units::{Dimension, parse};
+///
+/// fn diameter(text: &str) -> Result<f64> {
+///     Ok(2.0 * parse(text, Dimension::Length)?)
+/// }
+/// assert_eq!(diameter("20 mm")?, 0.04);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl From<ErrorKind> for Error {

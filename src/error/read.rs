@@ -1,14 +1,19 @@
 //! What is wrong with a file of force.
 
-use std::path::Path;
-
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, Place};
 use crate::quantity::Quantity;
 
 /// Why a file cannot be read.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, ReadError};
+/// use gaitcam::force::{ReadOptions, read};
+///
+/// let error = read("walk.csv".as_ref(), b"", &ReadOptions::default()).unwrap_err();
+/// assert_eq!(error.kind, ErrorKind::Read(ReadError::Empty));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -113,9 +118,18 @@ pub enum ReadError {
 }
 
 /// Kinds of file that are told from their first bytes and not read.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, FileKind, ReadError};
+/// use gaitcam::force::{ReadOptions, read};
+///
+/// let error = read("walk.csv".as_ref(), b"%PDF-1.7", &ReadOptions::default()).unwrap_err();
+/// assert_eq!(error.kind, ErrorKind::Read(ReadError::Foreign { kind: FileKind::Pdf }));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
+#[non_exhaustive]
 pub enum FileKind {
     Zip,
     OldOffice,
@@ -130,27 +144,21 @@ pub enum FileKind {
 }
 
 /// A column that a cycle must have.
+///
+/// ```
+/// use gaitcam::error::{CycleColumn, ErrorKind, ReadError};
+/// use gaitcam::force::{ReadOptions, one_cycle};
+///
+/// let text = "# cycle, period_s = 1\ntime_s,height\n0,1\n0.5,2\n";
+/// let error = one_cycle("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default()).unwrap_err();
+/// let ErrorKind::Read(ReadError::CycleColumnMissing { column, .. }) = error.kind else { panic!("{error}") };
+/// assert_eq!(column, CycleColumn::Force);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
+#[non_exhaustive]
 pub enum CycleColumn {
     Time,
     Force,
-}
-
-impl ReadError {
-    /// The error in a whole file.
-    pub(crate) fn in_file(self, path: &Path) -> Error {
-        Error::from(self).at(Place::File(path.to_path_buf()))
-    }
-
-    /// The error in a line, counted from 1.
-    pub(crate) fn at_line(self, path: &Path, line: usize) -> Error {
-        Error::from(self).at(Place::Line(path.to_path_buf(), line))
-    }
-
-    /// The error at a byte, counted from 0.
-    pub(crate) fn at_byte(self, path: &Path, byte: usize) -> Error {
-        Error::from(self).at(Place::Byte(path.to_path_buf(), byte))
-    }
 }

@@ -3,10 +3,21 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind, Place};
+use super::{Error, ErrorKind};
 use crate::quantity::Quantity;
 
 /// What is wrong with a scene file. Texts in fields are as the user typed them.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, SceneError};
+/// use gaitcam::scene;
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let error = scene.with("limits.strok", "40 mm").unwrap_err();
+/// let ErrorKind::Scene(SceneError::NoSuchKey { nearest, .. }) = error.kind else { panic!("{error}") };
+/// assert_eq!(nearest.as_deref(), Some("stroke"));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -185,12 +196,5 @@ pub enum SceneError {
 impl From<SceneError> for Error {
     fn from(e: SceneError) -> Error {
         Error::from(ErrorKind::Scene(e))
-    }
-}
-
-impl SceneError {
-    /// The error at a key.
-    pub fn at_key(self, key: &str) -> Error {
-        Error::from(self).at(Place::Key(key.to_string()))
     }
 }

@@ -4,6 +4,14 @@ use serde::Serialize;
 use strum::VariantNames;
 
 /// What is wrong with a sweep. Texts in fields are as the user typed them.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, SweepError};
+/// use gaitcam::sweep::Axis;
+///
+/// let error = Axis::parse("limits.stroke", false).unwrap_err();
+/// assert!(matches!(error.kind, ErrorKind::Sweep(SweepError::NoAssignment { .. })));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

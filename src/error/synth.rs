@@ -4,10 +4,21 @@ use serde::Serialize;
 use serde_json::Value;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind, Place};
+use super::{Error, ErrorKind};
 use crate::quantity::Quantity;
 
 /// Why a design cannot be sought.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, SynthError};
+/// use gaitcam::scene::Gait;
+/// use gaitcam::{Scene, synthesise};
+///
+/// // A scene that names a force wants one.
+/// let scene = Scene::default().with_gait(Gait::model("young"));
+/// let error = synthesise(&scene, None).unwrap_err();
+/// assert_eq!(error.kind, ErrorKind::Synth(SynthError::ForceNotRead));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -102,12 +113,5 @@ pub enum SynthError {
 impl From<SynthError> for Error {
     fn from(e: SynthError) -> Error {
         Error::from(ErrorKind::Synth(e))
-    }
-}
-
-impl SynthError {
-    /// The error at a key.
-    pub fn at_key(self, key: &str) -> Error {
-        Error::from(self).at(Place::Key(key.to_string()))
     }
 }

@@ -4,6 +4,14 @@ use serde::Serialize;
 use strum::VariantNames;
 
 /// What is wrong with the text of a quantity. `example` is a right one.
+///
+/// ```
+/// use gaitcam::error::{ErrorKind, UnitsError};
+/// use gaitcam::units::{Dimension, parse};
+///
+/// let error = parse("2 parsec", Dimension::Length).unwrap_err();
+/// assert!(matches!(error.kind, ErrorKind::Units(UnitsError::UnknownUnit { unit, .. }) if unit == "parsec"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -1,14 +1,21 @@
 //! Faults in handing a design over: files, drawings and solids.
 
-use std::path::Path;
-
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind, Place};
+use super::{Error, ErrorKind};
 use crate::quantity::Quantity;
 
 /// Why a file cannot be made or written.
+///
+/// ```
+/// use gaitcam::error::{Placed, WriteError};
+/// use gaitcam::units::Quantity;
+///
+/// let error = WriteError::PlateThickness { thickness: Quantity::length(0.0) }.in_file("cam.stl".as_ref());
+/// assert_eq!(error.kind.code(), "write-plate-thickness");
+/// assert!(error.to_string().starts_with("cam.stl: "));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -31,12 +38,5 @@ pub enum WriteError {
 impl From<WriteError> for Error {
     fn from(e: WriteError) -> Error {
         Error::from(ErrorKind::Write(e))
-    }
-}
-
-impl WriteError {
-    /// The error in a whole file.
-    pub fn file(self, path: &Path) -> Error {
-        Error::from(self).at(Place::File(path.to_path_buf()))
     }
 }

@@ -1,5 +1,6 @@
 //! One cycle of wanted vertical force.
 
+use serde::{Serialize, Serializer};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -18,7 +19,18 @@ const THIRD: f64 = 1.0 / 3.0;
 /// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
 ///
 /// Sample `i` of `n` stands at cam angle θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// ```
+/// use gaitcam::ForceCurve;
+///
+/// // 500 N with a harmonic of 120 N, at equal steps of a cycle of 0.8 s.
+/// let at = |i: u32| 500.0 + 120.0 * (std::f64::consts::TAU * f64::from(i) / 256.0).sin();
+/// let force = ForceCurve::from_samples("a harmonic", 0.8, (0..256).map(at).collect())?;
+/// assert!((force.mean_n() - 500.0).abs() < 1e-9);
+/// assert!((force.range_n().1 - 620.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ForceCurve {
     /// What the curve is, for reports: "Young 2001, 1.85 Hz" or "walk1.forces, 3 strides".
     pub name: String,
@@ -31,7 +43,16 @@ pub struct ForceCurve {
     /// Mass of the walker, kg, where it is known.
     pub mass_kg: Option<f64>,
     /// How the recording that it was made from was understood.
+    #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
+}
+
+/// How a recording was understood, as its own data has it.
+fn interpretation<S: Serializer>(
+    recording: &Option<Arc<Interpretation>>,
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    recording.as_ref().map(|r| r.json()).serialize(serializer)
 }
 
 impl ForceCurve {

@@ -3,6 +3,16 @@
 use crate::error::{Error, ForceError, Result};
 
 /// Whose force a curve is.
+///
+/// ```
+/// use gaitcam::force::{Feet, model};
+///
+/// // Both feet carry the whole weight, one foot half of it.
+/// assert_eq!((Feet::Both.share(), Feet::One.share()), (1.0, 0.5));
+/// let one = model("li-2010", Some(1.9), 700.0, Feet::One)?;
+/// assert!((one.mean_n() / 350.0 - 1.0).abs() < 0.05);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feet {
     /// The sum of both feet, as a floor or footbridge feels it.

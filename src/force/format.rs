@@ -8,6 +8,16 @@ use strum::VariantNames;
 use crate::wording::{Language, sentence};
 
 /// What kind of file a recording was read from.
+///
+/// ```
+/// use gaitcam::force::{Format, ReadOptions, SeparatorName, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(matches!(recording.format, Format::Text { separator: SeparatorName::Comma, .. }));
+/// assert_eq!(recording.format.to_string(), "comma separated text");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -57,6 +67,14 @@ pub enum Format {
 }
 
 /// Number format of a C3D file.
+///
+/// ```
+/// use gaitcam::force::{Format, Processor, Storage};
+///
+/// // Digital's floats are not those of IEEE: a C3D file says which it has.
+/// let file = Format::C3d { processor: Processor::Dec, storage: Storage::Floats };
+/// assert!(file.to_string().contains("DEC"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Processor {
     /// Little endian, IEEE floats.
@@ -70,6 +88,13 @@ pub enum Processor {
 }
 
 /// How samples of a C3D file are stored.
+///
+/// ```
+/// use gaitcam::force::{Format, Processor, Storage};
+///
+/// let file = Format::C3d { processor: Processor::Intel, storage: Storage::Integers };
+/// assert!(file.to_string().contains("integer"), "{file}");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
@@ -79,6 +104,13 @@ pub enum Storage {
 }
 
 /// What stands between two fields of a text.
+///
+/// ```
+/// use gaitcam::force::{DecimalMark, Format, SeparatorName};
+///
+/// let text = Format::Text { separator: SeparatorName::Semicolon, decimal: DecimalMark::Comma };
+/// assert!(text.to_string().starts_with("semicolon separated text"), "{text}");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation
@@ -91,6 +123,17 @@ pub enum SeparatorName {
 }
 
 /// The decimal mark of a text.
+///
+/// ```
+/// use gaitcam::force::{DecimalMark, Format, ReadOptions, read};
+///
+/// // 1,5 is one and a half where semicolons stand between the fields.
+/// let text = "time (s);Fz (N)\n0,0;700,5\n0,1;701,5\n0,2;700,5\n0,3;701,5\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert!(matches!(recording.format, Format::Text { decimal: DecimalMark::Comma, .. }));
+/// assert!((recording.rate_hz - 10.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[allow(missing_docs)] // the names are the documentation

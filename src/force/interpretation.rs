@@ -17,6 +17,18 @@ const PIECES: usize = 700;
 const DRAWN: usize = 60;
 
 /// How a recording was understood.
+///
+/// ```
+/// use gaitcam::force::{Feet, Kind, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let understood = curve.recording.unwrap();
+/// assert_eq!(understood.kind, Some(Kind::Walking));
+/// assert_eq!(understood.columns.len(), 2);
+/// assert!(understood.doubts().is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Interpretation {
     /// Name of the file.
@@ -52,6 +64,18 @@ pub struct Interpretation {
 }
 
 /// The time of a sample.
+///
+/// ```
+/// use gaitcam::force::{ClockSource, Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let clock = &curve.recording.unwrap().clock;
+/// // A column of seconds in steps of 10 ms.
+/// assert_eq!(clock.from, ClockSource::Times);
+/// assert!((clock.rate_hz - 100.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock {
     /// Samples per second.
@@ -65,6 +89,17 @@ pub struct Clock {
 }
 
 /// One column of vertical force.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // The plates of this made recording read +4 N and −6 N when nobody stands on them.
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let baselines: Vec<f64> = curve.recording.unwrap().columns.iter().map(|c| c.baseline_n).collect();
+/// assert!((baselines[0] - 4.0).abs() < 0.5 && (baselines[1] + 6.0).abs() < 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     /// Name in the file.
@@ -82,6 +117,17 @@ pub struct Column {
 }
 
 /// One contact.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, RejectReason, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // The recording begins while the right foot stands.
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let first = curve.recording.unwrap().contacts[0].clone();
+/// assert_eq!((first.from_s, first.rejected), (0.0, Some(RejectReason::CutAtStart)));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Its column.

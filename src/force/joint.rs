@@ -22,6 +22,19 @@ const ONE_WALKER: f64 = 0.1;
 const LIMP: f64 = 0.1;
 
 /// The mean cycle of one recording on the way into a joint mean.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let trial = Trial { cycle: &mean, open: &[] };
+/// // Two recordings that are one: the mean is that of either.
+/// let joint = joint_mean(&[trial, Trial { cycle: &mean, open: &[] }])?;
+/// assert!((joint.curve.mean_n() / mean.curve.mean_n() - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<'a> {
     /// Its mean cycle.
@@ -31,6 +44,20 @@ pub struct Trial<'a> {
 }
 
 /// Why a recording takes no part in a joint mean.
+///
+/// ```
+/// use gaitcam::force::{Feet, LeftOut, OpenQuestion, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let sure = Trial { cycle: &mean, open: &[] };
+/// let unsure = Trial { cycle: &mean, open: &[OpenQuestion::Mass] };
+/// let joint = joint_mean(&[sure, unsure])?;
+/// assert_eq!(joint.left_out[0], None);
+/// assert!(matches!(&joint.left_out[1], Some(LeftOut::Open { questions }) if questions == &[OpenQuestion::Mass]));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -64,6 +91,17 @@ pub enum LeftOut {
 }
 
 /// A mean over recordings.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let joint = joint_mean(&[Trial { cycle: &mean, open: &[] }, Trial { cycle: &mean, open: &[] }])?;
+/// assert_eq!((joint.trials(), joint.cycles), (2, 2 * mean.averaged));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointMean {
     /// The mean cycle; its spread is the standard deviation of all cycles, within and between recordings.

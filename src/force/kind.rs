@@ -8,6 +8,14 @@ use strum::{IntoStaticStr, VariantNames};
 use crate::error::{Error, ForceError, Result};
 
 /// What was recorded.
+///
+/// ```
+/// use gaitcam::force::Kind;
+///
+/// assert_eq!("running".parse::<Kind>()?, Kind::Running);
+/// assert_eq!(Kind::SitToStand.name(), "sit-to-stand");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -59,6 +67,13 @@ impl FromStr for Kind {
 }
 
 /// What about a recording is open until the user answers.
+///
+/// ```
+/// use gaitcam::force::OpenQuestion;
+///
+/// assert_eq!(OpenQuestion::list("mass, clock")?, [OpenQuestion::Mass, OpenQuestion::Clock]);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
 )]

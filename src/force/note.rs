@@ -11,6 +11,13 @@ use crate::units::Quantity;
 use crate::wording::{Language, sentence};
 
 /// A component of force in the axes of a file.
+///
+/// ```
+/// use gaitcam::force::{Axis, Note};
+///
+/// let note = Note::VerticalGuessed { vertical: Axis::Z, other: Axis::Y };
+/// assert_eq!(serde_json::to_value(&note).unwrap()["vertical-guessed"]["vertical"], "z");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
@@ -25,6 +32,15 @@ pub enum Axis {
 }
 
 /// What a person should know about how a recording was read or averaged.
+///
+/// ```
+/// use gaitcam::force::{Note, OpenQuestion};
+/// use gaitcam::units::Quantity;
+///
+/// // A stride whose duration was assumed leaves the clock open until the user answers.
+/// let note = Note::StrideAssumed { period: Quantity::time(1.1) };
+/// assert_eq!((note.code(), note.doubt()), ("stride-assumed", Some(OpenQuestion::Clock)));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, IntoStaticStr, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -142,6 +158,14 @@ pub enum Note {
 }
 
 /// What part of the weight the feet of a cycle carry over a stride.
+///
+/// ```
+/// use gaitcam::force::{Feet, WeightShare};
+///
+/// // One foot carries half of the weight over a stride.
+/// assert_eq!(Feet::Left.share(), 0.5);
+/// assert_eq!(serde_json::to_value(WeightShare::Half).unwrap(), "half");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WeightShare {
@@ -152,6 +176,17 @@ pub enum WeightShare {
 }
 
 /// What the time of a sample was taken from.
+///
+/// ```
+/// use gaitcam::force::{ClockSource, ReadOptions, read};
+///
+/// // The user's rate counts where a file has none.
+/// let text = "Fz (N)\n700\n701\n702\n703\n704\n";
+/// let options = ReadOptions { rate_hz: Some(50.0), ..ReadOptions::default() };
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
+/// assert_eq!((recording.clock, recording.rate_hz), (ClockSource::User, 50.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -169,6 +204,15 @@ pub enum ClockSource {
 }
 
 /// Where a unit of force is from.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, UnitSource, read};
+///
+/// let text = "time (s),Fz (N)\n0.0,700\n0.1,701\n0.2,702\n0.3,703\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!(recording.unit_from, UnitSource::File);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnitSource {
@@ -181,6 +225,18 @@ pub enum UnitSource {
 }
 
 /// Where a mass is from.
+///
+/// ```
+/// use gaitcam::force::{Feet, MassSource, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // Over a stride the mean force is the weight: 700 N in this made recording.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert_eq!(mean.mass_from, MassSource::MeanForce);
+/// assert!((mean.mass_kg / (700.0 / 9.81) - 1.0).abs() < 0.01);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -196,6 +252,18 @@ pub enum MassSource {
 }
 
 /// What the duration of a stride was taken from.
+///
+/// ```
+/// use gaitcam::force::{Feet, PeriodSource, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // Steps of 1.9 Hz: a stride of 2/1.9 s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert_eq!(mean.period_from, PeriodSource::HeelStrikes);
+/// assert!((mean.curve.period_s - 2.0 / 1.9).abs() < 0.002);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -224,6 +292,17 @@ impl PeriodSource {
 }
 
 /// How the mean cycle was computed.
+///
+/// ```
+/// use gaitcam::force::{CycleSource, Feet, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // 10.5 s of strides of 1.05 s: nine of them whole.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert!(matches!(mean.source, CycleSource::WholeStrides { strides: 9, .. }));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -10,6 +10,13 @@ use crate::error::{Error, ForceError, Result};
 use crate::units::{G, LBF, Quantity};
 
 /// The side of the body.
+///
+/// ```
+/// use gaitcam::force::Foot;
+///
+/// assert_eq!(Foot::Left.other(), Foot::Right);
+/// assert_eq!(Foot::Left.name(), "left");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Foot {
@@ -39,6 +46,17 @@ impl Foot {
 }
 
 /// Unit of the force columns of a file.
+///
+/// ```
+/// use gaitcam::force::ForceUnit;
+///
+/// let unit: ForceUnit = "kN".parse()?;
+/// assert_eq!(unit.newtons(None), Some(1000.0));
+/// // A body weight is as many newtons as the walker weighs.
+/// assert_eq!(ForceUnit::BodyWeight.newtons(Some(70.0)), Some(70.0 * 9.81));
+/// assert_eq!(ForceUnit::BodyWeight.newtons(None), None);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum ForceUnit {
     /// Newtons.
@@ -116,6 +134,20 @@ impl std::str::FromStr for ForceUnit {
 }
 
 /// What the user says about a file, where the file does not say it or says it wrongly.
+///
+/// ```
+/// use gaitcam::force::{ForceUnit, ReadOptions, read};
+///
+/// let text = "t,a,b\n0.0,0.70,1\n0.1,0.72,1\n0.2,0.71,1\n0.3,0.70,1\n";
+/// let options = ReadOptions {
+///     force: vec!["a".to_string()],
+///     unit: Some(ForceUnit::Kilonewton),
+///     ..ReadOptions::default()
+/// };
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
+/// assert_eq!((recording.channels.len(), recording.unit), (1, ForceUnit::Kilonewton));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ReadOptions {
     /// Name (or number from 1) of the time column.
@@ -140,6 +172,16 @@ pub struct ReadOptions {
 }
 
 /// A moment at which the file says that a foot struck the ground.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // Texts mark no strikes; C3D files may.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(recording.strikes.iter().all(|strike| strike.at_s >= 0.0) && recording.strikes.is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Strike {
     /// Time from the first sample, s.
@@ -149,6 +191,16 @@ pub struct Strike {
 }
 
 /// One stance of a table that has a row per stance, as samples of its channel.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // A recording over time has no rows of stances, a table of stances one for each.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(!recording.has_rows() && recording.channels[0].rows.is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// First sample.
@@ -160,6 +212,18 @@ pub struct Row {
 }
 
 /// Vertical force of one plate, insole or side.
+///
+/// ```
+/// use gaitcam::force::{Foot, ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let left = &recording.channels[0];
+/// assert_eq!((left.foot, left.force_n.len()), (Some(Foot::Left), 1050));
+/// // Noise of 2 N on the made plates.
+/// assert!((left.noise_n - 2.0).abs() < 0.3);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channel {
     /// Name in the file.
@@ -181,6 +245,16 @@ pub struct Channel {
 }
 
 /// Why a channel takes no part.
+///
+/// ```
+/// use gaitcam::force::{Idle, ReadOptions, read};
+///
+/// // A plate that nobody stands on.
+/// let text = "time (s),Left Fz (N),Right Fz (N)\n0,0,700\n0.1,0,1\n0.2,0,720\n0.3,0,2\n0.4,0,700\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!(recording.channels[0].idle, Some(Idle::NeverLoaded));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -205,6 +279,17 @@ pub enum Idle {
 }
 
 /// A recording on an even time base.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // Two plates, 10.5 s at 100 Hz: the last of 1050 samples stands at 10.49 s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert_eq!(recording.channels.len(), 2);
+/// assert!((recording.duration_s - 10.49).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// What kind of file it was.

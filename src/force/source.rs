@@ -10,7 +10,7 @@ use super::interpretation::Interpretation;
 use super::read::{one_cycle, read};
 use super::recording::ReadOptions;
 use super::stance::stances;
-use crate::error::{Place, Result};
+use crate::error::{Placed, Result};
 
 /// Reads one cycle of force from any file that [`read`](super::read) takes.
 ///
@@ -31,8 +31,7 @@ pub fn force_curve(
     }
     let recording = read(path, bytes, options)?;
     let stances = stances(&recording);
-    let mean =
-        cycle(&recording, &stances, feet).map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+    let mean = cycle(&recording, &stances, feet).map_err(|e| e.in_file(path))?;
     let file = path
         .file_name()
         .and_then(|n| n.to_str())

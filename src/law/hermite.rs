@@ -10,6 +10,17 @@ use crate::quantity::Quantity;
 use nalgebra::{DMatrix, DVector};
 
 /// What a law must do at one angle: its derivative of the given order has the given value there.
+///
+/// ```
+/// use gaitcam::law::{Condition, hermite_birkhoff};
+///
+/// // At rest at both ends of a rise of 1: 3x² − 2x³.
+/// let condition = |theta, order, value| Condition { theta, order, value };
+/// let ends = [condition(0.0, 0, 0.0), condition(0.0, 1, 0.0), condition(1.0, 0, 1.0), condition(1.0, 1, 0.0)];
+/// let rise = hermite_birkhoff(&ends, 0.0, 1.0)?;
+/// assert!((rise.eval(0.25) - 0.15625).abs() < 1e-15);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
     /// Angle, rad.

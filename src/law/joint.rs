@@ -3,6 +3,18 @@
 use super::{Law, Svaj};
 
 /// What jumps at one break: value after less value before.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// // A parabolic rise of h over β has a = ±4h/β²: at its middle a falls by 8h/β².
+/// let (h, pi) = (0.02, std::f64::consts::PI);
+/// let segment = |lift| Segment { motion: Rise::Parabolic, lift, angle: pi };
+/// let law = program(&[segment(h), segment(-h)], Extent::TURN)?;
+/// let middle = law.joints().into_iter().find(|j| (j.at - 0.5 * pi).abs() < 1e-9).unwrap();
+/// assert!((middle.jump.a + 8.0 * h / (pi * pi)).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint {
     /// Angle of the break, rad.

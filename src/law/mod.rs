@@ -15,13 +15,23 @@ pub use joint::Joint;
 pub use program::{Extent, Segment, assemble, constant_breadth, program};
 pub use rise::{End, Ends, Factors, Rise};
 pub(crate) use walk::Turns;
+#[doc(hidden)]
 pub use walk::{BATCH, Batch, Walk};
 pub use wave::Wave;
 
 use crate::poly::{Extreme, PiecewisePoly, bernstein};
+use serde::Serialize;
 
 /// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
 /// follower: rad in place of m).
+///
+/// ```
+/// use gaitcam::law::Law;
+///
+/// // s = 3 mm sin 2θ at θ = 0: v = 6 mm, a = 0, j = −24 mm.
+/// let at = Law::harmonic(0.0, &[(0.0, 0.0), (0.0, 0.003)]).svaj(0.0);
+/// assert!((at.v - 0.006).abs() < 1e-15 && at.a.abs() < 1e-15 && (at.j + 0.024).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Svaj {
     /// Lift.
@@ -52,13 +62,14 @@ pub struct Svaj {
 /// assert!((law.stroke() - 0.02).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Law {
     poly: PiecewisePoly,
     /// Sinusoids of each piece; empty when no piece has any.
     waves: Vec<Vec<Wave>>,
     closed: bool,
     /// Bernstein coefficients of s, v, a, j times their binomials: the form that evaluates fastest.
+    #[serde(skip)]
     scaled: [Vec<f64>; 4],
 }
 

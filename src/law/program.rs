@@ -6,6 +6,16 @@ use crate::quantity::{Dimension, Quantity};
 use std::f64::consts::{PI, TAU};
 
 /// One motion of a programme.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: 2.0 };
+/// let down = Segment { motion: Rise::Poly345, lift: -0.02, angle: std::f64::consts::TAU - 2.0 };
+/// let law = program(&[up, down], Extent::TURN)?;
+/// assert!((law.svaj(1.0).s - 0.01).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segment {
     /// Shape of the motion.
@@ -17,6 +27,18 @@ pub struct Segment {
 }
 
 /// What a programme fills.
+///
+/// ```
+/// use gaitcam::law::{Extent, Rise, Segment, program};
+///
+/// // A slide of 80 mm: the law ends where it ends.
+/// let segment = |lift| Segment { motion: Rise::Cycloidal, lift, angle: 0.04 };
+/// let law = program(&[segment(0.01), segment(-0.01)], Extent::Length(0.08))?;
+/// assert!(!law.is_closed());
+/// assert_eq!(law.extent(), (0.0, 0.08));
+/// assert_eq!(Extent::TURN, Extent::Turns(1));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
     /// Whole turns (several: a barrel cam); the law repeats after them.

@@ -3,13 +3,15 @@
 //! Peak factors (theory §7): a rise by h over β has peak velocity Cv·h/β, acceleration Ca·h/β², jerk
 //! Cj·h/β³; Ct = max|a·v| scales the inertia torque.
 
+mod ends;
 mod formula;
 mod shapes;
 mod user;
 
+pub use ends::{End, Ends, Factors};
+
 use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
 use crate::error::{Error, LawError, Result, nearest};
-use crate::wording::{self, Language};
 use std::f64::consts::PI;
 
 /// A motion from one lift to another.
@@ -95,74 +97,6 @@ pub enum Rise {
         /// The law on [0, 1], leading from 0 to 1.
         law: Box<Law>,
     },
-}
-
-/// Motion at one end of a normalised rise.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct End {
-    /// v, a, j there; s is 0 or 1.
-    pub at: Svaj,
-}
-
-/// Both ends of a normalised rise.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ends {
-    /// At x = 0.
-    pub start: End,
-    /// At x = 1.
-    pub end: End,
-}
-
-/// Values at ends below this count as rest: they are rounding of factors up to 100.
-const REST: f64 = 1e-9;
-
-impl End {
-    /// Highest derivative that stays continuous with a dwell beside this end: 0 = lift only … 3 = jerk.
-    pub fn continuity_with_dwell(&self) -> usize {
-        [self.at.v, self.at.a, self.at.j]
-            .iter()
-            .position(|x| x.abs() > REST)
-            .unwrap_or(3)
-    }
-
-    /// Whatever may stand beside an end: at rest without and with acceleration, moving without and with it.
-    pub const JOINS: [&'static str; 4] = [
-        "dwell",
-        "return of equal acceleration",
-        "constant velocity",
-        "nothing but a general polynomial",
-    ];
-
-    /// What may stand beside this end without a jump of v or a.
-    pub fn joins(&self) -> &'static str {
-        let moves = usize::from(self.at.v.abs() > REST);
-        let accelerates = usize::from(self.at.a.abs() > REST);
-        End::JOINS[2 * moves + accelerates]
-    }
-
-    /// The same in the words of a language.
-    pub fn joins_in(&self, language: Language) -> String {
-        wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
-    }
-}
-
-/// Peaks of a normalised rise, exact for the continuous law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Factors {
-    /// Largest |v|.
-    pub cv: f64,
-    /// Largest |a|.
-    pub ca: f64,
-    /// Largest |j|; infinite when the acceleration jumps between the ends.
-    pub cj: f64,
-    /// Largest |a·v|.
-    pub ct: f64,
-    /// Smallest and largest v.
-    pub v: (f64, f64),
-    /// Smallest and largest a.
-    pub a: (f64, f64),
-    /// Smallest and largest j where it exists.
-    pub j: (f64, f64),
 }
 
 impl Rise {
@@ -370,49 +304,23 @@ impl Rise {
             _ => None,
         }
     }
+}
 
-    /// Exact peak factors.
-    ///
-    /// # Errors
-    /// Parameters out of range.
-    pub fn factors(&self) -> Result<Factors> {
-        let law = self.law()?;
-        let order = |k: usize| {
-            let (low, high) = law.extremes(k);
-            (low.value, high.value)
-        };
-        let (v, a, j) = (order(1), order(2), order(3));
-        let largest = |p: (f64, f64)| p.0.abs().max(p.1.abs());
-        let power = law
-            .combination([0.0, 1.0, 0.0, 0.0], 0.0)
-            .times(&law.combination([0.0, 0.0, 1.0, 0.0], 0.0))
-            .extremes();
-        let jumps = law.joints().iter().any(|joint| joint.jump.a.abs() > REST);
-        Ok(Factors {
-            cv: largest(v),
-            ca: largest(a),
-            cj: if jumps { f64::INFINITY } else { largest(j) },
-            ct: largest((power.0.value, power.1.value)),
-            v,
-            a,
-            j,
-        })
+fn unknown(word: &str) -> LawError {
+    let motion = word.to_string();
+    if matches!(word, "table" | "spline") {
+        return LawError::MotionNeedsPoints { motion };
     }
-
-    /// Motion at both ends of the normalised rise: what may stand beside it.
-    ///
-    /// # Errors
-    /// Parameters out of range.
-    pub fn ends(&self) -> Result<Ends> {
-        let law = self.law()?;
-        Ok(Ends {
-            start: End {
-                at: law.svaj_on(0, 0.0),
-            },
-            end: End {
-                at: law.svaj_on(law.poly().pieces() - 1, 1.0),
-            },
-        })
+    let catalogue = Rise::catalogue();
+    let names: Vec<&str> = catalogue
+        .iter()
+        .map(Rise::name)
+        .chain(["dwell", "table", "spline"])
+        .collect();
+    LawError::UnknownMotion {
+        motion,
+        nearest: nearest(word, names.iter().copied()).map(str::to_string),
+        catalogue: names.iter().map(|n| (*n).to_string()).collect(),
     }
 }
 
@@ -440,22 +348,4 @@ pub(super) fn joining(
         }));
     }
     hermite_birkhoff(&conditions, 0.0, width)
-}
-
-fn unknown(word: &str) -> LawError {
-    let motion = word.to_string();
-    if matches!(word, "table" | "spline") {
-        return LawError::MotionNeedsPoints { motion };
-    }
-    let catalogue = Rise::catalogue();
-    let names: Vec<&str> = catalogue
-        .iter()
-        .map(Rise::name)
-        .chain(["dwell", "table", "spline"])
-        .collect();
-    LawError::UnknownMotion {
-        motion,
-        nearest: nearest(word, names.iter().copied()).map(str::to_string),
-        catalogue: names.iter().map(|n| (*n).to_string()).collect(),
-    }
 }

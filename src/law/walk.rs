@@ -73,6 +73,7 @@ impl Law {
     /// The law at θᵢ = start + i·step, 0 ≤ i < n, `step` ≥ 0, batch after batch. Agrees with [`Law::svaj`]
     /// to rounding, at a fraction of its cost (jerk is left out: profiles do not ask for it).
     #[inline(always)]
+    #[doc(hidden)]
     pub fn walk(&self, start: f64, step: f64, n: usize) -> Walk<'_> {
         Walk {
             law: self,

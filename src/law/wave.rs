@@ -2,10 +2,19 @@
 
 use super::Svaj;
 use crate::poly::{PiecewisePoly, bernstein};
+use serde::Serialize;
 use std::sync::OnceLock;
 
 /// cos·cos(rate·x) + sin·sin(rate·x), where x is the angle since the start of the piece.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use gaitcam::law::{Law, Wave};
+///
+/// // Harmonic laws are one piece with a wave for each harmonic.
+/// let law = Law::harmonic(0.01, &[(0.002, 0.0), (0.0, 0.001)]);
+/// assert_eq!(law.waves(0)[1], Wave { rate: 2.0, cos: 0.0, sin: 0.001 });
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Wave {
     /// Radians of phase per radian of cam angle.
     pub rate: f64,

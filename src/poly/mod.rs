@@ -12,10 +12,13 @@ mod piecewise;
 mod proxy;
 mod trigonometric;
 
+#[doc(hidden)]
 pub use bspline::{Span, SplineSpace};
-pub use distance::{Distance, distance};
-pub use fourier::{amplitudes, sums};
+pub(crate) use distance::distance;
+pub(crate) use fourier::{amplitudes, sums};
+#[doc(hidden)]
 pub use gauss::gauss_legendre;
-pub use piecewise::{Extreme, Peak, PiecewisePoly};
-pub use proxy::{stand_in, stand_in_for_difference};
+pub(crate) use piecewise::Peak;
+pub use piecewise::{Extreme, PiecewisePoly};
+pub(crate) use proxy::{stand_in, stand_in_for_difference};
 pub(crate) use trigonometric::{harmonic_extremes, harmonic_sum};

@@ -1,6 +1,7 @@
 //! A polynomial on each of several consecutive intervals.
 
 use super::bernstein;
+use serde::Serialize;
 
 /// Piecewise polynomial on `breaks[0] ..= breaks[n]`, each piece in Bernstein form on its interval.
 ///
@@ -16,16 +17,26 @@ use super::bernstein;
 /// assert_eq!(low.value, 0.0);
 /// assert!((hump.integral() - 2.0 / 3.0).abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PiecewisePoly {
     breaks: Vec<f64>,
     degree: usize,
     /// Row-major: piece i has `coef[i*(degree+1) ..]`.
+    #[serde(rename = "coefficients")]
     coef: Vec<f64>,
 }
 
 /// An extreme value and where it is taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use gaitcam::law::Law;
+///
+/// // 5 mm cos θ is largest at 0 (or a turn later) and smallest at π.
+/// let (low, high) = Law::harmonic(0.0, &[(0.005, 0.0)]).extremes(0);
+/// assert!((low.at - std::f64::consts::PI).abs() < 1e-6 && (low.value + 0.005).abs() < 1e-12);
+/// assert!((high.value - 0.005).abs() < 1e-12);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extreme {
     /// The abscissa, in the units of the breaks.
     pub at: f64,
@@ -254,7 +265,7 @@ impl PiecewisePoly {
 
     /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included
     /// where the function rises towards them. Used to find where a limit is broken.
-    pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
+    pub(crate) fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {
             let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);

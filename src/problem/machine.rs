@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use crate::drive::{Drive, DriveKind};
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::scene::{DriveSpec, ForceScale};
 use crate::units::Quantity;

@@ -4,25 +4,30 @@
 //! Nothing after [`Problem::settle`] looks at the [`Scene`] again. A search that changes a limit changes the
 //! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
 
+mod accuracy;
 mod changed;
 mod machine;
 mod notes;
+mod size;
 mod spans;
 mod target;
 
+pub(crate) use accuracy::USUAL_ACCURACY;
 pub(crate) use machine::drive_of;
 pub use notes::Note;
+pub(crate) use size::outside_bore;
+pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub(crate) use spans::Key as SpanKey;
-pub use spans::{Shared, SpanMemo};
+pub use spans::Shared;
+pub(crate) use spans::SpanMemo;
 pub use target::Target;
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::TAU;
 
-use crate::cam::FollowerKind;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
-use crate::error::{Result, SynthError};
-use crate::force::{self, ForceCurve, OpenQuestion, implausible, spread_rms_n};
+use crate::error::{Placed, Result, SynthError};
+use crate::force::{self, ForceCurve, OpenQuestion, implausible};
 use crate::halt::Halt;
 use crate::law::Rise;
 use crate::scene::{
@@ -30,20 +35,24 @@ use crate::scene::{
     Phase, PhaseWeight, Scene, Source,
 };
 use crate::units::G;
-use target::{band_about, weight_at};
+use target::band_about;
 
-/// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
-pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
-/// RMS force error, part of the mean force, that is small enough where the scene asks for none.
-pub(crate) const USUAL_ACCURACY: f64 = 0.005;
-/// A mean force that differs from the weight by a smaller part is the same: masses are written with four
-/// digits.
-const SAME_MEAN: f64 = 1e-3;
 /// Degree of splines, and two more for the first terms of a polydyne follower's damping.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 
 /// The whole problem with every number settled.
+///
+/// ```
+/// use gaitcam::{Problem, scene};
+///
+/// // The mass is settled so that it weighs as much as the walker: M = 700 N/g.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let problem = Problem::settle(&scene, scene.model_force()?.as_ref())?;
+/// assert!((problem.drive.mass - 700.0 / 9.81).abs() < 1e-9);
+/// assert!((problem.drive.speed - std::f64::consts::TAU * 1.85).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Problem {
     /// Name of the scene.
@@ -76,7 +85,7 @@ pub struct Problem {
     /// What is open about the recording and was not accepted.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
     /// Numbers of spans already found for this force and law.
-    pub spans: SpanMemo,
+    pub(crate) spans: SpanMemo,
     /// When searches are to end.
     pub halt: Halt,
     /// Only a design that passes is of use: what cannot reach the accuracy need not be finished.
@@ -108,22 +117,6 @@ fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
             known.unwrap_or(mean / gait.feet.share())
         }
     }
-}
-
-/// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Size {
-    /// The size is fixed, and the law has to fit it.
-    Given {
-        /// Radius of the base circle, m.
-        base: f64,
-        /// Radius of the prime circle, m.
-        prime: f64,
-    },
-    /// Size and law are found as one program: the size is minimised or limited.
-    Sought,
-    /// The smallest size that the finished law allows.
-    AfterLaw,
 }
 
 impl Problem {
@@ -250,162 +243,6 @@ impl Problem {
             || self.law.family == Family::Program
     }
 
-    /// What is said of the size of the cam.
-    pub fn size(&self) -> Size {
-        let (cam, roller) = (&self.cam, self.cam.roller_radius);
-        match (cam.base_radius, cam.prime_radius) {
-            (Some(base), prime) => Size::Given {
-                base,
-                prime: prime.unwrap_or(base + roller),
-            },
-            (None, Some(prime)) => Size::Given {
-                base: prime - roller,
-                prime,
-            },
-            (None, None) if self.size_is_wanted() => Size::Sought,
-            (None, None) => Size::AfterLaw,
-        }
-    }
-
-    /// Radius of the prime circle, m, where it is given.
-    pub fn prime_radius(&self) -> Option<f64> {
-        match self.size() {
-            Size::Given { prime, .. } => Some(prime),
-            Size::Sought | Size::AfterLaw => None,
-        }
-    }
-
-    /// Radius of the base circle, m, where it is given.
-    pub fn base_radius(&self) -> Option<f64> {
-        match self.size() {
-            Size::Given { base, .. } => Some(base),
-            Size::Sought | Size::AfterLaw => None,
-        }
-    }
-
-    /// Whether an objective or a limit prices the size; only sliding followers with a straight line of
-    /// action have it in the program.
-    fn size_is_wanted(&self) -> bool {
-        let sized = [
-            FollowerKind::FlatTranslating,
-            FollowerKind::RollerTranslating,
-            FollowerKind::KnifeTranslating,
-        ];
-        match self.objective() {
-            Minimise::Size => true,
-            Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
-            _ => self.limits.prime_radius.is_some() && sized.contains(&self.cam.follower),
-        }
-    }
-
-    /// Smallest base radius that the bore leaves, m.
-    pub fn outside_bore(&self) -> f64 {
-        outside_bore(&self.cam)
-    }
-
-    /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
-    /// have any, and where neither is, the usual rule holds on both.
-    pub fn sizing_pressure_angles(&self) -> [f64; 2] {
-        let sides = [
-            self.limits.pressure_angle_rise,
-            self.limits.pressure_angle_fall,
-        ];
-        let other = if sides == [None, None] {
-            USUAL_PRESSURE_ANGLE
-        } else {
-            FRAC_PI_2
-        };
-        sides.map(|side| side.unwrap_or(other))
-    }
-
-    /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
-    /// wanted.
-    pub fn wanted_error(&self) -> f64 {
-        let mean = self.target_mean();
-        match self.accuracy {
-            Some(rms) => rms * mean,
-            None => self.noise().max(USUAL_ACCURACY * mean),
-        }
-    }
-
-    /// The same, whatever the recording's spread.
-    pub fn asked_error(&self) -> f64 {
-        self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
-    }
-
-    /// Force error, N RMS, above which a design misses its force: the accuracy asked for, otherwise 0.5 % of
-    /// the mean or the step-to-step spread of the recording, whichever is larger; `None` where no force is
-    /// wanted, a band stands for the accuracy, or the scene has it not judged.
-    pub fn allowed_error(&self) -> Option<f64> {
-        let target = self.target.as_ref()?;
-        if self.limits.unjudged.accuracy || self.band.is_some() {
-            return None;
-        }
-        let mean = self.target_mean();
-        Some(match self.accuracy {
-            Some(rms) => rms * mean,
-            None => spread_rms_n(&target.curve)
-                .unwrap_or(0.0)
-                .max(USUAL_ACCURACY * mean),
-        })
-    }
-
-    /// How far the mean of the wanted force is from the weight that a moving axis carries, N: over a turn no
-    /// cam changes the mean (theory §1). Differences below the rounding of a mass are none.
-    pub fn mean_force_gap(&self) -> Option<f64> {
-        let gap = self.target_mean() - self.drive.rest_force;
-        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
-        (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
-    }
-
-    /// Smallest contact force that is judged where the scene gives none, N: 0 where only force closes the
-    /// contact, on a moving axis or by whatever presses on a fixed one.
-    pub fn usual_force_min(&self) -> Option<f64> {
-        let form_closed = self.cam.conjugate.is_some()
-            || self.cam.breadth.is_some()
-            || self.cam.follower == FollowerKind::Barrel;
-        let pressed = match self.drive.kind {
-            DriveKind::MovingAxis => true,
-            DriveKind::FixedAxis => !self.drive.is_idle() && !form_closed,
-            DriveKind::Hydraulic => false,
-        };
-        (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
-    }
-
-    /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.
-    pub fn error_at_noise(&self) -> Option<f64> {
-        let noise = self.noise();
-        (self.accuracy.is_none() && noise > USUAL_ACCURACY * self.target_mean()).then_some(noise)
-    }
-
-    /// |mean| of the wanted force, N; 0 where none is wanted.
-    pub fn target_mean(&self) -> f64 {
-        self.target.as_ref().map_or(0.0, |t| t.mean_n().abs())
-    }
-
-    /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
-    ///
-    /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
-    fn noise(&self) -> f64 {
-        let spread = self.target.as_ref().and_then(|t| spread_rms_n(&t.curve));
-        0.2 * spread.unwrap_or(0.0)
-    }
-
-    /// Whether parts of the cycle count more or less than once.
-    pub fn is_weighed(&self) -> bool {
-        !self.weights.is_empty()
-    }
-
-    /// Weight of the force error at a cam angle.
-    pub fn weight(&self, theta: f64) -> f64 {
-        weight_at(&self.weights, theta + self.phase)
-    }
-
-    /// The lowest weight of any part of the cycle.
-    pub fn least_weight(&self) -> f64 {
-        (self.weights.iter()).fold(1.0, |least, w| least.min(w.weight))
-    }
-
     /// Whether points or dwells are asked of the law.
     pub fn has_demands(&self) -> bool {
         !(self.law.points.is_empty() && self.law.dwells.is_empty())
@@ -496,9 +333,4 @@ pub(crate) fn open_questions(
     open.into_iter()
         .map(|question| (question, recording.opened_by(question)))
         .collect()
-}
-
-/// Smallest base radius that the hole for the shaft leaves, m.
-pub(crate) fn outside_bore(cam: &CamSpec) -> f64 {
-    cam.hole().map_or(0.0, |hole| hole.least_base_radius())
 }

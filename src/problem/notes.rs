@@ -21,6 +21,22 @@ const FREE_FALL: f64 = 0.02;
 const SAME_PERIOD: f64 = 1e-3;
 
 /// A note on a problem or its design.
+///
+/// ```
+/// use gaitcam::problem::{Note, Problem};
+/// use gaitcam::scene;
+///
+/// // With v closed over a turn the stroke is at most 16 h/T² ≤ max |a| (theory §1).
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let problem = Problem::settle(&scene, scene.model_force()?.as_ref())?;
+/// let stroke = problem.notes().into_iter().find_map(|note| match note {
+///     Note::LargestStroke { acceleration, stroke, .. } => Some((acceleration.value, stroke.value)),
+///     _ => None,
+/// });
+/// let (acceleration, stroke) = stroke.unwrap();
+/// assert!((stroke - acceleration / 1.85_f64.powi(2) / 16.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

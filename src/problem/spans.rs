@@ -30,12 +30,37 @@ pub(crate) struct Key {
 }
 
 /// What designs made one after another share, and when their searches are to end.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use gaitcam::problem::Shared;
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise_with;
+///
+/// // Out of time before the search begins: the best there is, and it says so.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let shared = Shared::until(Halt::when(|| true));
+/// let design = synthesise_with(&scene, scene.model_force()?.as_ref(), &shared)?;
+/// assert!(design.out_of_time || design.infeasible.is_some());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Shared {
     /// Numbers of spans already found; between problems of the same force and the same demands only.
-    pub spans: SpanMemo,
+    pub(crate) spans: SpanMemo,
     /// When searches are to end.
     pub halt: Halt,
+}
+
+impl Shared {
+    /// Nothing found yet, and searches end when `halt` says so.
+    #[must_use]
+    pub fn until(halt: Halt) -> Shared {
+        Shared {
+            halt,
+            ..Shared::default()
+        }
+    }
 }
 
 impl SpanMemo {

@@ -2,12 +2,23 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::poly::gauss_legendre;
 use crate::scene::{Band, PhaseWeight};
 
 /// One turn of wanted force, as the fits read it thousands of times.
+///
+/// ```
+/// use gaitcam::force::ForceCurve;
+/// use gaitcam::problem::Target;
+///
+/// let samples = (0..64).map(|i| 500.0 + 100.0 * (std::f64::consts::TAU * f64::from(i) / 64.0).sin());
+/// let target = Target::new(ForceCurve::from_samples("a wave", 1.0, samples.collect())?);
+/// assert!((target.mean_n() - 500.0).abs() < 1e-9);
+/// assert!((target.at(std::f64::consts::FRAC_PI_2) - 600.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Target {
     /// The cycle, beginning at cam angle 0.

@@ -2,15 +2,36 @@
 
 use std::path::Path;
 
+use super::{Scene, read};
 use crate::error::{Error, Result, SceneError, nearest};
 
 /// A scene that comes with the program.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// let footbridge = scene::built_in("footbridge")?;
+/// assert_eq!(footbridge.scene()?.limits.stroke, Some(0.06));
+/// assert!(scene::built_in("foot-bridge").is_err());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BuiltIn {
     /// Its name.
     pub name: &'static str,
     /// Its scene file.
     pub toml: &'static str,
+}
+
+impl BuiltIn {
+    /// The scene of its file.
+    ///
+    /// # Errors
+    /// None: the files are tested.
+    pub fn scene(&self) -> Result<Scene> {
+        // What the program comes with is TOML.
+        read(&self.toml.parse().unwrap_or_default())
+    }
 }
 
 macro_rules! scenes {

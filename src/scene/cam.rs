@@ -6,6 +6,15 @@ use crate::cam::{Bore, Closure, FollowerKind, Keyway, Measures};
 const THICKNESS: f64 = 0.01;
 
 /// The cam and its follower; lengths in m.
+///
+/// ```
+/// use gaitcam::FollowerKind;
+/// use gaitcam::scene::CamSpec;
+///
+/// let cam = CamSpec::new(FollowerKind::RollerTranslating).with_roller(0.01).with_bore(0.012);
+/// assert_eq!((cam.roller_radius, cam.hole().unwrap().radius()), (0.01, 0.006));
+/// assert!(cam.base_radius.is_none());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CamSpec {
     /// Kind of follower.
@@ -76,6 +85,14 @@ impl Default for CamSpec {
 }
 
 /// How wide the keyway is.
+///
+/// ```
+/// use gaitcam::scene::{CamSpec, KeywaySpec};
+///
+/// // DIN 6885-1 gives a bore of 12 mm a keyway of 4 mm.
+/// let cam = CamSpec { keyway: Some(KeywaySpec::Auto), ..CamSpec::default().with_bore(0.012) };
+/// assert_eq!(cam.hole().unwrap().keyway.unwrap().width, 0.004);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum KeywaySpec {
     /// As DIN 6885-1 has it for the bore.
@@ -97,6 +114,16 @@ impl CamSpec {
 }
 
 /// The second cam of a conjugate pair: one of the first three lengths closes it.
+///
+/// ```
+/// use gaitcam::cam::Closure;
+/// use gaitcam::scene::ConjugateSpec;
+///
+/// let pair = ConjugateSpec { distance: Some(0.13), ..ConjugateSpec::default() };
+/// assert_eq!(pair.closure(), Some(Closure::Distance(0.13)));
+/// // Two lengths would close it twice.
+/// assert_eq!(ConjugateSpec { base_radius: Some(0.03), ..pair }.closure(), None);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConjugateSpec {
     /// Translating followers: distance of both faces or roller centres, m.

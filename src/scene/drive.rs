@@ -5,6 +5,14 @@ use crate::drive::DriveKind;
 use crate::units::G;
 
 /// How lift becomes force.
+///
+/// ```
+/// use gaitcam::drive::DriveKind;
+/// use gaitcam::scene::DriveSpec;
+///
+/// let drive = DriveSpec::fixed_axis(0.5, 2000.0).with_preload(30.0).with_speed(10.0);
+/// assert_eq!((drive.kind, drive.preload, drive.speed), (DriveKind::FixedAxis, 30.0, Some(10.0)));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct DriveSpec {
     /// The machine.

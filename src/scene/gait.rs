@@ -2,13 +2,20 @@
 
 use std::path::PathBuf;
 
-use crate::error::{Error, Place, Result};
+use crate::error::{Error, Placed, Result};
 use crate::force::{Feet, Kind, OpenQuestion, ReadOptions};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
 
 /// Where the wanted force comes from.
+///
+/// ```
+/// use gaitcam::scene::{Gait, Source};
+///
+/// assert_eq!(Gait::model("young").source, Source::Model("young".to_string()));
+/// assert_eq!(Gait::file("walk.csv").source, Source::File("walk.csv".into()));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
     /// A recording or a written cycle; relative to the scene's folder first, then to the working directory.
@@ -18,6 +25,16 @@ pub enum Source {
 }
 
 /// The force that is wanted.
+///
+/// ```
+/// use gaitcam::scene::Gait;
+///
+/// let gait = Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0);
+/// let force = gait.model_force()?.unwrap();
+/// assert!((force.mean_n() - 700.0).abs() < 1e-9);
+/// assert!((force.period_s - 1.0 / 1.85).abs() < 1e-15);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gait {
     /// Where it comes from.
@@ -99,7 +116,7 @@ impl Gait {
     /// # Errors
     /// A unit that is none.
     pub fn read_options(&self, metadata: Option<Vec<u8>>) -> Result<ReadOptions> {
-        let at = |e: Error| e.at(Place::Key("gait.unit".to_string()));
+        let at = |e: Error| e.at_key("gait.unit");
         let unit = self.unit.as_deref().map(|u| u.parse().map_err(at));
         Ok(ReadOptions {
             time: self.time.clone(),
@@ -128,6 +145,20 @@ impl Default for Gait {
 }
 
 /// How the force of a moving axis is brought to its mass.
+///
+/// ```
+/// use gaitcam::Scene;
+/// use gaitcam::problem::Problem;
+/// use gaitcam::scene::{DriveSpec, ForceScale, Gait};
+///
+/// // A machine of 7 kg shall feel the walker's force in proportion: its mean is M·g.
+/// let gait = Gait::model("young").with_step_frequency(1.85).with_scale(ForceScale::ToMass);
+/// let force = gait.model_force()?;
+/// let scene = Scene::default().with_gait(gait).with_drive(DriveSpec::moving_axis(7.0));
+/// let target = Problem::settle(&scene, force.as_ref())?.target.unwrap();
+/// assert!((target.mean_n() - 7.0 * 9.81).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ForceScale {
     /// Not at all.
@@ -158,6 +189,19 @@ impl ForceScale {
 }
 
 /// Half the width of a band about the target.
+///
+/// ```
+/// use gaitcam::Scene;
+/// use gaitcam::problem::Problem;
+/// use gaitcam::scene::{Band, Gait};
+///
+/// let gait = Gait::model("young").with_step_frequency(1.85).with_band(Band::Width(20.0));
+/// let force = gait.model_force()?;
+/// let scene = Scene::default().with_gait(gait);
+/// let [low, high] = Problem::settle(&scene, force.as_ref())?.band.unwrap();
+/// assert!((high.at(1.0) - low.at(1.0) - 40.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Band {
     /// One standard deviation from step to step.
@@ -167,6 +211,19 @@ pub enum Band {
 }
 
 /// A range of the cycle with its weight in the mean square force error.
+///
+/// ```
+/// use gaitcam::scene::{Gait, PhaseWeight};
+/// use gaitcam::{Problem, Scene};
+///
+/// // The first half of the cycle counts four times.
+/// let weight = PhaseWeight { from: 0.0, to: std::f64::consts::PI, weight: 4.0 };
+/// let gait = Gait::model("young").with_step_frequency(1.85).with_weight(weight);
+/// let force = gait.model_force()?;
+/// let problem = Problem::settle(&Scene::default().with_gait(gait), force.as_ref())?;
+/// assert_eq!((problem.weight(1.0), problem.weight(4.0)), (4.0, 1.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct PhaseWeight {
     /// First phase of the cycle, rad.
@@ -178,6 +235,13 @@ pub struct PhaseWeight {
 }
 
 /// Phase of the force cycle at cam angle 0.
+///
+/// ```
+/// use gaitcam::scene::{Gait, Phase};
+///
+/// assert_eq!(Gait::model("young").phase, Phase::At(0.0));
+/// assert_eq!(Gait::model("young").with_phase(Phase::Free).phase, Phase::Free);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
     /// rad.

@@ -4,6 +4,17 @@ use super::Gait;
 use crate::law::Rise;
 
 /// Family of laws.
+///
+/// ```
+/// use gaitcam::scene::Family;
+/// use gaitcam::{Scene, scene};
+///
+/// assert_eq!(Family::DoubleHarmonic.name(), "double-harmonic");
+/// // A scene file that names none gets the ladder: harmonics while they suffice.
+/// let read: Scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
+/// assert_eq!(read.law.family, Family::Harmonic);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Family {
@@ -47,6 +58,23 @@ impl Family {
 }
 
 /// What the law is chosen for.
+///
+/// ```
+/// use gaitcam::scene::{Dwell, Family, LawPoint, LawSpec, Minimise};
+/// use gaitcam::{Scene, synthesise};
+/// use gaitcam::scene::DriveSpec;
+///
+/// // 10 mm up and down with the least mean square acceleration.
+/// let law = LawSpec::of(Family::Spline)
+///     .minimising(Minimise::Energy(2))
+///     .through(LawPoint::at(0.0, 0.0))
+///     .through(LawPoint::at(std::f64::consts::PI, 0.01));
+/// let drive = DriveSpec::moving_axis(1.0).with_speed(6.0);
+/// let design = synthesise(&Scene::default().with_law(law).with_drive(drive), None)?;
+/// assert!((design.cam.law.svaj(std::f64::consts::PI).s - 0.01).abs() < 1e-9);
+/// # let _ = Dwell::default();
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Minimise {
     /// Mean square distance of the force to the target.
@@ -65,6 +93,14 @@ pub enum Minimise {
 
 /// What counts as one in a weighed objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
 /// radius; what is left out does not count.
+///
+/// ```
+/// use gaitcam::scene::{Minimise, Weigh};
+///
+/// // 1 % of force error costs as much as a prime radius of 50 mm.
+/// let weigh = Weigh { force_error: Some(0.01), prime_radius: Some(0.05), jerk: None };
+/// assert!(matches!(Minimise::Weighed(weigh), Minimise::Weighed(w) if w.jerk.is_none()));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Weigh {
     /// e₁, part of the mean force.
@@ -91,6 +127,14 @@ impl Minimise {
 }
 
 /// An exact demand on the law at one cam angle.
+///
+/// ```
+/// use gaitcam::scene::LawPoint;
+///
+/// let rest = LawPoint { velocity: Some(0.0), ..LawPoint::at(1.0, 0.02) };
+/// assert_eq!((rest.angle, rest.lift, rest.velocity), (1.0, Some(0.02), Some(0.0)));
+/// assert_eq!(rest.force, None);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct LawPoint {
     /// Cam angle, rad.
@@ -108,6 +152,22 @@ pub struct LawPoint {
 }
 
 /// A range of cam angles at rest.
+///
+/// ```
+/// use gaitcam::scene::{DriveSpec, Dwell, Family, LawPoint, LawSpec, Minimise};
+/// use gaitcam::{Scene, synthesise};
+///
+/// // At rest on the base circle over the last quarter of the turn.
+/// let (from, to) = (1.5 * std::f64::consts::PI, std::f64::consts::TAU);
+/// let law = LawSpec::of(Family::Spline)
+///     .minimising(Minimise::Energy(3))
+///     .through(LawPoint::at(2.0, 0.01))
+///     .resting(Dwell { from, to, lift: Some(0.0) });
+/// let drive = DriveSpec::moving_axis(1.0).with_speed(6.0);
+/// let design = synthesise(&Scene::default().with_law(law).with_drive(drive), None)?;
+/// assert!(design.cam.law.svaj(5.5).s.abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Dwell {
     /// First angle, rad.
@@ -119,6 +179,15 @@ pub struct Dwell {
 }
 
 /// One segment of a programme.
+///
+/// ```
+/// use gaitcam::law::Rise;
+/// use gaitcam::scene::SegmentSpec;
+///
+/// let rise = SegmentSpec::new(Rise::Cycloidal, 0.02, 2.0);
+/// assert_eq!((rise.lift, rise.angle), (0.02, 2.0));
+/// assert_eq!(SegmentSpec::dwell(1.0).motion, Rise::Dwell);
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SegmentSpec {
     /// The motion; [`Rise::Dwell`] for rest.
@@ -130,6 +199,18 @@ pub struct SegmentSpec {
 }
 
 /// What the law may be.
+///
+/// ```
+/// use gaitcam::law::Rise;
+/// use gaitcam::scene::{Family, LawSpec, SegmentSpec};
+///
+/// let half = std::f64::consts::PI;
+/// let law = LawSpec::program(vec![
+///     SegmentSpec::new(Rise::Cycloidal, 0.02, half),
+///     SegmentSpec::new(Rise::Cycloidal, -0.02, half),
+/// ]);
+/// assert_eq!((law.family, law.segments.len()), (Family::Program, 2));
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LawSpec {
     /// Family.

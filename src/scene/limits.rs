@@ -3,6 +3,14 @@
 use crate::cam::LimitKind;
 
 /// What must not be exceeded; `None` = no limit. SI.
+///
+/// ```
+/// use gaitcam::{LimitKind, Limits};
+///
+/// let limits = Limits::default().with(LimitKind::Stroke, 0.04).with(LimitKind::PressureAngle, 0.5);
+/// assert_eq!(limits.stroke, Some(0.04));
+/// assert_eq!((limits.pressure_angle_rise, limits.pressure_angle_fall), (Some(0.5), Some(0.5)));
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Limits {
     /// Largest stroke, m (or rad).

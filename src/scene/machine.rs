@@ -2,12 +2,24 @@
 
 use crate::drive::Drive;
 use crate::dynamics::Train;
-use crate::error::{Place, Result};
+use crate::error::{Placed, Result};
 
 /// Damping ratio of a follower train of which nothing is said: steel parts with oiled joints.
 const DAMPING_RATIO: f64 = 0.05;
 
 /// What is known of the machine beyond its drive: `gaitcam simulate` runs with it.
+///
+/// ```
+/// use gaitcam::drive::Drive;
+/// use gaitcam::scene::MachineSpec;
+///
+/// // k = m (2πf)²
+/// let machine = MachineSpec::default().with_natural_frequency(50.0, 0.05);
+/// let train = machine.train(&Drive::moving_axis(2.0, 9.81, 10.0))?.unwrap();
+/// let omega = std::f64::consts::TAU * 50.0;
+/// assert!((train.stiffness / (2.0 * omega * omega) - 1.0).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MachineSpec {
     /// First natural frequency of the follower train, Hz.
@@ -33,7 +45,7 @@ impl MachineSpec {
         if let Some(hz) = self.natural_frequency {
             return Train::from_frequency(drive, hz, self.damping_ratio)
                 .map(Some)
-                .map_err(|e| e.at(Place::Key("machine.natural_frequency".to_string())));
+                .map_err(|e| e.at_key("machine.natural_frequency"));
         }
         Ok(self.stiffness.map(|stiffness| Train {
             stiffness,

@@ -3,6 +3,7 @@
 //! Every key of a scene file is one row of the table in [`keys`]; reading, writing, changing, sweeping and
 //! relaxing a scene all go through that table.
 
+mod build;
 mod builtin;
 mod cam;
 mod drive;
@@ -33,6 +34,22 @@ pub use schema::schema;
 pub use set::{set, set_value};
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
+///
+/// ```
+/// use gaitcam::scene::{CamSpec, Gait, LawSpec};
+/// use gaitcam::{LimitKind, Limits, Scene, scene};
+///
+/// // The footbridge scene without its file.
+/// let made = Scene::default()
+///     .named("footbridge")
+///     .with_gait(Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0))
+///     .with_law(LawSpec::default().with_degree(5))
+///     .with_cam(CamSpec::default().with_bore(0.012))
+///     .with_limits(Limits::default().with(LimitKind::Stroke, 0.06).with(LimitKind::Curvature, 0.005))
+///     .with_accuracy(0.005);
+/// assert_eq!(made, scene::built_in("footbridge")?.scene()?);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     /// Name of the scene and of its output folder.

@@ -5,10 +5,21 @@ use serde::Serialize;
 
 use super::Scene;
 use super::keys::{Idle, KEYS, Key, find};
-use crate::error::{Error, SceneError};
+use crate::error::{Error, Placed, SceneError};
 use crate::wording::{self, Language};
 
 /// Something worth knowing about a scene that is no error.
+///
+/// ```
+/// use gaitcam::scene::SceneNote;
+/// use gaitcam::{Scene, scene};
+///
+/// // A load model has its own stride: the rate of a recording changes nothing.
+/// let scene: Scene = scene::built_in("footbridge")?.scene()?.with("gait.rate", "100 Hz")?;
+/// let [SceneNote::NoEffect { key, .. }] = &scene.notes()[..] else { panic!("{:?}", scene.notes()) };
+/// assert_eq!(key, "gait.rate");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]

@@ -4,7 +4,7 @@ use toml::{Table, Value as Toml};
 
 use super::keys::{KEYS, Key, read_value};
 use super::{DriveSpec, Gait, Scene, rules};
-use crate::error::{Place, Result, SceneError, nearest};
+use crate::error::{Place, Placed, Result, SceneError, nearest};
 
 /// Reads a scene from its table.
 ///

@@ -7,7 +7,7 @@ use toml::{Table, Value as Toml};
 use super::{Family, KeywaySpec, Minimise, Scene, Source, Weigh};
 use crate::cam::Keyway;
 use crate::drive::DriveKind;
-use crate::error::{Result, SceneError};
+use crate::error::{Placed, Result, SceneError};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 

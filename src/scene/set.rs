@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use crate::error::{Result, SceneError};
+use crate::error::{Placed, Result, SceneError};
 
 /// Changes one value: `set(table, "limits.stroke=40 mm")`; entries of a list go by their number from 1 on:
 /// `law.segment.2.lift`. The value is taken as TOML where it is a number, truth value, array or quoted text, and as

@@ -3,9 +3,17 @@
 use std::sync::Arc;
 
 use super::key::{Key, starts_a_number};
-use crate::error::{Error, Place, Result, SweepError};
+use crate::error::{Error, Placed, Result, SweepError};
 
 /// The values of an axis.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, Values};
+///
+/// let axis = Axis::parse("limits.stroke=40 mm:60 mm:5", false)?;
+/// assert_eq!(axis.values, Values::Range { first: 0.04, last: 0.06, count: Some(5) });
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Words, counts or paths.
@@ -35,6 +43,15 @@ pub enum Values {
 }
 
 /// One value of an axis.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, AxisValue};
+///
+/// let axis = Axis::parse("limits.stroke=40 mm:60 mm:5", false)?;
+/// let AxisValue::Number(stroke) = axis.value(1) else { panic!() };
+/// assert!((stroke - 0.045).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum AxisValue {
     /// In SI.
@@ -44,6 +61,14 @@ pub enum AxisValue {
 }
 
 /// A key with its values.
+///
+/// ```
+/// use gaitcam::sweep::Axis;
+///
+/// let axis = Axis::parse("law.family=spline,harmonic", false)?;
+/// assert_eq!((axis.key.name(), axis.count()), ("law.family", Some(2)));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// The key.
@@ -171,7 +196,7 @@ impl Axis {
 }
 
 fn at_key(key: &str, fault: SweepError) -> Error {
-    Error::from(fault).at(Place::Key(key.to_string()))
+    fault.at_key(key)
 }
 
 fn pick(u: f64, length: usize) -> usize {
@@ -208,10 +233,8 @@ fn range(name: &str, parts: &[&str], sampled: bool) -> Result<Axis> {
             },
         });
     }
-    let (first, unit) =
-        number_and_unit(parts[0]).map_err(|e| e.at(Place::Key(name.to_string())))?;
-    let (last, other) =
-        number_and_unit(parts[1]).map_err(|e| e.at(Place::Key(name.to_string())))?;
+    let (first, unit) = number_and_unit(parts[0]).map_err(|e| e.at_key(name))?;
+    let (last, other) = number_and_unit(parts[1]).map_err(|e| e.at_key(name))?;
     if unit != other {
         let (first, last) = (unit.to_string(), other.to_string());
         return Err(at_key(name, SweepError::DifferentUnits { first, last }));

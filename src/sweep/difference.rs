@@ -6,10 +6,18 @@ use serde::Serialize;
 use serde_json::Value;
 use strum::VariantNames;
 
-use crate::error::{FileError, Result};
+use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
 /// A difference between two descriptions of sweeps; `path` names its place, `limits.stroke` of `vary`.
+///
+/// ```
+/// use gaitcam::sweep::{Difference, differences};
+/// use serde_json::json;
+///
+/// let found = differences(&json!({"seed": 1}), &json!({"seed": 2}));
+/// assert!(matches!(&found[..], [Difference::Value { path, .. }] if path == "seed"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -62,7 +70,7 @@ pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Re
     }
     let said: Vec<String> = all.iter().map(|d| d.sentence(language)).collect();
     let differences = said.join("; ");
-    Err(FileError::AnotherSweep { differences }.file(place))
+    Err(FileError::AnotherSweep { differences }.in_file(place))
 }
 
 /// What differs between two descriptions.

@@ -5,6 +5,15 @@ use crate::cam::Verdict;
 use crate::error::{Result, SweepError, nearest};
 
 /// A design on the front.
+///
+/// ```
+/// use gaitcam::sweep::Front;
+///
+/// let mut front = Front::default();
+/// front.offer(7, &[1.0, 2.0], || vec!["a".to_string()]);
+/// let point = front.best().unwrap();
+/// assert_eq!((point.row, &point.values[..]), (7, &[1.0, 2.0][..]));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Number of its row.
@@ -16,6 +25,19 @@ pub struct Point {
 }
 
 /// The front of the designs offered so far.
+///
+/// ```
+/// use gaitcam::sweep::Front;
+///
+/// // (2, 2) is worse than (1, 1) in both; (0, 3) and (1, 1) are each better in one.
+/// let mut front = Front::default();
+/// for (row, values) in [(0, [2.0, 2.0]), (1, [1.0, 1.0]), (2, [0.0, 3.0])] {
+///     front.offer(row, &values, Vec::new);
+/// }
+/// let rows: Vec<u64> = front.sorted().iter().map(|point| point.row).collect();
+/// assert_eq!(rows.len(), 2);
+/// assert!(rows.contains(&1) && rows.contains(&2));
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Front {
     points: Vec<Point>,
@@ -93,6 +115,16 @@ impl Front {
 }
 
 /// A column that designs are compared by.
+///
+/// ```
+/// use gaitcam::sweep::Objective;
+///
+/// let columns = ["row".to_string(), "stroke_m".to_string()];
+/// let stroke = Objective::of("stroke", false, &columns)?;
+/// assert_eq!((stroke.column, stroke.name.as_str()), (1, "stroke_m"));
+/// assert_eq!(stroke.cost(0.04), 0.04);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Objective {
     /// Its place in the table.
@@ -141,6 +173,14 @@ impl Objective {
 }
 
 /// Which rows of a table are candidates for a front.
+///
+/// ```
+/// use gaitcam::sweep::Admission;
+///
+/// assert!(Admission::default().takes("built", "acceptable"));
+/// assert!(!Admission::default().takes("built", "not-for-high-speed"));
+/// assert!(Admission { low_speed: true, all: false }.takes("built", "not-for-high-speed"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Admission {
     /// Designs that are not for high speed too.

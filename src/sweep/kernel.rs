@@ -13,7 +13,7 @@ use super::batch::{Batch, Column};
 use super::key::Key;
 use super::plan::NamedScene;
 use super::results::{Results, Row};
-use crate::error::{Error, Place, Result, SweepError};
+use crate::error::{Error, Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
 use crate::problem::open_questions;
@@ -23,17 +23,68 @@ use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::synthesise_with;
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
+///
+/// ```
+/// use gaitcam::error::SweepError;
+/// use gaitcam::sweep::Targets;
+/// use gaitcam::{Scene, scene};
+///
+/// // Scenes that name load models only need no file.
+/// let none: Targets = &|_, _: &Scene| Err(SweepError::NoForceError.into());
+/// assert!(none(0, &scene::built_in("footbridge")?.scene()?).is_err());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
 
 /// Seconds on any clock; a caller without one gives 0 always.
+///
+/// ```
+/// use gaitcam::sweep::Clock;
+///
+/// // The library looks at no clock: who wants times brings one.
+/// let begun = std::time::Instant::now();
+/// let clock: Clock = &|| begun.elapsed().as_secs_f64();
+/// assert!(clock() >= 0.0);
+/// ```
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 /// When the searches of a row that begins now are to end.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use gaitcam::sweep::Halts;
+///
+/// // Every row may take as long as it takes.
+/// let halts: Halts = &Halt::never;
+/// assert!(!halts().is_asked());
+/// ```
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
 /// Targets kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
 const KEPT_TARGETS: usize = 1024;
 
 /// Turns batches into results.
+///
+/// ```
+/// use gaitcam::error::SweepError;
+/// use gaitcam::halt::Halt;
+/// use gaitcam::sweep::{Axis, Kernel, NamedScene, NUMBERS, Outcome, Plan, Sampling};
+/// use gaitcam::{Scene, scene};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
+/// let axes = vec![Axis::parse("law.harmonics=2,3,4", false)?];
+/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
+/// let none = |_: usize, _: &Scene| Err(SweepError::NoForceError.into());
+/// let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
+/// let results = kernel.run(&plan.batch(0, 3));
+/// assert_eq!(results.len(), 3);
+/// // Every walker of 700 N is carried by the same mass.
+/// let mass = NUMBERS.iter().position(|name| *name == "mass_kg").unwrap();
+/// for row in 0..3 {
+///     assert!(results.outcome(row) == Outcome::Error || (results.numbers(mass)[row] - 700.0 / 9.81).abs() < 1e-9);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
@@ -269,7 +320,7 @@ impl<'a> Kernel<'a> {
             Source::Model(name) => {
                 force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
                     .map(Some)
-                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))
+                    .map_err(|e| e.at_key("gait.model"))
             }
         }
     }

@@ -8,6 +8,15 @@ use crate::scene::{self, Scene};
 use crate::units::Dimension;
 
 /// A scene key that varies: a quantity in SI, or words.
+///
+/// ```
+/// use gaitcam::sweep::Key;
+///
+/// let (stroke, values) = Key::quantity("limits.stroke", &["40 mm", "2 in"])?.unwrap();
+/// assert_eq!((stroke.column().as_str(), values), ("limits.stroke_m", vec![0.04, 0.0508]));
+/// assert_eq!(Key::of_column("limits.stroke_m"), stroke);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Key {
     name: String,

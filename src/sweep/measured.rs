@@ -23,6 +23,19 @@ const ROUNDING: f64 = 1e-10;
 const POINTS: usize = 4096;
 
 /// What a cam does on its machine; the law's extremes are exact.
+///
+/// ```
+/// use gaitcam::sweep::MadeCam;
+/// use gaitcam::{scene, synthesise};
+///
+/// // A cam that is exactly the design does what the design does.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let points: Vec<[f64; 2]> = design.cam.profile(360).iter().map(|p| [p.x, p.y]).collect();
+/// let made = MadeCam::of(&design, &design.cam.inspect(&points, 0.0)?).unwrap();
+/// assert!((made.made.max_n / made.designed.max_n - 1.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Behaviour {
     /// RMS distance of the force to its target, N.
@@ -40,6 +53,18 @@ pub struct Behaviour {
 }
 
 /// A made cam.
+///
+/// ```
+/// use gaitcam::sweep::MadeCam;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let points: Vec<[f64; 2]> = design.cam.profile(360).iter().map(|p| [p.x, p.y]).collect();
+/// let made = MadeCam::of(&design, &design.cam.inspect(&points, 0.0)?).unwrap();
+/// assert!((made.law.stroke() - design.cam.law.stroke()).abs() < 1e-8);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeCam {
     /// The law that it gives the follower.

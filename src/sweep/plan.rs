@@ -11,6 +11,16 @@ use crate::error::{Place, Result, SweepError};
 use crate::scene;
 
 /// A base scene.
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::sweep::NamedScene;
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let base = NamedScene { name: "footbridge.toml".to_string(), table };
+/// assert_eq!(scene::read(&base.table)?.name, "footbridge");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedScene {
     /// Its name for people: the file it came from.
@@ -20,6 +30,17 @@ pub struct NamedScene {
 }
 
 /// Rows that a user wrote down: values of several keys together.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, List};
+///
+/// let columns = vec![
+///     Axis::list("limits.stroke", ["50 mm", "55 mm"].into_iter())?,
+///     Axis::list("law.family", ["spline", "harmonic"].into_iter())?,
+/// ];
+/// assert_eq!(List { columns }.rows(), 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct List {
     /// The keys with one value per row of the list.
@@ -47,6 +68,16 @@ impl List {
 }
 
 /// How the axes are walked.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Sampling};
+///
+/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
+/// let axes = vec![Axis::parse("limits.stroke=40 mm:60 mm", true)?];
+/// let sampling = Sampling::Sample { method: Method::Latin, count: 1000, seed: 1 };
+/// assert_eq!(Plan { scenes: vec![scene], list: None, axes, sampling }.rows(), 1000);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sampling {
     /// Every combination; the last axis runs fastest.
@@ -63,6 +94,17 @@ pub enum Sampling {
 }
 
 /// The whole sweep: rows are base scenes × list × axes, the axes fastest.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling};
+///
+/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
+/// let axes = ["limits.stroke=40 mm:60 mm:5", "law.family=spline,harmonic"].map(|a| Axis::parse(a, false));
+/// let axes = axes.into_iter().collect::<Result<Vec<_>, _>>()?;
+/// let plan = Plan { scenes: vec![scene], list: None, axes, sampling: Sampling::Grid };
+/// assert_eq!(plan.rows(), 5 * 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     /// Base scenes.

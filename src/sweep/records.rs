@@ -8,6 +8,13 @@ use super::results::{NUMBERS, Results, TIME, WORDS};
 use super::table::unit_of;
 
 /// Values of one column.
+///
+/// ```
+/// use gaitcam::sweep::{Field, FieldValues};
+///
+/// let field = Field::rows(10, 3);
+/// assert_eq!(field.values, FieldValues::Rows(vec![10, 11, 12]));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Values {
     /// Numbers of rows.
@@ -19,6 +26,13 @@ pub enum Values {
 }
 
 /// Words of a column: places in a list of names.
+///
+/// ```
+/// use gaitcam::sweep::Words;
+///
+/// let words = Words::of(["spline", "harmonic", "spline"].into_iter());
+/// assert_eq!((words.names.len(), words.at(2)), (2, Some("spline")));
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Words {
     /// Place of each row's word in `names`; −1 where there is none.
@@ -28,6 +42,13 @@ pub struct Words {
 }
 
 /// A column with its name.
+///
+/// ```
+/// use gaitcam::sweep::Field;
+///
+/// let stroke = Field::numbers("stroke_m", vec![0.04, 0.05]);
+/// assert_eq!((stroke.values.len(), stroke.unit()), (2, "m"));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Its name, which ends in its unit.
@@ -37,6 +58,13 @@ pub struct Field {
 }
 
 /// Rows of a table, column by column.
+///
+/// ```
+/// use gaitcam::sweep::{Field, Records};
+///
+/// let part = |first| Records { fields: vec![Field::rows(first, 2)] };
+/// assert_eq!(Records::joined(vec![part(0), part(2)]), Records { fields: vec![Field::rows(0, 4)] });
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Records {
     /// Columns of equal length.

@@ -45,6 +45,12 @@ pub const WORDS: [&str; 7] = [
 pub const TIME: &str = "time_s";
 
 /// What became of a row.
+///
+/// ```
+/// use gaitcam::sweep::Outcome;
+///
+/// assert_eq!(Outcome::Infeasible.name(), "infeasible");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// A cam was designed; the verdict says how good it is.
@@ -84,6 +90,18 @@ const TIERS: [Tier; 5] = [
 const NONE: u8 = 255;
 
 /// One answer.
+///
+/// ```
+/// use gaitcam::sweep::{NUMBERS, Outcome, Row};
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let row = Row::of(&design);
+/// let stroke = NUMBERS.iter().position(|name| *name == "stroke_m").unwrap();
+/// assert_eq!((row.outcome, row.numbers[stroke]), (Outcome::Built, design.cam.law.stroke()));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
     /// In the order of [`NUMBERS`].
@@ -145,7 +163,7 @@ impl Row {
     }
 
     /// The row of a spectral design that keeps every limit, for a force.
-    pub fn spectral(figures: &Figures, target: &HarmonicTarget) -> Row {
+    pub(crate) fn spectral(figures: &Figures, target: &HarmonicTarget) -> Row {
         Row {
             numbers: numbers(figures),
             warnings: target.curve().map(warnings).unwrap_or_default(),
@@ -240,6 +258,14 @@ fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
 type Sparse = Vec<(u32, String)>;
 
 /// Answers of many rows.
+///
+/// ```
+/// use gaitcam::sweep::{Outcome, Results, Row};
+///
+/// let mut results = Results::with_capacity(1);
+/// results.push(Row::error("no force".to_string()));
+/// assert_eq!((results.len(), results.outcome(0)), (1, Outcome::Error));
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Results {
     numbers: Vec<Vec<f64>>,

@@ -1,6 +1,15 @@
 //! Points that fill a cube evenly: Latin hypercube and Sobol, each point computed from its index alone.
 
 /// How a sample is laid out.
+///
+/// ```
+/// use gaitcam::sweep::Method;
+///
+/// // Each of ten slices of the axis holds one of ten points.
+/// let mut slices: Vec<u64> = (0..10).map(|i| (10.0 * Method::Latin.coordinate(i, 10, 0, 1)) as u64).collect();
+/// slices.sort_unstable();
+/// assert_eq!(slices, (0..10).collect::<Vec<u64>>());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// Each of the N equal slices of every axis holds exactly one point, at a random place in it.

@@ -8,7 +8,7 @@ use super::kernel::Targets;
 use super::plan::NamedScene;
 use super::records::{Field, Records};
 use super::tolerance::{Made, Scatter, Tolerance};
-use crate::error::{Place, Result, SweepError};
+use crate::error::{Placed, Result, SweepError};
 use crate::force;
 use crate::halt::Halt;
 use crate::problem::Shared;
@@ -16,6 +16,21 @@ use crate::scene::{self, Source};
 use crate::synth::synthesise_with;
 
 /// One design, made many times with errors within tolerances.
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::sweep::{NamedScene, Part, Scattered};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scattered = Scattered {
+///     scene: NamedScene { name: "footbridge".to_string(), table },
+///     tolerances: vec!["profile=0.02 mm".to_string(), "mass=1 %".to_string()],
+///     count: 1000,
+///     seed: 1,
+/// };
+/// assert_eq!(scattered.read()?[1].part, Part::Mass);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scattered {
     /// Its scene.
@@ -39,6 +54,25 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
 ];
 
 /// Samples of a design that is made.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use gaitcam::scene;
+/// use gaitcam::sweep::{NamedScene, Scattered, SAMPLE_COLUMNS};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scattered = Scattered {
+///     scene: NamedScene { name: "footbridge".to_string(), table },
+///     tolerances: vec!["mass=1 %".to_string()],
+///     count: 1000,
+///     seed: 1,
+/// };
+/// let none = |_: usize, _: &gaitcam::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
+/// let records = scattered.samples(&none, Halt::never())?.records(0..10);
+/// assert_eq!(records.len(), 10);
+/// assert!(records.fields.iter().any(|field| field.name == SAMPLE_COLUMNS[2]));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,
@@ -80,7 +114,7 @@ impl Scattered {
             Some((_, Source::File(_))) => Some(targets(0, &scene)?),
             Some((gait, Source::Model(name))) => Some(
                 force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
-                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))?,
+                    .map_err(|e| e.at_key("gait.model"))?,
             ),
         };
         let shared = Shared {

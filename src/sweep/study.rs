@@ -25,12 +25,39 @@ use crate::scene::{Scene, Source};
 const KEPT_CURVES: usize = 256;
 
 /// A file that rows name: index of the base scene, and the path as the scene writes it.
+///
+/// ```
+/// use gaitcam::sweep::Named;
+///
+/// // The file that the second base scene calls so.
+/// let named: Named = (1, "walk.csv".to_string());
+/// assert_eq!(named.0, 1);
+/// ```
 pub type Named = (usize, String);
 
 /// Files that rows name, with their content.
+///
+/// ```
+/// use gaitcam::sweep::Files;
+///
+/// let mut files = Files::new();
+/// files.insert((0, "walk.csv".to_string()), b"time,Fz\n".to_vec().into());
+/// assert_eq!(files[&(0, "walk.csv".to_string())].len(), 8);
+/// ```
 pub type Files = BTreeMap<Named, Arc<[u8]>>;
 
 /// What the rows are.
+///
+/// ```
+/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+///
+/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
+/// let axes = vec![Axis::parse("limits.stroke=40 mm:60 mm:5", false)?];
+/// let plan = Plan { scenes: vec![scene], list: None, axes, sampling: Sampling::Grid };
+/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
+/// assert_eq!(study.rows()?, 5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Subject {
     /// Designs of many scenes.
@@ -40,6 +67,21 @@ pub enum Subject {
 }
 
 /// A sweep with the content of every recording that it names.
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
+/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
+/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
+/// // A load model needs no file; the fingerprint tells this sweep from any other.
+/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
+/// assert_eq!((study.rows()?, study.files().len()), (5, 0));
+/// assert_eq!(study.fingerprint(), study.fingerprint());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
     /// What the rows are.
@@ -225,6 +267,23 @@ fn file_of(table: &toml::Table) -> Option<String> {
 }
 
 /// Computes rows of a study.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use gaitcam::scene;
+/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
+/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
+/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
+/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
+/// let targets = study.targets();
+/// let worker = study.worker(&targets, &Halt::never)?;
+/// let records = worker.run(1..3, &|| false).unwrap();
+/// assert_eq!(records.len(), 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub enum Worker<'a> {
     /// Designs; with the names of the base scenes where there are several.
     Designs(&'a Plan, Option<Vec<String>>, Kernel<'a>),

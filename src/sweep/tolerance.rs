@@ -15,12 +15,19 @@ use std::f64::consts::TAU;
 
 use super::sample::{Method, mixed, unit};
 use crate::drive::{Drive, DriveKind};
-use crate::error::{Place, Result, SweepError};
+use crate::error::{Placed, Result, SweepError};
 use crate::scene::keys::{self, Key};
 use crate::synth::Design;
 use crate::units::{Dimension, parse};
 
 /// What is made with an error.
+///
+/// ```
+/// use gaitcam::sweep::{Part, Tolerance};
+///
+/// assert_eq!(Tolerance::parse("base_radius=0.05 mm")?.part, Part::BaseRadius);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     /// The profile: waves of 2 to 12 lobes whose amplitudes fall with the square of the number of lobes and
@@ -63,6 +70,15 @@ impl Part {
 }
 
 /// A tolerance ± on a part; samples are spread evenly over it.
+///
+/// ```
+/// use gaitcam::sweep::Tolerance;
+///
+/// let mass = Tolerance::parse("mass=1 %")?;
+/// assert_eq!((mass.half_width, mass.relative), (0.01, true));
+/// assert_eq!(Tolerance::parse("profile=0.02 mm")?.half_width, 2e-5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// The part.
@@ -102,7 +118,7 @@ impl Tolerance {
         } else {
             part.dimension()
         };
-        let half_width = parse(value, dimension).map_err(|e| e.at(Place::Key(name.to_string())))?;
+        let half_width = parse(value, dimension).map_err(|e| e.at_key(name))?;
         if half_width < 0.0 {
             return Err(SweepError::NegativeTolerance {
                 part: name.to_string(),
@@ -119,6 +135,19 @@ impl Tolerance {
 }
 
 /// One sample: the errors as made, and what they cost.
+///
+/// ```
+/// use gaitcam::sweep::{Scatter, Tolerance};
+/// use gaitcam::{scene, synthesise};
+///
+/// // Without a tolerance a sample is the design.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let made = Scatter::new(&design)?.sample(&[Tolerance::parse("mass=0 %")?], 3, 10, 1);
+/// assert_eq!(made.mass_kg, 0.0);
+/// assert!((made.force_rms_error_n / design.force.rms_error_n - 1.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Made {
     /// Largest amplitude sum of the profile error, m.
@@ -136,6 +165,18 @@ pub struct Made {
 }
 
 /// A design ready to be scattered.
+///
+/// ```
+/// use gaitcam::sweep::{Scatter, Tolerance};
+/// use gaitcam::{scene, synthesise};
+///
+/// // 1 % of a mass of 71.36 kg is 0.7136 kg at most.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let scatter = Scatter::new(&synthesise(&scene, scene.model_force()?.as_ref())?)?;
+/// let mass = [Tolerance::parse("mass=1 %")?];
+/// assert!((0..100).all(|i| scatter.sample(&mass, i, 100, 1).mass_kg.abs() <= 0.01 * 700.0 / 9.81));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 pub struct Scatter {
     drive: Drive,
     mean: f64,
@@ -235,6 +276,13 @@ impl Scatter {
 }
 
 /// Spread of a list of numbers.
+///
+/// ```
+/// use gaitcam::sweep::Spread;
+///
+/// let spread = Spread::of(&[1.0, 2.0, 3.0, 4.0], Some(3.0)).unwrap();
+/// assert_eq!((spread.mean, spread.largest, spread.within), (2.5, 4.0, Some(0.75)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
     /// Mean.

@@ -19,7 +19,21 @@ use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
 /// Everything known about a finished design.
-#[derive(Debug, Clone)]
+///
+/// ```
+/// use gaitcam::{Verdict, scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.verdict, Verdict::Acceptable);
+/// assert!(design.checks.iter().all(|check| check.pass));
+/// // As data: what the law is, what the cam measures, why the verdict is what it is.
+/// let data = serde_json::to_value(&design).unwrap();
+/// assert_eq!(data["verdict"], "acceptable");
+/// assert_eq!(data["drive"]["mass"], 700.0 / 9.81);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
 pub struct Design {
     /// The scene's name.
     pub name: String,
@@ -82,7 +96,20 @@ pub struct Design {
 }
 
 /// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
-#[derive(Debug, Clone)]
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let end = design.end.as_ref().unwrap();
+/// let stiffness = design.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
+/// assert!((end.stiffness / stiffness - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
 pub struct End {
     /// Law of the end; the cam's own differs from it by the follower's give.
     pub law: Law,
@@ -160,6 +187,17 @@ impl Design {
 }
 
 /// Force of the cam against the target, N; all values belong to the continuous law.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // The mean force of a cam that carries its own mass is M·g, whatever the law.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = synthesise(&scene, scene.model_force()?.as_ref())?.force;
+/// assert!((force.mean_n - 700.0).abs() < 1e-6);
+/// assert!(force.rms_error_percent_of_mean <= 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ForceReport {
     /// Root mean square over the cycle.
@@ -179,6 +217,17 @@ pub struct ForceReport {
 }
 
 /// A limit that holds with equality and pushes on the law.
+///
+/// ```
+/// use gaitcam::{LimitKind, scene, synthesise};
+///
+/// // 40 mm of stroke are less than the force asks for: the limit shapes the law.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert!((design.cam.law.stroke() - 0.04).abs() < 1e-9);
+/// assert!(design.binding.iter().any(|b| b.limit == LimitKind::Stroke && b.multiplier > 0.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Binding {
     /// The limit.
@@ -191,6 +240,18 @@ pub struct Binding {
 }
 
 /// What easing one limit by 1 % would buy, to first order.
+///
+/// ```
+/// use gaitcam::{LimitKind, scene, synthesise};
+///
+/// // 1 % more stroke, and what it would buy.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let easing = design.easing.iter().find(|e| e.limit == LimitKind::Stroke).unwrap();
+/// assert!((easing.to / easing.from - 1.01).abs() < 1e-9);
+/// assert!(easing.after < easing.before);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Easing {
     /// The limit, or the scene's own number where that is another.
@@ -208,6 +269,16 @@ pub struct Easing {
 }
 
 /// The quantity that a scene minimises.
+///
+/// ```
+/// use gaitcam::synth::Minimised;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.easing[0].objective, Minimised::RmsError);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimised {
@@ -249,6 +320,16 @@ impl Serialize for Minimised {
 }
 
 /// A member of an irreducible infeasible set.
+///
+/// ```
+/// use gaitcam::synth::{Conflicting, Infeasible};
+/// use gaitcam::{Criterion, LimitKind};
+///
+/// let member = Conflicting::Limit(Criterion::Limit(LimitKind::Stroke));
+/// assert_eq!(member.name(), "stroke");
+/// let why = Infeasible { conflict: vec![member], relaxations: Vec::new(), reasons: Vec::new() };
+/// assert_eq!(why.names(), ["stroke"]);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Conflicting {
@@ -295,7 +376,18 @@ impl Easing {
 }
 
 /// One convex program of a sequence, as it was taken.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // A sequence of convex programs never gets worse.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.torque", "12 N m")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert!(!design.solver.steps.is_empty());
+/// assert!(design.solver.steps.windows(2).all(|s| s[1].merit <= s[0].merit));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Step {
     /// Prime radius after the step, m.
     pub prime_radius: f64,
@@ -308,7 +400,22 @@ pub struct Step {
 }
 
 /// Which rung of the ladder answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// ```
+/// use gaitcam::synth::Tier;
+/// use gaitcam::{scene, synthesise};
+///
+/// // Harmonics in closed form; with limits that bind it takes a program.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = scene.model_force()?;
+/// let harmonic = synthesise(&scene.with("law.family", "harmonic")?, force.as_ref())?;
+/// assert_eq!(harmonic.solver.tier, Tier::Spectral);
+/// let held = synthesise(&scene.with("limits.stroke", "40 mm")?, force.as_ref())?;
+/// assert_eq!(held.solver.tier, Tier::Qp);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Tier {
     /// Closed form, harmonic by harmonic.
     Spectral,
@@ -336,7 +443,18 @@ impl Tier {
 }
 
 /// How the design was found.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// ```
+/// use gaitcam::wording::Language;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let solver = synthesise(&scene, scene.model_force()?.as_ref())?.solver;
+/// assert!(solver.certified && solver.doubt.is_none());
+/// assert!(!solver.status(Language::En).is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SolverReport {
     /// The rung that answered.
     pub tier: Tier,
@@ -376,7 +494,23 @@ impl SolverReport {
 }
 
 /// Why no such cam exists.
-#[derive(Debug, Clone, PartialEq)]
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // 20 mm up and down in one turn take 16 h/T² of acceleration at least (theory §1).
+/// let scene = scene::built_in("camdas_03_flat")?.scene()?;
+/// assert!(synthesise(&scene, None)?.infeasible.is_none());
+/// let jerk = "limits.jerk=1 m/s^3";
+/// let mut table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// scene::set(&mut table, "law.point=[{ angle = \"0 deg\", lift = \"0 mm\" }, { angle = \"180 deg\", lift = \"20 mm\" }]")?;
+/// scene::set(&mut table, &format!("limits.acceleration={} m/s^2", 0.9 * 16.0 * 0.02 * 1.85 * 1.85))?;
+/// let scene = scene::read(&table)?;
+/// let why = synthesise(&scene, scene.model_force()?.as_ref())?.infeasible.unwrap();
+/// assert!(why.names().contains(&"acceleration".to_string()), "{jerk}: {:?}", why.names());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Infeasible {
     /// Limits or demands that cannot hold together.
     pub conflict: Vec<Conflicting>,
@@ -387,6 +521,20 @@ pub struct Infeasible {
 }
 
 /// The smallest change of one limit that lets the others hold.
+///
+/// ```
+/// use gaitcam::synth::{relaxed, synthesise};
+/// use gaitcam::{LimitKind, scene};
+///
+/// // 30 mm of stroke leave an error above 0.5 %: how much stroke would be enough?
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
+/// let force = scene.model_force()?;
+/// let design = relaxed(&scene, force.as_ref(), synthesise(&scene, force.as_ref())?);
+/// let stroke = design.relaxations.iter().find(|r| r.limit == LimitKind::Stroke).unwrap();
+/// assert_eq!((stroke.key, stroke.from), ("limits.stroke", 0.03));
+/// assert!(stroke.to.unwrap() > 0.03 && stroke.to.unwrap() < 0.05);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Relaxation {
     /// The limit.

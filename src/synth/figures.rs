@@ -3,6 +3,18 @@
 use super::{Design, ForceReport, MachineReport};
 
 /// Figures of one design, SI.
+///
+/// ```
+/// use gaitcam::synth::Figures;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let figures = Figures::of(&design);
+/// assert_eq!(figures.stroke, design.cam.law.stroke());
+/// assert!((figures.mass - 700.0 / 9.81).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Figures {
     /// Force against target.

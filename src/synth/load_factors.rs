@@ -13,6 +13,17 @@ const HARMONICS: usize = 6;
 const SAMPLES: usize = 1024;
 
 /// One harmonic of the target and of the achieved force: F = F₀ + W Σ αₖ sin(kθ − φₖ), W the weight of the walker.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // Young (2001) at 1.85 Hz: α₁ = 0.37 (f − 0.95).
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let first = synthesise(&scene, scene.model_force()?.as_ref())?.load_factors()[0];
+/// assert!((first.target - 0.37 * (1.85 - 0.95)).abs() < 1e-6);
+/// assert!((first.frequency_hz - 1.85).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadFactor {
     /// Number of the harmonic in a turn of the cam.

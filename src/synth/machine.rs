@@ -14,6 +14,26 @@ const GIVEN_BACK: f64 = 1e-12;
 ///
 /// `None` where a number is not defined: without any load, on a cam that slides (it has a push, no torque),
 /// for a follower that no speed lifts off, on an undercut cam.
+///
+/// ```
+/// use gaitcam::law::Rise;
+/// use gaitcam::scene::{CamSpec, DriveSpec, LawSpec, SegmentSpec};
+/// use gaitcam::{Scene, synthesise};
+///
+/// // An eccentric of e = 10 mm lifts off at ω = √(g/e).
+/// let half = std::f64::consts::PI;
+/// let law = LawSpec::program(vec![
+///     SegmentSpec::new(Rise::SimpleHarmonic, 0.02, half),
+///     SegmentSpec::new(Rise::SimpleHarmonic, -0.02, half),
+/// ]);
+/// let scene = Scene::default()
+///     .with_drive(DriveSpec::moving_axis(3.0).with_speed(10.0))
+///     .with_law(law)
+///     .with_cam(CamSpec::default().with_base_radius(0.02));
+/// let machine = synthesise(&scene, None)?.machine();
+/// assert!((machine.liftoff_speed_rad_per_s.unwrap() / (9.81_f64 / 0.01).sqrt() - 1.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct MachineReport {
     /// Largest absolute torque of the shaft, N·m.

@@ -10,6 +10,17 @@ use crate::units::Quantity;
 use crate::wording::{self, Language};
 
 /// How a tier came to its law.
+///
+/// ```
+/// use gaitcam::synth::Method;
+/// use gaitcam::{scene, synthesise};
+///
+/// // Young's load has four harmonics, and so has the law.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("law.family", "harmonic")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert!(matches!(design.solver.method, Method::Spectral { harmonics, .. } if harmonics <= 4));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -49,6 +60,18 @@ pub enum Method {
 }
 
 /// Why a sequence of convex programs ended.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // Why the sequence of programs under a limit of torque ended; designs without one have no such end.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = scene.model_force()?;
+/// assert!(synthesise(&scene, force.as_ref())?.solver.ended().is_none());
+/// let held = synthesise(&scene.with("limits.torque", "12 N m")?, force.as_ref())?;
+/// assert!(held.solver.ended().is_some());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -67,6 +90,24 @@ pub enum Ended {
 }
 
 /// What a simpler family missed.
+///
+/// ```
+/// use gaitcam::scene::{Family, Gait, LawSpec};
+/// use gaitcam::synth::PassedOver;
+/// use gaitcam::{LimitKind, Limits, Scene, synthesise};
+///
+/// // Harmonics that reach the accuracy need more stroke than is allowed: a spline takes over.
+/// let gait = Gait::model("young").with_step_frequency(1.85);
+/// let scene = Scene::default()
+///     .with_gait(gait)
+///     .with_law(LawSpec::of(Family::Ladder))
+///     .with_limits(Limits::default().with(LimitKind::Stroke, 0.045))
+///     .with_accuracy(0.005);
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.family, "spline");
+/// assert!(matches!(design.solver.passed_over[0], PassedOver::Check { .. } | PassedOver::Limits { .. } | PassedOver::Accuracy { .. }));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

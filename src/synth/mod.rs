@@ -72,10 +72,12 @@ mod pareto;
 mod phase;
 mod polydyne;
 mod proof;
+#[doc(hidden)]
 pub mod qp;
 mod reason;
 mod scp;
 mod sizing;
+#[doc(hidden)]
 pub mod spectral;
 mod verdict;
 mod verify;
@@ -94,11 +96,11 @@ pub use named::unit;
 pub use parameters::Functions;
 pub use pareto::{Against, Trade, trade};
 pub use proof::Doubt;
-pub use qp::{Certificate, Demand, Given};
+pub use qp::{Certificate, Demand, Given, Stop};
 pub use reason::{Change, Reason, sentences};
 
 use crate::cam::{Cam, Check, LimitKind, Verdict};
-use crate::error::Result;
+use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem, Shared};
 use crate::scene::{Family, Scene};

@@ -5,6 +5,18 @@ use serde::Serialize;
 use super::qp::Basis;
 
 /// Functions of a law's coefficients, in the order of the coefficients.
+///
+/// ```
+/// use gaitcam::synth::Functions;
+/// use gaitcam::{scene, synthesise};
+///
+/// // As many coefficients as knots in a turn.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("law.spans", "16")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let Functions::BSpline { knots } = &design.functions else { panic!() };
+/// assert_eq!((knots.len(), design.coefficients.len()), (16, 16));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]

@@ -6,12 +6,23 @@
 use super::{Design, designed};
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
-use crate::error::{Error, Place, Result, SweepError, SynthError};
+use crate::error::{Error, Placed, Result, SweepError, SynthError};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, Minimise, Scene};
 
 /// What the force error is traded against.
+///
+/// ```
+/// use gaitcam::synth::Against;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(Against::Stroke.of(&design), design.cam.law.stroke());
+/// assert_eq!(Against::Stroke.column(), "stroke_m");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Against {
     /// Prime radius of a roller cam, base radius of a flat-faced one.
@@ -35,6 +46,21 @@ pub enum Against {
 }
 
 /// A point of the front.
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::synth::{Against, trade};
+///
+/// // Less stroke costs force error.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let front = trade(&scene, scene.model_force()?.as_ref(), Against::Stroke, 4)?;
+/// for pair in front.windows(2) {
+///     let cost = |i: usize| (pair[i].allowed, -pair[i].design.force.rms_error_n);
+///     assert!((cost(0) <= cost(1)) || (cost(1) <= cost(0)));
+/// }
+/// assert!(front.len() >= 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Trade {
     /// The value that was allowed, SI.
@@ -152,11 +178,11 @@ impl Against {
         match self {
             Against::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
                 let fault = Error::from(SweepError::FrontWithoutMovingAxis);
-                Err(fault.at(Place::Key("drive.kind".to_string())))
+                Err(fault.at_key("drive.kind"))
             }
             Against::HertzPressure if !fixed => {
                 let fault = Error::from(SweepError::FrontWithoutSize);
-                Err(fault.at(Place::Key("cam.base_radius".to_string())))
+                Err(fault.at_key("cam.base_radius"))
             }
             _ => Ok(()),
         }

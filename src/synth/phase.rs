@@ -11,7 +11,7 @@ use argmin::solver::brent::BrentOpt;
 
 use super::families::{NoLaw, find_law, on_base_circle};
 use super::limits::force_report;
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 
 /// Phases looked at before the search.

@@ -8,7 +8,7 @@ use super::{sizing, verify};
 use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
-use crate::error::{Place, Result};
+use crate::error::{Placed, Result};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
 use crate::scene::Limits;
@@ -115,7 +115,7 @@ impl Round {
 
 /// The cam for a wanted end, and that end with the zero of its lift moved as the cam's was.
 fn cut(problem: &Problem, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
-    let key = |e: crate::error::Error| e.at(Place::Key("law.polydyne".to_string()));
+    let key = |e: crate::error::Error| e.at_key("law.polydyne");
     let whole = polydyne(wanted, &problem.drive, train).map_err(key)?;
     let law = on_base_circle(problem, whole.clone());
     let (start, _) = whole.extent();

@@ -10,6 +10,14 @@ use crate::wording::{self, Language};
 const PROVED: f64 = 1e-6;
 
 /// Why a law is not certified to be the optimum.
+///
+/// ```
+/// use gaitcam::synth::Doubt;
+/// use gaitcam::wording::Language;
+///
+/// assert!(Doubt::Local.sentence(Language::En).contains("local"));
+/// assert_eq!(serde_json::to_value(Doubt::TouchingAngle).unwrap(), "touching-angle");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

@@ -11,6 +11,19 @@ use crate::units::Quantity;
 use crate::wording::{self, Language};
 
 /// One reason for a verdict.
+///
+/// ```
+/// use gaitcam::synth::Reason;
+/// use gaitcam::wording::Language;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.reasons, [Reason::AllHold]);
+/// assert_eq!(design.reasons[0].code(), "reason-all-hold");
+/// assert!(!design.reason(Language::Es).is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]
@@ -150,6 +163,25 @@ pub enum Reason {
 }
 
 /// The change of one limit that is enough.
+///
+/// ```
+/// use gaitcam::synth::{Change, Reason, relaxed, synthesise};
+/// use gaitcam::{LimitKind, scene};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
+/// let force = scene.model_force()?;
+/// let design = relaxed(&scene, force.as_ref(), synthesise(&scene, force.as_ref())?);
+/// let changes = design.reasons.iter().find_map(|reason| match reason {
+///     Reason::Relaxation { changes } | Reason::Relaxations { changes } => Some(changes),
+///     _ => None,
+/// });
+/// let Change::Change { limit, from, to, .. } = changes.unwrap().iter().find(|c| {
+///     matches!(c, Change::Change { key, .. } if *key == "limits.stroke")
+/// }).unwrap();
+/// assert_eq!((limit.limit(), from.value), (Some(LimitKind::Stroke), 0.03));
+/// assert!(to.value > 0.03);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
 #[strum(serialize_all = "kebab-case")]

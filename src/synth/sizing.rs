@@ -5,7 +5,7 @@ use crate::cam::{
     BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
 };
-use crate::error::{Error, Place, Result, SynthError};
+use crate::error::{Error, Place, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
 use crate::units::Quantity;
@@ -60,7 +60,7 @@ pub fn conjugate(problem: &Problem, cam: &Cam) -> Result<Option<Conjugate>> {
             Some(conjugate(cam, pair.closure()?, pair.roller_radius))
         })
         .transpose()
-        .map_err(|e| e.at(Place::Key("cam.conjugate".to_string())))
+        .map_err(|e| e.at_key("cam.conjugate"))
 }
 
 /// The groove of a barrel cam, with both walls; `None` for other cams.
@@ -83,7 +83,7 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
     };
     BarrelGroove::new(cam.law.clone(), radius - depth(problem), radius, rollers)
         .map(Some)
-        .map_err(|e| e.at(Place::Key("cam.depth".to_string())))
+        .map_err(|e| e.at_key("cam.depth"))
 }
 
 /// Smallest base radius on which the law keeps the scene's curvature without undercut, all else as in
@@ -114,7 +114,7 @@ fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
 
 /// Half of what the lift leaves of the breadth is the base (prime) circle, if the law keeps a breadth.
 fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
-    let key = |e: Error| e.at(Place::Key("cam.breadth".to_string()));
+    let key = |e: Error| e.at_key("cam.breadth");
     let half = std::f64::consts::PI;
     let sum = |theta: f64| law.svaj(theta).s + law.svaj(theta + half).s;
     let lift = sum(0.0);
@@ -310,8 +310,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
         pivot_beside: spec.pivot_beside,
     };
     let cam = Cam { law, follower };
-    let smallest =
-        smallest_for(&cam, &limits).map_err(|e| e.at(Place::Key("cam.base_radius".to_string())))?;
+    let smallest = smallest_for(&cam, &limits).map_err(|e| e.at_key("cam.base_radius"))?;
     let barrel = matches!(follower, Follower::Barrel { .. });
     // A barrel's groove is steepest at its floor, which has to hold the limits, and a roller must be
     // thinner than the floor.

@@ -27,6 +27,13 @@ pub use catalogue::Catalogue;
 pub use number::{fixed, number, people, quantity};
 
 /// A language of messages, reports and pictures.
+///
+/// ```
+/// use gaitcam::wording::Language;
+///
+/// assert_eq!(Language::of_tag("es"), Some(Language::Es));
+/// assert_eq!(Language::En.tag(), "en");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Language {

@@ -7,6 +7,7 @@ mod fluent;
 mod force;
 mod law;
 mod layering;
+mod public_examples;
 mod scene;
 mod support;
 mod synth;

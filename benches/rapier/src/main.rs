@@ -7,7 +7,7 @@
 //! `cargo run --release --manifest-path benches/rapier/Cargo.toml > benches/rapier/measured.csv`.
 
 use gaitcam::dynamics::contact::{self, Limits, Phase};
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
 use rapier2d_f64::prelude::*;

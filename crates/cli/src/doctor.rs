@@ -15,12 +15,12 @@ use gaitcam::synth::{relaxed_with, sentences, synthesise_with};
 use serde_json::json;
 use toml::Table;
 
-use crate::exit_code::{self, BAD_INPUT, BUILT, NO_SUCH_CAM};
+use crate::console::exit_code::{self, BAD_INPUT, BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::print;
+use crate::console::words;
+use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
-use crate::language;
-use crate::searching::TimeLimit;
-use crate::terminal::print;
-use crate::words;
 use gaitcam_files::Input;
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::target::{content, find, metadata};
@@ -225,10 +225,7 @@ fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result
 fn examine_design(input: &Input, time: TimeLimit) -> Result<u8> {
     let target = input.target()?;
     let shown = time.shown();
-    let shared = Shared {
-        halt: time.of_design(),
-        ..Shared::default()
-    };
+    let shared = Shared::until(time.of_design());
     let design = match synthesise_with(&input.scene, target.as_ref(), &shared) {
         Ok(design) => relaxed_with(&input.scene, target.as_ref(), design, &shared.halt),
         Err(fault) => {

@@ -6,39 +6,31 @@
 
 mod chart;
 mod compare;
-mod completions;
+mod console;
 mod doctor;
-mod error;
-pub mod exit_code;
 mod front;
 mod gait;
-mod help;
 mod init;
 mod input;
 mod inspect;
-mod keys;
-mod language;
-mod laws;
-mod manual;
-mod recordings;
+mod reference;
 mod reproduce;
-mod searching;
 mod simulate;
 mod studio;
 mod sweep;
 pub mod synth;
-mod terminal;
-mod usage;
-mod words;
 
 use std::ffi::OsString;
 
 use clap::{FromArgMatches, Parser, Subcommand};
 
+pub use console::exit_code;
+use console::terminal::{final_exit_code, print_json, record_write_error, report};
+use console::{help, language, usage, words};
 use exit_code::{BAD_INPUT, BUILT, INTERNAL_ERROR};
 use gaitcam::error::{Error, Result};
+use reference::{completions, keys, laws, manual};
 use serde_json::{Value, json};
-use terminal::{final_exit_code, print_json, record_write_error, report};
 
 /// From a vertical walking force to the cam that reproduces it.
 #[derive(Parser, Debug)]

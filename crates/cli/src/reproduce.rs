@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::exit_code::BUILT;
-use crate::terminal::print;
+use crate::console::exit_code::BUILT;
+use crate::console::terminal::print;
 use gaitcam::error::Result;
 
 const EXAMPLES: &str = "Examples:

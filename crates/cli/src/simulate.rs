@@ -6,15 +6,15 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::json;
 
-use crate::error::CliError;
-use crate::exit_code::{self, NO_SUCH_CAM};
+use crate::console::error::CliError;
+use crate::console::exit_code::{self, NO_SUCH_CAM};
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words;
+use crate::input::searching;
 use crate::input::{self, SceneArgs};
-use crate::searching;
 use crate::synth::files_in;
-use crate::terminal::{print, print_json, report};
-use crate::words;
 use gaitcam::dynamics::{Model, Run, simulate};
-use gaitcam::error::{Place, Result};
+use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
 use gaitcam::synth::{Design, contact_is_judged, synthesise_with};
 use gaitcam::units::Dimension;
@@ -65,7 +65,7 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs) -> Result<u8> {
     let model = Model::parse(&args.model).ok_or_else(|| {
         let typed = args.model.clone();
-        CliError::NoModel { typed }.flag("--model")
+        CliError::NoModel { typed }.at_argument("--model")
     })?;
     let start = Instant::now();
     let input = input::scene(&args.scene)?;
@@ -80,7 +80,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let solving = Instant::now();
     let mut design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
     let solve_s = solving.elapsed().as_secs_f64();
-    if let Some(why) = design.no_cam(crate::language::current()) {
+    if let Some(why) = design.no_cam(crate::console::language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));
         if args.json {
             print_json(&json!({"model": null, "outcome": "infeasible", "why": why}));
@@ -105,7 +105,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
     folder.write("dynamics.csv", outcome.csv().as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
-    let page = html_of_run(&design, time, &running, crate::language::current());
+    let page = html_of_run(&design, time, &running, crate::console::language::current());
     folder.write("report.html", page.as_bytes())?;
     write_scene(&folder, &input, &scene)?;
     let place = folder.path().to_path_buf();
@@ -118,8 +118,14 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             design.name,
             words::name(design.verdict.name())
         ));
-        print(&format!("  {}", design.reason(crate::language::current())));
-        print(&outcome.table(run.cam.follower.measures(), crate::language::current()));
+        print(&format!(
+            "  {}",
+            design.reason(crate::console::language::current())
+        ));
+        print(&outcome.table(
+            run.cam.follower.measures(),
+            crate::console::language::current(),
+        ));
         print(&files_in(&place, "report.html"));
     }
     Ok(exit_code::of(design.verdict))
@@ -142,13 +148,13 @@ fn machine(args: &SimulateArgs, spec: &MachineSpec) -> Result<MachineSpec> {
     let friction = given("--friction", &args.friction, Dimension::Ratio)?;
     if friction.is_some_and(|mu| mu < 0.0) {
         let typed = args.friction.clone().unwrap_or_default();
-        return Err(CliError::NegativeFriction { typed }.flag("--friction"));
+        return Err(CliError::NegativeFriction { typed }.at_argument("--friction"));
     }
     machine.friction = friction.unwrap_or(spec.friction);
     let e =
         given("--restitution", &args.restitution, Dimension::Ratio)?.unwrap_or(spec.restitution);
     if !(0.0..=1.0).contains(&e) {
-        return Err(CliError::Restitution { value: e }.flag("--restitution"));
+        return Err(CliError::Restitution { value: e }.at_argument("--restitution"));
     }
     machine.restitution = e;
     machine.second_cam =

@@ -5,9 +5,9 @@ use std::process::{Command, Stdio, exit};
 
 use clap::Args;
 
-use crate::exit_code::BUILT;
-use crate::language;
-use crate::terminal::print;
+use crate::console::exit_code::BUILT;
+use crate::console::language;
+use crate::console::terminal::print;
 use gaitcam::error::Result;
 use gaitcam_studio::{Options, open};
 

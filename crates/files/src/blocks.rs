@@ -10,7 +10,7 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{FileError, Result, WriteError};
+use gaitcam::error::{FileError, Placed, Result, WriteError};
 use gaitcam::sweep::{Study, agree};
 use gaitcam_output::Language;
 use gaitcam_output::folder::{put_whole, write_whole};
@@ -115,12 +115,12 @@ impl Blocks {
 fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     fs::create_dir_all(folder).map_err(|e| {
         let fault = e.to_string();
-        WriteError::FolderRefuses { fault }.file(folder)
+        WriteError::FolderRefuses { fault }.in_file(folder)
     })?;
     if let [first, ..] = &files(folder)?[..] {
         let file = first.file_name().unwrap_or_default().to_string_lossy();
         let file = file.into_owned();
-        return Err(FileError::NotSweepFolder { file }.file(folder));
+        return Err(FileError::NotSweepFolder { file }.in_file(folder));
     }
     let text = serde_json::to_string_pretty(plan).unwrap_or_default();
     write_whole(place, text.as_bytes())
@@ -133,7 +133,7 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
 pub fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     let fault = |e: std::io::Error| {
         let fault = e.to_string();
-        FileError::CannotRead { fault }.file(folder)
+        FileError::CannotRead { fault }.in_file(folder)
     };
     let mut out = Vec::new();
     for entry in fs::read_dir(folder).map_err(fault)? {
@@ -174,7 +174,7 @@ mod tests {
             axes: vec![Axis::parse(vary, false).unwrap()],
             sampling: Sampling::Grid,
         };
-        let none = |_: usize, path: &Path| Err(FileError::Folder.file(path));
+        let none = |_: usize, path: &Path| Err(FileError::Folder.in_file(path));
         Study::new(Subject::Designs(plan), none).unwrap()
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{FileError, Result};
+use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::synth::Design;
 use gaitcam_output::{self as output, Language, Timing};
 use serde_json::Value;
@@ -167,7 +167,7 @@ pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
         let replaced = beside.is_some_and(|b| same(&path, &b) && !b.ends_with(SCENE));
         if replaced && is_written(&path) {
             let file = path.display().to_string();
-            return Err(FileError::Replaced { file }.file(folder));
+            return Err(FileError::Replaced { file }.in_file(folder));
         }
     }
     Ok(())

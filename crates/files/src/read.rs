@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
-use gaitcam::error::{Error, FileError, Result};
+use gaitcam::error::{Error, FileError, Placed, Result};
 
 /// Largest scene file, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
@@ -20,7 +20,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
 pub fn read_text(path: &Path) -> Result<String> {
     let bytes = read_at_most(path, LARGEST_SCENE)?;
     String::from_utf8(bytes)
-        .map_err(|e| FileError::NotUtf8.byte(path, e.utf8_error().valid_up_to()))
+        .map_err(|e| FileError::NotUtf8.at_byte(path, e.utf8_error().valid_up_to()))
 }
 
 /// The scene on standard input.
@@ -28,7 +28,7 @@ pub fn read_standard_input() -> Result<String> {
     let place = Path::new("standard input");
     let bytes = limited(std::io::stdin().lock(), place, LARGEST_SCENE)?;
     String::from_utf8(bytes)
-        .map_err(|e| FileError::NotUtf8.byte(place, e.utf8_error().valid_up_to()))
+        .map_err(|e| FileError::NotUtf8.at_byte(place, e.utf8_error().valid_up_to()))
 }
 
 /// A pipe that nobody writes to and a device that never ends are refused before they are opened.
@@ -36,10 +36,10 @@ fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let fault = |e: std::io::Error| cannot_be_read(path, &e);
     let about = fs::metadata(path).map_err(fault)?;
     if about.is_dir() {
-        return Err(FileError::Folder.file(path));
+        return Err(FileError::Folder.in_file(path));
     }
     if !about.is_file() && !is_open_already(path) {
-        return Err(FileError::Device.file(path));
+        return Err(FileError::Device.in_file(path));
     }
     if about.len() > most {
         return Err(too_large(path, most));
@@ -67,11 +67,11 @@ fn is_open_already(path: &Path) -> bool {
 }
 
 fn too_large(path: &Path, most: u64) -> Error {
-    FileError::TooLarge { mib: most >> 20 }.file(path)
+    FileError::TooLarge { mib: most >> 20 }.in_file(path)
 }
 
 /// The error of a file that the system does not give.
 pub fn cannot_be_read(path: &Path, e: &std::io::Error) -> Error {
     let fault = e.to_string();
-    FileError::CannotRead { fault }.file(path)
+    FileError::CannotRead { fault }.in_file(path)
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{FileError, Result, WriteError};
+use gaitcam::error::{FileError, Placed, Result, WriteError};
 
 /// New files that wait to be moved into place.
 const READY: &str = ".gaitcam.ready";
@@ -35,7 +35,7 @@ impl ResultFolder {
     pub fn open(path: &Path) -> Result<ResultFolder> {
         let fault = |e: std::io::Error| {
             let fault = e.to_string();
-            WriteError::FolderRefuses { fault }.file(path)
+            WriteError::FolderRefuses { fault }.in_file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
         let lock = Lock::wait(&path.join(LOCK)).map_err(fault)?;
@@ -63,7 +63,7 @@ impl ResultFolder {
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         fs::write(self.stage.join(name), bytes).map_err(|e| {
             let fault = e.to_string();
-            WriteError::FileRefuses { fault }.file(&self.path.join(name))
+            WriteError::FileRefuses { fault }.in_file(&self.path.join(name))
         })?;
         self.written.borrow_mut().push(name.to_string());
         Ok(())
@@ -73,7 +73,7 @@ impl ResultFolder {
     pub fn commit(self, others: &[&str]) -> Result<()> {
         let fault = |e: std::io::Error| {
             let fault = e.to_string();
-            FileError::CannotPlace { fault }.file(&self.path)
+            FileError::CannotPlace { fault }.in_file(&self.path)
         };
         let written = self.written.borrow();
         let stale: Vec<&str> = others

@@ -7,7 +7,7 @@ use std::time::UNIX_EPOCH;
 use toml::{Table, Value};
 
 use crate::{read, target};
-use gaitcam::error::{Error, FileError, Place, Result};
+use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene, Source};
 use gaitcam_output::drawing::{Title, revision};
@@ -129,7 +129,7 @@ pub fn parse(text: &str, path: Option<&Path>) -> Result<Table> {
 /// The scene that a summary.json was made from.
 fn of_summary(path: &Path, text: &str) -> Result<Table> {
     let value: serde_json::Value = serde_json::from_str(text).map_err(|e| not_json(path, &e))?;
-    let missing = || FileError::NoSceneInSummary.file(path);
+    let missing = || FileError::NoSceneInSummary.in_file(path);
     let scene = value.get("scene").ok_or_else(missing)?;
     serde_json::from_value(scene.clone()).map_err(|_| missing())
 }
@@ -137,7 +137,7 @@ fn of_summary(path: &Path, text: &str) -> Result<Table> {
 /// The error of a text that is no JSON.
 pub fn not_json(path: &Path, e: &serde_json::Error) -> Error {
     let fault = e.to_string();
-    FileError::NotJson { fault }.line(path, e.line())
+    FileError::NotJson { fault }.at_line(path, e.line())
 }
 
 fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
@@ -147,7 +147,7 @@ fn not_toml(path: Option<&Path>, text: &str, e: &toml::de::Error) -> Error {
     let fault = e.message().replace('\n', ", ");
     let error = Error::from(FileError::NotToml { fault });
     match path {
-        Some(path) => error.at(Place::Line(path.to_path_buf(), line)),
+        Some(path) => error.at_line(path, line),
         None => error,
     }
 }

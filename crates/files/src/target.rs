@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::read::read_bytes;
-use gaitcam::error::{Place, Result};
+use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve};
 use gaitcam::scene::{self, Scene, Source};
 
@@ -17,12 +17,7 @@ pub fn target(scene: &Scene, folder: &Path) -> Result<Option<ForceCurve>> {
         return Ok(None);
     };
     match &gait.source {
-        Source::Model(name) => {
-            let weight = gait.model_weight();
-            force::model(name, gait.step_frequency, weight, gait.feet)
-                .map(Some)
-                .map_err(|e| e.at(Place::Key("gait.model".to_string())))
-        }
+        Source::Model(_) => gait.model_force(),
         Source::File(path) => {
             let bytes = content(folder, path)?;
             let path = find(folder, path);

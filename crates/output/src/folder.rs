@@ -5,7 +5,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{Result, WriteError};
+use gaitcam::error::{Placed, Result, WriteError};
 use tempfile::Builder;
 
 /// A folder that is known to take files.
@@ -20,7 +20,7 @@ impl Folder {
             WriteError::FolderRefuses {
                 fault: e.to_string(),
             }
-            .file(path)
+            .in_file(path)
         };
         fs::create_dir_all(path).map_err(fault)?;
         let probe = path.join(format!(".gaitcam.{}.partial", std::process::id()));
@@ -84,6 +84,6 @@ fn through_neighbour(
         });
     written.map(|_| ()).map_err(|e| {
         let fault = e.to_string();
-        WriteError::FileRefuses { fault }.file(path)
+        WriteError::FileRefuses { fault }.in_file(path)
     })
 }

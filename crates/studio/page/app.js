@@ -1,23 +1,23 @@
 // The page: boot, wiring, keys.
 
-import { $, notice, make, clear } from "./dom.js";
-import * as words from "./words.js";
-import { get, send } from "./net.js";
-import * as store from "./store.js";
-import * as solver from "./solver.js";
-import * as form from "./form.js";
-import * as clock from "./clock.js";
-import * as stage from "./stage.js";
-import * as charts from "./charts.js";
-import * as verdict from "./verdict.js";
-import * as view from "./view.js";
-import * as gallery from "./gallery.js";
-import * as exports from "./exports.js";
-import * as files from "./files.js";
-import * as force from "./force.js";
-import * as programme from "./programme.js";
-import * as compare from "./compare.js";
-import * as text from "./text.js";
+import { $, notice, make, clear } from "./core/dom.js";
+import * as words from "./core/words.js";
+import { get, send } from "./core/net.js";
+import * as store from "./core/store.js";
+import * as solver from "./core/solver.js";
+import * as form from "./panels/form.js";
+import * as clock from "./core/clock.js";
+import * as stage from "./panels/stage.js";
+import * as charts from "./panels/charts.js";
+import * as verdict from "./panels/verdict.js";
+import * as view from "./core/view.js";
+import * as gallery from "./panels/gallery.js";
+import * as exports from "./panels/exports.js";
+import * as files from "./panels/files.js";
+import * as force from "./panels/force.js";
+import * as programme from "./panels/programme.js";
+import * as compare from "./panels/compare.js";
+import * as text from "./panels/text.js";
 
 const { t } = words;
 const PACES = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];

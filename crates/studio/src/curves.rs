@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use gaitcam::cam::{Cam, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
-use gaitcam::dynamics::rigid::touch::touch;
+use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 use gaitcam_output::curve;

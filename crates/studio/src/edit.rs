@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::{Table, Value};
 
 use crate::fault::StudioError;
-use gaitcam::error::{Error, ErrorKind, Place, Result, SceneError};
+use gaitcam::error::{Error, ErrorKind, Place, Placed, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene};
 use gaitcam::units::{Dimension, parse};
@@ -236,7 +236,7 @@ fn rebalance(table: &mut Table, keep: usize) -> Result<()> {
     let mut angles = Vec::new();
     for (i, entry) in entries.iter().enumerate() {
         let text = entry.get("angle").and_then(Value::as_str).unwrap_or("0");
-        let place = |e: Error| e.at(Place::Key(format!("law.segment.{}.angle", i + 1)));
+        let place = |e: Error| e.at_key(&format!("law.segment.{}.angle", i + 1));
         angles.push(parse(text, Dimension::Angle).map_err(place)?);
     }
     let turn = std::f64::consts::TAU;

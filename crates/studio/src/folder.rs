@@ -7,7 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use serde::Serialize;
 
 use crate::fault::StudioError;
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 
 /// Largest file that is read, bytes.
 const LARGEST: u64 = 256 << 20;
@@ -49,7 +49,7 @@ impl Folder {
     /// # Errors
     /// Paths that lead out of the folder, by `..`, from the root or through a link; files that are not there.
     pub fn find(&self, path: &Path) -> Result<PathBuf> {
-        let outside = || Error::from(StudioError::Outside).at(Place::File(path.to_path_buf()));
+        let outside = || StudioError::Outside.in_file(path);
         let upwards = path.components().any(|c| c == Component::ParentDir);
         if upwards {
             return Err(outside());
@@ -71,9 +71,7 @@ impl Folder {
         let about = fs::metadata(&found).map_err(|e| unread(path, &e))?;
         if !about.is_file() || about.len() > LARGEST {
             let mib = LARGEST >> 20;
-            return Err(
-                Error::from(StudioError::NoFile { mib }).at(Place::File(path.to_path_buf()))
-            );
+            return Err(StudioError::NoFile { mib }.in_file(path));
         }
         fs::read(found).map_err(|e| unread(path, &e))
     }
@@ -186,7 +184,7 @@ fn place(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
 
 fn unread(path: &Path, e: &std::io::Error) -> Error {
     let fault = e.to_string();
-    Error::from(StudioError::CannotRead { fault }).at(Place::File(path.to_path_buf()))
+    StudioError::CannotRead { fault }.in_file(path)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::time::SystemTime;
 
 use crate::folder::Folder;
 use crate::recent::Recent;
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Placed, Result};
 use gaitcam::force::{self, ForceCurve, ReadOptions};
 use gaitcam::scene::{Gait, Scene, Source};
 
@@ -72,13 +72,10 @@ impl Sources {
         if let Some(curve) = crate::lock(&self.curves).get(&key) {
             return Ok(Some(curve));
         }
-        let curve = match &gait.source {
-            Source::Model(name) => {
-                let weight = gait.model_weight();
-                force::model(name, gait.step_frequency, weight, gait.feet)
-                    .map_err(|e| e.at(Place::Key("gait.model".to_string())))?
-            }
-            Source::File(path) => {
+        let curve = match (gait.model_force()?, &gait.source) {
+            (Some(curve), _) => curve,
+            (None, Source::Model(_)) => return Ok(None),
+            (None, Source::File(path)) => {
                 let bytes = self.bytes(folder, path)?;
                 force::force_curve(path, &bytes, &self.options(folder, gait, path)?, gait.feet)?
             }
@@ -92,7 +89,7 @@ impl Sources {
     /// # Errors
     /// Units that name nothing.
     pub fn options(&self, folder: &Folder, gait: &Gait, path: &Path) -> Result<ReadOptions> {
-        let at = |e: Error| e.at(Place::Key("gait.unit".to_string()));
+        let at = |e: Error| e.at_key("gait.unit");
         let unit = gait.unit.as_deref().map(|u| u.parse().map_err(at));
         let subjects = force::metadata_name(path).and_then(|p| self.bytes(folder, &p).ok());
         Ok(ReadOptions {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Placed, Result};
 use gaitcam::scene;
 use gaitcam::sweep::{
     Axis, Files, Key, List, Method, NamedScene, Plan, Sampling, Scattered, Study, Subject, Values,
@@ -249,7 +249,7 @@ impl Question {
             let Some(scene) = scenes.pop().filter(|_| alone) else {
                 let what = "tolerances are of one design: vary nothing beside them";
                 let fault = Error::own("python-argument", what);
-                return Err(fault.at(Place::Key("tolerance".to_string())));
+                return Err(fault.at_key("tolerance"));
             };
             return Ok(Subject::Scatter(Scattered {
                 scene,

@@ -42,6 +42,21 @@ const OTHER: f64 = 0.1;
 const DETERMINED: f64 = 1e-9;
 
 /// One measured point against the profile.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // A cam that is 0.01 mm too large all around, measured at every 10°.
+/// let law = Law::harmonic(0.01, &[(0.006, 0.004), (0.001, -0.002)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.04 })?;
+/// let larger = Cam::new(cam.law.clone(), Follower::FlatTranslating { base_radius: 0.04001 })?;
+/// let measured: Vec<[f64; 2]> = larger.profile(36).iter().map(|p| [p.x, p.y]).collect();
+/// for deviation in cam.inspect(&measured, 0.0)?.deviations {
+///     assert!((deviation.normal - 1e-5).abs() < 1e-7);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Deviation {
     /// Its place in the list of measured points, from 0.
@@ -53,6 +68,21 @@ pub struct Deviation {
 }
 
 /// How measured points lie on a cam.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::law::Law;
+///
+/// // The cam itself, turned by 30° in the measuring machine.
+/// let law = Law::harmonic(0.01, &[(0.006, 0.004), (0.001, -0.002)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.04 })?;
+/// let (sin, cos) = (std::f64::consts::PI / 6.0).sin_cos();
+/// let turned = cam.profile(36).iter().map(|p| [cos * p.x - sin * p.y, sin * p.x + cos * p.y]).collect::<Vec<_>>();
+/// let found = cam.inspect(&turned, 0.0)?;
+/// assert!((found.turn - std::f64::consts::PI / 6.0).abs() < 1e-6);
+/// assert!(found.rms() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
     /// Angle by which the cam lies turned counter-clockwise in the measuring frame, rad in (−π, π].

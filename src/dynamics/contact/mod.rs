@@ -45,6 +45,21 @@ pub struct Stretch {
 }
 
 /// One landing.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::drive::Drive;
+/// use gaitcam::dynamics::{Model, Run, simulate};
+/// use gaitcam::law::Law;
+///
+/// // Above lift-off the follower flies and lands.
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
+/// let run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 1.3 * (9.81_f64 / 0.01).sqrt()), 720);
+/// let impacts = simulate(&run, Model::Contact)?.impacts;
+/// assert!(!impacts.is_empty());
+/// assert!(impacts.iter().all(|i| i.speed > 0.0 && i.since <= i.at && i.height >= 0.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Impact {
     /// Angle, turns counted on, rad.
@@ -81,6 +96,14 @@ pub struct ContactRun {
 }
 
 /// How long to run.
+///
+/// ```
+/// use gaitcam::dynamics::{ContactLimits, Machine};
+///
+/// let limits = ContactLimits { turns: 50, ..ContactLimits::default() };
+/// let machine = Machine { limits, ..Machine::default() };
+/// assert_eq!(machine.limits.turns, 50);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Turns at most.

@@ -29,6 +29,20 @@ const STEP_SLACK: f64 = 1e-3;
 pub const ROWS_BETWEEN_BREAKS: usize = 6;
 
 /// The motion that an emitted profile gives its follower.
+///
+/// ```
+/// use gaitcam::cam::{Cam, Follower};
+/// use gaitcam::dynamics::recover;
+/// use gaitcam::law::Law;
+///
+/// // The points of an eccentric disc give its harmonic back.
+/// let follower = Follower::FlatTranslating { base_radius: 0.02 };
+/// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), follower)?;
+/// let emitted = recover(&follower, &cam.profile(360))?;
+/// assert!((emitted.law.svaj(1.0).s - 0.01 * (1.0 + 1f64.sin())).abs() < 1e-9);
+/// assert!(emitted.mismatch < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Emitted {
     /// Lift over the base (prime) circle; degree 4 between the angles of the points, C³ at them but for

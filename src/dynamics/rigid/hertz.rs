@@ -12,6 +12,14 @@ const LINE_DEPTH: f64 = 0.786;
 const LINE_SHEAR: f64 = 0.300;
 
 /// Elastic constants of one body.
+///
+/// ```
+/// use gaitcam::dynamics::hertz::{Material, STEEL, modulus};
+///
+/// // Of two equal bodies: E/(1 − ν²)/2 … the reduced modulus of steel on steel is half of a rigid partner's.
+/// let rigid = Material { young: f64::INFINITY, poisson: 0.0 };
+/// assert!((modulus(STEEL, rigid) / modulus(STEEL, STEEL) - 2.0).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Young's modulus, Pa.

@@ -11,6 +11,17 @@ use crate::cam::{Cam, Follower};
 use crate::law::Svaj;
 
 /// What happens in the contact at one cam angle.
+///
+/// ```
+/// use gaitcam::cam::Follower;
+/// use gaitcam::dynamics::touch;
+/// use gaitcam::law::Svaj;
+///
+/// // At rest on the base circle a face rubs at ω·Rb, and the force stands normal to it.
+/// let at = Svaj { s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
+/// let found = touch(&Follower::FlatTranslating { base_radius: 0.03 }, 10.0, 0.0, at, 100.0);
+/// assert!((found.normal - 100.0).abs() < 1e-12 && (found.sliding.abs() - 0.3).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Touch {
     /// Force normal to the surfaces, N.

@@ -34,6 +34,17 @@ pub use overlay::{MeanStanceCurve, Overlay, overlay};
 pub use stride_time::Period;
 
 /// One mean cycle of a recording and how it was computed.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// // Nobody gave a mass: it is the one whose weight is the mean force.
+/// assert!((mean.mean_of_weight - 1.0).abs() < 1e-9 && mean.mass_fits);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
     /// The mean cycle; its period is a stride, its spread the standard deviation from step to step.

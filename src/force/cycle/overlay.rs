@@ -5,6 +5,18 @@ use crate::force::recording::{Foot, Recording};
 use crate::force::stance::{Point, Stance, Stances};
 
 /// Stances on their own phase: sample `i` of `n` stands at the fraction i/(n − 1) of the stance.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, overlay, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let shown = overlay(&recording, &stances(&recording), 6).unwrap();
+/// assert!(shown.stances.len() <= 6);
+/// // One mean for each foot.
+/// assert_eq!(shown.means.len(), 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Overlay {
     /// Foot and force, N, of the stances shown.
@@ -14,6 +26,17 @@ pub struct Overlay {
 }
 
 /// The mean stance of one foot.
+///
+/// ```
+/// use gaitcam::force::{Foot, ReadOptions, overlay, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let left = overlay(&recording, &stances(&recording), 6).unwrap().means[0].clone();
+/// assert_eq!((left.foot, left.count), (Some(Foot::Left), 10));
+/// assert!((left.duration_s - 1.0 / (0.76 * 1.9)).abs() < 0.005);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeanStanceCurve {
     /// The foot, where it is known.

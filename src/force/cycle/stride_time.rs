@@ -8,6 +8,18 @@ use crate::force::stance::{Stances, footfalls, same_foot};
 use crate::units::G;
 
 /// A stride of the walk that the recording holds.
+///
+/// ```
+/// use gaitcam::force::{Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let period = curve.recording.unwrap().period.clone().unwrap();
+/// assert!((period.seconds - 2.0 / 1.9).abs() < 0.002);
+/// // Made strides are all alike but for the noise of the plates.
+/// assert!(period.spread_s.unwrap() < 0.005);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Period {
     /// Duration, s.

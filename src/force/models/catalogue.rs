@@ -1,6 +1,14 @@
 //! The published load models: formula, source, and how sure we are of each.
 
 /// How sure we are of a model's coefficients.
+///
+/// ```
+/// use gaitcam::force::{Status, catalogue};
+///
+/// let young = catalogue().iter().find(|model| model.name == "young").unwrap();
+/// assert!([Status::Seen, Status::Recalled, Status::Mixed].contains(&young.status));
+/// assert_eq!(Status::Seen.name(), "seen");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// The exact text or source line was seen.
@@ -23,6 +31,14 @@ impl Status {
 }
 
 /// One entry of the catalogue of load models.
+///
+/// ```
+/// use gaitcam::force::catalogue;
+///
+/// // Li et al. (2010) give one foot, Young (2001) the sum of both.
+/// let single = |name| catalogue().iter().find(|model| model.name == name).unwrap().single_foot;
+/// assert!(single("li-2010") && !single("young"));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelInfo {
     /// Name for scenes, for example `young`.

@@ -7,6 +7,7 @@ mod arrays;
 mod baseline;
 mod c3d;
 mod columns;
+mod critical_points;
 mod cycle_file;
 mod keys;
 mod number;
@@ -21,7 +22,7 @@ use std::path::Path;
 use super::curve::ForceCurve;
 use super::quantity::{hertz, kilograms};
 use super::recording::{ReadOptions, Recording};
-use crate::error::{FileKind, ReadError, Result};
+use crate::error::{FileKind, Placed, ReadError, Result};
 
 pub use arrays::of_arrays;
 pub use text::metadata_name;

@@ -19,6 +19,16 @@ use crate::wording::{Catalogue, Language, catalogue};
 const NAME: usize = 40;
 
 /// One of several recordings.
+///
+/// ```
+/// use gaitcam::force::{Feet, TrialRow, model, trials_table};
+/// use gaitcam::wording::Language;
+///
+/// let curve = model("young", Some(1.85), 700.0, Feet::Both)?;
+/// let row = TrialRow { name: "a.csv", understood: None, curve: Some(&curve), fault: None, left_out: None };
+/// assert!(trials_table(&[row], None, Language::En).contains("a.csv"));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct TrialRow<'a> {
     /// Its file, as it is called on the way to it.

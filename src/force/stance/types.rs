@@ -8,6 +8,19 @@ use crate::force::note::Note;
 use crate::force::recording::Foot;
 
 /// One point of a stance: force and fraction of the stance.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // The humps of a walking stance: loading in its first half, push-off in its second.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let stance = &stances(&recording).used[0];
+/// let (loading, push_off) = (stance.first_peak().unwrap(), stance.second_peak().unwrap());
+/// assert!(loading.at < 0.5 && push_off.at > 0.5);
+/// assert!(loading.force_n > stance.valley.unwrap().force_n);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// Force, N.
@@ -20,6 +33,18 @@ pub struct Point {
 const LATE: f64 = 0.6;
 
 /// A whole stance of one foot.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // Made stances last 1/(0.76·1.9) s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// for stance in stances(&recording).used {
+///     assert!((stance.duration_s() - 1.0 / (0.76 * 1.9)).abs() < 0.01);
+/// }
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stance {
     /// Channel of the recording.
@@ -70,6 +95,16 @@ impl Stance {
 }
 
 /// Why a contact is not used.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, RejectReason, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let reasons: Vec<RejectReason> = stances(&recording).rejected.iter().map(|r| r.reason).collect();
+/// assert_eq!(reasons, [RejectReason::CutAtStart, RejectReason::CutAtEnd]);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
 )]
@@ -110,6 +145,17 @@ pub enum RejectReason {
 }
 
 /// A contact that is not used.
+///
+/// ```
+/// use gaitcam::force::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// // The last contact is cut by the end of the recording.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let cut = stances(&recording).rejected.last().unwrap().clone();
+/// assert!((cut.to_s - recording.duration_s).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rejected {
     /// Channel of the recording.
@@ -123,6 +169,17 @@ pub struct Rejected {
 }
 
 /// All contacts of a recording, each used or rejected, in order of time.
+///
+/// ```
+/// use gaitcam::force::{Kind, ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let found = stances(&recording);
+/// assert_eq!((found.used.len(), found.rejected.len()), (19, 2));
+/// assert_eq!(found.recognised, Some(Kind::Walking));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Stances {
     /// Whole walking stances.

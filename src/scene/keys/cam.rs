@@ -1,8 +1,7 @@
 //! Rows of `[cam]`: the cam and its follower.
 
-use super::row::{
-    Access, Idle, Key, Kind, Measure, Range, Relax, given, key, optional, other, plain,
-};
+use super::kind::{Idle, Kind, Measure, Range, Relax};
+use super::row::{Access, Key, given, key, optional, other, plain};
 use super::value::Value;
 use crate::cam::FollowerKind;
 use crate::scene::{ConjugateSpec, KeywaySpec, Scene};

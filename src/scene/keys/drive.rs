@@ -1,6 +1,7 @@
 //! Rows of `[drive]`: how lift becomes force.
 
-use super::row::{Access, Idle, Key, Kind, Measure, Range, given, number, optional, other, plain};
+use super::kind::{Idle, Kind, Measure, Range};
+use super::row::{Access, Key, given, number, optional, other, plain};
 use super::value::Value;
 use crate::drive::DriveKind;
 use crate::scene::Scene;

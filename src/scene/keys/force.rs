@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use super::row::{Access, Idle, Key, Kind, Measure, Range, entry, number, other, plain};
+use super::kind::{Idle, Kind, Measure, Range};
+use super::row::{Access, Key, entry, number, other, plain};
 use super::value::Value;
 use crate::force::{Feet, Kind as Movement, OpenQuestion};
 use crate::scene::{Band, ForceScale, Gait, Phase, PhaseWeight, Scene, Source};

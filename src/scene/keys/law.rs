@@ -1,9 +1,7 @@
 //! Rows of `[law]`: what the law may be.
 
-use super::row::{
-    Access, Idle, Key, Kind, Measure, Range, entry, given_entry, number, optional_entry, other,
-    plain,
-};
+use super::kind::{Idle, Kind, Measure, Range};
+use super::row::{Access, Key, entry, given_entry, number, optional_entry, other, plain};
 use super::value::Value;
 use crate::law::Rise;
 use crate::scene::{Family, Minimise, Scene, Weigh};

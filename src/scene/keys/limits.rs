@@ -1,8 +1,7 @@
 //! Rows of `[limits]`, `[machine]` and `[accuracy]`.
 
-use super::row::{
-    Access, Idle, Key, Kind, Measure, Range, Relax, given, key, number, optional, plain,
-};
+use super::kind::{Idle, Kind, Measure, Range, Relax};
+use super::row::{Access, Key, given, key, number, optional, plain};
 use super::value::Value;
 use crate::scene::{LimitKind, Limits, Scene};
 use crate::units::Dimension as D;

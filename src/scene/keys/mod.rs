@@ -7,6 +7,7 @@
 mod cam;
 mod drive;
 mod force;
+mod kind;
 mod law;
 mod limits;
 mod list;
@@ -17,8 +18,9 @@ use std::sync::LazyLock;
 
 use super::LimitKind;
 
+pub use kind::{Idle, Kind, Measure, Range, Relax};
 pub use list::{json, markdown, takes};
-pub use row::{Idle, Key, Kind, Measure, Range, Relax};
+pub use row::Key;
 pub use value::Value;
 pub(super) use value::{read as read_value, shown};
 

@@ -1,155 +1,11 @@
 //! One row of the key table.
 
-use serde::Serialize;
+use super::kind::{Idle, Kind, Measure, Range, Relax};
 
 use super::value::Value;
-use crate::cam::Measures;
 use crate::error::Result;
 use crate::scene::{LimitKind, Scene};
 use crate::units::Dimension;
-
-/// What a number measures, by what the follower's lift is measured in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Measure {
-    /// Followers that translate.
-    pub translating: Dimension,
-    /// Followers that oscillate.
-    pub oscillating: Dimension,
-    /// Cams that translate themselves.
-    pub straight: Dimension,
-}
-
-impl Measure {
-    /// The same for every follower.
-    pub const fn same(dimension: Dimension) -> Measure {
-        Measure::by_arm(dimension, dimension)
-    }
-
-    /// One for followers on an arm, another for all others.
-    pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
-        Measure {
-            translating: other,
-            oscillating: arm,
-            straight: other,
-        }
-    }
-
-    /// The dimension for a follower.
-    pub fn of(self, measures: Measures) -> Dimension {
-        match measures {
-            Measures::Translating => self.translating,
-            Measures::Oscillating => self.oscillating,
-            Measures::Straight => self.straight,
-        }
-    }
-
-    /// Every dimension that occurs, each once.
-    pub fn each(self) -> Vec<Dimension> {
-        let mut all = vec![self.translating];
-        for next in [self.oscillating, self.straight] {
-            if !all.contains(&next) {
-                all.push(next);
-            }
-        }
-        all
-    }
-}
-
-/// What kind of value a key takes.
-#[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
-pub enum Kind {
-    /// A number with its unit.
-    Number(Measure),
-    /// A number with its unit, or this word.
-    NumberOr(Measure, &'static str),
-    /// A whole number from the first to the last.
-    Count(usize, usize),
-    /// One of several words.
-    Choice(fn() -> Vec<&'static str>),
-    /// `true` or `false`.
-    Flag,
-    /// A text.
-    Text,
-    /// A text or a list of texts.
-    Texts,
-}
-
-/// Which numbers a key takes, in SI.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Range {
-    /// Any.
-    Any,
-    /// Above zero.
-    Positive,
-    /// Zero or above.
-    NotNegative,
-    /// From the first to the last.
-    Between(f64, f64),
-    /// An angle above 0 and below 90°.
-    Acute,
-}
-
-impl Range {
-    /// Whether a number lies in it.
-    pub fn contains(self, x: f64) -> bool {
-        x.is_finite()
-            && match self {
-                Range::Any => true,
-                Range::Positive => x > 0.0,
-                Range::NotNegative => x >= 0.0,
-                Range::Between(low, high) => (low..=high).contains(&x),
-                Range::Acute => x > 0.0 && x < std::f64::consts::FRAC_PI_2,
-            }
-    }
-}
-
-/// Which way a number has to go to ask for less.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Relax {
-    /// A larger value is the weaker demand.
-    Up,
-    /// A smaller value is the weaker demand.
-    Down,
-}
-
-/// Why a key that is given changes nothing in a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Idle {
-    /// The law's family does not use it.
-    Family,
-    /// The kind of follower does not use it.
-    Follower,
-    /// The drive does not use it.
-    Drive,
-    /// No force is wanted.
-    NoForce,
-    /// The force is a recording.
-    Recording,
-    /// The force is a load model.
-    Model,
-    /// Nothing is known of the follower's stiffness.
-    RigidFollower,
-}
-
-impl Idle {
-    /// Its name in data.
-    pub fn name(self) -> &'static str {
-        match self {
-            Idle::Family => "family",
-            Idle::Follower => "follower",
-            Idle::Drive => "drive",
-            Idle::NoForce => "no-force",
-            Idle::Recording => "recording",
-            Idle::Model => "model",
-            Idle::RigidFollower => "rigid-follower",
-        }
-    }
-}
 
 type Get = fn(&Scene, usize) -> Option<Value>;
 type Set = fn(&mut Scene, usize, Value) -> Result<()>;
@@ -162,6 +18,18 @@ pub(super) struct Access {
 }
 
 /// A key of the scene file.
+///
+/// ```
+/// use gaitcam::scene::keys::{self, Value};
+/// use gaitcam::{LimitKind, Scene};
+///
+/// let key = keys::find("limits.stroke").unwrap();
+/// assert_eq!((key.section(), key.name(), key.limit), ("limits", "stroke", Some(LimitKind::Stroke)));
+/// let mut scene = Scene::default();
+/// key.set(&mut scene, 0, Value::Number(0.04))?;
+/// assert_eq!((scene.limits.stroke, key.number(&scene)), (Some(0.04), Some(0.04)));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Clone, Copy)]
 pub struct Key {
     /// Dotted path, `N` for the number of an entry of a list: `law.segment.N.lift`.

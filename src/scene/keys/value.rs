@@ -2,12 +2,22 @@
 
 use toml::Value as Toml;
 
-use super::row::{Key, Kind, Range};
-use crate::error::{Place, Result, SceneError, nearest};
+use super::kind::{Kind, Range};
+use super::row::Key;
+use crate::error::{Place, Placed, Result, SceneError, nearest};
 use crate::scene::Scene;
 use crate::units::{Dimension, Quantity, parse};
 
 /// The value of a key, typed.
+///
+/// ```
+/// use gaitcam::Scene;
+/// use gaitcam::scene::keys::{self, Value};
+///
+/// let follower = keys::find("cam.follower").unwrap().get(&Scene::default(), 0);
+/// assert_eq!(follower, Some(Value::Text("flat-translating".to_string())));
+/// assert_eq!(Value::Number(0.04).number(), Some(0.04));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number in SI.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::poly::{Span, SplineSpace};
 use crate::problem::Problem;
 use crate::scene::Dwell;

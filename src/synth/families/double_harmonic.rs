@@ -12,7 +12,7 @@ use argmin::solver::neldermead::NelderMead;
 use super::spectral::no_force;
 use super::{Found, NoLaw, report};
 use crate::drive::Drive;
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{Found, report};
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;

@@ -1,7 +1,7 @@
 //! The programme family: segments of catalogue laws, joined as written.
 
 use super::{Found, report};
-use crate::error::{Place, Result};
+use crate::error::{Placed, Result};
 use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
@@ -24,8 +24,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
             angle: s.angle,
         })
         .collect();
-    let law =
-        assembled(problem, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
+    let law = assembled(problem, &segments).map_err(|e| e.at_key("law.segment"))?;
     Ok(Found {
         degree: law.poly().degree(),
         functions: Functions::Segments,

@@ -3,7 +3,7 @@
 use super::spline_program::force_distance;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
-use crate::error::{Error, Result, SynthError};
+use crate::error::{Error, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};

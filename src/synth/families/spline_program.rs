@@ -1,7 +1,7 @@
 //! The spline program before any limit: demands, and what is minimised.
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::{Minimise, Weigh};
 use crate::synth::qp::{Basis, Program, Quadratic};

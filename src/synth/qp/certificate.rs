@@ -17,6 +17,17 @@ use serde::Serialize;
 use crate::criterion::Criterion;
 
 /// How near to the optimum a law is proved to be.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // The multipliers prove that no law of the family follows the force better under this limit.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let solver = synthesise(&scene, scene.model_force()?.as_ref())?.solver;
+/// let certificate = solver.certificate.unwrap();
+/// assert!(certificate.relative_gap < 1e-6 && certificate.violation < 1e-8);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
     /// Objective less the lower bound that the multipliers prove, in units of the objective (N² for a

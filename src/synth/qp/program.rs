@@ -277,6 +277,14 @@ pub enum Failure {
 }
 
 /// How a solver stopped without an answer; says nothing about whether there is one.
+///
+/// ```
+/// use gaitcam::synth::{Reason, Stop};
+///
+/// // A solver that stops without an answer proves nothing: the reason says which way it stopped.
+/// let reason = Reason::SolverStopped { stop: Stop::IterationLimit };
+/// assert_eq!(reason.code(), "reason-solver-stopped");
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stop {

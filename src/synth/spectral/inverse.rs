@@ -2,7 +2,7 @@
 
 use super::MOST_AUTO;
 use crate::drive::Drive;
-use crate::error::{Result, SynthError};
+use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::amplitudes;

@@ -1,20 +1,8 @@
 //! Geometry of every follower by a second route: closed forms and differences along the profile.
 
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
-use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam_test_support::{near, turn};
 use std::f64::consts::TAU;
-
-fn turn(segments: &[(&str, f64, f64)]) -> Law {
-    let list: Vec<Segment> = segments
-        .iter()
-        .map(|&(motion, lift, degrees)| Segment {
-            motion: Rise::from_name(motion).unwrap(),
-            lift,
-            angle: degrees.to_radians(),
-        })
-        .collect();
-    program(&list, Extent::TURN).unwrap()
-}
 
 fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
     Follower::RollerTranslating {
@@ -22,13 +10,6 @@ fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
         offset,
         roller_radius,
     }
-}
-
-fn near(value: f64, expected: f64, within: f64) {
-    assert!(
-        (value - expected).abs() <= within,
-        "{value} is not {expected}"
-    );
 }
 
 fn oscillating() -> Vec<Cam> {

@@ -6,7 +6,7 @@ use gaitcam::cam::{Cam, Deviation, Follower, Inspection};
 use gaitcam::error::{CamError, Error, ErrorKind};
 use gaitcam::law::Law;
 use gaitcam::sweep::MadeCam;
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::Design;
 
 /// Turn of the cam in the measuring frame, and its centre, m.
 const TURN: f64 = 2.1;
@@ -189,13 +189,8 @@ fn points_that_say_nothing_about_this_cam_are_refused() {
 }
 
 fn footbridge() -> Design {
-    let scene = gaitcam::scene::DEFAULT.parse().unwrap();
-    let scene = gaitcam::scene::read(&scene).unwrap();
-    let target =
-        gaitcam::force::model("young", Some(1.85), 700.0, gaitcam::force::Feet::Both).unwrap();
-    synthesise(&scene, Some(&target)).unwrap()
+    gaitcam_test_support::design::<&str>(gaitcam::scene::DEFAULT, &[]).unwrap()
 }
-
 #[test]
 fn the_force_of_a_made_cam_is_that_of_its_waves() {
     let mut design = footbridge();

@@ -6,19 +6,8 @@ use gaitcam::cam::{
 };
 use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, program};
 use gaitcam::poly::PiecewisePoly;
+use gaitcam_test_support::{near, turn};
 use std::f64::consts::{PI, TAU};
-
-fn turn(segments: &[(&str, f64, f64)]) -> Law {
-    let list: Vec<Segment> = segments
-        .iter()
-        .map(|&(motion, lift, degrees)| Segment {
-            motion: Rise::from_name(motion).unwrap(),
-            lift,
-            angle: degrees.to_radians(),
-        })
-        .collect();
-    program(&list, Extent::TURN).unwrap()
-}
 
 fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
     Follower::RollerTranslating {
@@ -26,13 +15,6 @@ fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
         offset,
         roller_radius,
     }
-}
-
-fn near(value: f64, expected: f64, within: f64) {
-    assert!(
-        (value - expected).abs() <= within,
-        "{value} is not {expected}"
-    );
 }
 
 /// theory §2: the paper's law with its dwell, inches.

@@ -6,24 +6,12 @@
 
 use gaitcam::cam::{BarrelGroove, Cam, Closure, Conjugate, Follower, ProfilePoint, Rollers, Wall};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
+use gaitcam_test_support::{segments, turn};
 use std::f64::consts::{PI, TAU};
 
 const POINTS: usize = 1440;
 /// Largest gap or overlap allowed, m.
 const GAP: f64 = 1e-7;
-
-fn segment(motion: &str, lift: f64, degrees: f64) -> Segment {
-    Segment {
-        motion: Rise::from_name(motion).unwrap(),
-        lift,
-        angle: degrees.to_radians(),
-    }
-}
-
-fn turn(segments: &[(&str, f64, f64)]) -> Law {
-    let list: Vec<Segment> = segments.iter().map(|s| segment(s.0, s.1, s.2)).collect();
-    program(&list, Extent::TURN).unwrap()
-}
 
 fn lopsided(lift: f64) -> Law {
     turn(&[
@@ -283,10 +271,7 @@ fn both_members_of_every_conjugate_pair_hold_the_follower() {
 #[test]
 fn constant_breadth_is_constant_over_all_directions() {
     // theory §5, Ejemplo6: SHM 120°, dwell 60°, SHM 120°, dwell 60°; breadth = 2Rb + s_max.
-    let half = [
-        segment("simple-harmonic", 0.03, 120.0),
-        segment("dwell", 0.0, 60.0),
-    ];
+    let half = segments(&[("simple-harmonic", 0.03, 120.0), ("dwell", 0.0, 60.0)]);
     let breadth = 0.13;
     let cam = between_faces(&half, breadth);
     assert!((cam.follower.base_radius() - 0.05).abs() < 1e-15);
@@ -298,7 +283,7 @@ fn constant_breadth_is_constant_over_all_directions() {
         let width = reach(nx, ny) + reach(-nx, -ny);
         assert!((width - breadth).abs() < 1e-9, "{i} {width}");
     }
-    let smooth = between_faces(&[segment("3-4-5", 0.03, 180.0)], breadth);
+    let smooth = between_faces(&segments(&[("3-4-5", 0.03, 180.0)]), breadth);
     let pair = Conjugate::new(&smooth, Closure::Distance(breadth), None).unwrap();
     for (p, q) in smooth
         .profile(POINTS)
@@ -319,10 +304,7 @@ fn between_faces(half: &[Segment], breadth: f64) -> Cam {
 
 #[test]
 fn a_cam_of_constant_diameter_holds_both_rollers() {
-    let half = [
-        segment("cycloidal", 0.03, 120.0),
-        segment("dwell", 0.0, 60.0),
-    ];
+    let half = segments(&[("cycloidal", 0.03, 120.0), ("dwell", 0.0, 60.0)]);
     let law = constant_breadth(&half).unwrap();
     let follower = Follower::RollerTranslating {
         prime_radius: 0.5 * (0.15 - law.stroke()),

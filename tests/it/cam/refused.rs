@@ -3,21 +3,8 @@
 use gaitcam::cam::{
     Body, Cam, Closure, Conjugate, Continuity, Follower, SizeLimits, Verdict, smallest_for,
 };
-use gaitcam::law::{Extent, Law, Rise, Segment, assemble, constant_breadth, program};
-
-fn segments(list: &[(&str, f64, f64)]) -> Vec<Segment> {
-    list.iter()
-        .map(|&(motion, lift, degrees)| Segment {
-            motion: Rise::from_name(motion).unwrap(),
-            lift,
-            angle: degrees.to_radians(),
-        })
-        .collect()
-}
-
-fn turn(list: &[(&str, f64, f64)]) -> Law {
-    program(&segments(list), Extent::TURN).unwrap()
-}
+use gaitcam::law::{Extent, Law, assemble, constant_breadth};
+use gaitcam_test_support::{segments, turn};
 
 fn up_and_down(motion: &str, lift: f64) -> Law {
     turn(&[

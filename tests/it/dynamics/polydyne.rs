@@ -1,7 +1,6 @@
 //! A scene with a follower that gives: the cam is cut so that the follower's end moves as the law asks.
 
 use gaitcam::dynamics::{Machine, Model, Run, simulate};
-use gaitcam::force::ForceCurve;
 use gaitcam::scene;
 use gaitcam::synth::{Design, synthesise};
 use std::f64::consts::TAU;
@@ -9,21 +8,8 @@ use std::f64::consts::TAU;
 const SOFT: [&str; 2] = ["machine.natural_frequency=12 Hz", "law.degree=7"];
 const POINTS: usize = 1440;
 
-fn read(text: &str, changes: &[&str]) -> gaitcam::error::Result<scene::Scene> {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    scene::read(&table)
-}
-
 fn design(text: &str, changes: &[&str]) -> Design {
-    let scene = read(text, changes).unwrap();
-    let target: Option<ForceCurve> = scene
-        .gait
-        .as_ref()
-        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
-    synthesise(&scene, target.as_ref()).unwrap()
+    gaitcam_test_support::design(text, changes).unwrap()
 }
 
 /// RMS distance of the end's force from the one that law.csv states, N, by the follower's own transfer of
@@ -97,7 +83,7 @@ fn the_end_of_a_soft_follower_gives_the_force_that_the_plain_cam_misses() {
     let plain = design(scene::DEFAULT, &SOFT);
     let changes = [SOFT[0], SOFT[1], "law.polydyne=true"];
     let s = design(scene::DEFAULT, &changes);
-    let scene = read(scene::DEFAULT, &changes).unwrap();
+    let scene = gaitcam_test_support::scene(scene::DEFAULT, &changes).unwrap();
     assert!(s.checks.iter().all(|c| c.pass), "{:?}", s.checks);
     // The end's law, and with it the stated force, is the law that a stiff machine would have.
     assert!((s.force.rms_error_n - plain.force.rms_error_n).abs() < 1e-9);
@@ -227,7 +213,7 @@ fn a_programme_reaches_the_end_and_its_dwells_stay_dwells() {
 
 #[test]
 fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
-    let fault = |change: &str| match read(RISE, &[change]) {
+    let fault = |change: &str| match gaitcam_test_support::scene(RISE, &[change]) {
         Err(e) => e.to_string(),
         Ok(scene) => synthesise(&scene, None).unwrap_err().to_string(),
     };
@@ -250,7 +236,9 @@ fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
         assert!(got.contains(words), "{change}: {got}");
     }
     let soft = ["law.polydyne=true"];
-    let got = read(scene::DEFAULT, &soft).unwrap_err().to_string();
+    let got = gaitcam_test_support::scene(scene::DEFAULT, &soft)
+        .unwrap_err()
+        .to_string();
     assert!(
         got.contains("machine.stiffness") && got.contains("9 kN/m"),
         "{got}"
@@ -260,7 +248,9 @@ fn what_a_polydyne_cam_cannot_be_is_refused_in_words() {
         "machine.stiffness=90 kN/m",
         "law.degree=4",
     ];
-    let got = read(scene::DEFAULT, &low).unwrap_err().to_string();
+    let got = gaitcam_test_support::scene(scene::DEFAULT, &low)
+        .unwrap_err()
+        .to_string();
     assert!(
         got.contains("law.degree") && got.contains("degree 5"),
         "{got}"

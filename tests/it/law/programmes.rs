@@ -3,23 +3,15 @@
 use gaitcam::error::{ErrorKind, JoinCure, LawError};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use gaitcam::units::Quantity;
+use gaitcam_test_support::segments;
 use std::f64::consts::PI;
 
 fn near(value: f64, expected: f64, relative: f64) -> bool {
     (value - expected).abs() <= relative * expected.abs()
 }
 
-fn segment(motion: &str, lift: f64, degrees: f64) -> Segment {
-    Segment {
-        motion: Rise::from_name(motion).unwrap(),
-        lift,
-        angle: degrees.to_radians(),
-    }
-}
-
-fn turn(segments: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
-    let list: Vec<Segment> = segments.iter().map(|s| segment(s.0, s.1, s.2)).collect();
-    program(&list, Extent::TURN)
+fn turn(motions: &[(&str, f64, f64)]) -> gaitcam::error::Result<Law> {
+    program(&segments(motions), Extent::TURN)
 }
 
 /// Largest and smallest of a derivative at whole degrees, as CAM-DAS samples.
@@ -244,17 +236,17 @@ fn angles_rounded_by_the_user_still_close() {
 #[test]
 fn both_halves_of_a_constant_breadth_law_add_to_its_lift() {
     // theory §5, Ejemplo5: SHM 120°, dwell 60°, SHM 120°, dwell 60°.
-    let law = constant_breadth(&[
-        segment("simple-harmonic", 0.04, 120.0),
-        segment("dwell", 0.0, 60.0),
-    ])
+    let law = constant_breadth(&segments(&[
+        ("simple-harmonic", 0.04, 120.0),
+        ("dwell", 0.0, 60.0),
+    ]))
     .unwrap();
     for i in 0..720 {
         let x = PI * f64::from(i) / 360.0;
         assert!((law.svaj(x).s + law.svaj(x + PI).s - 0.04).abs() < 1e-15);
     }
-    assert!(constant_breadth(&[segment("3-4-5", 0.04, 120.0)]).is_err());
-    assert!(constant_breadth(&[segment("3-4-5", -0.04, 180.0)]).is_err());
+    assert!(constant_breadth(&segments(&[("3-4-5", 0.04, 120.0)])).is_err());
+    assert!(constant_breadth(&segments(&[("3-4-5", -0.04, 180.0)])).is_err());
 }
 
 #[test]

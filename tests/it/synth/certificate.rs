@@ -1,18 +1,10 @@
 //! The proof that comes with a law says what a second solve confirms.
 
-use gaitcam::force::{Feet, model};
 use gaitcam::scene;
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::Design;
 
 fn solved(changes: &[&str]) -> Design {
-    let mut table: toml::Table =
-        toml::from_str(include_str!("../../../scenes/footbridge.toml")).unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    let scene = scene::read(&table).unwrap();
-    let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
-    synthesise(&scene, Some(&target)).unwrap()
+    gaitcam_test_support::design(scene::DEFAULT, changes).unwrap()
 }
 
 #[test]

@@ -2,20 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use gaitcam::force::{Feet, model};
 use gaitcam::scene;
-use gaitcam::synth::{Design, Functions, synthesise};
+use gaitcam::synth::{Design, Functions};
 
-/// The built-in scene with changes and with lines after it.
 fn designed(changes: &[&str], more: &str) -> Design {
     let text = format!("{}\n{more}", scene::DEFAULT);
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    let scene = scene::read(&table).unwrap();
-    let target = model("young", Some(1.85), 700.0, Feet::Both).unwrap();
-    synthesise(&scene, Some(&target)).unwrap()
+    gaitcam_test_support::design(&text, changes).unwrap()
 }
 
 /// Cox and de Boor's recursion for the B-spline of degree p that begins at knot i.

@@ -2,7 +2,7 @@
 
 use gaitcam::cam::LimitKind;
 use gaitcam::force::{Feet, model};
-use gaitcam::scene::{self, Family, Scene};
+use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::{Design, PassedOver, synthesise};
 
 const SCENE: &str = r#"
@@ -17,8 +17,7 @@ kind = "moving-axis"
 "#;
 
 fn read(more: &str) -> Scene {
-    let table = format!("{SCENE}{more}").parse().unwrap();
-    scene::read(&table).unwrap()
+    gaitcam_test_support::scene::<&str>(&format!("{SCENE}{more}"), &[]).unwrap()
 }
 
 fn built(more: &str) -> Design {

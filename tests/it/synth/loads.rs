@@ -8,16 +8,9 @@ use gaitcam::synth::{Design, Tier, relaxed, synthesise};
 use std::f64::consts::TAU;
 
 fn scene_and_force(text: &str, changes: &[&str]) -> (Scene, Option<ForceCurve>) {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    let scene = scene::read(&table).unwrap();
-    let target: Option<ForceCurve> = scene
-        .gait
-        .as_ref()
-        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
-    (scene, target)
+    let scene = gaitcam_test_support::scene(text, changes).unwrap();
+    let force = scene.model_force().unwrap();
+    (scene, force)
 }
 
 fn design(text: &str, changes: &[&str]) -> Design {

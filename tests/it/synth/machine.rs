@@ -3,29 +3,19 @@
 use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::flexible::residual_vibration;
 use gaitcam::dynamics::{hertz, rigid::touch::touch};
-use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::scene;
-use gaitcam::synth::{Design, MachineReport, synthesise};
+use gaitcam::synth::{Design, MachineReport};
 use std::f64::consts::TAU;
 
 fn design(text: &str, changes: &[&str]) -> Design {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    let scene = scene::read(&table).unwrap();
-    let target: Option<ForceCurve> = scene
-        .gait
-        .as_ref()
-        .map(|g| gaitcam::force::model("young", Some(1.85), 700.0, g.feet).unwrap());
-    synthesise(&scene, target.as_ref()).unwrap()
+    gaitcam_test_support::design(text, changes).unwrap()
 }
 
 fn fault(text: &str, change: &str) -> String {
-    let mut table: toml::Table = text.parse().unwrap();
-    scene::set(&mut table, change).unwrap();
-    scene::read(&table).unwrap_err().to_string()
+    gaitcam_test_support::scene(text, &[change])
+        .unwrap_err()
+        .to_string()
 }
 
 fn check<'a>(s: &'a Design, name: &str) -> &'a gaitcam::cam::Check {

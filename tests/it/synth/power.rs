@@ -1,23 +1,16 @@
 //! The limit on the shaft's power: a closed form, a law that it shapes, and where it leaves none.
 
 use gaitcam::cam::Check;
-use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::force::{Feet, model};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, relaxed, synthesise};
 
 fn scene_of(text: &str, changes: &[&str]) -> Scene {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    scene::read(&table).unwrap()
+    gaitcam_test_support::scene(text, changes).unwrap()
 }
 
 fn design(text: &str, changes: &[&str]) -> Design {
-    let scene = scene_of(text, changes);
-    let force: Option<ForceCurve> = (scene.gait.as_ref())
-        .map(|g| model("young", Some(1.85), 700.0, g.feet).unwrap_or_else(|e| panic!("{e}")));
-    synthesise(&scene, force.as_ref()).unwrap()
+    gaitcam_test_support::design(text, changes).unwrap()
 }
 
 fn power(s: &Design) -> &Check {

@@ -2,11 +2,11 @@
 
 use gaitcam::force::{Feet, model};
 use gaitcam::problem::{Problem, Size};
-use gaitcam::scene::{self, Scene};
+use gaitcam::scene::Scene;
 use gaitcam::synth::{Reason, synthesise};
 
 fn read(text: &str) -> Scene {
-    scene::read(&text.parse().unwrap()).unwrap()
+    gaitcam_test_support::scene::<&str>(text, &[]).unwrap()
 }
 
 const FLAT: &str = r#"

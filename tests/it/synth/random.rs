@@ -68,11 +68,7 @@ fn changes(wish: &Wish) -> Vec<String> {
 }
 
 fn design(changes: &[String], target: &ForceCurve) -> Result<Design, String> {
-    let mut table: toml::Table = scene::DEFAULT.parse().map_err(|_| "default")?;
-    for change in changes {
-        scene::set(&mut table, change).map_err(|e| e.to_string())?;
-    }
-    let scene = scene::read(&table).map_err(|e| e.to_string())?;
+    let scene = gaitcam_test_support::scene(scene::DEFAULT, changes).map_err(|e| e.to_string())?;
     synthesise(&scene, Some(target)).map_err(|e| e.to_string())
 }
 

@@ -6,11 +6,7 @@ use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Design, Reason, relaxed, synthesise};
 
 pub fn scene_of(text: &str, changes: &[&str]) -> Scene {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    scene::read(&table).unwrap()
+    gaitcam_test_support::scene(text, changes).unwrap()
 }
 
 fn young() -> ForceCurve {

@@ -1,15 +1,13 @@
 //! A cam has no scale: a scene whose lengths are all multiplied, and whose speed and forces follow so that the
 //! equations stay what they are, has the same cam that many times larger.
 
-use gaitcam::scene;
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::Design;
 
 /// Lengths from an atom's to a crater's, beside 1.
 const SCALES: [f64; 7] = [1e-9, 1e-6, 1e-4, 1e-2, 1e1, 1e2, 1e3];
 
 fn design(text: &str) -> Design {
-    let table: toml::Table = text.parse().unwrap();
-    synthesise(&scene::read(&table).unwrap(), None).unwrap()
+    gaitcam_test_support::design::<&str>(text, &[]).unwrap()
 }
 
 /// Scenes whose `{x}` stands for x metres at a scale of 1.

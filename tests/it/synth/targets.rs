@@ -12,11 +12,7 @@ fn young() -> ForceCurve {
 }
 
 fn read(changes: &[&str]) -> gaitcam::scene::Scene {
-    let mut table: toml::Table = scene::DEFAULT.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    scene::read(&table).unwrap()
+    gaitcam_test_support::scene(scene::DEFAULT, changes).unwrap()
 }
 
 fn solved(changes: &[&str], target: &ForceCurve) -> Design {

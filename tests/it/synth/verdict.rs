@@ -11,11 +11,7 @@ fn young() -> ForceCurve {
 }
 
 fn scene_of(text: &str, changes: &[&str]) -> gaitcam::scene::Scene {
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    scene::read(&table).unwrap()
+    gaitcam_test_support::scene(text, changes).unwrap()
 }
 
 /// A programme of two rises and a dwell under a follower.

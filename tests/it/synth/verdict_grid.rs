@@ -37,11 +37,8 @@ fn design(law: &str, cam: &str, base_mm: f64, changes: &[&str]) -> Option<Design
     let text = format!(
         "name = \"x\"\n[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\n[law]\n{law}\n[cam]\n{first}\nbase_radius = \"{base_mm} mm\"\n{pair}\n"
     );
-    let mut table: toml::Table = text.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).unwrap();
-    }
-    synthesise(&scene::read(&table).unwrap(), None).ok()
+    let scene = gaitcam_test_support::scene(&text, changes).unwrap();
+    synthesise(&scene, None).ok()
 }
 
 /// Rise, dwell, return, dwell.

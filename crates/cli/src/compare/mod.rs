@@ -8,10 +8,10 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
-use crate::language;
-use crate::terminal::{print, print_json};
-use crate::words;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json};
+use crate::console::words;
 use gaitcam::cam::Verdict;
 use gaitcam::error::Result;
 use gaitcam_output::Picture;

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::error::CliError;
-use gaitcam::error::Result;
+use crate::console::error::CliError;
+use gaitcam::error::{Placed, Result};
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::result_folder::settle;
 use gaitcam_files::scene::not_json;
@@ -85,7 +85,8 @@ impl Columns {
     fn read(path: &Path) -> Result<Columns> {
         let bytes = read_bytes(path)?;
         let mut reader = csv::Reader::from_reader(bytes.as_slice());
-        let broken = |line: usize, fault: String| CliError::BrokenTable { fault }.line(path, line);
+        let broken =
+            |line: usize, fault: String| CliError::BrokenTable { fault }.at_line(path, line);
         let names = reader
             .headers()
             .map_err(|e| broken(1, e.to_string()))?
@@ -96,7 +97,7 @@ impl Columns {
         for (i, record) in reader.records().enumerate() {
             let record = record.map_err(|e| broken(i + 2, e.to_string()))?;
             let row = record.iter().map(number).collect::<Option<Vec<f64>>>();
-            rows.push(row.ok_or_else(|| CliError::FieldNotNumber.line(path, i + 2))?);
+            rows.push(row.ok_or_else(|| CliError::FieldNotNumber.at_line(path, i + 2))?);
         }
         Ok(Columns { names, rows })
     }

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::read::Design;
-use crate::words;
+use crate::console::words;
 
 /// What stands where a result has no such number.
 const NONE: &str = "—";

@@ -10,14 +10,14 @@ use clap::Args;
 use serde_json::{Value, json};
 use toml::Table;
 
-use crate::error::CliError;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words;
 use crate::input::SceneArgs;
 use crate::sweep::beside;
 use crate::synth::{self, SynthArgs};
-use crate::terminal::{print, print_json, report};
-use crate::words;
-use gaitcam::error::{FileError, Result};
+use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::sweep::{Admission, Front, Key, Objective, Point};
 use gaitcam_files::{blocks::PLAN, read::read_bytes, scene::not_json};
 use gaitcam_output::folder::Folder;
@@ -150,7 +150,7 @@ fn gather(args: &FrontArgs) -> Result<Found> {
         Ok(())
     })?;
     if objectives.is_empty() {
-        return Err(CliError::EmptyTable.file(&args.file));
+        return Err(CliError::EmptyTable.in_file(&args.file));
     }
     Ok(Found {
         columns,
@@ -262,7 +262,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     let scene = scenes
         .iter()
         .find(|s| named.as_deref().is_none_or(|n| s["name"] == n));
-    let scene = scene.ok_or_else(|| CliError::NoBaseScene.file(&described))?;
+    let scene = scene.ok_or_else(|| CliError::NoBaseScene.in_file(&described))?;
     let mut table: Table =
         scene["text"]
             .as_str()
@@ -270,7 +270,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
             .parse()
             .map_err(|e: toml::de::Error| {
                 let fault = e.message().to_string();
-                FileError::NotToml { fault }.file(&described)
+                FileError::NotToml { fault }.in_file(&described)
             })?;
     let inputs: Vec<(Key, &String)> = columns
         .inputs
@@ -283,7 +283,7 @@ fn open_best(args: &FrontArgs, folder: &Folder, columns: &Columns, best: &Point)
     for (key, cell) in inputs.iter().filter(|(k, _)| k.is_number()) {
         let value = cell.parse().map_err(|_| {
             let (row, cell) = (best.row, (*cell).clone());
-            CliError::RowNotNumber { row, cell }.file(&args.file)
+            CliError::RowNotNumber { row, cell }.in_file(&args.file)
         })?;
         key.write_number(&mut table, value)?;
     }

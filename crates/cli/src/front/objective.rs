@@ -1,7 +1,7 @@
 //! What is minimised or maximised, as flags name it and as people read it.
 
+use crate::console::words;
 use crate::input::at_flag;
-use crate::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Objective;
 use gaitcam_output::sweep_plots::unit_for_people;

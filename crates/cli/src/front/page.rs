@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::json;
 
 use super::{Found, SHOWN, objective, row_name};
-use crate::words;
+use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::Point;
 use gaitcam_output::Picture;
@@ -36,7 +36,7 @@ pub fn write(
         folder.write(&format!("{file}.png"), &picture.png())?;
     }
     let page = page(&name, found, front, best, &drawn);
-    let html = sweep_report::html(&page, crate::language::current());
+    let html = sweep_report::html(&page, crate::console::language::current());
     folder.write("report.html", html.as_bytes())
 }
 
@@ -75,8 +75,8 @@ fn pictures(name: &str, found: &Found, front: &[&Point], best: &Point) -> Vec<Dr
             ("front-picture-least", sweep_plots::Best::Least)
         };
         let title = words::fill(title, &json!({"name": name, "text": shown}));
-        let picture =
-            sweep_plots::heat_map(&title, x, y, z, sense).in_language(crate::language::current());
+        let picture = sweep_plots::heat_map(&title, x, y, z, sense)
+            .in_language(crate::console::language::current());
         drawn.push(("heat", words::text("front-heading-heat"), picture));
     }
     if inputs.len() + goals.len() > 1 {
@@ -101,7 +101,7 @@ fn plane(
     let title = words::fill("front-picture-front", &json!({"name": name}));
     let (x, y) = (fewer(x.clone()), fewer(y.clone()));
     sweep_plots::front(&title, &x, &y, &points, Some(place(best)))
-        .in_language(crate::language::current())
+        .in_language(crate::console::language::current())
 }
 
 fn parallel(
@@ -130,7 +130,8 @@ fn parallel(
         .position(|p| p.row == best.row)
         .map(|i| start + i);
     let title = words::fill("front-picture-parallel", &json!({"name": name}));
-    sweep_plots::parallel(&title, &all, &lines, winner).in_language(crate::language::current())
+    sweep_plots::parallel(&title, &all, &lines, winner)
+        .in_language(crate::console::language::current())
 }
 
 fn page<'a>(

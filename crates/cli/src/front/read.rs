@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::path::Path;
 
-use crate::error::CliError;
-use crate::words;
-use gaitcam::error::Result;
+use crate::console::error::CliError;
+use crate::console::words;
+use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Key, NUMBERS, Objective};
 use gaitcam_files::blocks;
 use gaitcam_files::read::cannot_be_read;
@@ -30,7 +30,7 @@ impl Columns {
         let find = |name: &str| {
             names.iter().position(|n| n == name).ok_or_else(|| {
                 let column = name.to_string();
-                CliError::NotSweepTable { column }.file(path)
+                CliError::NotSweepTable { column }.in_file(path)
             })
         };
         let first = find(NUMBERS[0])?;
@@ -98,7 +98,7 @@ pub fn each_row(path: &Path, mut each: impl FnMut(&Columns, Row) -> Result<()>) 
         for block in blocks::files(path)? {
             columns = Some(each_row_of(&block, &mut each)?);
         }
-        return columns.ok_or_else(|| CliError::EmptyTable.file(path));
+        return columns.ok_or_else(|| CliError::EmptyTable.in_file(path));
     }
     each_row_of(path, &mut each)
 }
@@ -115,7 +115,7 @@ fn each_row_of(path: &Path, each: &mut impl FnMut(&Columns, Row) -> Result<()>) 
     let fault = |e: csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
         let fault = e.to_string();
-        CliError::NotCsv { fault }.line(path, line)
+        CliError::NotCsv { fault }.at_line(path, line)
     };
     let names = reader.headers().map_err(fault)?.iter().map(str::to_string);
     let columns = Columns::of(path, names.collect())?;
@@ -145,7 +145,7 @@ fn parquet_rows(
         (0..batch.num_rows()).try_for_each(|row| each(columns, Row::Parquet(batch, row)))
     })
     .map_err(|e| e.at(gaitcam::error::Place::File(path.to_path_buf())))?;
-    columns.ok_or_else(|| CliError::EmptyTable.file(path))
+    columns.ok_or_else(|| CliError::EmptyTable.in_file(path))
 }
 
 #[cfg(not(feature = "parquet"))]
@@ -154,7 +154,7 @@ fn parquet_rows(
     _: File,
     _: impl FnMut(&Columns, Row) -> Result<()>,
 ) -> Result<Columns> {
-    Err(CliError::NoParquet.file(path))
+    Err(CliError::NoParquet.in_file(path))
 }
 
 /// Rows kept for pictures, at most.

@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::exit_code::{BAD_INPUT, BUILT};
+use crate::console::exit_code::{BAD_INPUT, BUILT};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words;
 use crate::input;
-use crate::language;
-use crate::recordings::{is_folder, recordings};
-use crate::terminal::{print, print_json, report};
-use crate::words;
+use crate::input::recordings::{is_folder, recordings};
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Cycle, Feet, ForceCurve, Interpretation, OpenQuestion, ReadOptions};
 use gaitcam::units::Dimension;

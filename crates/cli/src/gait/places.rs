@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::error::CliError;
-use gaitcam::error::Result;
+use crate::console::error::CliError;
+use gaitcam::error::{Placed, Result};
 use gaitcam_output::folder::Folder;
 
 /// Name of the joint mean in a folder of cycles.
@@ -35,7 +35,7 @@ impl Places {
             .is_some_and(|e| e.eq_ignore_ascii_case("csv"));
         if !csv && !out.is_dir() && out.extension().is_some() {
             let file = out.display().to_string();
-            return Err(CliError::CycleEnding { file }.flag("--out"));
+            return Err(CliError::CycleEnding { file }.at_argument("--out"));
         }
         let places = if csv && !out.is_dir() {
             // As synth does: a folder that is not there yet is made.
@@ -91,7 +91,7 @@ fn refuse_recording(place: &Path, recordings: &[PathBuf]) -> Result<()> {
     };
     let same = |r: &PathBuf| r.canonicalize().is_ok_and(|r| r == place);
     if recordings.iter().any(same) {
-        return Err(CliError::CycleOverRecording.flag("--out"));
+        return Err(CliError::CycleOverRecording.at_argument("--out"));
     }
     Ok(())
 }

@@ -2,9 +2,9 @@
 
 use super::places::Places;
 use super::{Read, of_files, write_picture};
-use crate::exit_code::{BAD_INPUT, BUILT};
-use crate::language;
-use crate::terminal::{print, print_json, report};
+use crate::console::exit_code::{BAD_INPUT, BUILT};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
 use gaitcam::error::Result;
 use gaitcam::force::{
     self, JointMean, LeftOut, OpenQuestion, Trial, TrialRow, joint_mean, trials_json, trials_table,

@@ -6,17 +6,17 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 use gaitcam::scene::keys::{self, KEYS, Key};
 use gaitcam::wording::{Language, key_doc};
 use gaitcam_output::folder::write_whole;
 use serde_json::json;
 
-use crate::error::CliError;
-use crate::exit_code::BUILT;
-use crate::language;
-use crate::terminal::print;
-use crate::words;
+use crate::console::error::CliError;
+use crate::console::exit_code::BUILT;
+use crate::console::language;
+use crate::console::terminal::print;
+use crate::console::words;
 
 const EXAMPLES: &str = "Examples:
   gaitcam init
@@ -95,7 +95,7 @@ pub fn run(args: &InitArgs) -> Result<u8> {
         return Ok(BUILT);
     }
     if file.exists() {
-        return Err(CliError::FileIsThere.file(&file));
+        return Err(CliError::FileIsThere.in_file(&file));
     }
     write_whole(&file, text.as_bytes())?;
     print(&words::fill(

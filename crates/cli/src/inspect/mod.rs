@@ -8,16 +8,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::error::CliError;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::language;
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words::{self, fixed};
+use crate::input::searching;
 use crate::input::{self, SceneArgs};
-use crate::language;
-use crate::searching;
 use crate::synth::files_in;
-use crate::terminal::{print, print_json, report};
-use crate::words::{self, fixed};
 use gaitcam::cam::{Inspection, Measures};
-use gaitcam::error::{FileError, Place, Result};
+use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
 use gaitcam::synth::{Design, sentences, synthesise_with};
 use gaitcam::units::Dimension;
@@ -59,7 +59,7 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
     let ball = input::quantity("--ball", args.ball.as_deref(), Dimension::Length)?.unwrap_or(0.0);
     if ball < 0.0 {
         let typed = args.ball.clone().unwrap_or_default();
-        return Err(CliError::NegativeBall { typed }.flag("--ball"));
+        return Err(CliError::NegativeBall { typed }.at_argument("--ball"));
     }
     let points = points::read(&args.measured)?;
     let summary = args.design.join("summary.json");
@@ -139,7 +139,7 @@ fn write(
         .any(|name| measured.is_some() && path.join(name).canonicalize().ok() == measured);
     if replaced {
         let file = args.measured.display().to_string();
-        return Err(FileError::Replaced { file }.file(path));
+        return Err(FileError::Replaced { file }.in_file(path));
     }
     let folder = ResultFolder::open(path)?;
     folder.write("inspection.csv", table(found, points).as_bytes())?;

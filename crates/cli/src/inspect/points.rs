@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::error::CliError;
+use crate::console::error::CliError;
 
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 use gaitcam_files::read::read_bytes;
 
 /// Names of the columns that are understood, with what they are and their factor to SI.
@@ -64,7 +64,7 @@ pub fn read(path: &Path) -> Result<Points> {
     let broken = |e: &csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
         let fault = e.to_string();
-        CliError::NotCsv { fault }.line(path, line)
+        CliError::NotCsv { fault }.at_line(path, line)
     };
     let names: Vec<String> = reader
         .headers()
@@ -74,7 +74,7 @@ pub fn read(path: &Path) -> Result<Points> {
         .collect();
     let coordinates = coordinates(&names).ok_or_else(|| {
         let found = names.join(", ");
-        CliError::MeasuredColumns { found }.line(path, 1)
+        CliError::MeasuredColumns { found }.at_line(path, 1)
     })?;
     let mut out = Points {
         xy: Vec::new(),
@@ -88,7 +88,7 @@ pub fn read(path: &Path) -> Result<Points> {
             let value = field.parse::<f64>().ok().filter(|x| x.is_finite());
             value.map(|x| factor * x).ok_or_else(|| {
                 let text = field.chars().take(40).collect();
-                CliError::MeasuredField { text }.line(path, line)
+                CliError::MeasuredField { text }.at_line(path, line)
             })
         };
         let point = match coordinates {

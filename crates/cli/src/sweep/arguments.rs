@@ -6,11 +6,11 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use super::SweepArgs;
-use crate::error::CliError;
+use crate::console::error::CliError;
+use crate::console::language;
+use crate::input::recordings::{Recordings, recordings};
 use crate::input::{self, SceneArgs};
-use crate::language;
-use crate::recordings::{Recordings, recordings};
-use gaitcam::error::{Error, Place, Result};
+use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values, remembered};
@@ -76,7 +76,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
     };
     let list = args.list.as_deref().map(list).transpose()?;
     if axes.is_empty() && list.is_none() && scenes.len() == 1 {
-        return Err(CliError::NothingVaries.flag("--vary"));
+        return Err(CliError::NothingVaries.at_argument("--vary"));
     }
     Ok(Sweep {
         plan: Plan {
@@ -109,7 +109,7 @@ fn list(path: &Path) -> Result<List> {
     let fault = |e: csv::Error| {
         let line = e.position().map_or(1, |p| p.line() as usize);
         let fault = e.to_string();
-        CliError::NotCsv { fault }.line(path, line)
+        CliError::NotCsv { fault }.at_line(path, line)
     };
     let names = reader.headers().map_err(fault)?.clone();
     let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
@@ -118,13 +118,13 @@ fn list(path: &Path) -> Result<List> {
         for (column, cell) in columns.iter_mut().zip(&record) {
             if cell.is_empty() {
                 let line = record.position().map_or(1, |p| p.line() as usize);
-                return Err(CliError::ListCell.line(path, line));
+                return Err(CliError::ListCell.at_line(path, line));
             }
             column.push(cell.to_string());
         }
     }
     if columns.first().is_none_or(Vec::is_empty) {
-        return Err(CliError::EmptyList.file(path));
+        return Err(CliError::EmptyList.in_file(path));
     }
     let columns = names
         .iter()
@@ -148,7 +148,7 @@ fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
 fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
     let what = fault.kind.sentence(language::current());
     let fault = format!("{name}: {what}");
-    CliError::ListValue { fault }.line(path, row + 2)
+    CliError::ListValue { fault }.at_line(path, row + 2)
 }
 
 /// A fault of the plan, at the line of the list that has it where one has.
@@ -181,6 +181,6 @@ pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCur
     remembered(|index, scene| {
         let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
         let curve = target(scene, folder)?;
-        curve.ok_or_else(|| CliError::NoCurve.key("gait"))
+        curve.ok_or_else(|| CliError::NoCurve.at_key("gait"))
     })
 }

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use crate::error::CliError;
+use crate::console::error::CliError;
 #[cfg(feature = "parquet")]
 use gaitcam::error::FileError;
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 #[cfg(feature = "parquet")]
 use gaitcam::sweep::Plan;
 
@@ -25,10 +25,10 @@ impl Format {
         match ending.as_deref() {
             Some("csv") => Ok(Format::Csv),
             Some("parquet") if cfg!(feature = "parquet") => Ok(Format::Parquet),
-            Some("parquet") => Err(CliError::NoParquet.flag("--out")),
+            Some("parquet") => Err(CliError::NoParquet.at_argument("--out")),
             _ => {
                 let file = path.display().to_string();
-                Err(CliError::TableEnding { file }.flag("--out"))
+                Err(CliError::TableEnding { file }.at_argument("--out"))
             }
         }
     }
@@ -42,11 +42,11 @@ pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
 
     let fault = |e: std::io::Error| {
         let fault = e.to_string();
-        CliError::CannotWrite { fault }.file(parquet)
+        CliError::CannotWrite { fault }.in_file(parquet)
     };
     let unreadable = |e: csv::Error| {
         let fault = e.to_string();
-        FileError::CannotRead { fault }.file(csv)
+        FileError::CannotRead { fault }.in_file(csv)
     };
     let names = plan.scene_names();
     let keys = plan.keys();

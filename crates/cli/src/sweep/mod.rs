@@ -13,14 +13,14 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::json;
 
-use crate::error::CliError;
-use crate::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, INTERRUPTED, NO_SUCH_CAM};
+use crate::console::terminal::{self, print, print_json};
+use crate::console::words;
 use crate::input;
-use crate::searching::TimeLimit;
-use crate::terminal::{self, print, print_json};
-use crate::words;
+use crate::input::searching::TimeLimit;
 use format::Format;
-use gaitcam::error::{Error, ErrorKind, Result, SweepError};
+use gaitcam::error::{Error, ErrorKind, Placed, Result, SweepError};
 use gaitcam::sweep::{Kernel, Method, Plan, table};
 pub use partial::beside;
 use partial::{Counts, Opened, PartialTable};
@@ -150,7 +150,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         .build()
         .map_err(|e| {
             let fault = e.to_string();
-            CliError::Threads { fault }.flag("--jobs")
+            CliError::Threads { fault }.at_argument("--jobs")
         })?;
     let stop = work::stop_on_ctrl_c();
     let before = partial.counts().rows;
@@ -171,7 +171,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
             Some(&|csv, parquet| format::to_parquet(plan, csv, parquet)),
         )?,
         #[cfg(not(feature = "parquet"))]
-        Format::Parquet => return Err(CliError::NoParquet.flag("--out")),
+        Format::Parquet => return Err(CliError::NoParquet.at_argument("--out")),
     };
     report(args, &counts, rows as u64 - before, seconds);
     let some = counts.acceptable + counts.low_speed > 0;

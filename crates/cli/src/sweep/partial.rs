@@ -9,10 +9,10 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use crate::error::CliError;
-use crate::{language, words};
+use crate::console::error::CliError;
+use crate::{console::language, console::words};
 use gaitcam::cam::Verdict;
-use gaitcam::error::{Error, Result};
+use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::{Outcome, Results};
 use gaitcam_files::read::cannot_be_read;
 use gaitcam_files::result_folder::is_still_there;
@@ -140,7 +140,7 @@ impl PartialTable {
         }
         if !resume {
             let rows = partial.counts.rows;
-            return Err(CliError::PartialRows { rows }.file(&partial.path));
+            return Err(CliError::PartialRows { rows }.in_file(&partial.path));
         }
         let before = described(&beside(table, ".partial.json"))
             .or_else(|| described(&beside(table, ".sweep.json")))
@@ -165,7 +165,7 @@ impl PartialTable {
     }
 
     fn foreign(&self) -> Error {
-        CliError::NotPartial.file(&self.path)
+        CliError::NotPartial.in_file(&self.path)
     }
 
     /// Counts the complete rows. Fails on a file that does not begin like a table.
@@ -238,7 +238,7 @@ impl PartialTable {
             self.repaired = Some(words::fill("sweep-repaired", &lost));
             self.file.set_len(self.end).map_err(|e| {
                 let fault = e.to_string();
-                CliError::CannotRepair { fault }.file(&self.path)
+                CliError::CannotRepair { fault }.in_file(&self.path)
             })?;
         }
         Ok(())
@@ -251,7 +251,7 @@ impl PartialTable {
         let written = self.file.set_len(0).and_then(|()| self.file.rewind());
         written.map_err(|e| {
             let fault = e.to_string();
-            CliError::CannotWrite { fault }.file(&self.path)
+            CliError::CannotWrite { fault }.in_file(&self.path)
         })?;
         self.end = 0;
         self.append(header, Counts::default())
@@ -268,7 +268,7 @@ impl PartialTable {
         if let Err(e) = written {
             let _ = self.file.set_len(self.end);
             let (fault, rows) = (e.to_string(), self.counts.rows);
-            return Err(CliError::RowsSafe { fault, rows }.file(&self.path));
+            return Err(CliError::RowsSafe { fault, rows }.in_file(&self.path));
         }
         self.end += rows.len() as u64;
         self.counts.add(counts);
@@ -281,7 +281,7 @@ impl PartialTable {
         write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
         let fault = |e: std::io::Error| {
             let fault = e.to_string();
-            CliError::AllRowsSafe { fault }.file(&self.table)
+            CliError::AllRowsSafe { fault }.in_file(&self.table)
         };
         match convert {
             None => std::fs::rename(&self.path, &self.table).map_err(fault)?,
@@ -310,9 +310,9 @@ impl PartialTable {
 fn locked(path: &Path, table: &Path) -> Result<File> {
     let fault = |e: std::io::Error| {
         let fault = e.to_string();
-        CliError::CannotOpen { fault }.file(path)
+        CliError::CannotOpen { fault }.in_file(path)
     };
-    let busy = || CliError::Busy.file(table);
+    let busy = || CliError::Busy.in_file(table);
     let file = OpenOptions::new()
         .read(true)
         .write(true)

@@ -19,7 +19,7 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
     ends.and_then(|(part, parts)| Some((number(part)?, number(parts)?)))
         .filter(|(part, parts)| (1..=*parts).contains(part))
         .map(|(part, parts)| Shard { part, parts })
-        .ok_or_else(|| crate::words::text("sweep-shard"))
+        .ok_or_else(|| crate::console::words::text("sweep-shard"))
 }
 
 /// Blocks are Parquet files, which this build cannot write.
@@ -28,7 +28,8 @@ pub fn shard(typed: &str) -> Result<Shard, String> {
 /// Always.
 #[cfg(not(feature = "parquet"))]
 pub fn run(_: &super::SweepArgs, _: Shard) -> gaitcam::error::Result<u8> {
-    Err(crate::error::CliError::NoParquet.flag("--shard"))
+    use gaitcam::error::Placed as _;
+    Err(crate::console::error::CliError::NoParquet.at_argument("--shard"))
 }
 
 #[cfg(feature = "parquet")]
@@ -39,9 +40,9 @@ mod with_parquet {
 
     use super::super::{SweepArgs, arguments, check_size, check_values, work};
     use super::Shard;
-    use crate::exit_code::{BUILT, INTERRUPTED};
-    use crate::terminal::{self, print, print_json};
-    use crate::{language, words};
+    use crate::console::exit_code::{BUILT, INTERRUPTED};
+    use crate::console::terminal::{self, print, print_json};
+    use crate::{console::language, console::words};
     use gaitcam::error::Result;
     use gaitcam::sweep::{Plan, Study, Subject};
     use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};

@@ -6,12 +6,12 @@ use rayon::prelude::*;
 
 use super::SweepArgs;
 use super::partial::beside;
-use crate::error::CliError;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::error::CliError;
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::terminal::{self, print, print_json};
+use crate::console::words::{self, fixed};
 use crate::input::{self, SceneArgs};
-use crate::terminal::{self, print, print_json};
-use crate::words::{self, fixed};
-use gaitcam::error::Result;
+use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
 use gaitcam::synth::{sentences, synthesise_with};
 use gaitcam::units::{Dimension, parse};
@@ -31,10 +31,10 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         || !args.recordings.is_empty()
         || args.scenes.len() > 1
     {
-        return Err(CliError::ScatterAlone.flag("--tolerance"));
+        return Err(CliError::ScatterAlone.at_argument("--tolerance"));
     }
     if args.out.extension().is_none_or(|e| e != "csv") {
-        return Err(CliError::ScatterCsv.flag("--out"));
+        return Err(CliError::ScatterCsv.at_argument("--out"));
     }
     let tolerances = args
         .tolerance
@@ -49,16 +49,20 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let count = args.sample.unwrap_or(SAMPLES);
     if count > MOST {
         let (count, most) = (count.to_string(), MOST.to_string());
-        return Err(CliError::TooManySamples { count, most }.flag("--sample"));
+        return Err(CliError::TooManySamples { count, most }.at_argument("--sample"));
     }
     let input = input::scene(&SceneArgs {
         scene: args.scenes.first().cloned(),
         set: args.set.clone(),
     })?;
     let target = input.target()?;
-    let design = synthesise_with(&input.scene, target.as_ref(), &crate::searching::shared())?;
+    let design = synthesise_with(
+        &input.scene,
+        target.as_ref(),
+        &crate::input::searching::shared(),
+    )?;
     if let Some(infeasible) = &design.infeasible {
-        let why = sentences(&infeasible.reasons, crate::language::current());
+        let why = sentences(&infeasible.reasons, crate::console::language::current());
         let why = serde_json::json!({"why": why});
         terminal::report(words::fill("sweep-no-design", &why));
         return Ok(NO_SUCH_CAM);
@@ -72,7 +76,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     let percents: Vec<f64> = made.iter().map(|m| m.force_rms_error_percent).collect();
     let spread = Spread::of(&percents, band.map(|b| 100.0 * b));
     let Some(spread) = spread else {
-        return Err(CliError::NoSample.flag("--sample"));
+        return Err(CliError::NoSample.at_argument("--sample"));
     };
     let own = design.force.rms_error_percent_of_mean;
     let page = beside(&args.out, ".report.html");
@@ -157,7 +161,7 @@ fn report(
         &words::fill("scatter-picture", &named),
         &quantity,
         &levels,
-        crate::language::current(),
+        crate::console::language::current(),
     );
     let heading = words::text("scatter-heading");
     let page = Page {
@@ -173,7 +177,7 @@ fn report(
             },
         )],
     };
-    html(&page, crate::language::current())
+    html(&page, crate::console::language::current())
 }
 
 /// The figures one looks for first.

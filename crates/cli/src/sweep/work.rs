@@ -10,9 +10,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 
 use super::partial::{Counts, PartialTable};
-use crate::error::CliError;
-use crate::exit_code::INTERRUPTED;
-use crate::words;
+use crate::console::error::CliError;
+use crate::console::exit_code::INTERRUPTED;
+use crate::console::words;
 use gaitcam::error::Result;
 use gaitcam::sweep::{Kernel, Plan, table};
 

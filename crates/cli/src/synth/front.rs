@@ -3,10 +3,10 @@
 use serde_json::json;
 
 use super::SynthArgs;
-use crate::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
+use crate::console::terminal::{print, print_json, report};
+use crate::console::words::{self, fixed};
 use crate::input;
-use crate::terminal::{print, print_json, report};
-use crate::words::{self, fixed};
 use gaitcam::error::Result;
 use gaitcam::synth::{Against, Trade, trade};
 use gaitcam_output::folder::Folder;
@@ -66,8 +66,8 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         .zip(y.values.iter().copied())
         .collect();
     let title = title(&input.scene.name, against);
-    let picture =
-        sweep_plots::front(&title, &x, &y, &line, None).in_language(crate::language::current());
+    let picture = sweep_plots::front(&title, &x, &y, &line, None)
+        .in_language(crate::console::language::current());
     folder.write("front.svg", picture.svg().as_bytes())?;
     folder.write("front.png", &picture.png())?;
     if args.json {

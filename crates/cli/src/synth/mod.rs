@@ -12,13 +12,13 @@ use std::time::Instant;
 use clap::Args;
 use serde_json::json;
 
-use crate::error::CliError;
-use crate::exit_code;
+use crate::console::error::CliError;
+use crate::console::exit_code;
+use crate::console::terminal::{print, print_json};
+use crate::console::words;
+use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
-use crate::searching::TimeLimit;
-use crate::terminal::{print, print_json};
-use crate::words;
-use gaitcam::error::{Place, Result};
+use gaitcam::error::{Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::problem::Shared;
 use gaitcam::synth::{Design, relaxed_with, synthesise_with};
@@ -123,17 +123,14 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             tool,
             drawn: args.drawn(),
             title: input.title(),
-            language: crate::language::current(),
+            language: crate::console::language::current(),
         },
         folder: folder(args, &input)?,
     };
     let target = input.target()?;
     let solving = Instant::now();
     let shown = args.time.shown();
-    let shared = Shared {
-        halt: args.time.of_design(),
-        ..Shared::default()
-    };
+    let shared = Shared::until(args.time.of_design());
     let design = synthesise_with(&input.scene, target.as_ref(), &shared)?;
     let solve_s = solving.elapsed().as_secs_f64();
     let design = relaxed_with(&input.scene, target.as_ref(), design, &shared.halt);
@@ -157,7 +154,7 @@ fn rows(args: &SynthArgs) -> Result<usize> {
     let rows = args.points.unwrap_or(ROWS);
     if rows < FEWEST_ROWS {
         let least = FEWEST_ROWS;
-        return Err(CliError::FewRows { rows, least }.flag("--points"));
+        return Err(CliError::FewRows { rows, least }.at_argument("--points"));
     }
     Ok(rows as usize)
 }

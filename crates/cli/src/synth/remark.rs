@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::{language, words};
+use crate::{console::language, console::words};
 use gaitcam::cam::Measures;
 use gaitcam::error::Error;
 use gaitcam_files::Remark;

@@ -4,7 +4,7 @@ use gaitcam::synth::Design;
 use serde_json::json;
 
 use super::summary::row;
-use crate::{language, words};
+use crate::{console::language, console::words};
 
 /// One line per step.
 pub fn text(design: &Design) -> String {

@@ -5,8 +5,8 @@ use gaitcam::synth::{Binding, Design, SolverReport, in_units, sentences};
 use gaitcam_output::Timing;
 use serde_json::json;
 
-use crate::language;
-use crate::words::{self, fixed, power};
+use crate::console::language;
+use crate::console::words::{self, fixed, power};
 
 /// Most lines of one kind; the rest is counted and stands in summary.json.
 const CHECKS: usize = 5;

@@ -3,19 +3,16 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use gaitcam::cam::Verdict;
 use gaitcam::force;
 use gaitcam::scene::{self, Scene, Source};
 use gaitcam::synth::{Design, synthesise};
 
-fn here() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-}
+use crate::support::{ROOT, command, gaitcam, object, stderr, stdout};
 
 fn all() -> Vec<PathBuf> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(here().join("scenes"))
+    let mut paths: Vec<PathBuf> = fs::read_dir(Path::new(ROOT).join("scenes"))
         .unwrap()
         .map(|e| e.unwrap().path())
         .filter(|p| p.extension().is_some_and(|e| e == "toml"))
@@ -49,7 +46,7 @@ fn designed(path: &Path) -> (Scene, Design) {
 fn name_recording(table: &mut toml::Table) {
     let gait = table.get_mut("gait").and_then(toml::Value::as_table_mut);
     if let Some(gait) = gait.filter(|g| !g.contains_key("file") && !g.contains_key("model")) {
-        let file = here().join("data/gait_curves/young_1.85Hz_700N.csv");
+        let file = Path::new(ROOT).join("data/gait_curves/young_1.85Hz_700N.csv");
         gait.insert("file".to_string(), file.to_str().unwrap().into());
     }
 }
@@ -82,7 +79,7 @@ fn every_scene_is_built_and_every_check_passes() {
 
 #[test]
 fn printed_numbers_of_camdas_come_out_of_its_scenes() {
-    let design = |name: &str| designed(&here().join(format!("scenes/{name}.toml"))).1;
+    let design = |name: &str| designed(&Path::new(ROOT).join(format!("scenes/{name}.toml"))).1;
     // theory §5, Ejemplo1RT: cam ρ 70.9934…95.8333 mm, φ ±18.2100°.
     let one = design("camdas_01_roller");
     assert!((one.cam.curvature().convex.value - 0.0709934).abs() < 1e-7);
@@ -122,18 +119,11 @@ fn printed_numbers_of_camdas_come_out_of_its_scenes() {
 fn the_command_hands_everything_over_and_reads_its_summary_back() {
     let folder = tempfile::tempdir().unwrap();
     let run = |arguments: &[&str], out: &Path| {
-        let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-            .current_dir(here())
-            .arg("synth")
-            .args(arguments)
-            .arg("--out")
-            .arg(out)
-            .arg("--json")
-            .output()
-            .unwrap();
-        let fault = String::from_utf8_lossy(&output.stderr).to_string();
+        let to = ["--json", "--out", out.to_str().unwrap()];
+        let output = gaitcam(&[&["synth"], arguments, &to].concat());
+        let fault = stderr(&output);
         assert_eq!(output.status.code(), Some(0), "{fault}");
-        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+        object(&output)
     };
     let first = folder.path().join("first");
     let scene = "scenes/camdas_09_eight_motions.toml";
@@ -179,13 +169,13 @@ fn the_command_hands_everything_over_and_reads_its_summary_back() {
     }
     // The slate of both.
     let out = folder.path().join("slate");
-    let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+    let output = command(Path::new(ROOT))
         .args(["compare", "--out"])
         .args([&out, &first, &folder.path().join("scene_toml")])
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(0));
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = stdout(&output);
     assert!(
         text.contains("smallest convex radius") && text.contains("11.257"),
         "{text}"

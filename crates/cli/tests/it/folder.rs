@@ -2,18 +2,12 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
+
+use crate::support::{ROOT, command, gaitcam, stderr};
 
 fn run(arguments: &[&str]) -> i32 {
-    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-        .args(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .unwrap()
-        .code()
-        .unwrap()
+    gaitcam(arguments).status.code().unwrap()
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -142,14 +136,14 @@ fn an_answer_that_cannot_be_written_is_no_success() {
             .write(true)
             .open("/dev/full")
             .unwrap();
-        let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
+        let output = command(Path::new(ROOT))
             .args(arguments)
             .stdout(full)
             .stderr(Stdio::piped())
             .output()
             .unwrap();
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");
-        let words = String::from_utf8_lossy(&output.stderr).into_owned();
+        let words = stderr(&output);
         assert!(words.contains("standard output"), "{words}");
     }
 }

@@ -1,21 +1,10 @@
 //! `gaitcam front`, `gaitcam synth --front` and `gaitcam compare`: what counts as good, in which units, which exit code.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn gaitcam(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn text(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
+use crate::support::{gaitcam, object, stderr, stdout};
 
 const MACHINE: [&str; 6] = [
     "torque_max_n_m",
@@ -53,7 +42,7 @@ fn a_sweep_says_of_the_machine_what_the_single_design_says() {
         let frequency = format!("gait.step_frequency={} Hz", row["gait.step_frequency_hz"]);
         let family = format!("law.family={}", row["law.family"]);
         let alone = gaitcam(&["synth", "--json", "--set", &frequency, "--set", &family]);
-        let json: Value = serde_json::from_slice(&alone.stdout).unwrap();
+        let json: Value = object(&alone);
         for name in MACHINE {
             let (a, b): (f64, f64) = (
                 row[name].parse().unwrap(),
@@ -76,7 +65,7 @@ fn a_sweep_says_of_the_machine_what_the_single_design_says() {
             "--out",
             front.to_str().unwrap(),
         ]);
-        let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+        let json: Value = object(&run);
         let best = json["best"]["row"].as_u64().unwrap() as usize;
         let number = |row: usize, name: &str| rows[row][name].parse::<f64>().unwrap();
         let beaten = (0..rows.len()).any(|k| {
@@ -115,7 +104,7 @@ fn a_front_admits_acceptable_designs_and_says_how_many_are_for_low_speed() {
         "--out",
         out,
     ]);
-    let message = String::from_utf8_lossy(&swept.stderr).into_owned();
+    let message = stderr(&swept);
     assert_eq!(swept.status.code(), Some(0), "{message}");
     let rows = rows(&table);
     let count = |verdict: &str| rows.iter().filter(|r| r["verdict"] == verdict).count() as u64;
@@ -152,9 +141,13 @@ fn a_front_admits_acceptable_designs_and_says_how_many_are_for_low_speed() {
         "--out",
         front.to_str().unwrap(),
     ]);
-    assert!(String::from_utf8_lossy(&told.stderr).contains("--low-speed"));
+    assert!(stderr(&told).contains("--low-speed"));
     // Lengths are read in millimetres, and named so.
-    assert!(text(&told).contains("prime radius, mm"), "{}", text(&told));
+    assert!(
+        stdout(&told).contains("prime radius, mm"),
+        "{}",
+        stdout(&told)
+    );
 }
 
 #[test]
@@ -183,12 +176,7 @@ fn the_force_error_is_traded_against_what_the_machine_is_asked() {
         let out = folder.path().to_str().unwrap();
         let pair = format!("force_error:{against}");
         let run = gaitcam(&["synth", "--front", &pair, "--points", "4", "--out", out]);
-        assert_eq!(
-            run.status.code(),
-            Some(0),
-            "{}",
-            String::from_utf8_lossy(&run.stderr)
-        );
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
         let rows = rows(&folder.path().join("front.csv"));
         assert_eq!(rows.len(), 4);
         let number = |k: usize, name: &str| rows[k][name].parse::<f64>().unwrap();
@@ -254,7 +242,7 @@ fn compared_designs_are_told_in_their_units_and_a_bad_one_is_told_by_the_exit_co
     };
     let good = compare(&["arm", "slide", "walk"]);
     assert_eq!(good.status.code(), Some(0));
-    let table = text(&good);
+    let table = stdout(&good);
     let line = |heading: &str| {
         let found = table.lines().find(|l| l.starts_with(heading));
         found
@@ -280,7 +268,7 @@ fn compared_designs_are_told_in_their_units_and_a_bad_one_is_told_by_the_exit_co
     if exit == 3 {
         let both = compare(&["walk", "refused"]);
         assert_eq!(both.status.code(), Some(3));
-        assert!(text(&both).contains("infeasible"), "{}", text(&both));
+        assert!(stdout(&both).contains("infeasible"), "{}", stdout(&both));
     }
 }
 
@@ -320,7 +308,7 @@ fn the_largest_jerk_counts_by_its_magnitude() {
         "--out",
         out.to_str().unwrap(),
     ]);
-    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let json: Value = object(&run);
     let law = &json[0]["summary"]["law"];
     let number = |key: &str| law[key].as_f64().unwrap();
     let (low, high) = (number("j_min_m_per_rad3"), number("j_max_m_per_rad3"));
@@ -334,8 +322,8 @@ fn the_largest_jerk_counts_by_its_magnitude() {
         out.to_str().unwrap(),
     ]);
     assert!(
-        text(&shown).contains(&format!("{largest:.3} mm/rad³")),
+        stdout(&shown).contains(&format!("{largest:.3} mm/rad³")),
         "{}",
-        text(&shown)
+        stdout(&shown)
     );
 }

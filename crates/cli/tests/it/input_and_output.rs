@@ -3,23 +3,16 @@
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 
 use serde_json::Value;
+
+use crate::support::{command, object, run_in, stdout};
 
 const SCENE: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../scenes/camdas_03_flat.toml"
 );
-
-fn gaitcam(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(folder)
-        .args(arguments)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
 
 fn is_empty(folder: &Path) -> bool {
     fs::read_dir(folder).unwrap().next().is_none()
@@ -28,9 +21,9 @@ fn is_empty(folder: &Path) -> bool {
 #[test]
 fn json_without_a_folder_writes_no_file() {
     let folder = tempfile::tempdir().unwrap();
-    let output = gaitcam(folder.path(), &["synth", SCENE, "--json"]);
+    let output = run_in(folder.path(), &["synth", SCENE, "--json"]);
     assert_eq!(output.status.code(), Some(0));
-    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let summary: Value = object(&output);
     assert_eq!(summary["outcome"], "built");
     assert!(is_empty(folder.path()));
 }
@@ -38,7 +31,7 @@ fn json_without_a_folder_writes_no_file() {
 #[test]
 fn no_png_leaves_the_other_pictures() {
     let folder = tempfile::tempdir().unwrap();
-    let output = gaitcam(folder.path(), &["synth", SCENE, "--out", "a", "--no-png"]);
+    let output = run_in(folder.path(), &["synth", SCENE, "--out", "a", "--no-png"]);
     assert_eq!(output.status.code(), Some(0));
     let there = |name: &str| folder.path().join("a").join(name).exists();
     assert!(there("cam.svg") && !there("cam.png"));
@@ -50,20 +43,19 @@ fn the_scene_that_was_read_is_never_overwritten() {
     let scene = folder.path().join("scene.toml");
     let own = format!("# mine\n{}", fs::read_to_string(SCENE).unwrap());
     fs::write(&scene, &own).unwrap();
-    let output = gaitcam(folder.path(), &["synth", "scene.toml", "--out", "."]);
+    let output = run_in(folder.path(), &["synth", "scene.toml", "--out", "."]);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(fs::read_to_string(&scene).unwrap(), own);
     assert!(folder.path().join("scene.used.toml").exists());
     // A summary as scene is an input, too.
-    let output = gaitcam(folder.path(), &["synth", "summary.json", "--out", "."]);
+    let output = run_in(folder.path(), &["synth", "summary.json", "--out", "."]);
     assert_eq!(output.status.code(), Some(2));
 }
 
 #[test]
 fn a_scene_comes_from_standard_input() {
     let folder = tempfile::tempdir().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(folder.path())
+    let mut child = command(folder.path())
         .args(["synth", "-", "--json"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -78,12 +70,12 @@ fn a_scene_comes_from_standard_input() {
 #[test]
 fn errors_are_json_where_json_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
-    let output = gaitcam(
+    let output = run_in(
         folder.path(),
         &["synth", "--json", "--set", "limits.stroke=3 kg"],
     );
     assert_eq!(output.status.code(), Some(2));
-    let error: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let error: Value = object(&output);
     assert!(error["error"]["code"].is_string() && error["error"]["message"].is_string());
 }
 
@@ -92,7 +84,7 @@ fn names_that_are_no_file_names_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     for name in [" ", "a\nb", "-rf", "*", "~", "a\u{202e}b"] {
         let set = format!("name={name}");
-        let output = gaitcam(folder.path(), &["synth", SCENE, "--set", &set]);
+        let output = run_in(folder.path(), &["synth", SCENE, "--set", &set]);
         assert_eq!(output.status.code(), Some(2), "{name:?}");
         assert!(
             output.stderr.len() < 2200 && is_empty(folder.path()),
@@ -106,7 +98,7 @@ fn names_that_are_no_file_names_are_refused() {
 fn devices_and_folders_are_no_scenes() {
     let folder = tempfile::tempdir().unwrap();
     for path in ["/dev/zero", "/dev/urandom", "/"] {
-        let output = gaitcam(folder.path(), &["synth", path]);
+        let output = run_in(folder.path(), &["synth", path]);
         assert_eq!(output.status.code(), Some(2), "{path}");
     }
 }
@@ -118,8 +110,8 @@ fn the_console_says_the_verdict_first_and_all_in_25_lines() {
         env!("CARGO_MANIFEST_DIR"),
         "/../../scenes/heel_tester_fitted.toml"
     );
-    let output = gaitcam(folder.path(), &["synth", scene, "--out", "a", "--no-png"]);
-    let text = String::from_utf8(output.stdout).unwrap();
+    let output = run_in(folder.path(), &["synth", scene, "--out", "a", "--no-png"]);
+    let text = stdout(&output);
     assert!(text.lines().count() <= 25, "{text}");
     assert!(text.starts_with("heel_tester_fitted: acceptable"), "{text}");
 }

@@ -1,17 +1,14 @@
 //! The main job on the ready scenes: numbers of theory §2, and what the command promises, from the outside.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use serde_json::Value;
 
+use crate::support::{gaitcam, object};
+
 const INCH: f64 = 0.0254;
 const POUND: f64 = 4.448_221_615_260_5;
-
-fn here() -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-}
 
 struct Run {
     folder: tempfile::TempDir,
@@ -21,22 +18,12 @@ struct Run {
 
 fn synth(arguments: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(here())
-        .arg("synth")
-        .args(arguments)
-        .arg("--json")
-        .arg("--out")
-        .arg(folder.path())
-        .output()
-        .unwrap();
-    let code = output.status.code().unwrap();
-    let summary = serde_json::from_slice(&output.stdout)
-        .unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&output.stderr)));
+    let to = folder.path().to_str().unwrap();
+    let output = gaitcam(&[&["synth"], arguments, &["--json", "--out", to]].concat());
     Run {
+        code: output.status.code().unwrap(),
+        summary: object(&output),
         folder,
-        code,
-        summary,
     }
 }
 

@@ -1,17 +1,9 @@
 //! Small things that users met once: numbers, streams and files of the command.
 
 use std::fs;
-use std::process::{Command, Output};
+use std::process::Command;
 
-use crate::gait_command::walk;
-
-fn gaitcam(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
+use crate::support::{gaitcam, object, stderr, stdout, walk};
 
 #[test]
 fn numbers_of_the_console_say_what_is_known_and_no_more() {
@@ -29,7 +21,7 @@ fn numbers_of_the_console_say_what_is_known_and_no_more() {
             let change: Vec<&str> = family.iter().flat_map(|f| ["--set", f]).collect();
             for verb in ["synth", "simulate"] {
                 let run = gaitcam(&[&[verb, scene, "--out", out][..], &change].concat());
-                let said = String::from_utf8(run.stdout).unwrap();
+                let said = stdout(&run);
                 for odd in [
                     "degree 0",
                     " 1 pieces",
@@ -51,7 +43,7 @@ fn numbers_of_the_console_say_what_is_known_and_no_more() {
 fn a_wall_about_the_bore_that_is_thinner_than_a_hub_is_noted() {
     let notes = |change: &str| {
         let run = gaitcam(&["synth", "footbridge", "--json", "--set", change]);
-        let json: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+        let json: serde_json::Value = object(&run);
         json["remarks"].to_string()
     };
     // The base circle of 7 mm leaves 1 mm about the bore of 12 mm.
@@ -77,7 +69,7 @@ fn a_picture_is_no_place_for_a_cycle() {
         picture.to_str().unwrap(),
     ]);
     assert_eq!(run.status.code(), Some(2));
-    let fault = String::from_utf8(run.stderr).unwrap();
+    let fault = stderr(&run);
     assert!(
         fault.contains("out.png") && fault.contains(".csv"),
         "{fault}"
@@ -99,10 +91,7 @@ fn a_refused_recording_is_told_why_once() {
     fs::write(&recording, text).unwrap();
     let run = gaitcam(&["gait", recording.to_str().unwrap()]);
     assert_eq!(run.status.code(), Some(2));
-    let (said, fault) = (
-        String::from_utf8(run.stdout).unwrap(),
-        String::from_utf8(run.stderr).unwrap(),
-    );
+    let (said, fault) = (stdout(&run), stderr(&run));
     let reason = "a person stands";
     assert!(!said.contains(reason), "{said}");
     assert_eq!(fault.matches(reason).count(), 1, "{fault}");

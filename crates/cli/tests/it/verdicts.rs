@@ -1,27 +1,15 @@
 //! What users tried and were told wrongly once: the verdict, its exit code, and what the console says of it.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn gaitcam(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_gaitcam"))
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn set<'a>(start: &[&'a str], changes: &[&'a str]) -> Vec<&'a str> {
-    let flags = changes.iter().flat_map(|change| ["--set", change]);
-    start.iter().copied().chain(flags).collect()
-}
+use crate::support::{changed, gaitcam, object, stderr, stdout};
 
 /// Exit code and summary of a design.
 fn summary(scene: &str, changes: &[&str]) -> (i32, Value) {
-    let output = gaitcam(&set(&["synth", scene, "--json"], changes));
-    let fault = String::from_utf8_lossy(&output.stderr).into_owned();
+    let output = gaitcam(&changed(&["synth", scene, "--json"], changes));
+    let fault = stderr(&output);
     let json = serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{fault}"));
     (output.status.code().unwrap(), json)
 }
@@ -85,7 +73,7 @@ fn an_infinite_jerk_is_no_jerk_of_nought() {
         "--out",
         out.to_str().unwrap(),
     ]);
-    let json: Value = serde_json::from_slice(&front.stdout).unwrap();
+    let json: Value = object(&front);
     let points = json["front"].as_array().unwrap();
     assert!(!points.is_empty());
     assert!(
@@ -102,8 +90,8 @@ fn a_mean_force_that_is_not_the_weight_comes_first_on_the_console() {
         assert_eq!((exit, code(&json, 0)), (3, "reason-mean-force"), "{mass}");
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path().to_str().unwrap();
-        let output = gaitcam(&set(&["synth", "footbridge", "--out", out], &[mass]));
-        let text = String::from_utf8(output.stdout).unwrap();
+        let output = gaitcam(&changed(&["synth", "footbridge", "--out", out], &[mass]));
+        let text = stdout(&output);
         assert!(text.lines().count() <= 25, "{text}");
         let second = text.lines().nth(1).unwrap();
         assert!(
@@ -124,14 +112,14 @@ fn a_force_that_pulls_is_unacceptable_in_the_design_and_in_its_run() {
     assert_eq!((exit, code(&json, 0)), (3, "reason-contact-lost"));
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let run = gaitcam(&set(
+    let run = gaitcam(&changed(
         &["simulate", "scenes/mushroom.toml", "--json", "--out", out],
         &weak,
     ));
     assert_eq!(run.status.code(), Some(3));
     let page = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
     assert!(page.to_lowercase().contains("unacceptable"));
-    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let json: Value = object(&run);
     assert_eq!(json["verdict"], "unacceptable");
 }
 
@@ -158,11 +146,11 @@ fn an_offset_is_chosen_only_where_the_scene_says_so_and_then_told() {
     assert!(json["cam"]["prime_radius_m"].as_f64().unwrap() < 0.9 * prime);
     assert_eq!(json["scene"]["cam"]["offset"], "auto");
     let out = folder.path().join("out");
-    let output = gaitcam(&set(
+    let output = gaitcam(&changed(
         &["synth", &scene, "--out", out.to_str().unwrap()],
         &free,
     ));
-    let text = String::from_utf8(output.stdout).unwrap();
+    let text = stdout(&output);
     assert!(text.contains("offset 3.183 mm"), "{text}");
 }
 
@@ -198,14 +186,14 @@ fn a_recording_of_one_foot_says_that_it_is_doubled_and_how() {
         "--out",
         out.to_str().unwrap(),
     ];
-    let both = gaitcam(&set(&arguments, &[&file]));
-    let text = String::from_utf8(both.stdout).unwrap();
+    let both = gaitcam(&changed(&arguments, &[&file]));
+    let text = stdout(&both);
     assert!(
         text.contains("half a stride") && text.contains("gait.feet"),
         "{text}"
     );
-    let one = gaitcam(&set(&arguments, &[&file, "gait.feet=one"]));
-    let text = String::from_utf8(one.stdout).unwrap();
+    let one = gaitcam(&changed(&arguments, &[&file, "gait.feet=one"]));
+    let text = stdout(&one);
     assert!(!text.contains("half a stride"), "{text}");
 }
 
@@ -220,7 +208,7 @@ fn the_fitted_heel_tester_keeps_its_contact_in_every_word() {
         "--out",
         out,
     ]);
-    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let json: Value = object(&run);
     assert_eq!(run.status.code(), Some(0));
     assert_eq!(json["contact_lost"], false);
     assert_eq!(json["liftoff_speed_rad_per_s"], Value::Null);
@@ -250,7 +238,7 @@ fn messages_name_flags_keys_files_and_rows_as_they_were_typed() {
     let message = |arguments: &[&str]| {
         let output = gaitcam(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        String::from_utf8(output.stderr).unwrap()
+        stderr(&output)
     };
     let listed = message(&["sweep", "--list", list.to_str().unwrap(), "--out", out]);
     assert!(
@@ -275,7 +263,7 @@ fn messages_name_flags_keys_files_and_rows_as_they_were_typed() {
     assert!(weight.contains("gait.weight.1.from"), "{weight}");
     // What would help is given by the keys that one types.
     let refused = gaitcam(&["synth", "--set", "limits.stroke=30 mm", "--out", out]);
-    let text = String::from_utf8(refused.stdout).unwrap();
+    let text = stdout(&refused);
     assert!(
         text.contains("limits.stroke 48.19") && text.contains("accuracy.rms"),
         "{text}"

@@ -3,7 +3,7 @@
 use super::compliant::{Compliant, exact_chi, returned_restitution};
 use super::{POINTS, cams, line, picture, run_points, scene};
 use gaitcam::dynamics::contact::Phase;
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::simulate;
 use gaitcam::dynamics::{Model, rigid, thesis};
 use gaitcam::error::Result;

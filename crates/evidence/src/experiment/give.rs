@@ -2,7 +2,7 @@
 
 use super::{POINTS, cams, line, motor};
 use gaitcam::dynamics::flexible::{self, Train};
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::{rigid, thesis};
 use gaitcam::error::Result;
 

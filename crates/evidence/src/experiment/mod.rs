@@ -15,7 +15,7 @@ mod smoothing;
 use gaitcam::cam::Cam;
 use gaitcam::drive::Drive;
 use gaitcam::dynamics::contact::{self, ContactRun, Limits};
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::surface::Surface;
 use gaitcam::dynamics::thesis;
 use gaitcam::dynamics::{Machine, Run};

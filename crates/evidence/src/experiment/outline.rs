@@ -2,7 +2,7 @@
 
 use super::smoothing::fewest_harmonics;
 use gaitcam::cam::{Follower, ProfilePoint};
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::error::Result;
 use gaitcam::law::Law;
 use std::f64::consts::TAU;

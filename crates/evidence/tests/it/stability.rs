@@ -182,14 +182,7 @@ fn differences_of_a_noisy_force_drown_and_the_fit_does_not() {
 // ---------------------------------------------------------------- programs
 
 fn design(changes: &[&str]) -> Result<Design, String> {
-    let mut table: toml::Table = scene::DEFAULT.parse().unwrap();
-    for change in changes {
-        scene::set(&mut table, change).map_err(|e| e.to_string())?;
-    }
-    let scene = scene::read(&table).map_err(|e| e.to_string())?;
-    let weight = scene.gait.as_ref().unwrap().model_weight();
-    let target = model("young", Some(1.85), weight, Feet::Both).unwrap();
-    synthesise(&scene, Some(&target)).map_err(|e| e.to_string())
+    gaitcam_test_support::design(scene::DEFAULT, changes).map_err(|e| e.to_string())
 }
 
 fn finite(design: &Design) {

@@ -10,7 +10,7 @@ use crate::plot::picture::Picture;
 use crate::pose::target_at;
 use crate::words::Words;
 use gaitcam::cam::Measures;
-use gaitcam::dynamics::outcome::{Model, Outcome};
+use gaitcam::dynamics::{Model, Outcome};
 use gaitcam::synth::Design;
 
 /// Force with target and rigid force behind it, torque, and the gap where there is one.

@@ -6,8 +6,8 @@ use super::Running;
 use crate::pose::lift_unit;
 use crate::pose::{Pose, pose, turned};
 use gaitcam::cam::{Cam, Follower};
+use gaitcam::dynamics::Row;
 use gaitcam::dynamics::contact::two_cams::shifted;
-use gaitcam::dynamics::outcome::Row;
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
 

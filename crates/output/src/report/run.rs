@@ -10,7 +10,7 @@ use crate::number::{number, range};
 use crate::plot::layout::Layout;
 use crate::words::Words;
 use gaitcam::cam::Measures;
-use gaitcam::dynamics::outcome::Outcome;
+use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
 
 /// Impacts listed; a bounce that dies out has dozens.

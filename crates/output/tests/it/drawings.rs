@@ -1,23 +1,15 @@
 //! The drawings hold every edge that is cut, and no line that is none.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
 use gaitcam::cam::{Bore, Keyway, Wall};
-use gaitcam::synth::{Design, synthesise};
+use gaitcam::synth::Design;
 use gaitcam_output::dxf::Content;
+
+use gaitcam_test_support::designed;
 
 use crate::designs::{footbridge, heel_tester};
 use crate::drawing::{Drawing, read};
-
-fn designed(scene: &str) -> Design {
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-        .join("scenes")
-        .join(scene);
-    let text = std::fs::read_to_string(path).unwrap();
-    let scene = gaitcam::scene::read(&text.parse().unwrap()).unwrap();
-    synthesise(&scene, None).unwrap()
-}
 
 fn drawn(s: &Design) -> Drawing {
     read(&gaitcam_output::dxf::profile(s, 720, Content::All))
@@ -35,7 +27,7 @@ fn path(svg: &str, id: &str) -> String {
 
 #[test]
 fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
-    let s = designed("thesis_barrel.toml");
+    let s = designed("thesis_barrel");
     let d = drawn(&s);
     // Two turns on R 30 mm.
     let length = 4.0 * PI * 30.0;
@@ -103,7 +95,7 @@ fn an_unrolled_barrel_shows_both_walls_open_from_end_to_end() {
 
 #[test]
 fn a_sliding_cam_has_a_foot_and_no_circles() {
-    let s = designed("translating_cam.toml");
+    let s = designed("translating_cam");
     let d = drawn(&s);
     assert!(d.circles.is_empty());
     let (v, closed) = d.outline("CUT_PROFILE");
@@ -115,10 +107,7 @@ fn a_sliding_cam_has_a_foot_and_no_circles() {
 
 #[test]
 fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
-    for scene in [
-        "camdas_07_conjugate_roller.toml",
-        "camdas_08_conjugate_flat.toml",
-    ] {
+    for scene in ["camdas_07_conjugate_roller", "camdas_08_conjugate_flat"] {
         let s = designed(scene);
         let pair = s.conjugate.as_ref().unwrap();
         let fine = pair.second_profile(60_000);
@@ -137,7 +126,7 @@ fn both_cams_of_a_pair_are_drawn_as_they_stand_on_the_shaft() {
 
 #[test]
 fn r12_declares_millimetres_and_the_extents_of_the_drawing() {
-    let s = designed("camdas_01_roller.toml");
+    let s = designed("camdas_01_roller");
     let d = drawn(&s);
     // 4 is millimetres in that variable.
     assert_eq!(d.header["$INSUNITS"][1], (70, "4".to_string()));
@@ -166,8 +155,8 @@ fn what_is_cut_lies_on_its_own_layers_and_can_be_had_alone() {
     for mut s in [
         footbridge(),
         heel_tester(),
-        designed("camdas_07_conjugate_roller.toml"),
-        designed("thesis_barrel.toml"),
+        designed("camdas_07_conjugate_roller"),
+        designed("thesis_barrel"),
     ] {
         let scene = s.name.clone();
         s.bore = Some(Bore::plain(0.01));
@@ -270,7 +259,7 @@ fn a_keyway_and_a_dot_add_their_faces_and_a_pair_has_two_solids() {
     assert_eq!(faces(&s), (11, 1));
     s.mark = true;
     assert_eq!(faces(&s), (14, 1));
-    assert_eq!(faces(&designed("camdas_07_conjugate_roller.toml")).1, 2);
+    assert_eq!(faces(&designed("camdas_07_conjugate_roller")).1, 2);
 }
 
 /// Area within a closed polyline with bulges, in the square of its unit.

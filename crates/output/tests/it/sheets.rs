@@ -1,12 +1,11 @@
 //! `drawing.pdf`, read back as text: its numbers are those of the cam.
 
-use std::path::Path;
-
 use gaitcam::cam::{Bore, Follower, Keyway};
 use gaitcam::law::Law;
-use gaitcam::synth::{Design, synthesise};
 use gaitcam::wording::Language;
 use gaitcam_output::drawing::{self, Title};
+
+use gaitcam_test_support::designed;
 
 use crate::designs::{footbridge, heel_tester};
 
@@ -75,13 +74,6 @@ fn table(sheet: &[Shown]) -> Vec<[f64; 3]> {
         .collect()
 }
 
-fn designed(scene: &str) -> Design {
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes")).join(scene);
-    let text = std::fs::read_to_string(path).unwrap();
-    let scene = gaitcam::scene::read(&text.parse().unwrap()).unwrap();
-    synthesise(&scene, None).unwrap()
-}
-
 #[test]
 fn the_radii_of_an_eccentric_disc_are_those_of_its_circle() {
     // s = 10 mm (1 + sin θ) under a flat face on Rb 20 mm: a circle of 30 mm about (10, 0) mm.
@@ -105,7 +97,7 @@ fn the_radii_of_an_eccentric_disc_are_those_of_its_circle() {
 
 #[test]
 fn each_cam_of_a_pair_has_its_sheet_as_it_stands_on_the_shaft() {
-    let design = designed("camdas_07_conjugate_roller.toml");
+    let design = designed("camdas_07_conjugate_roller");
     let pdf = drawing::pdf(&design, &TITLE, Language::En).unwrap();
     let sheets = sheets(&pdf);
     assert_eq!(sheets.len(), 2);
@@ -139,13 +131,13 @@ fn the_title_block_names_scene_revision_date_and_what_the_tolerance_does_to_the_
     assert!(has("footbridge") && has("0badcafe") && has("2026-01-31"));
     assert!(has("\u{b1} 0.") && has("% of mean (designed "));
     // A programme without a force leaves the tolerance to be filled in.
-    let pdf = drawing::pdf(&designed("camdas_01_roller.toml"), &TITLE, Language::Es).unwrap();
+    let pdf = drawing::pdf(&designed("camdas_01_roller"), &TITLE, Language::Es).unwrap();
     let sheet = &sheets(&pdf)[0];
     assert!(sheet.iter().any(|s| s.text == "sin fuerza dada"));
     // Spanish has a decimal comma.
     assert!(sheet.iter().any(|s| s.text == "5") && table(sheet).is_empty());
     // A slide and a barrel have no radii about a centre.
-    let slide = designed("translating_cam.toml");
+    let slide = designed("translating_cam");
     assert_eq!(drawing::pdf(&slide, &TITLE, Language::En), None);
 }
 

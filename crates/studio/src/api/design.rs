@@ -153,10 +153,7 @@ fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     let scene = scene::read(table)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let solving = Instant::now();
-    let shared = Shared {
-        halt,
-        ..Shared::default()
-    };
+    let shared = Shared::until(halt);
     let design = synthesise_with(&scene, target.as_ref(), &shared)?;
     let time = Timing {
         solve_s: solving.elapsed().as_secs_f64(),

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::table;
 use crate::fault::StudioError;
 use crate::studio::Studio;
-use gaitcam::error::{Place, Result};
+use gaitcam::error::{Placed, Result};
 
 /// The text of a scene of the folder.
 ///
@@ -17,7 +17,7 @@ use gaitcam::error::{Place, Result};
 pub fn open(studio: &Studio, path: &str) -> Result<Value> {
     let path = Path::new(path);
     let text = String::from_utf8_lossy(&studio.folder.read(path)?).into_owned();
-    table(&text).map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+    table(&text).map_err(|e| e.in_file(path))?;
     Ok(json!({"scene": text, "file": path.display().to_string()}))
 }
 

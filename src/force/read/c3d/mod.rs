@@ -17,7 +17,7 @@ use super::columns::{foot, words};
 use super::keys;
 use super::timebase::TimeBase;
 use super::vertical::{self, Facts};
-use crate::error::{Place, ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::note::ClockSource;
 use crate::force::recording::{Foot, ReadOptions, Recording, Strike};
 
@@ -54,8 +54,8 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<R
         zero: zero_range(&parameters, &analog),
         notes,
     };
-    let mut recording = vertical::recording(raw, base, facts, options)
-        .map_err(|e| e.at(Place::File(path.to_path_buf())))?;
+    let mut recording =
+        vertical::recording(raw, base, facts, options).map_err(|e| e.in_file(path))?;
     recording.strikes = strikes(&parameters, &analog);
     Ok(recording)
 }

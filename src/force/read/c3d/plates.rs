@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::parameters::Parameters;
 use super::storage::Analog;
-use crate::error::{ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::note::{Axis, Note};
 use crate::force::read::columns::{Role, role};
 use crate::force::read::raw::RawForce;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::BLOCK;
 use super::parameters::Parameters;
-use crate::error::{ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::format::{Format, Processor, Storage};
 use crate::force::note::Note;
 

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::listed;
 use super::table::Table;
-use crate::error::{Error, ReadError, Result, nearest};
+use crate::error::{Error, Placed, ReadError, Result, nearest};
 use crate::force::note::Axis;
 use crate::force::read::columns::{Role, bracketed, foot, role, words};
 use crate::force::recording::{Foot, ForceUnit, ReadOptions};

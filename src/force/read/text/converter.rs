@@ -9,7 +9,7 @@ use std::path::Path;
 use super::choose::{Plan, plan};
 use super::layout::{Lines, Position, text};
 use super::table::Table;
-use crate::error::{ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::note::{Axis, Note};
 use crate::force::quantity::kilograms;
 use crate::force::read::raw::RawForce;

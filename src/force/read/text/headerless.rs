@@ -6,7 +6,7 @@ use super::choose::force_is_time;
 use super::layout::Layout;
 use super::raw::Raw;
 use super::table::{Numbers, Table, numbers};
-use crate::error::{ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::note::{Axis, Note};
 use crate::force::read::raw::RawForce;
 use crate::force::recording::{Foot, ReadOptions};

@@ -27,7 +27,7 @@ use super::keys;
 use super::number::trim;
 use super::raw::RawForce;
 use super::vertical::{self, Facts};
-use crate::error::{Error, Place, ReadError, Result};
+use crate::error::{Error, Placed, ReadError, Result};
 use crate::force::format::Format;
 use crate::force::note::Note;
 use crate::force::recording::{ForceUnit, ReadOptions, Recording};
@@ -82,7 +82,7 @@ fn converter_counts(
     rate: Option<f64>,
     options: &ReadOptions,
 ) -> Result<Recording> {
-    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
+    let place = |e: Error| e.in_file(path);
     let Some(plan) = converter::plates(path, table, options)? else {
         return Err(nothing_found(path, bytes, layout, &table.names));
     };
@@ -196,7 +196,7 @@ fn finish(
     if let Some(&first_line) = raw.skipped.first() {
         notes.push(Note::LinesSkipped { first_line });
     }
-    let place = |e: Error| e.at(Place::File(path.to_path_buf()));
+    let place = |e: Error| e.in_file(path);
     let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
     let facts = Facts {
         format: format(path, layout, table, head),

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
 use super::table::Table;
-use crate::error::{ReadError, Result};
+use crate::error::{Placed, ReadError, Result};
 use crate::force::format::Format;
 use crate::force::note::{ClockSource, MassSource, Note, UnitSource};
 use crate::force::quantity::{hertz, seconds};

@@ -7,7 +7,7 @@ use super::clock_time::clock;
 use super::header::with_header;
 use super::layout::{Fields, Layout, Lines, Position};
 use super::plain_row::plain_row;
-use crate::error::{Error, ReadError, Result};
+use crate::error::{Error, Placed, ReadError, Result};
 use crate::force::read::number::{Field, field, trim, value};
 
 /// Lines of a header that are kept; more are skipped in the middle.

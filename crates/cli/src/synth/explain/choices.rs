@@ -8,7 +8,7 @@
 use std::f64::consts::TAU;
 
 use gaitcam::cam::Cam;
-use gaitcam::dynamics::recover::recover;
+use gaitcam::dynamics::recover;
 use gaitcam::dynamics::{Machine, Run};
 use gaitcam::error::Result;
 use gaitcam::law::Law;
@@ -16,7 +16,7 @@ use gaitcam::scene::{Family, Scene};
 use gaitcam::synth::{Design, Tier};
 use serde_json::json;
 
-use crate::words::{fill, fixed, name, text};
+use crate::console::words::{fill, fixed, name, text};
 
 /// One choice of model.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ fn asked_for(scene: &Scene, design: &Design) -> String {
 
 fn family(scene: &Scene, design: &Design) -> Choice {
     let asked = scene.law.family;
-    let status = design.solver.status(crate::language::current());
+    let status = design.solver.status(crate::console::language::current());
     let because = match asked {
         Family::Auto => fill("explain-simplest", &json!({"status": status})),
         Family::Ladder => fill("explain-simplest-solver", &json!({"status": status})),
@@ -140,7 +140,7 @@ fn tier(design: &Design) -> Choice {
         chosen: name(solver.tier.name()),
         because: fill(
             "explain-solver",
-            &json!({"status": solver.status(crate::language::current()),
+            &json!({"status": solver.status(crate::console::language::current()),
                 "limits": design.binding.len(), "iterations": solver.iterations}),
         ),
         next: text(next),

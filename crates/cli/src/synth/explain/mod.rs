@@ -13,8 +13,8 @@ use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::synth::{Design, synthesise};
 
-use crate::words::fixed;
-use crate::{language, words};
+use crate::console::words::fixed;
+use crate::{console::language, console::words};
 
 /// Runs of which the quickest counts.
 const RUNS: usize = 5;
@@ -97,7 +97,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
                 ),
             };
             instead(
-                &crate::words::name(next.model.name()),
+                &crate::console::words::name(next.model.name()),
                 &change,
                 seconds,
                 own,
@@ -106,7 +106,7 @@ fn dynamics(design: &Design, points: usize) -> Option<Line> {
     };
     Some(Line {
         subject: "dynamics",
-        chosen: crate::words::name(chosen.model.name()),
+        chosen: crate::console::words::name(chosen.model.name()),
         because: chosen.why.sentence(language::current()),
         next,
     })

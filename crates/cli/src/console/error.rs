@@ -1,0 +1,93 @@
+//! Faults that only the command can meet: files, flags, folders. Their sentences stand in `words/`.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::console::words;
+use gaitcam::error::{Error, ErrorKind};
+
+/// What is wrong. Texts in fields are as the user typed them, or what the system says.
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum CliError {
+    CannotWrite { fault: String },
+    CannotOpen { fault: String },
+    NotCsv { fault: String },
+    SceneName { shown: String, fault: NameFault },
+    FewRows { rows: u32, least: u32 },
+    CycleEnding { file: String },
+    CycleOverRecording,
+    NoKeyContains { pattern: String },
+    NoModel { typed: String },
+    Restitution { value: f64 },
+    NegativeFriction { typed: String },
+    BrokenTable { fault: String },
+    FieldNotNumber,
+    EmptyTable,
+    NotSweepTable { column: String },
+    NoParquet,
+    TableEnding { file: String },
+    NoBaseScene,
+    RowNotNumber { row: u64, cell: String },
+    NothingVaries,
+    ListCell,
+    ListValue { fault: String },
+    EmptyList,
+    NoRecordings { endings: String },
+    NotRecordings { files: usize, endings: String },
+    NoCurve,
+    ManyRows { rows: String },
+    Threads { fault: String },
+    ScatterAlone,
+    ScatterCsv,
+    TooManySamples { count: String, most: String },
+    NoSample,
+    PartialRows { rows: u64 },
+    NotPartial,
+    RowsSafe { fault: String, rows: u64 },
+    AllRowsSafe { fault: String },
+    CannotRepair { fault: String },
+    Busy,
+    WriterFailed,
+    FileIsThere,
+    UnknownFlag { near: Option<String> },
+    OneTooMany,
+    UnknownVerb { typed: String, near: Option<String> },
+    FlagWithoutValue,
+    FlagChoice { typed: String, choices: String },
+    FlagValue { typed: String, fault: String },
+    FlagWhole { typed: String },
+    FlagRange { typed: String, range: String },
+    MissingArguments { missing: String },
+    FlagConflict { other: String },
+    FlagCount,
+    Arguments { fault: String },
+    MeasuredColumns { found: String },
+    MeasuredField { text: String },
+    NegativeBall { typed: String },
+}
+
+/// Why a scene's name cannot name a folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NameFault {
+    Blank,
+    Dash,
+    Control,
+    NotPlain,
+}
+
+/// Area of the messages.
+const AREA: &str = "cli";
+
+impl From<CliError> for Error {
+    fn from(fault: CliError) -> Error {
+        let words = words::catalogue();
+        Error::from(ErrorKind::Own {
+            code: gaitcam::wording::code(AREA, &fault),
+            what: words.sentence(AREA, &fault),
+            help: words.help(AREA, &fault),
+        })
+    }
+}

@@ -1,0 +1,75 @@
+//! Standard output and standard error: a reader who closes them early is no error, a full disk is.
+
+use std::fmt::Display;
+use std::io::{ErrorKind, Result, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::console::exit_code::INTERNAL_ERROR;
+use crate::console::words;
+
+/// Longest message on standard error, bytes.
+const LONGEST_MESSAGE: usize = 2048;
+
+/// Whether an answer could not be written to standard output.
+static STDOUT_FAILED: AtomicBool = AtomicBool::new(false);
+
+/// Prints an answer and a newline to standard output.
+pub fn print(text: &str) {
+    let mut out = std::io::stdout().lock();
+    record_write_error(writeln!(out, "{text}").and_then(|()| out.flush()));
+}
+
+/// Prints a JSON answer to standard output.
+pub fn print_json(value: &serde_json::Value) {
+    print(&serde_json::to_string_pretty(value).unwrap_or_default());
+}
+
+/// Prints a message to standard error, at most 2 kB of it; a closed standard error is ignored.
+pub fn report(message: impl Display) {
+    let text = message.to_string();
+    let shown = shortened(&text, LONGEST_MESSAGE);
+    let _ = writeln!(std::io::stderr().lock(), "gaitcam: {shown}");
+}
+
+/// The first `most` bytes of a text, cut between characters, with an ellipsis where something is left out.
+fn shortened(text: &str, most: usize) -> String {
+    if text.len() <= most {
+        return text.to_string();
+    }
+    let mut end = most;
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    format!("{} …", &text[..end])
+}
+
+/// Records a failure to write to standard output, so that the exit code tells it.
+pub fn record_write_error(written: Result<()>) {
+    if let Err(e) = written
+        && e.kind() != ErrorKind::BrokenPipe
+        && !STDOUT_FAILED.swap(true, Ordering::Relaxed)
+    {
+        let fault = serde_json::json!({"fault": e.to_string()});
+        report(words::fill("run-stdout", &fault));
+    }
+}
+
+/// The exit code: `code`, unless the answer could not be written.
+pub fn final_exit_code(code: u8) -> u8 {
+    if STDOUT_FAILED.load(Ordering::Relaxed) {
+        INTERNAL_ERROR
+    } else {
+        code
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shortened;
+
+    #[test]
+    fn long_messages_are_cut_between_characters() {
+        assert_eq!(shortened("äöü", 6), "äöü");
+        assert_eq!(shortened("äöü", 5), "äö …");
+    }
+}

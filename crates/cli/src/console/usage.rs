@@ -1,0 +1,90 @@
+//! A command line that cannot be read, as an error like every other.
+
+use std::error::Error as _;
+use std::num::ParseIntError;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use gaitcam::error::{Error, Placed};
+
+use crate::console::error::CliError;
+
+/// What is wrong with the arguments.
+pub fn fault(error: &clap::Error) -> Error {
+    let said = |kind| context(error, kind);
+    let flag = said(ContextKind::InvalidArg).unwrap_or_default();
+    let near = said(ContextKind::SuggestedArg)
+        .or_else(|| said(ContextKind::SuggestedSubcommand))
+        .or_else(|| said(ContextKind::SuggestedValue));
+    let value = said(ContextKind::InvalidValue).unwrap_or_default();
+    match error.kind() {
+        ErrorKind::UnknownArgument if flag.starts_with('-') => {
+            CliError::UnknownFlag { near }.at_argument(&flag)
+        }
+        ErrorKind::UnknownArgument => CliError::OneTooMany.at_argument(&flag),
+        ErrorKind::InvalidSubcommand => {
+            let typed = said(ContextKind::InvalidSubcommand).unwrap_or_default();
+            Error::from(CliError::UnknownVerb { typed, near })
+        }
+        ErrorKind::InvalidValue if value.is_empty() => {
+            CliError::FlagWithoutValue.at_argument(&flag)
+        }
+        ErrorKind::InvalidValue => {
+            let choices = said(ContextKind::ValidValue).unwrap_or_default();
+            let typed = value;
+            CliError::FlagChoice { typed, choices }.at_argument(plain(&flag))
+        }
+        ErrorKind::ValueValidation => unsuitable(error, value).at_argument(plain(&flag)),
+        ErrorKind::MissingRequiredArgument => {
+            Error::from(CliError::MissingArguments { missing: flag })
+        }
+        ErrorKind::ArgumentConflict => {
+            let other = said(ContextKind::PriorArg).unwrap_or_default();
+            CliError::FlagConflict {
+                other: plain(&other).to_string(),
+            }
+            .at_argument(plain(&flag))
+        }
+        ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues | ErrorKind::TooManyValues => {
+            CliError::FlagCount.at_argument(&flag)
+        }
+        _ => {
+            let text = error.to_string();
+            let fault = text.lines().next().unwrap_or_default();
+            let fault = fault.trim_start_matches("error: ").to_string();
+            Error::from(CliError::Arguments { fault })
+        }
+    }
+}
+
+/// A value that its flag does not take, and what it would take.
+fn unsuitable(error: &clap::Error, typed: String) -> CliError {
+    let source = error.source();
+    if source.is_some_and(|s| s.is::<ParseIntError>()) {
+        return CliError::FlagWhole { typed };
+    }
+    let fault = source.map(ToString::to_string).unwrap_or_default();
+    // The words of clap's own ranges.
+    match fault.split_once(" is not in ") {
+        Some((_, range)) => CliError::FlagRange {
+            typed,
+            range: range.replace("..=", " … "),
+        },
+        None => CliError::FlagValue { typed, fault },
+    }
+}
+
+/// A part of the error's context as text; lists joined by commas.
+fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind)? {
+        ContextValue::String(text) => Some(text.clone()),
+        ContextValue::Strings(list) => Some(list.join(", ")),
+        ContextValue::Number(n) => Some(n.to_string()),
+        ContextValue::StyledStr(text) => Some(text.to_string()),
+        _ => None,
+    }
+}
+
+/// A flag without the placeholder of its value: `--feet <FEET>` → `--feet`.
+fn plain(flag: &str) -> &str {
+    flag.split([' ', '=']).next().unwrap_or(flag)
+}

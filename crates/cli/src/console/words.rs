@@ -1,0 +1,101 @@
+//! The command's own sentences, by language: `words/LANGUAGE/cli.ftl`.
+
+use std::sync::OnceLock;
+
+use gaitcam::wording::{Catalogue, Language};
+use serde_json::Value;
+
+use crate::console::language;
+
+/// The messages in the language of the run.
+pub fn catalogue() -> &'static Catalogue {
+    of(language::current())
+}
+
+fn of(language: Language) -> &'static Catalogue {
+    static EN: OnceLock<Catalogue> = OnceLock::new();
+    static ES: OnceLock<Catalogue> = OnceLock::new();
+    match language {
+        Language::En => {
+            EN.get_or_init(|| Catalogue::new(language, &[include_str!("../../words/en/cli.ftl")]))
+        }
+        Language::Es => {
+            ES.get_or_init(|| Catalogue::new(language, &[include_str!("../../words/es/cli.ftl")]))
+        }
+    }
+}
+
+/// A heading or label.
+pub fn text(key: &str) -> String {
+    catalogue().text(key)
+}
+
+/// A sentence with its arguments, a JSON object.
+pub fn fill(key: &str, arguments: &Value) -> String {
+    let (area, variant) = key.split_once('-').unwrap_or(("", key));
+    catalogue().sentence(area, &serde_json::json!({ variant: arguments }))
+}
+
+/// The name of a follower, law, limit or solver where the language has one, otherwise as it is typed.
+pub fn name(typed: &str) -> String {
+    gaitcam::wording::catalogue(language::current()).name(typed)
+}
+
+/// A table's column with its unit, SI: `force error RMS, N`; the column of a scene's key keeps the key's name.
+pub fn column(name: &str) -> String {
+    let label = gaitcam::sweep::table::label(name);
+    let (quantity, unit) = label.rsplit_once(", ").unwrap_or((&label, ""));
+    let key = format!("column-{}", quantity.replace(' ', "-"));
+    let quantity = match text(&key) {
+        missing if missing == key => quantity.to_string(),
+        quantity => quantity,
+    };
+    match unit {
+        "" => quantity,
+        unit => format!("{quantity}, {unit}"),
+    }
+}
+
+/// A number with a fixed count of decimals, with the decimal sign of the language.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    decimal(format!("{value:.decimals$}"))
+}
+
+/// A small number as a power of ten: `1.2e-15`.
+pub fn power(value: f64, decimals: usize) -> String {
+    if value == 0.0 {
+        return "0".to_string();
+    }
+    decimal(format!("{value:.decimals$e}"))
+}
+
+/// A number that is written already, with the decimal sign of the language.
+pub fn decimal(number: String) -> String {
+    match language::current() {
+        Language::En => number,
+        Language::Es => number.replace('.', ","),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use strum::VariantNames;
+
+    use super::*;
+    use crate::console::error::CliError;
+
+    #[test]
+    fn every_fault_has_its_sentence_and_both_languages_the_same_keys() {
+        let keys = |language| -> BTreeSet<String> { of(language).keys().iter().cloned().collect() };
+        let (english, spanish) = (keys(Language::En), keys(Language::Es));
+        for variant in CliError::VARIANTS {
+            assert!(english.contains(&format!("cli-{variant}")), "{variant}");
+        }
+        let faults = english.iter().filter(|k| k.starts_with("cli-")).count();
+        assert_eq!(faults, CliError::VARIANTS.len());
+        let missing: Vec<_> = english.symmetric_difference(&spanish).collect();
+        assert!(missing.is_empty(), "{missing:?}");
+    }
+}

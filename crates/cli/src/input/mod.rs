@@ -1,0 +1,101 @@
+//! Scenes as the command line gives them: a file, standard input or the built-in scene, with changes.
+
+pub mod recordings;
+pub mod searching;
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use toml::Table;
+
+use crate::console::error::{CliError, NameFault};
+use gaitcam::error::{Error, Placed, Result};
+use gaitcam::scene;
+use gaitcam::units::{Dimension, parse as parse_quantity};
+use gaitcam_files::read::read_standard_input;
+use gaitcam_files::scene::{folder_of, parse, table};
+
+pub use gaitcam_files::Input;
+
+/// A scene with changes.
+#[derive(Args, Debug, Default, Clone)]
+pub struct SceneArgs {
+    /// Scene file, name of a built-in scene (gaitcam scenes), or - for standard input; default footbridge
+    pub scene: Option<PathBuf>,
+    /// Change a value: --set 'limits.stroke=40 mm' (may be repeated)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Reads the scene (or the built-in one) and applies the changes.
+pub fn scene(args: &SceneArgs) -> Result<Input> {
+    let (mut table, folder, file) = written(args)?;
+    for change in &args.set {
+        scene::set(&mut table, change).map_err(at_flag("--set"))?;
+    }
+    Input::new(table, folder, file)
+}
+
+/// The table of a scene as it is written, the folder that its paths are relative to, and its file.
+pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
+    let here = || PathBuf::from(".");
+    Ok(match &args.scene {
+        None => (parse(scene::DEFAULT, None)?, here(), None),
+        Some(path) if path == Path::new("-") => {
+            (parse(&read_standard_input()?, None)?, here(), None)
+        }
+        Some(path) => match built_in(path).filter(|_| !path.exists()) {
+            Some(text) => (parse(text, Some(path))?, here(), Some(path.clone())),
+            None => (table(path)?, folder_of(path), Some(path.clone())),
+        },
+    })
+}
+
+/// The built-in scene that a path names.
+fn built_in(path: &Path) -> Option<&'static str> {
+    let found = scene::built_in(path.to_str()?).ok()?;
+    Some(found.toml)
+}
+
+/// Places a fault at a flag, unless it is placed already.
+pub fn at_flag(flag: &str) -> impl Fn(Error) -> Error {
+    move |e| e.at_argument(flag)
+}
+
+/// The value of a flag with a unit, where the flag is given.
+pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>> {
+    text.map(|t| parse_quantity(t, dimension).map_err(at_flag(flag)))
+        .transpose()
+}
+
+/// Where results of a scene go: `out` as given, else `out/NAME` with `ending` after the scene's name.
+pub fn result_folder(input: &Input, out: Option<&Path>, ending: &str) -> Result<PathBuf> {
+    if let Some(out) = out {
+        return Ok(out.to_path_buf());
+    }
+    let name = &input.scene.name;
+    check_file_name(name)?;
+    Ok(PathBuf::from("out").join(format!("{name}{ending}")))
+}
+
+/// Refuses a scene's name that is no plain file name.
+fn check_file_name(name: &str) -> Result<()> {
+    let fault = if name.trim().is_empty() {
+        NameFault::Blank
+    } else if name.starts_with('-') {
+        NameFault::Dash
+    } else if name.chars().any(|c| c.is_control() || is_invisible(c)) {
+        NameFault::Control
+    } else if name == "." || name == ".." || name.chars().any(|c| "/\\:*?\"<>|~".contains(c)) {
+        NameFault::NotPlain
+    } else {
+        return Ok(());
+    };
+    let shown: String = name.escape_debug().take(60).collect();
+    Err(CliError::SceneName { shown, fault }.at_key("name"))
+}
+
+/// Marks that turn the direction of text or take no room (Unicode bidirectional controls and their like).
+fn is_invisible(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+}

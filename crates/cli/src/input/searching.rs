@@ -1,0 +1,97 @@
+//! A search that may take long: it shows itself after half a second, and ends at its time limit.
+
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::{JoinHandle, spawn};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use gaitcam::halt::Halt;
+use gaitcam::problem::Shared;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
+
+use crate::console::words;
+
+/// Time after which a search shows itself.
+const SHOWN_AFTER: Duration = Duration::from_millis(500);
+/// Time limit of one design, and of one row of a sweep, s.
+const DESIGN_S: f64 = 60.0;
+const ROW_S: f64 = 5.0;
+/// A limit beyond this is none.
+const LONGEST_S: f64 = 1e9;
+
+/// How long searches may take.
+#[derive(Args, Debug, Default, Clone, Copy)]
+pub struct TimeLimit {
+    /// End the search after this time and keep the best result (default 60 s, in sweeps 5 s per design)
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time_limit: Option<f64>,
+}
+
+fn seconds(typed: &str) -> Result<f64, String> {
+    let number = typed.strip_suffix('s').unwrap_or(typed).trim();
+    match number.parse::<f64>() {
+        Ok(limit) if limit > 0.0 => Ok(limit),
+        _ => Err(words::text("time-limit-seconds")),
+    }
+}
+
+impl TimeLimit {
+    /// The end of the searches of one design that begins now.
+    pub fn of_design(self) -> Halt {
+        after(self.time_limit.unwrap_or(DESIGN_S))
+    }
+
+    /// The same for one row of a sweep.
+    pub fn of_row(self) -> Halt {
+        after(self.time_limit.unwrap_or(ROW_S))
+    }
+
+    /// Shows that a design is being searched for, until what is returned is dropped.
+    pub fn shown(self) -> Shown {
+        let limit = self.time_limit.unwrap_or(DESIGN_S);
+        let (done, waits) = channel();
+        let thread = spawn(move || {
+            if waits.recv_timeout(SHOWN_AFTER) != Err(RecvTimeoutError::Timeout) {
+                return;
+            }
+            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+            let text = words::fill("synth-searching", &json!({"limit": limit}));
+            if let Ok(style) = ProgressStyle::with_template(&format!("{text} {{elapsed}}")) {
+                bar.set_style(style);
+            }
+            bar.enable_steady_tick(Duration::from_millis(200));
+            let _ = waits.recv();
+            bar.finish_and_clear();
+        });
+        Shown {
+            done: Some(done),
+            thread: Some(thread),
+        }
+    }
+}
+
+/// What a design made on the way to another answer may take.
+pub fn shared() -> Shared {
+    Shared::until(after(DESIGN_S))
+}
+
+fn after(seconds: f64) -> Halt {
+    let end = Instant::now() + Duration::from_secs_f64(seconds.min(LONGEST_S));
+    Halt::when(move || Instant::now() >= end)
+}
+
+/// The line that tells of a search.
+pub struct Shown {
+    done: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Drop for Shown {
+    fn drop(&mut self) {
+        drop(self.done.take());
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! `gaitcam laws`: the catalogue of rise laws.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use crate::console::exit_code::BUILT;
+use crate::console::language;
+use crate::console::terminal::{print, print_json};
+use crate::console::words::{self, fixed};
+use gaitcam::error::Result;
+use gaitcam::law::{End, Ends, Factors, Rise};
+use gaitcam_output::{folder::Folder, laws_report};
+
+const EXAMPLES: &str = "Examples:
+  gaitcam laws
+  gaitcam laws --out out
+  gaitcam laws --json | python3 -m json.tool";
+
+/// How to print it.
+#[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub struct LawsArgs {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Also write laws.html into this folder: formulas, curves, factors and when to choose each law
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// What the two ends can join, once where they agree.
+fn joined(ends: &Ends) -> String {
+    let said = |end: &End| end.joins_in(language::current());
+    let (start, end) = (said(&ends.start), said(&ends.end));
+    if start == end {
+        start
+    } else {
+        format!("{start} → {end}")
+    }
+}
+
+/// Prints the catalogue as a table, or as a list of objects; writes the page where it is asked for.
+pub fn run(args: &LawsArgs) -> Result<u8> {
+    if let Some(out) = &args.out {
+        let page = laws_report::html(language::current())?;
+        Folder::open(out)?.write("laws.html", page.as_bytes())?;
+    }
+    let mut rows = Vec::new();
+    for rise in Rise::catalogue() {
+        rows.push((rise.clone(), rise.factors()?, rise.ends()?));
+    }
+    if args.json {
+        print_json(&rows.iter().map(object).collect());
+    } else {
+        print(&table(&rows));
+    }
+    Ok(BUILT)
+}
+
+type Row = (Rise, Factors, Ends);
+
+fn object((rise, f, ends): &Row) -> Value {
+    let finite = |x: f64| if x.is_finite() { json!(x) } else { json!(null) };
+    json!({
+        "name": rise.name(), "formula": rise.formula(),
+        "cv": finite(f.cv), "ca": finite(f.ca), "cj": finite(f.cj), "ct": finite(f.ct),
+        "v": [finite(f.v.0), finite(f.v.1)], "a": [finite(f.a.0), finite(f.a.1)], "j": [finite(f.j.0), finite(f.j.1)],
+        "joins": [ends.start.joins(), ends.end.joins()],
+        "continuity_with_dwell": [ends.start.continuity_with_dwell(), ends.end.continuity_with_dwell()],
+    })
+}
+
+fn table(rows: &[Row]) -> String {
+    let mut out = vec![
+        words::text("laws-head"),
+        format!(
+            "{:<22} {:>9} {:>9} {:>10} {:>9}  {}",
+            words::text("laws-law"),
+            "Cv",
+            "Ca",
+            "Cj",
+            "Ct",
+            words::text("laws-joins")
+        ),
+    ];
+    for (rise, f, ends) in rows {
+        let name = rise.name();
+        let jerk = if f.cj.is_finite() {
+            fixed(f.cj, 4)
+        } else {
+            "∞".to_string()
+        };
+        out.push(format!(
+            "{name:<22} {:>9} {:>9} {jerk:>10} {:>9}  {}",
+            fixed(f.cv, 5),
+            fixed(f.ca, 5),
+            fixed(f.ct, 5),
+            joined(ends)
+        ));
+    }
+    out.join("\n")
+}

@@ -1,0 +1,6 @@
+//! Recordings: what is made of them, what is doubted, what is asked first.
+
+mod doubts;
+mod open;
+mod trials;
+mod writes;

@@ -1,0 +1,304 @@
+//! Bad input is named, with its place and what would be right, and costs nothing that was there before.
+
+use std::fs;
+
+use crate::support::{changed, gaitcam, object, stderr};
+
+/// Exit code and message of a synthesis with changes to the default scene.
+fn with(changes: &[&str]) -> (i32, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let output = gaitcam(&changed(
+        &["synth", "--out", out.to_str().unwrap()],
+        changes,
+    ));
+    (output.status.code().unwrap(), stderr(&output))
+}
+
+#[track_caller]
+fn refused(changes: &[&str], words: &[&str]) {
+    let (code, message) = with(changes);
+    assert_eq!(code, 2, "{message}");
+    assert_eq!(message.trim().lines().count(), 1, "one line: {message}");
+    for word in words {
+        assert!(
+            message.contains(word),
+            "\"{word}\" is missing in: {message}"
+        );
+    }
+}
+
+#[test]
+fn scene_faults_name_their_key_and_the_cure() {
+    refused(
+        &["limits.strok=60 mm"],
+        &["limits.strok", "did you mean \"stroke\""],
+    );
+    refused(&["limits.stroke=60"], &["limits.stroke", "60", "25 mm"]);
+    refused(&["limits.stroke=60 parsec"], &["limits.stroke", "parsec"]);
+    refused(
+        &["limits.stroke=60 kg"],
+        &["limits.stroke", "not a unit of length"],
+    );
+    refused(&["drive.mass=-3 kg"], &["drive.mass", "not positive"]);
+    refused(&["drive.mass=0"], &["drive.mass", "not positive"]);
+    refused(&["gait.model=yung"], &["yung", "young"]);
+    refused(&["law.family=splin"], &["law.family", "spline"]);
+    refused(&["law.spans=0"], &["law.spans", "whole number"]);
+    refused(&["law.degree=2"], &["law.degree", "3 to 9"]);
+    refused(&["limits.pressure_angle=95 deg"], &["pressure_angle", "90"]);
+    refused(
+        &["cam.follower=roller-translating"],
+        &["cam.roller_radius", "10 mm"],
+    );
+    refused(&["name=../evil"], &["name"]);
+    refused(&["nonsense"], &["--set", "="]);
+    refused(&["limits=3"], &["limits"]);
+    refused(&["gait.body_weight=nan N"], &["body_weight"]);
+}
+
+#[test]
+fn missing_and_broken_files_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_string()
+    };
+    let refused = |path: &str, words: &[&str]| {
+        let output = gaitcam(&["gait", path]);
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{path}: {message}");
+        for word in words {
+            assert!(
+                message.contains(word),
+                "{path}: \"{word}\" is missing in: {message}"
+            );
+        }
+    };
+    refused("no_such.csv", &["no_such.csv"]);
+    refused(&write("empty.csv", ""), &["empty.csv", "empty"]);
+    refused(
+        &write("columns.csv", "time,hip,knee\n0,1,2\n0.01,1,2\n0.02,1,2\n"),
+        &["columns.csv", "hip"],
+    );
+    let stance = |t: f64| {
+        if (0.2..0.8).contains(&(t % 1.1)) {
+            700.0
+        } else {
+            0.0
+        }
+    };
+    let mut back = "time,Fz\n".to_string();
+    for i in 0..300 {
+        let t = if i == 40 { 0.2 } else { f64::from(i) * 0.01 };
+        back += &format!("{t:.3},{:.1}\n", stance(t));
+    }
+    refused(
+        &write("backwards.csv", &back),
+        &["backwards.csv line 42", "backwards"],
+    );
+    refused(&write("one.csv", "time,Fz\n0,700\n"), &["one.csv"]);
+    refused(
+        &write(
+            "flat.csv",
+            &format!(
+                "time,Fz\n{}",
+                (0..200)
+                    .map(|i| format!("{:.2},0\n", f64::from(i) * 0.01))
+                    .collect::<String>()
+            ),
+        ),
+        &["flat.csv"],
+    );
+    let scene = write(
+        "scene.toml",
+        "name = \"x\"\n[gait]\nmodel = \"young\"\nmodel = \"setra\"\n",
+    );
+    let output = gaitcam(&["synth", &scene]);
+    let message = stderr(&output);
+    assert!(
+        output.status.code() == Some(2) && message.contains("scene.toml line 4"),
+        "{message}"
+    );
+}
+
+#[test]
+fn nan_in_a_cycle_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("cycle.csv");
+    fs::write(
+        &path,
+        "# cycle\ntime_s,force_n\n0.0,700\n0.1,nan\n0.2,650\n0.3,700\n0.4,710\n",
+    )
+    .unwrap();
+    let scene = folder.path().join("s.toml");
+    fs::write(&scene, "[gait]\nfile = \"cycle.csv\"\n").unwrap();
+    let output = gaitcam(&[
+        "synth",
+        scene.to_str().unwrap(),
+        "--out",
+        folder.path().join("o").to_str().unwrap(),
+    ]);
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("cycle.csv"), "{message}");
+}
+
+#[test]
+fn an_output_folder_that_cannot_be_written_is_found_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "kept").unwrap();
+    let output = gaitcam(&["synth", "--out", file.join("sub").to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("--out"));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "kept");
+}
+
+#[test]
+fn limits_that_fight_are_named_with_the_smallest_relaxation_that_works() {
+    // A jerk limit alone can always be met by standing still; a force floor above M·g cannot.
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let run = |changes: &[&str]| {
+        let mut arguments = vec!["synth", "--json", "--out", out];
+        for change in changes {
+            arguments.extend(["--set", change]);
+        }
+        let output = gaitcam(&arguments);
+        let summary: serde_json::Value = object(&output);
+        (output.status.code().unwrap(), summary)
+    };
+    // The mean is 700 N, so a floor of 700 N (a constant force) is the most that any cam can give; within
+    // 0.5 % of the force it is the force's own lowest value, or a little more.
+    for (accuracy, most) in [("50 %", 700.0), ("0.5 %", 514.5)] {
+        let accuracy = format!("accuracy.rms={accuracy}");
+        let (code, summary) = run(&["limits.force_min=750 N", &accuracy]);
+        assert_eq!(code, 3);
+        assert_eq!(summary["outcome"], "infeasible");
+        let relaxation = &summary["infeasible"]["relaxations"][0];
+        assert_eq!(relaxation["limit"], "force_min");
+        let to = relaxation["to"].as_f64().unwrap();
+        assert!((to / most - 1.0).abs() < 1e-3, "{relaxation}");
+        let (code, _) = run(&[&format!("limits.force_min={to} N"), &accuracy]);
+        assert_eq!(code, 0, "the relaxation must work");
+    }
+    assert!(
+        fs::read_to_string(folder.path().join("summary.json"))
+            .unwrap()
+            .contains("built")
+    );
+}
+
+#[test]
+fn a_bore_too_wide_for_the_prime_radius_is_named_with_what_would_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let run = |bore: &str, limit: &str| {
+        let (bore, limit) = (
+            format!("cam.bore={bore}"),
+            format!("limits.prime_radius={limit}"),
+        );
+        let changes = ["--set", &bore, "--set", &limit];
+        let output = gaitcam(&[&["synth", "--json", "--out", out], &changes[..]].concat());
+        let summary: serde_json::Value = object(&output);
+        (output.status.code().unwrap(), summary)
+    };
+    let (code, summary) = run("300 mm", "120 mm");
+    assert_eq!((code, &summary["outcome"]), (3, &"infeasible".into()));
+    let infeasible = &summary["infeasible"];
+    assert_eq!(
+        infeasible["conflict"],
+        serde_json::json!(["bore", "prime_radius"])
+    );
+    // A millimetre of wall stands around the bore: 2·(120 − 1) mm, or 150 + 1 mm.
+    let relaxations = infeasible["relaxations"].as_array().unwrap();
+    for (key, right) in [("cam.bore", 0.238), ("limits.prime_radius", 0.151)] {
+        let one = relaxations.iter().find(|r| r["key"] == key).unwrap();
+        let to = one["to"].as_f64().unwrap();
+        assert!((to - right).abs() < 1e-12, "{to}");
+    }
+    assert_eq!(run("238 mm", "120 mm").0, 0);
+    assert_eq!(run("300 mm", "151 mm").0, 0);
+}
+
+#[test]
+fn an_accuracy_that_the_limits_forbid_is_no_such_cam() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gaitcam(&[
+        "synth",
+        "--json",
+        "--set",
+        "limits.stroke=20 mm",
+        "--out",
+        folder.path().to_str().unwrap(),
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let summary: serde_json::Value = object(&output);
+    let failed: Vec<&str> = summary["checks"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|c| c["pass"] == false)
+        .map(|c| c["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(failed, ["rms_error"]);
+    assert!(
+        summary["binding"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|b| b["limit"] == "stroke")
+    );
+}
+
+#[test]
+fn a_roller_larger_than_the_pitch_curve_allows_is_an_undercut() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = gaitcam(&[
+        "synth",
+        "scenes/heel_tester.toml",
+        "--json",
+        "--set",
+        "cam.roller_radius=2.5 in",
+        "--out",
+        folder.path().to_str().unwrap(),
+    ]);
+    assert_eq!(output.status.code(), Some(3));
+    let summary: serde_json::Value = object(&output);
+    assert_eq!(summary["verdict"], "unacceptable");
+    // 2.3024 in is the smallest convex pitch radius (theory §2): undercut by 0.1976 in.
+    let rho = summary["cam"]["rho_min_m"].as_f64().unwrap() / 0.0254;
+    assert!((rho + 0.1976).abs() < 1e-4, "{rho}");
+}
+
+#[test]
+fn bands_weights_phases_and_fronts_are_refused_with_their_cure() {
+    refused(&["gait.band=spread"], &["gait.band", "20 N"]);
+    refused(&["gait.band=-5 N"], &["gait.band", "not positive"]);
+    refused(&["gait.phase=sideways"], &["gait.phase", "90 deg"]);
+    refused(
+        &[r#"gait.weight=[{from="0 deg", to="400 deg", weight=2.0}]"#],
+        &["gait.weight", "0 to 360 deg"],
+    );
+    refused(
+        &[r#"gait.weight=[{from="0 deg", to="360 deg", weight=0.0}]"#],
+        &["gait.weight", "have weight 0"],
+    );
+    refused(
+        &["law.family=harmonic", "gait.band=20 N"],
+        &["gait.band", "spline"],
+    );
+    refused(
+        &[
+            "law.family=double-harmonic",
+            "law.minimise=peak-force-error",
+        ],
+        &["law.minimise", "spline"],
+    );
+    refused(
+        &["limits.prime_radius=-3 mm"],
+        &["limits.prime_radius", "not positive"],
+    );
+}

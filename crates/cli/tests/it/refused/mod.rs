@@ -1,0 +1,4 @@
+//! What cannot be: named with its place and with what would work.
+
+mod cams;
+mod input;

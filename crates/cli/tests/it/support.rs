@@ -1,0 +1,81 @@
+//! The command as a user runs it, what it says, and recordings to give it.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// Root of the repository, where scenes and recordings lie.
+pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// The command in a folder, in English, with nothing on its standard input.
+pub fn command(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gaitcam"));
+    command
+        .current_dir(folder)
+        .env_remove("LC_ALL")
+        .env_remove("LANG")
+        .stdin(Stdio::null());
+    command
+}
+
+/// A run from the root of the repository.
+pub fn gaitcam(arguments: &[&str]) -> Output {
+    run_in(Path::new(ROOT), arguments)
+}
+
+/// A run from a folder.
+pub fn run_in(folder: &Path, arguments: &[&str]) -> Output {
+    command(folder).args(arguments).output().unwrap()
+}
+
+/// Standard output.
+pub fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+/// Standard error.
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+/// Both streams, standard output first.
+pub fn both(output: &Output) -> String {
+    stdout(output) + &stderr(output)
+}
+
+/// The object on standard output.
+pub fn object(output: &Output) -> serde_json::Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", stderr(output)))
+}
+
+/// Arguments followed by changes to the scene.
+pub fn changed<'a>(arguments: &[&'a str], changes: &[&'a str]) -> Vec<&'a str> {
+    let flags = changes.iter().flat_map(|change| ["--set", change]);
+    arguments.iter().copied().chain(flags).collect()
+}
+
+/// Twelve seconds of a walk at 200 Hz, both feet, every stride alike.
+pub fn walk(path: &Path) {
+    wobbling_walk(path, 0.0);
+}
+
+/// The same with strides of `1 ± wobble` times the force in turn.
+pub fn wobbling_walk(path: &Path, wobble: f64) {
+    let foot = |t: f64| {
+        let x = t.rem_euclid(1.1) / 0.68;
+        let a = std::f64::consts::PI * x;
+        let odd = (t / 1.1) as usize % 2 == 1;
+        if x < 1.0 {
+            (1.0 + if odd { wobble } else { -wobble }) * 700.0 * (a.sin() + 0.35 * (3.0 * a).sin())
+        } else {
+            0.0
+        }
+    };
+    let mut text = "time,left fz,right fz\n".to_string();
+    for i in 0..2400 {
+        let t = f64::from(i) / 200.0;
+        let _ = writeln!(text, "{t:.3},{:.2},{:.2}", foot(t + 0.2), foot(t + 0.75));
+    }
+    fs::write(path, text).unwrap();
+}

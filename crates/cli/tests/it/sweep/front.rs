@@ -1,0 +1,101 @@
+//! From the table of a sweep to its best design.
+
+use std::process::Output;
+
+use super::sweep;
+use crate::support::{gaitcam, object, stderr};
+
+fn front(arguments: &[&str]) -> Output {
+    gaitcam(&[&["front"], arguments].concat())
+}
+
+#[test]
+fn the_best_of_a_sweep_opens_as_the_design_that_its_row_describes() {
+    let folder = tempfile::tempdir().unwrap();
+    let (table, out) = (folder.path().join("t.csv"), folder.path().join("front"));
+    let vary = [
+        "--set",
+        "accuracy.rms=20 %",
+        "--vary",
+        "limits.stroke=42 mm:50 mm:5",
+        "--vary",
+        "law.spans=12,16",
+        "--vary",
+        "limits.curvature=5 mm:40 mm:3",
+    ];
+    assert_eq!(sweep(&table, &vary).status.code(), Some(0));
+    let (file, dir) = (table.to_str().unwrap(), out.to_str().unwrap());
+    let compared = front(&[
+        file,
+        "--minimise",
+        "force_error,prime_radius,jerk",
+        "--out",
+        dir,
+        "--json",
+    ]);
+    assert_eq!(compared.status.code(), Some(0), "{}", stderr(&compared));
+    let json: serde_json::Value = object(&compared);
+    for name in [
+        "front.csv",
+        "front.svg",
+        "front.png",
+        "parallel.png",
+        "report.html",
+    ] {
+        assert!(out.join(name).metadata().unwrap().len() > 100, "{name}");
+    }
+    let best = front(&[
+        file,
+        "--minimise",
+        "force_error,prime_radius,jerk",
+        "--out",
+        dir,
+        "--best",
+        "--json",
+    ]);
+    assert_eq!(best.status.code(), Some(0), "{}", stderr(&best));
+    let summary: serde_json::Value = object(&best);
+    let of_table = json["best"]["force_rms_error_percent"].as_f64().unwrap();
+    let of_design = summary["force"]["rms_error_percent_of_mean"]
+        .as_f64()
+        .unwrap();
+    assert!(
+        (of_table / of_design - 1.0).abs() < 1e-9,
+        "{of_table} {of_design}"
+    );
+    let radius = json["best"]["prime_radius_m"].as_f64().unwrap();
+    assert!((radius / summary["cam"]["prime_radius_m"].as_f64().unwrap() - 1.0).abs() < 1e-9);
+    assert!(out.join("best/profile.csv").exists() && out.join("best.toml").exists());
+}
+
+#[test]
+fn front_refuses_what_is_no_sweep_and_unknown_objectives() {
+    let folder = tempfile::tempdir().unwrap();
+    let no_sweep = front(&["data/gait_curves/young_1.85Hz_700N.csv"]);
+    assert_eq!(no_sweep.status.code(), Some(2));
+    assert!(
+        stderr(&no_sweep).contains("young_1.85Hz_700N.csv"),
+        "{}",
+        stderr(&no_sweep)
+    );
+    let table = folder.path().join("t.csv");
+    sweep(
+        &table,
+        &[
+            "--vary",
+            "law.harmonics=2,3",
+            "--set",
+            "law.family=harmonic",
+        ],
+    );
+    let unknown = front(&[table.to_str().unwrap(), "--minimise", "prime_radus"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(
+        stderr(&unknown).contains("did you mean \"prime_radius\"?"),
+        "{}",
+        stderr(&unknown)
+    );
+    // Nothing passes: that is no fault of the input.
+    sweep(&table, &["--vary", "limits.stroke=1 mm,2 mm"]);
+    assert_eq!(front(&[table.to_str().unwrap()]).status.code(), Some(3));
+}

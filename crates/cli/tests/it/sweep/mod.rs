@@ -1,0 +1,67 @@
+//! Sweeps from the outside: nothing is lost, whatever ends the process; bad input is refused in words.
+
+mod front;
+mod interrupted;
+mod refused;
+mod scatter;
+mod shards;
+mod table;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Output, Stdio};
+
+use crate::support::{ROOT, command, gaitcam, stderr};
+
+fn sweep(out: &Path, arguments: &[&str]) -> Output {
+    gaitcam(&[&["sweep"], arguments, &["--out", out.to_str().unwrap()]].concat())
+}
+
+fn start(out: &Path, arguments: &[&str]) -> Child {
+    command(Path::new(ROOT))
+        .arg("sweep")
+        .args(arguments)
+        .arg("--out")
+        .arg(out)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
+}
+
+/// The table without its last column, the time.
+fn rows(table: &Path) -> Vec<String> {
+    let text = fs::read_to_string(table).unwrap();
+    text.lines()
+        .map(|l| l.rsplit_once(',').unwrap().0.to_string())
+        .collect()
+}
+
+fn refused(arguments: &[&str], say: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = sweep(&folder.path().join("t.csv"), arguments);
+    assert_eq!(
+        output.status.code(),
+        Some(2),
+        "{arguments:?}: {}",
+        stderr(&output)
+    );
+    assert!(
+        stderr(&output).contains(say),
+        "{arguments:?}: {}",
+        stderr(&output)
+    );
+    assert!(
+        fs::read_dir(folder.path()).unwrap().next().is_none(),
+        "{arguments:?} left a file"
+    );
+}
+
+const SLOW: [&str; 6] = [
+    "--vary",
+    "gait.step_frequency=1.5 Hz:2.3 Hz:10",
+    "--vary",
+    "limits.stroke=35 mm:60 mm:12",
+    "--vary",
+    "law.family=spline,harmonic,program",
+];

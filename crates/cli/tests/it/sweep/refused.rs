@@ -1,0 +1,53 @@
+//! Sweeps that cannot be: refused in words, before anything is written.
+
+use std::fs;
+
+use super::{refused, sweep};
+use crate::support::stderr;
+
+#[test]
+fn bad_sweeps_are_refused_before_anything_is_written() {
+    refused(&[], "no key varies");
+    refused(
+        &["--vary", "limits.strok=1 mm:2 mm:3"],
+        "did you mean \"stroke\"?",
+    );
+    refused(&["--vary", "name=a,b"], "cannot vary");
+    refused(&["--vary", "limits.stroke=1 mm:2 mm:0"], "empty grid");
+    refused(&["--vary", "law.family="], "empty grid");
+    refused(&["--vary", "limits.stroke=1:2:3"], "has no unit");
+    refused(
+        &[
+            "--vary",
+            "limits.stroke=1 mm:2 mm:1000000",
+            "--vary",
+            "limits.jerk=1 m/s^3:2 m/s^3:1000000",
+        ],
+        "1000000000000 combinations",
+    );
+    refused(&["--list", "no-such-file.csv"], "cannot be read");
+    refused(&["--sample", "5"], "empty grid");
+    refused(&["--recordings", "no-such-folder"], "cannot be read");
+    let folder = tempfile::tempdir().unwrap();
+    let output = sweep(&folder.path().join("t.txt"), &["--vary", "law.degree=3,5"]);
+    assert!(stderr(&output).contains("neither .csv nor .parquet"));
+    if !cfg!(feature = "parquet") {
+        let output = sweep(
+            &folder.path().join("t.parquet"),
+            &["--vary", "law.degree=3,5"],
+        );
+        assert!(
+            stderr(&output).contains("feature \"parquet\"") && stderr(&output).contains(".csv")
+        );
+    }
+    fs::write(folder.path().join("t.csv.partial"), "my own notes").unwrap();
+    let output = sweep(
+        &folder.path().join("t.csv"),
+        &["--vary", "law.degree=3,5", "--resume"],
+    );
+    assert!(
+        stderr(&output).contains("not the partial table of a sweep"),
+        "{}",
+        stderr(&output)
+    );
+}

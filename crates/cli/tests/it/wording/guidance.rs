@@ -1,0 +1,137 @@
+//! What leads a newcomer: `init`, `doctor`, `man`, the page of laws, help and faults of the command line.
+
+use std::fs;
+
+use crate::support::{both, object, run_in, walk};
+
+#[test]
+fn every_machine_of_init_becomes_an_acceptable_cam() {
+    let folder = tempfile::tempdir().unwrap();
+    let listed = both(&run_in(folder.path(), &["init"]));
+    let machines: Vec<&str> = listed
+        .lines()
+        .filter_map(|l| l.split_whitespace().next())
+        .collect();
+    assert!(
+        machines.contains(&"shaker") && machines.len() >= 5,
+        "{listed}"
+    );
+    walk(&folder.path().join("walk.csv"));
+    for machine in machines {
+        let written = run_in(folder.path(), &["init", machine]);
+        assert_eq!(written.status.code(), Some(0), "{}", both(&written));
+        let scene = format!("{machine}.toml");
+        let before = fs::read(folder.path().join(&scene)).unwrap();
+        let mut arguments = vec!["synth", &scene, "--no-png"];
+        if machine == "walk" {
+            arguments.extend(["--set", "gait.file=walk.csv"]);
+        }
+        let designed = run_in(folder.path(), &arguments);
+        assert_eq!(
+            designed.status.code(),
+            Some(0),
+            "{machine}: {}",
+            both(&designed)
+        );
+        // What is there stays.
+        let again = run_in(folder.path(), &["init", machine]);
+        assert_eq!(again.status.code(), Some(2), "{machine}");
+        assert_eq!(fs::read(folder.path().join(&scene)).unwrap(), before);
+    }
+}
+
+#[test]
+fn the_doctor_names_every_fault_at_once_and_the_cure() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "name = \"a\"\n[drive]\nkind = \"fixed-axis\"\nsped = \"60 rpm\"\nspeed = 5\n\
+        [law]\nfamily = \"program\"\n[[law.segment]]\nmotion = \"cycloidle\"\nlift = \"10 mm\"\nangle = \"180 deg\"\n\
+        [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-10 mm\"\nangle = \"180 deg\"\n\
+        [cam]\nfollower = \"flat-translating\"\n[limits]\nstroke = \"10 kg\"\n";
+    fs::write(folder.path().join("a.toml"), scene).unwrap();
+    let told = run_in(folder.path(), &["doctor", "a.toml"]);
+    let told = (told.status.code(), both(&told));
+    assert_eq!(told.0, Some(2), "{}", told.1);
+    for word in ["sped", "drive.speed", "cycloidal", "limits.stroke"] {
+        assert!(told.1.contains(word), "{word} in {}", told.1);
+    }
+    assert_eq!(
+        told.1.lines().filter(|l| l.starts_with('✗')).count(),
+        4,
+        "{}",
+        told.1
+    );
+
+    let none = run_in(folder.path(), &["doctor", "footbridge"]);
+    assert_eq!(none.status.code(), Some(0), "{}", both(&none));
+    assert!(!both(&none).contains('✗'));
+
+    fs::write(folder.path().join("c.csv"), "time,Fz\n0,1\n0.1,x\n").unwrap();
+    for (file, code) in [("c.csv", 2), ("no.toml", 2)] {
+        let refused = run_in(folder.path(), &["doctor", file]);
+        assert_eq!(
+            refused.status.code(),
+            Some(code),
+            "{file}: {}",
+            both(&refused)
+        );
+    }
+    walk(&folder.path().join("walk.csv"));
+    let walked = run_in(folder.path(), &["doctor", "walk.csv"]);
+    assert_eq!(walked.status.code(), Some(0), "{}", both(&walked));
+}
+
+#[test]
+fn manual_pages_and_the_page_of_laws_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = run_in(folder.path(), &["man", "man1"]);
+    assert_eq!(done.status.code(), Some(0), "{}", both(&done));
+    let page = fs::read_to_string(folder.path().join("man1/gaitcam-synth.1")).unwrap();
+    assert!(
+        page.contains(".TH") && page.contains("time\\-limit"),
+        "{page}"
+    );
+    assert!(folder.path().join("man1/gaitcam.1").exists());
+    let done = run_in(folder.path(), &["laws", "--out", "out"]);
+    assert_eq!(done.status.code(), Some(0), "{}", both(&done));
+    let page = fs::read_to_string(folder.path().join("out/laws.html")).unwrap();
+    assert!(page.contains("x − sin(2πx)/(2π)") && page.contains("Cv = 2"));
+}
+
+#[test]
+fn a_wrong_command_line_is_said_like_every_other_fault_in_both_languages() {
+    let folder = tempfile::tempdir().unwrap();
+    let faults: [(&[&str], &str, &str); 6] = [
+        (
+            &["synth", "--josn"],
+            "did you mean --json?",
+            "¿quería decir --json?",
+        ),
+        (&["snyth"], "did you mean synth?", "¿quería decir synth?"),
+        (
+            &["synth", "--points", "many"],
+            "whole number",
+            "número entero",
+        ),
+        (&["synth", "--points", "1"], "2 … 1000000", "2 … 1000000"),
+        (
+            &["sweep", "--vary", "a=1"],
+            "missing: --out",
+            "falta: --out",
+        ),
+        (
+            &["synth", "a", "b"],
+            "one argument too many",
+            "sobra un argumento",
+        ),
+    ];
+    for (arguments, english, spanish) in faults {
+        for (language, wanted) in [("en", english), ("es", spanish)] {
+            let said = run_in(folder.path(), &[&["--lang", language], arguments].concat());
+            assert_eq!(said.status.code(), Some(2), "{arguments:?}");
+            assert!(both(&said).contains(wanted), "{}", both(&said));
+        }
+    }
+    let json = run_in(folder.path(), &["sweep", "--json"]);
+    let error: serde_json::Value = object(&json);
+    assert_eq!(error["error"]["code"], "cli-missing-arguments");
+}

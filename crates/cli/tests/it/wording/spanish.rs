@@ -1,0 +1,278 @@
+//! A run in Spanish says nothing in English.
+
+use std::path::Path;
+
+use crate::support::{both, gaitcam, walk};
+
+/// Frequent words of the English messages that are no Spanish words and no words of a scene file.
+const ENGLISH: &[&str] = &[
+    "acceptable",
+    "active",
+    "and",
+    "are",
+    "at",
+    "before",
+    "best",
+    "built",
+    "by",
+    "contact",
+    "convex",
+    "curvature",
+    "cycle",
+    "default",
+    "design",
+    "designs",
+    "equality",
+    "follower",
+    "force",
+    "infeasible",
+    "is",
+    "largest",
+    "law",
+    "lift",
+    "lift-off",
+    "limit",
+    "limits",
+    "maximum",
+    "mean",
+    "minimum",
+    "not",
+    "of",
+    "power",
+    "pressure",
+    "prime",
+    "radius",
+    "recording",
+    "rigid",
+    "roller",
+    "row",
+    "rows",
+    "satisfied",
+    "smallest",
+    "speed",
+    "stroke",
+    "target",
+    "the",
+    "then",
+    "torque",
+    "velocity",
+    "width",
+    "with",
+    "within",
+];
+
+/// What a run in Spanish prints, on both streams; the exit code has to be `code`.
+fn said(arguments: &[&str], code: i32) -> String {
+    let run = gaitcam(&[&["--lang", "es"], arguments].concat());
+    let text = both(&run);
+    assert_eq!(run.status.code(), Some(code), "{arguments:?}: {text}");
+    assert!(!text.trim().is_empty(), "{arguments:?}");
+    text
+}
+
+/// Words of a text without the punctuation around them; what is quoted, a path or a key stays whole.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    // What begins with a colon is typed as it stands: `force_error:jerk`, or `:jerk`.
+    text.split_whitespace()
+        .filter(|word| !word.starts_with(':'))
+        .map(|word| word.trim_matches(['(', ')', ',', ';', ':', '.', '!', '?']))
+}
+
+/// A text without the choices of an argument, `[valores: walking, running]`, which are typed as they stand.
+fn without_choices(mut text: String) -> String {
+    while let Some(from) = text.find("[valores:") {
+        let length = text[from..].find(']').unwrap();
+        text.replace_range(from..=from + length, "");
+    }
+    text
+}
+
+/// Fails on an English word.
+fn assert_spanish(arguments: &[&str], code: i32) {
+    let text = without_choices(said(arguments, code));
+    // Choices of a key, `both | one | left`, are typed as they stand.
+    for line in text.lines().filter(|line| !line.contains(" | ")) {
+        let found = words(line).find(|w| ENGLISH.contains(&w.to_lowercase().as_str()));
+        assert!(found.is_none(), "{found:?} in {line:?} of {arguments:?}");
+    }
+}
+
+/// Whether a line shows a number with a decimal point.
+fn has_decimal_point(line: &str) -> bool {
+    words(line).any(|word| {
+        let digits = |part: &str| part.chars().all(|c| c.is_ascii_digit());
+        let number = word.trim_start_matches(['-', '−', '+']);
+        let number = number.trim_end_matches(['°', '%']);
+        let parts = number.split_once('.');
+        parts.is_some_and(|(a, b)| !a.is_empty() && !b.is_empty() && digits(a) && digits(b))
+    })
+}
+
+#[test]
+fn the_words_looked_for_are_those_of_the_english_messages() {
+    let messages = [
+        include_str!("../../../words/en/cli.ftl"),
+        include_str!("../../../../../src/wording/en/names.ftl"),
+        include_str!("../../../../../src/wording/en/synth.ftl"),
+        include_str!("../../../../../src/wording/en/dynamics.ftl"),
+        include_str!("../../../../../src/wording/en/solver.ftl"),
+        include_str!("../../../../../src/wording/en/law.ftl"),
+        include_str!("../../../../../src/wording/en/cam.ftl"),
+        include_str!("../../../../../src/wording/en/force.ftl"),
+    ]
+    .concat();
+    for word in ENGLISH {
+        assert!(words(&messages).any(|w| w == *word), "{word}");
+    }
+}
+
+#[test]
+fn designs_in_spanish_hold_no_english_word_and_no_decimal_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    for scene in [
+        "footbridge",
+        "camdas_01_roller",
+        "camdas_02_oscillating_roller",
+        "translating_cam",
+    ] {
+        let out = path(scene);
+        assert_spanish(&["synth", scene, "--out", &out], 0);
+        let shown = said(&["synth", scene, "--out", &out], 0);
+        let point = shown.lines().find(|line| has_decimal_point(line));
+        assert_eq!(point, None, "{scene}");
+    }
+    let out = path("none");
+    let short = [
+        "synth",
+        "footbridge",
+        "--set",
+        "limits.stroke=10 mm",
+        "--out",
+        &out,
+    ];
+    assert_spanish(&short, 3);
+    assert_spanish(&["synth", "footbridge", "--explain", "--out", &out], 0);
+    assert_spanish(&["simulate", "footbridge", "--out", &path("run")], 0);
+    let (one, other) = (path("footbridge"), path("translating_cam"));
+    assert_spanish(&["compare", &one, &other, "--out", &path("both")], 0);
+}
+
+#[test]
+fn sweeps_in_spanish_hold_no_english_word() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let (table, samples) = (path("t.csv"), path("s.csv"));
+    let vary = "limits.stroke=35 mm:60 mm:4";
+    assert_spanish(&["sweep", "footbridge", "--vary", vary, "--out", &table], 0);
+    let goals = "force_error,torque_max";
+    assert_spanish(
+        &[
+            "front",
+            &table,
+            "--minimise",
+            goals,
+            "--out",
+            &path("front"),
+        ],
+        0,
+    );
+    let scatter = ["--tolerance", "mass=5 %", "--band", "5 %", "--sample", "50"];
+    assert_spanish(
+        &[&["sweep", "footbridge", "--out", &samples], &scatter[..]].concat(),
+        0,
+    );
+    // The pages beside them.
+    for page in [path("front/report.html"), format!("{samples}.report.html")] {
+        let page = std::fs::read_to_string(page).unwrap();
+        for heading in [
+            "Heat map",
+            "Parallel",
+            "compromise",
+            "manufactur",
+            "By design",
+            "Yield",
+        ] {
+            assert!(!page.contains(heading), "{heading}");
+        }
+    }
+}
+
+#[test]
+fn lists_and_recordings_in_spanish_hold_no_english_word() {
+    let folder = tempfile::tempdir().unwrap();
+    for verb in ["laws", "scenes", "keys"] {
+        assert_spanish(&[verb], 0);
+    }
+    let file = folder.path().join("andar.csv");
+    walk(Path::new(&file));
+    let out = folder.path().join("ciclo.csv").display().to_string();
+    assert_spanish(&["gait", file.to_str().unwrap(), "--out", &out], 0);
+}
+
+#[test]
+fn help_in_spanish_holds_no_english_word() {
+    assert_spanish(&["--help"], 0);
+    for verb in [
+        "synth",
+        "gait",
+        "simulate",
+        "sweep",
+        "front",
+        "compare",
+        "studio",
+        "keys",
+        "scenes",
+        "laws",
+        "init",
+        "doctor",
+        "man",
+        "completions",
+        "inspect",
+        "reproduce",
+        "chart",
+    ] {
+        assert_spanish(&[verb, "--help"], 0);
+        let page = said(&[verb, "--help"], 0);
+        for word in ["Usage", "Options", "Print", "default:", "possible"] {
+            assert!(!page.contains(word), "{word} in {page}");
+        }
+    }
+    assert_spanish(&["init"], 0);
+    assert_spanish(&["doctor", "footbridge"], 0);
+}
+
+#[test]
+fn pages_and_pictures_in_spanish_show_no_decimal_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("puente").display().to_string();
+    said(&["synth", "footbridge", "--no-png", "--out", &out], 0);
+    said(&["simulate", "footbridge", "--out", &out], 0);
+    said(&["laws", "--out", &out], 0);
+    for file in [
+        "report.html",
+        "laws.html",
+        "force.svg",
+        "svaj.svg",
+        "cam.svg",
+    ] {
+        let page = std::fs::read_to_string(format!("{out}/{file}")).unwrap();
+        // Scripts, styles and code are for machines.
+        let mut seen = page;
+        for name in ["script", "style", "code"] {
+            while let Some(from) = seen.find(&format!("<{name}")) {
+                let length = seen[from..].find(&format!("</{name}>")).unwrap();
+                seen.replace_range(from..from + length, "");
+            }
+        }
+        let behind = |part: &str| {
+            part.split_once('>')
+                .map_or("", |(_, text)| text)
+                .to_string()
+        };
+        let text: Vec<String> = seen.split('<').skip(1).map(behind).collect();
+        let text = text.join("\n");
+        let point = text.lines().find(|line| has_decimal_point(line));
+        assert_eq!(point, None, "{file}");
+    }
+}

@@ -1,0 +1,105 @@
+//! Axes of pictures of many designs: names, ticks, frame.
+
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::{LETTERS, Quantity};
+use crate::plot::axes::{Frame, tick_text, ticks};
+use crate::plot::palette::{AXIS, GRID, INK, QUIET};
+use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, write};
+
+/// An axis: its name, its ends, and the places that are marked, with their text.
+pub(super) struct Axis<'a> {
+    pub(super) label: &'a str,
+    pub(super) range: [f64; 2],
+    pub(super) marks: Vec<(f64, String)>,
+}
+
+impl<'a> Axis<'a> {
+    pub(super) fn new(q: &'a Quantity, range: [f64; 2], count: f64) -> Self {
+        Axis {
+            label: &q.label,
+            range,
+            marks: marks(q, range, count),
+        }
+    }
+
+    pub(super) fn across(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
+        Axis::new(q, range, (f.right - f.left) / (6.0 * LETTERS))
+    }
+
+    pub(super) fn up(q: &'a Quantity, range: [f64; 2], f: Frame) -> Self {
+        Axis::new(q, range, (f.bottom - f.top) / (3.5 * LETTERS))
+    }
+}
+
+/// Title, frame, ticks and names of both axes.
+pub(super) fn axes<'a>(
+    canvas: &Canvas<'a>,
+    title: &str,
+    f: Frame,
+    x: Axis,
+    y: Axis,
+) -> Result<Plane<'a>, DrawingAreaErrorKind<std::convert::Infallible>> {
+    let e = LETTERS;
+    write(
+        canvas,
+        title,
+        [f.left, 2.0 * e],
+        Lettering::new(1.25 * e, INK).bold(),
+    )?;
+    let inner = plane(
+        canvas,
+        x.range,
+        y.range,
+        [f.left, f.right],
+        [f.bottom, f.top],
+    );
+    let grid = stroke(GRID, 1.0);
+    for (value, text) in &x.marks {
+        let ends = y.range.map(|end| (*value, end));
+        inner.draw(&PathElement::new(ends, grid))?;
+        let share = (value - x.range[0]) / (x.range[1] - x.range[0]);
+        let at = [f.left + share * (f.right - f.left), f.bottom + 0.6 * e];
+        let letters = Lettering::new(e, QUIET).anchored(HPos::Center, VPos::Top);
+        write(canvas, text, at, letters)?;
+    }
+    for (value, text) in &y.marks {
+        let ends = x.range.map(|end| (end, *value));
+        inner.draw(&PathElement::new(ends, grid))?;
+        let share = (value - y.range[0]) / (y.range[1] - y.range[0]);
+        let at = [f.left - 0.5 * e, f.bottom + share * (f.top - f.bottom)];
+        let letters = Lettering::new(e, QUIET).anchored(HPos::Right, VPos::Center);
+        write(canvas, text, at, letters)?;
+    }
+    let middle = [0.5 * (f.left + f.right), 0.5 * (f.top + f.bottom)];
+    let below = Lettering::new(e, INK).anchored(HPos::Center, VPos::Top);
+    write(canvas, x.label, [middle[0], f.bottom + 2.3 * e], below)?;
+    let beside = Lettering::new(e, INK)
+        .anchored(HPos::Center, VPos::Center)
+        .upwards();
+    write(canvas, y.label, [1.2 * e, middle[1]], beside)?;
+    Ok(inner)
+}
+
+pub(super) fn border(canvas: &Canvas, f: Frame) -> Drawn {
+    let corners = [
+        [f.left, f.top],
+        [f.right, f.top],
+        [f.right, f.bottom],
+        [f.left, f.bottom],
+        [f.left, f.top],
+    ];
+    line(canvas, &corners, stroke(AXIS, 1.0))
+}
+
+/// Where an axis is marked, and with what.
+fn marks(q: &Quantity, range: [f64; 2], count: f64) -> Vec<(f64, String)> {
+    if !q.words.is_empty() {
+        let all = q.words.iter().enumerate();
+        return all.map(|(i, w)| (i as f64, w.clone())).collect();
+    }
+    let at = ticks(range[0], range[1], count.max(2.0));
+    let step = at.get(1).map_or(1.0, |b| b - at[0]);
+    at.into_iter().map(|v| (v, tick_text(v, step))).collect()
+}

@@ -1,0 +1,53 @@
+//! Designs none of which is better in everything.
+
+use plotters::prelude::*;
+
+use super::axes::{Axis, axes, border};
+use super::{LETTERS, Quantity, SIZE, frame, shown};
+use crate::plot::axes::padded;
+use crate::plot::palette::{AXIS, BLUE, RED};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{stroke, units};
+
+/// All designs as dots, the front as a line through its dots; `front` are indices into the values.
+pub fn front(
+    title: &str,
+    x: &Quantity,
+    y: &Quantity,
+    on_front: &[(f64, f64)],
+    best: Option<(f64, f64)>,
+) -> Picture {
+    let ([x, y], [fx, fy]) = shown([x, y]);
+    let scaled = |&(a, b): &(f64, f64)| (fx * a, fy * b);
+    let on_front: Vec<(f64, f64)> = on_front.iter().map(scaled).collect();
+    let best = best.as_ref().map(scaled);
+    let all = |q: &Quantity, own: &dyn Fn(&(f64, f64)) -> f64| {
+        let mut v = q.values.clone();
+        v.extend(on_front.iter().map(own));
+        padded(v.into_iter(), 0.05)
+    };
+    let (rx, ry) = (all(&x, &|p| p.0), all(&y, &|p| p.1));
+    Picture::drawn(SIZE.0, SIZE.1, |canvas| {
+        let f = frame(2.0 * LETTERS);
+        let inner = axes(
+            canvas,
+            title,
+            f,
+            Axis::across(&x, rx, f),
+            Axis::up(&y, ry, f),
+        )?;
+        for (&a, &b) in x.values.iter().zip(&y.values) {
+            if a.is_finite() && b.is_finite() {
+                inner.draw(&Circle::new((a, b), units(2.0), AXIS.filled()))?;
+            }
+        }
+        inner.draw(&PathElement::new(on_front.clone(), stroke(BLUE, 1.6)))?;
+        for &p in &on_front {
+            inner.draw(&Circle::new(p, units(3.6), BLUE.filled()))?;
+        }
+        if let Some(p) = best {
+            inner.draw(&Circle::new(p, units(6.5), stroke(RED, 2.4)))?;
+        }
+        border(canvas, f)
+    })
+}

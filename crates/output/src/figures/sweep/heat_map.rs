@@ -1,0 +1,142 @@
+//! The best of many designs over two parameters, as colour.
+
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::axes::{Axis, axes, border};
+use super::{LETTERS, Quantity, SIZE, frame, shown};
+use crate::number::number;
+use crate::plot::axes::{Frame, padded};
+use crate::plot::palette::{INK, QUIET};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Canvas, Drawn, Lettering, units, write};
+
+/// Bins across a heat map of scattered points.
+const BINS: usize = 40;
+
+/// More distinct values than this on an axis are scattered, not a grid.
+const GRID_VALUES: usize = 200;
+
+/// Which of several designs in one cell of a heat map counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Best {
+    /// The one with the least value.
+    Least,
+    /// The one with the largest.
+    Largest,
+}
+
+/// Colours from low (dark blue) to high (yellow), in even steps of lightness: five stops of viridis.
+fn shade(u: f64) -> RGBAColor {
+    const STOPS: [[f64; 3]; 5] = [
+        [68.0, 1.0, 84.0],
+        [59.0, 82.0, 139.0],
+        [33.0, 145.0, 140.0],
+        [94.0, 201.0, 98.0],
+        [253.0, 231.0, 37.0],
+    ];
+    let x = u.clamp(0.0, 1.0) * 4.0;
+    let i = (x as usize).min(3);
+    let mix = |k: usize| (STOPS[i][k] + (x - i as f64) * (STOPS[i + 1][k] - STOPS[i][k])) as u8;
+    RGBAColor(mix(0), mix(1), mix(2), 1.0)
+}
+
+/// Edges of the cells of an axis: halfway between the values of a grid, or even bins.
+fn edges(values: &[f64]) -> Vec<f64> {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.dedup();
+    match sorted.as_slice() {
+        [] => vec![0.0, 1.0],
+        [one] => vec![one - 0.5, one + 0.5],
+        list if list.len() <= GRID_VALUES => {
+            let n = list.len();
+            let mut out = vec![1.5 * list[0] - 0.5 * list[1]];
+            out.extend(list.windows(2).map(|w| 0.5 * (w[0] + w[1])));
+            out.push(1.5 * list[n - 1] - 0.5 * list[n - 2]);
+            out
+        }
+        list => {
+            let (low, high) = (list[0], list[list.len() - 1]);
+            (0..=BINS)
+                .map(|i| low + (high - low) * i as f64 / BINS as f64)
+                .collect()
+        }
+    }
+}
+
+/// Index of the cell that holds `v`.
+fn cell(edges: &[f64], v: f64) -> usize {
+    edges[1..edges.len() - 1].partition_point(|e| *e <= v)
+}
+
+/// The best value of `z` over two parameters, as colour; cells without a design stay blank.
+pub fn heat_map(title: &str, x: &Quantity, y: &Quantity, z: &Quantity, best: Best) -> Picture {
+    let ([x, y, z], _) = shown([x, y, z]);
+    let (ex, ey) = (edges(&x.values), edges(&y.values));
+    let mut cells = vec![f64::INFINITY; (ex.len() - 1) * (ey.len() - 1)];
+    for ((&a, &b), &c) in x.values.iter().zip(&y.values).zip(&z.values) {
+        if a.is_finite() && b.is_finite() && c.is_finite() {
+            let at = &mut cells[cell(&ey, b) * (ex.len() - 1) + cell(&ex, a)];
+            *at = match best {
+                Best::Largest if at.is_finite() => at.max(c),
+                _ => at.min(c),
+            };
+        }
+    }
+    let [low, high] = padded(cells.iter().copied(), 0.0);
+    let share = move |c: f64| (c - low) / (high - low);
+    Picture::drawn(SIZE.0, SIZE.1, |canvas| {
+        let f = frame(9.0 * LETTERS);
+        let (rx, ry) = ([ex[0], ex[ex.len() - 1]], [ey[0], ey[ey.len() - 1]]);
+        let inner = axes(
+            canvas,
+            title,
+            f,
+            Axis::across(&x, rx, f),
+            Axis::up(&y, ry, f),
+        )?;
+        for (k, &c) in cells.iter().enumerate().filter(|c| c.1.is_finite()) {
+            let (i, j) = (k % (ex.len() - 1), k / (ex.len() - 1));
+            // A little wider than the cell, so that no ground shines through between two.
+            let right = (ex[i + 1] + 0.001 * (rx[1] - rx[0])).min(rx[1]);
+            let top = (ey[j + 1] + 0.001 * (ry[1] - ry[0])).min(ry[1]);
+            let corners = vec![(ex[i], ey[j]), (right, ey[j]), (right, top), (ex[i], top)];
+            inner.draw(&Polygon::new(corners, shade(share(c)).filled()))?;
+        }
+        border(canvas, f)?;
+        scale(canvas, f, [low, high], &z.label)
+    })
+}
+
+/// The colour scale right of a picture.
+fn scale(canvas: &Canvas, f: Frame, range: [f64; 2], label: &str) -> Drawn {
+    let e = LETTERS;
+    let (left, width) = (f.right + 1.2 * e, 1.3 * e);
+    let steps = 64;
+    for i in 0..steps {
+        let at = |k: usize| f.bottom + (f.top - f.bottom) * k as f64 / steps as f64;
+        let corners = [
+            (units(left), units(at(i + 1))),
+            (units(left + width), units(at(i)) + 1),
+        ];
+        canvas.draw(&Rectangle::new(
+            corners,
+            shade(i as f64 / (steps - 1) as f64).filled(),
+        ))?;
+    }
+    for k in 0..=4 {
+        let share = f64::from(k) / 4.0;
+        let at = [
+            left + width + 0.4 * e,
+            f.bottom + (f.top - f.bottom) * share,
+        ];
+        let text = number(range[0] + share * (range[1] - range[0]), 3);
+        write(canvas, &text, at, Lettering::new(0.9 * e, QUIET))?;
+    }
+    let letters = Lettering::new(e, INK)
+        .anchored(HPos::Center, VPos::Center)
+        .upwards();
+    let at = [f64::from(SIZE.0) - 1.1 * e, 0.5 * (f.top + f.bottom)];
+    write(canvas, label, at, letters)
+}

@@ -1,0 +1,67 @@
+//! How often each value occurs.
+
+use plotters::prelude::*;
+use plotters_backend::text_anchor::{HPos, VPos};
+
+use super::axes::{Axis, axes, border};
+use super::{LETTERS, Quantity, SIZE, frame};
+use crate::plot::axes::{padded, tick_text, ticks};
+use crate::plot::palette::{BLUE, INK, ORANGE};
+use crate::plot::picture::Picture;
+use crate::plot::sheet::{Lettering, stroke, write};
+use crate::words::Words;
+use gaitcam::wording::Language;
+
+/// Bars of a histogram.
+const BARS: usize = 40;
+
+/// How often each value occurs, with levels drawn across.
+pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: Language) -> Picture {
+    let wanted = q.values.iter().copied().chain(levels.iter().map(|l| l.0));
+    let range = padded(wanted, 0.03);
+    let mut counts = vec![0.0_f64; BARS];
+    for v in q.values.iter().filter(|v| v.is_finite()) {
+        let u = (v - range[0]) / (range[1] - range[0]);
+        counts[((u * BARS as f64) as usize).min(BARS - 1)] += 1.0;
+    }
+    let most = counts.iter().fold(1.0_f64, |m, c| m.max(*c));
+    // Designs are counted whole.
+    let whole = ticks(0.0, 1.08 * most, 10.0);
+    let whole = whole.into_iter().filter(|v| v.fract() == 0.0);
+    let label = Words::new(language).text("figure-designs");
+    Picture::drawn(SIZE.0, SIZE.1, |canvas| {
+        let f = frame(2.0 * LETTERS);
+        let count = Axis {
+            label: &label,
+            range: [0.0, 1.08 * most],
+            marks: whole.map(|v| (v, tick_text(v, 1.0))).collect(),
+        };
+        let inner = axes(canvas, title, f, Axis::across(q, range, f), count)?;
+        let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / BARS as f64;
+        for (i, &c) in counts.iter().enumerate() {
+            let corners = vec![(at(i), 0.0), (at(i + 1), 0.0), (at(i + 1), c), (at(i), c)];
+            inner.draw(&Polygon::new(corners, BLUE.mix(0.75).filled()))?;
+        }
+        for (v, name) in levels {
+            inner.draw(&PathElement::new(
+                [(*v, 0.0), (*v, 1.08 * most)],
+                stroke(ORANGE, 2.0),
+            ))?;
+            let x = f.left + (v - range[0]) / (range[1] - range[0]) * (f.right - f.left);
+            let h = if x > 0.5 * (f.left + f.right) {
+                HPos::Right
+            } else {
+                HPos::Left
+            };
+            let gap = if matches!(h, HPos::Right) { -0.4 } else { 0.4 } * LETTERS;
+            write(
+                canvas,
+                name,
+                [x + gap, f.top + LETTERS],
+                Lettering::new(LETTERS, INK).anchored(h, VPos::Center),
+            )?;
+        }
+        border(canvas, f)
+    })
+    .in_language(language)
+}

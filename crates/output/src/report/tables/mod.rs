@@ -1,0 +1,227 @@
+//! The report's tables: checks, active limits, the design's data, how it was solved.
+
+mod design;
+mod solution;
+
+pub use design::{base_key, numbers};
+pub use solution::solution;
+
+use std::fmt::Write;
+
+use super::heading;
+use crate::escape::escaped;
+use crate::number::number;
+use crate::words::Words;
+use gaitcam::cam::{Check, Criterion, Measures};
+use gaitcam::synth::{Design, unit};
+
+/// Share of a limit that counts as standing on it.
+const ON_THE_LIMIT: f64 = 0.005;
+
+/// A value of a limit in the unit people use; SI without a unit where the limit is not known here.
+pub fn shown(measures: Measures, limit: Criterion, value: f64) -> String {
+    let unit = unit(measures, limit);
+    let value = unit.factor * value;
+    // Rounding of what is nothing.
+    let value = if value.abs() < 1e-9 { 0.0 } else { value };
+    unit.after(&number(value, 4))
+}
+
+/// How far the worst value stays from its limit, as a share of the limit; negative when violated.
+fn margin(check: &Check) -> f64 {
+    let gap = (check.worst - check.limit).abs();
+    let share = if check.limit == 0.0 {
+        if gap == 0.0 { 0.0 } else { f64::INFINITY }
+    } else {
+        gap / check.limit.abs()
+    };
+    if check.pass { share } else { -share }
+}
+
+/// Opens a table; the columns of `numbers` are set flush right.
+fn open(out: &mut String, words: &Words, columns: &[&str], numbers: std::ops::Range<usize>) {
+    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
+    for (i, key) in columns.iter().enumerate() {
+        let class = if numbers.contains(&i) {
+            " class=\"n\""
+        } else {
+            ""
+        };
+        let name = escaped(&words.text(key));
+        let _ = write!(out, "<th scope=\"col\"{class}>{name}</th>");
+    }
+    out.push_str("</tr></thead>\n<tbody>\n");
+}
+
+fn close(out: &mut String) {
+    out.push_str("</tbody></table></div>\n");
+}
+
+/// Opens a row with its name.
+fn row(out: &mut String, name: &str) {
+    let _ = write!(out, "<tr><th scope=\"row\">{}</th>", escaped(name));
+}
+
+fn cells(out: &mut String, values: &[&str]) {
+    for value in values {
+        let _ = write!(out, "<td class=\"n\">{}</td>", escaped(value));
+    }
+    out.push_str("</tr>\n");
+}
+
+/// Every check with its light.
+pub fn checks(out: &mut String, synthesis: &Design, words: &Words) {
+    if synthesis.checks.is_empty() {
+        return;
+    }
+    let measures = synthesis.cam.follower.measures();
+    heading(out, &words.text("report-checks"));
+    let columns = [
+        "report-check",
+        "report-state",
+        "report-worst",
+        "report-limit",
+        "report-margin",
+        "report-place",
+    ];
+    open(out, words, &columns, 2..6);
+    for check in &synthesis.checks {
+        let margin = margin(check);
+        let (light, state) = if !check.pass {
+            ("bad", "report-violated")
+        } else if margin <= ON_THE_LIMIT {
+            ("fair", "report-at-limit")
+        } else {
+            ("good", "report-satisfied")
+        };
+        let margin = if margin.is_finite() {
+            format!("{:+.1} %", 100.0 * margin).replace('-', "−")
+        } else {
+            "—".into()
+        };
+        row(out, &words.name(check.name.name()));
+        let _ = write!(
+            out,
+            "<td class=\"state\"><span class=\"{light}\"><span class=\"dot\"></span>{}</span></td>",
+            escaped(&words.text(state))
+        );
+        let worst = shown(measures, check.name, check.worst);
+        let none = || "—".to_string();
+        let limit = match check.name {
+            // No more than rounding.
+            Criterion::Interference | Criterion::SecondInterference => none(),
+            _ => shown(measures, check.name, check.limit),
+        };
+        let place = match check.name {
+            // Of the whole turn.
+            Criterion::RmsError => none(),
+            _ => measures.place(check.at, 1),
+        };
+        cells(out, &[&worst, &limit, &margin, &place]);
+    }
+    close(out);
+}
+
+/// An active limit: its name, its largest multiplier and where that is, how many points it holds at.
+struct Active {
+    limit: Criterion,
+    multiplier: f64,
+    at: f64,
+    points: usize,
+}
+
+/// The limits that shape the law, each once.
+fn gathered(synthesis: &Design) -> Vec<Active> {
+    let mut all: Vec<Active> = Vec::new();
+    for b in &synthesis.binding {
+        let Some(known) = all.iter_mut().find(|a| a.limit == b.limit) else {
+            all.push(Active {
+                limit: b.limit,
+                multiplier: b.multiplier,
+                at: b.at,
+                points: 1,
+            });
+            continue;
+        };
+        known.points += 1;
+        if b.multiplier.abs() > known.multiplier.abs() {
+            (known.multiplier, known.at) = (b.multiplier, b.at);
+        }
+    }
+    all
+}
+
+/// The limits that shape the law.
+pub fn active(out: &mut String, synthesis: &Design, words: &Words) {
+    heading(out, &words.text("report-active-limits"));
+    if synthesis.binding.is_empty() {
+        super::paragraph(out, &words.text("report-no-active-limits"));
+        return;
+    }
+    let columns = [
+        "report-limit",
+        "report-times",
+        "report-multiplier",
+        "report-place",
+    ];
+    open(out, words, &columns, 1..4);
+    let measures = synthesis.cam.follower.measures();
+    for a in gathered(synthesis) {
+        row(out, &words.name(a.limit.name()));
+        let (points, place) = (a.points.to_string(), measures.place(a.at, 1));
+        cells(out, &[&points, &number(a.multiplier, 4), &place]);
+    }
+    close(out);
+    note(out, &words.text("report-multiplier-note"));
+    easing(out, synthesis, words);
+}
+
+fn note(out: &mut String, text: &str) {
+    let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(text));
+}
+
+/// What one per cent more of each active limit would buy.
+fn easing(out: &mut String, synthesis: &Design, words: &Words) {
+    if synthesis.easing.is_empty() {
+        return;
+    }
+    let _ = writeln!(
+        out,
+        "<h3>{}</h3>",
+        escaped(&words.text("report-sensitivity"))
+    );
+    let columns = [
+        "report-limit",
+        "report-from",
+        "report-to",
+        "report-objective",
+        "report-now",
+        "report-predicted",
+    ];
+    open(out, words, &columns, 1..6);
+    let measures = synthesis.cam.follower.measures();
+    for e in &synthesis.easing {
+        let (name, unit, factor) = e.in_words(measures, words.language());
+        row(out, &words.name(e.limit.name()));
+        let from = shown(measures, e.limit, e.from);
+        let to = shown(measures, e.limit, e.to);
+        let [before, after] =
+            [e.before, e.after].map(|x| format!("{} {unit}", number(factor * x, 5)));
+        cells(out, &[&from, &to, &name, &before, &after]);
+    }
+    close(out);
+}
+
+/// Keys of the names, and values.
+pub(super) type Rows = Vec<(&'static str, String)>;
+
+/// A table of two columns under its name.
+pub(super) fn table(out: &mut String, words: &Words, name: &str, rows: &Rows) {
+    let name = escaped(&words.text(name));
+    let _ = write!(out, "<div><h3>{name}</h3><table>");
+    for (key, value) in rows {
+        row(out, &words.text(key));
+        let _ = write!(out, "<td>{}</td></tr>", escaped(value));
+    }
+    out.push_str("</table></div>\n");
+}

@@ -1,0 +1,88 @@
+//! How a design was found, in the words of the report.
+
+use std::fmt::Write;
+
+use super::note;
+use crate::Timing;
+use crate::escape::escaped;
+use crate::number::number;
+use crate::report::{heading, paragraph};
+use crate::words::Words;
+use gaitcam::synth::{Design, Tier};
+
+/// How the answer was found, and what was remarked on the way.
+pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {
+    let solver = &synthesis.solver;
+    let how = match solver.tier {
+        Tier::Spectral => "report-spectral",
+        Tier::Equality => "report-equality",
+        Tier::Qp => "report-qp",
+        Tier::Socp => "report-socp",
+        Tier::Scp => "report-scp",
+    };
+    let built = synthesis.infeasible.is_none();
+    heading(
+        out,
+        &words.text(if built {
+            "report-solution"
+        } else {
+            "report-attempt"
+        }),
+    );
+    let spent = format!("{} ms", number(1000.0 * time.solve_s, 3));
+    let iterations = solver.iterations.to_string();
+    let arguments = [
+        ("how", words.text(how)),
+        ("time", spent),
+        ("iterations", iterations),
+    ];
+    let arguments = arguments
+        .each_ref()
+        .map(|(name, text)| (*name, text.as_str()));
+    let mut text = words.fill("report-solved", &arguments);
+    text += &sentence(&solver.status(words.language()));
+    if built {
+        text.push(' ');
+        text += &words.text("report-verified");
+        text.push(' ');
+        text += &match solver.doubt {
+            Some(doubt) => {
+                let why = doubt.sentence(words.language());
+                words.fill("report-uncertified", &[("why", why.as_str())])
+            }
+            None if solver.certificate.is_some() => words.text("report-certified"),
+            None => String::new(),
+        };
+    }
+    paragraph(out, &text);
+    if let Some(c) = &solver.certificate {
+        let [gap, stationarity, violation] =
+            [c.relative_gap, c.stationarity, c.violation].map(|x| match x {
+                0.0 => "0".to_string(),
+                x => format!("{x:.1e}"),
+            });
+        let arguments = [
+            ("gap", gap.as_str()),
+            ("stationarity", &stationarity),
+            ("violation", &violation),
+        ];
+        note(out, &words.fill("report-certificate", &arguments));
+    }
+    if !synthesis.notes.is_empty() {
+        let head = escaped(&words.text("report-remarks"));
+        let _ = write!(out, "<h3>{head}</h3>\n<ul>\n");
+        for remark in synthesis.remarks(words.language()) {
+            let _ = writeln!(out, "<li>{}</li>", escaped(&remark));
+        }
+        out.push_str("</ul>\n");
+    }
+}
+
+/// A status as a sentence of its own after another; nothing for an empty one.
+fn sentence(status: &str) -> String {
+    let mut letters = status.trim().trim_end_matches('.').chars();
+    letters.next().map_or(String::new(), |first| {
+        let text: String = first.to_uppercase().chain(letters).collect();
+        format!(" {text}.")
+    })
+}

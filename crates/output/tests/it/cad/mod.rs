@@ -1,0 +1,5 @@
+//! Files for machines: outlines, solids, cutter paths.
+
+mod cutter;
+mod outline;
+mod solids;

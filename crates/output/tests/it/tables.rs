@@ -1,0 +1,116 @@
+//! Tables of law, profile and workbook: every column, every row.
+
+use std::f64::consts::TAU;
+use std::io::Cursor;
+
+use calamine::{Data, Reader, Xlsx};
+use gaitcam_output::Language;
+
+use crate::TIME;
+use crate::designs::{footbridge, heel_tester};
+use crate::readers::table;
+
+#[test]
+fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
+    let s = footbridge();
+    let (head, rows) = table(&gaitcam_output::csv::law(&s, 1440));
+    let promised = "theta_rad,s_m,v_m_per_rad,a_m_per_rad2,j_m_per_rad3,force_n,target_n";
+    assert_eq!(head.join(","), promised);
+    assert_eq!(rows.len(), 1440);
+    for (i, row) in rows.iter().enumerate() {
+        let theta = TAU * i as f64 / 1440.0;
+        let at = s.cam.law.svaj(theta);
+        let expected = [theta, at.s, at.v, at.a, at.j, s.drive.force(at)];
+        for (read, known) in row.iter().zip(expected) {
+            assert_eq!(read.unwrap().to_bits(), known.to_bits());
+        }
+        let target = s.target.as_ref().unwrap();
+        assert_eq!(row[6], Some(target.at(theta)));
+        if i % 4 == 0 {
+            // One of the curve's 360 samples, in closed form: Young's four harmonics as in the design.
+            let factors = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
+            let waves: f64 = factors
+                .iter()
+                .zip(1..)
+                .map(|((a, p), n)| a * (f64::from(n) * theta + p).sin())
+                .sum();
+            assert!((row[6].unwrap() - 700.0 * (1.0 + waves)).abs() < 1e-9);
+        }
+    }
+    let mut classical = s;
+    classical.target = None;
+    let (_, rows) = table(&gaitcam_output::csv::law(&classical, 12));
+    assert!(rows.iter().all(|r| r.len() == 7 && r[6].is_none()));
+}
+
+#[test]
+fn profile_csv_holds_the_contact_at_each_angle() {
+    for s in [footbridge(), heel_tester()] {
+        let (head, rows) = table(&gaitcam_output::csv::profile(&s, 1440));
+        let promised = "theta_rad,x_m,y_m,pitch_x_m,pitch_y_m,rho_m,pressure_angle_rad";
+        assert_eq!(head.join(","), promised);
+        for (row, p) in rows.iter().zip(s.cam.profile(1440)) {
+            let known = [
+                p.theta,
+                p.x,
+                p.y,
+                p.pitch_x,
+                p.pitch_y,
+                p.rho,
+                p.pressure_angle,
+            ];
+            let read: Vec<f64> = row.iter().map(|x| x.unwrap()).collect();
+            assert_eq!(read, known);
+        }
+    }
+}
+
+#[test]
+fn the_workbook_has_the_columns_of_cam_das() {
+    for (s, flat) in [(footbridge(), true), (heel_tester(), false)] {
+        let bytes = gaitcam_output::xlsx::workbook(&s, TIME, Language::En).unwrap();
+        let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).unwrap();
+        assert_eq!(book.sheet_names(), ["cam", "summary"]);
+        let sheet = book.worksheet_range("cam").unwrap();
+        let text = |row: u32, column: u32| sheet.get_value((row, column)).map(Data::to_string);
+        // 004, "Exportar-Excel": A1 the kind, A2 the title, headings in row 10, 361 rows from row 11.
+        let kind = if flat { "flat" } else { "roller" };
+        assert!(text(0, 0).unwrap().contains(kind), "{:?}", text(0, 0));
+        assert_eq!(text(1, 0).unwrap(), s.name);
+        let verdict = s.verdict.name().replace("-", " ");
+        let said = text(2, 0).unwrap().to_lowercase().replace("-", " ");
+        assert!(said.starts_with(&verdict), "{said}");
+        let heading = |letter: u8| text(9, u32::from(letter - b'A')).unwrap_or_default();
+        assert!(heading(b'A').contains("°") && heading(b'F').contains("curvature"));
+        let number = |row: u32, letter: u8| match sheet.get_value((row, u32::from(letter - b'A'))) {
+            Some(Data::Float(x)) => *x,
+            other => panic!("row {row}: {other:?}"),
+        };
+        for i in [0, 1, 90, 217, 360] {
+            let theta = f64::from(i).to_radians();
+            let (p, at) = (s.cam.point(theta), s.cam.law.svaj(theta));
+            let row = 10 + i;
+            assert_eq!(number(row, b'A'), f64::from(i));
+            assert!((number(row, b'B') - 1000.0 * at.s).abs() < 1e-9);
+            let speed = s.drive.speed;
+            assert!((number(row, b'D') - 1000.0 * at.a * speed * speed).abs() < 1e-6);
+            assert!((number(row, b'L') - 1000.0 * p.x).abs() < 1e-9);
+            let (r, phi) = (number(row, b'I'), number(row, b'J').to_radians());
+            assert!((r * phi.sin() - 1000.0 * p.y).abs() < 1e-9);
+            if flat {
+                assert!((number(row, b'H') - number(row, b'G') - 1000.0 * at.v).abs() < 1e-9);
+            } else {
+                assert!((number(row, b'G') - p.pressure_angle.to_degrees()).abs() < 1e-9);
+                assert!((number(row, b'R') - 1000.0 * p.pitch_x).abs() < 1e-9);
+            }
+        }
+        assert_eq!(sheet.end().unwrap().0, 370);
+        assert_eq!(heading(b'S').is_empty(), flat);
+        let summary = book.worksheet_range("summary").unwrap();
+        let stroke = summary
+            .rows()
+            .find(|r| r[0] == Data::String("law.stroke_m".into()))
+            .unwrap();
+        assert_eq!(stroke[1], Data::Float(s.cam.law.stroke()));
+    }
+}

@@ -1,0 +1,222 @@
+// One diagram over the cam's angle: axes, curves, limits, cursor.
+
+import { make, say, svg, clear } from "../core/dom.js";
+import { t, number, quantity, language } from "../core/words.js";
+import * as clock from "../core/clock.js";
+
+const LEFT = 46;
+const RIGHT = 8;
+const TOP = 6;
+
+// Round numbers between two ends, about `count` of them.
+function ticks(low, high, count) {
+  const raw = (high - low) / Math.max(count, 1);
+  if (!(raw > 0) || !Number.isFinite(raw)) return [];
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 2.5, 5, 10].map((k) => k * power).find((s) => s >= raw * 0.999);
+  const out = [];
+  for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + 1e-9 * step; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
+  return out;
+}
+
+function tickText(x, all) {
+  const step = all.length > 1 ? all[1] - all[0] : Math.abs(x) || 1;
+  const decimals = Math.max(0, Math.min(6, -Math.floor(Math.log10(step) + 1e-9)));
+  const fine = Math.abs(step * 10 ** decimals % 1) > 1e-6 ? decimals + 1 : decimals;
+  if (Math.abs(x) >= 1e5) return x.toExponential(0).replace("+", "").replace("-", "−");
+  const text = x.toFixed(fine).replace("-", "−");
+  return language() === "es" ? text.replace(".", ",") : text;
+}
+
+export class Chart {
+  constructor(id) {
+    this.id = id;
+    this.value = make("output", { class: "value" });
+    this.heading = make("h3", {});
+    this.picture = svg("svg", { role: "img" });
+    this.root = make("figure", { class: `chart ${id}`, "data-chart": id },
+      make("figcaption", {}, this.heading, this.value), make("div", { class: "plot" }, this.picture));
+    // The cursor lies over the picture: it moves with every frame, and the picture is not drawn again for it.
+    this.cursor = make("div", { class: "cursor" });
+    this.dot = make("div", { class: "dot" });
+    this.picture.after(this.cursor, this.dot);
+    this.plot = svg("g");
+    this.picture.append(this.plot);
+    this.size = [0, 0];
+    new ResizeObserver(() => this.resize()).observe(this.picture);
+    this.drag();
+  }
+
+  resize() {
+    const { width, height } = this.picture.getBoundingClientRect();
+    if (Math.abs(width - this.size[0]) < 1 && Math.abs(height - this.size[1]) < 1) return;
+    this.size = [width, height];
+    this.draw();
+    this.follow();
+  }
+
+  // `pinned` are designs to compare with: each has curves and a colour. The cursor follows with the clock.
+  show(curves, panel, pinned) {
+    Object.assign(this, { curves, panel, pinned });
+    say(this.heading, `${this.name()}, ${panel.unit}`);
+    this.draw();
+  }
+
+  name() {
+    const alone = this.id === "force" && !this.panel.lines.some((l) => l.role === "target");
+    return t(alone ? "studio-chart-force-alone" : `studio-chart-${this.id}`);
+  }
+
+  range() {
+    let low = Infinity;
+    let high = -Infinity;
+    const take = (y) => {
+      if (y === null) return;
+      if (y < low) low = y;
+      if (y > high) high = y;
+    };
+    for (const line of this.panel.lines) line.y.forEach(take);
+    for (const other of this.pinned) other.panel.lines.filter((l) => l.role === "main").forEach((l) => l.y.forEach(take));
+    if (low > high) [low, high] = [0, 1];
+    const span = high - low;
+    // Limits far away would flatten the curve.
+    for (const level of this.panel.levels) if (level > low - 0.8 * span && level < high + 0.8 * span) take(level);
+    if (["force", "s"].includes(this.id) && low > 0 && low < 0.6 * high) low = 0;
+    if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 1; high += 1; }
+    const room = 0.07 * (high - low);
+    return [low === 0 ? 0 : low - room, high + room];
+  }
+
+  draw() {
+    const [width, height] = this.size;
+    if (!this.panel || width < 20) return;
+    this.picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    const labels = this.root.classList.contains("labelled");
+    const bottom = height - (labels ? 18 : 6);
+    const { start, length } = this.curves;
+    const [low, high] = this.range();
+    this.x = (theta) => LEFT + (theta - start) / length * (width - LEFT - RIGHT);
+    this.y = (y) => bottom - (y - low) / (high - low) * (bottom - TOP);
+    this.bottom = bottom;
+    this.cursor.style.height = `${bottom - TOP}px`;
+    const plot = clear(this.plot);
+    this.grid(plot, width, bottom, low, high, labels);
+    plot.append(...this.pinned.map((other) => this.other(other)));
+    const [lower, upper] = ["low", "high"].map((role) => this.panel.lines.find((l) => l.role === role));
+    if (lower && upper) plot.append(svg("path", { class: "band", d: this.band(lower.y, upper.y) }));
+    for (const role of ["target", "main"]) {
+      const line = this.panel.lines.find((l) => l.role === role);
+      if (line) plot.append(svg("path", { class: `line ${role}`, d: this.path(this.curves.theta, line.y, this.x) }));
+    }
+    this.marks(plot, width, bottom);
+    this.describe();
+  }
+
+  grid(plot, width, bottom, low, high, labels) {
+    const { start, length, unit } = this.curves;
+    const rows = ticks(low, high, Math.max(3, (bottom - TOP) / 30));
+    const lines = { axis: "", grid: "" };
+    for (const y of rows) {
+      const at = this.y(y);
+      lines[y === 0 ? "axis" : "grid"] += `M${LEFT} ${at}H${width - RIGHT}`;
+      const text = svg("text", { class: "tick", x: LEFT - 5, y: at + 3.5, "text-anchor": "end" });
+      text.textContent = tickText(y, rows);
+      plot.append(text);
+    }
+    const columns = unit === "°" && length > 100 ? [0, 1, 2, 3, 4].map((k) => start + k * length / 4) : ticks(start, start + length, 4);
+    for (const x of columns) {
+      const at = this.x(x);
+      lines.grid += `M${at} ${TOP}V${bottom}`;
+      if (!labels) continue;
+      const text = svg("text", { class: "tick", x: Math.min(at, width - 14), y: bottom + 13, "text-anchor": "middle" });
+      text.textContent = `${number(x, 3).replace(/[.,]0+$/, "")}${unit === "°" ? "°" : ""}`;
+      plot.append(text);
+    }
+    for (const [name, d] of Object.entries(lines)) if (d) plot.prepend(svg("path", { class: name, d }));
+  }
+
+  other({ curves, panel, colour }) {
+    const line = panel.lines.find((l) => l.role === "main");
+    const [a, b] = [LEFT, this.size[0] - LEFT - RIGHT];
+    const x = (theta) => a + (theta - curves.start) / curves.length * b;
+    return svg("path", { class: "line pinned", style: `stroke:${colour}`, d: this.path(curves.theta, line.y, x) });
+  }
+
+  path(thetas, values, x) {
+    let d = "";
+    let pen = "M";
+    for (let i = 0; i < values.length; i += 1) {
+      if (values[i] === null) {
+        pen = "M";
+        continue;
+      }
+      d += pen + x(thetas[i]).toFixed(1) + " " + this.y(values[i]).toFixed(1);
+      pen = "L";
+    }
+    return d;
+  }
+
+  band(lower, upper) {
+    const { theta } = this.curves;
+    const back = theta.map((_, i) => theta.length - 1 - i);
+    return `${this.path(theta, upper, this.x)}L${this.path(back.map((i) => theta[i]), back.map((i) => lower[i]), this.x).slice(1)}Z`;
+  }
+
+  marks(plot, width, bottom) {
+    for (const level of this.panel.levels) {
+      const at = this.y(level);
+      if (at < TOP - 1 || at > bottom + 1) continue;
+      plot.append(svg("path", { class: "level", d: `M${LEFT} ${at}H${width - RIGHT}` }));
+    }
+  }
+
+  describe() {
+    const main = this.panel.lines.find((l) => l.role === "main").y.filter((y) => y !== null);
+    const low = main.reduce((m, y) => Math.min(m, y), Infinity);
+    const high = main.reduce((m, y) => Math.max(m, y), -Infinity);
+    this.picture.setAttribute("aria-label", t("studio-chart-alt", {
+      name: this.name(), low: quantity(low, this.panel.unit), high: quantity(high, this.panel.unit),
+    }));
+  }
+
+  // Index of the sample at or before the cursor's angle.
+  index(theta) {
+    const list = this.curves.theta;
+    let [low, high] = [0, list.length - 1];
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (list[middle] <= theta) low = middle;
+      else high = middle;
+    }
+    return theta - list[low] < list[high] - theta ? low : high;
+  }
+
+  follow() {
+    if (!this.panel || !this.x) return;
+    const theta = clock.angle();
+    const at = this.x(theta).toFixed(1);
+    this.cursor.style.transform = `translate(${at}px, ${TOP}px)`;
+    const i = this.index(theta);
+    const main = this.panel.lines.find((l) => l.role === "main").y[i];
+    const target = this.panel.lines.find((l) => l.role === "target")?.y[i];
+    this.dot.style.transform = main === null ? "scale(0)" : `translate(${at}px, ${this.y(main).toFixed(1)}px)`;
+    say(this.value, target === undefined ? number(main) : `${number(main)} / ${number(target)}`);
+  }
+
+  drag() {
+    const move = (event) => {
+      if (!this.curves) return;
+      const box = this.picture.getBoundingClientRect();
+      const part = (event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT);
+      clock.set(this.curves.start + Math.max(0, Math.min(1, part)) * this.curves.length);
+    };
+    this.picture.addEventListener("pointerdown", (event) => {
+      clock.play(false);
+      this.picture.setPointerCapture(event.pointerId);
+      move(event);
+    });
+    this.picture.addEventListener("pointermove", (event) => {
+      if (this.picture.hasPointerCapture(event.pointerId)) move(event);
+    });
+  }
+}

@@ -1,0 +1,165 @@
+// The slate of pinned designs, sensitivity bars, the trade-off front.
+
+import { $, make, clear, svg, notice } from "../core/dom.js";
+import { t, number, onLanguage } from "../core/words.js";
+import { post } from "../core/net.js";
+import { onTab, openTab } from "../core/view.js";
+import { state } from "../core/store.js";
+import { label } from "./form.js";
+import * as stage from "./stage.js";
+import * as charts from "./charts.js";
+
+const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
+// Name, factor to the unit shown, unit.
+const ROWS = [
+  ["force_rms_error_n", 1, "N"], ["force_max_n", 1, "N"], ["stroke_m", 1e3, "mm"], ["velocity_max_m_per_s", 1, "m/s"],
+  ["acceleration_max_m_per_s2", 1, "m/s²"], ["jerk_max_m_per_s3", 1, "m/s³"], ["base_radius_m", 1e3, "mm"], ["prime_radius_m", 1e3, "mm"],
+  ["rho_min_m", 1e3, "mm"], ["pressure_angle_max_rad", 180 / Math.PI, "°"], ["torque_max_n_m", 1, "N·m"], ["power_max_w", 1, "W"],
+  ["hertz_pressure_max_pa", 1e-6, "MPa"],
+];
+let slate = [];
+let answer = null;
+let start = {};
+let edit = () => {};
+let openScene = () => {};
+let bars = null;
+let front = null;
+
+export function load(page) {
+  ({ start, edit, openScene } = page);
+  onTab("compare", build);
+  onLanguage(() => { if (openTab() === "compare") build(); });
+}
+
+export function show(next, more) {
+  answer = next;
+  if (!more && openTab() === "compare") table();
+}
+
+export function pin(design) {
+  if (!design) return;
+  const colour = COLOURS.find((c) => !slate.some((p) => p.colour === c)) ?? COLOURS[slate.length % COLOURS.length];
+  slate.push({ name: design.name, scene: design.scene, curves: design.curves, numbers: design.numbers, verdict: design.verdict, colour, id: design.id });
+  overlay();
+}
+
+function overlay() {
+  charts.compare(slate);
+  stage.compare(slate);
+  if (openTab() === "compare") table();
+}
+
+function build() {
+  const root = clear($("compare"));
+  root.append(make("h2", {}, t("studio-slate")), make("p", { class: "lead" }, t("studio-slate-lead")),
+    make("button", { type: "button", class: "main", onclick: () => pin(answer) }, t("studio-pin")), make("div", { id: "slate" }),
+    make("h2", {}, t("studio-sensitivity")), make("p", { class: "lead" }, t("studio-sensitivity-lead")));
+  const quantity = make("select", { id: "watched", "aria-label": t("studio-sensitivity-of") }, ...start.quantities.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
+  if (answer && !answer.curves.panels[0].lines.some((l) => l.role === "target")) quantity.value = "acceleration";
+  if (bars) quantity.value = bars.quantity;
+  root.append(make("div", { class: "buttons" }, quantity, make("button", { type: "button", id: "vary", onclick: () => vary(quantity.value) }, t("studio-compute"))), make("div", { id: "tornado" }),
+    make("h2", {}, t("studio-front")), make("p", { class: "lead" }, t("studio-front-lead")));
+  const against = make("select", { id: "against", "aria-label": t("studio-front-against") }, ...start.trades.map((q) => make("option", { value: q }, t(`studio-quantity-${q}`))));
+  root.append(make("div", { class: "buttons" }, against, make("button", { type: "button", id: "trade", onclick: () => trade(against.value) }, t("studio-compute"))), make("div", { id: "front" }));
+  table();
+  if (bars) tornado();
+  if (front) points();
+}
+
+function table() {
+  const box = $("slate");
+  if (!box) return;
+  clear(box);
+  if (slate.length === 0) return;
+  const all = [...slate, { ...answer, colour: "var(--blue)", name: t("studio-slate-present"), present: true }];
+  const head = all.map((p, i) => make("th", { scope: "col" }, make("span", { class: "swatch", style: `background:${p.colour}` }), p.name,
+    p.present ? null : make("span", { class: "acts" },
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i + 1}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene) }, "↩"),
+      make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i + 1}`, title: t("studio-slate-drop"), onclick: () => { slate = slate.filter((q) => q !== p); overlay(); } }, "×"))));
+  const body = ROWS.map(([name, factor, unit]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
+    ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
+  const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
+  box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, verdicts, ...body))));
+}
+
+async function vary(quantity) {
+  try {
+    bars = await post("sensitivity", { scene: state.scene, quantity, share: 0.05 });
+    tornado();
+  } catch (error) {
+    notice(error.message);
+  }
+}
+
+function tornado() {
+  const box = clear($("tornado"));
+  if (bars.bars.length === 0) {
+    box.append(make("p", {}, t("studio-sensitivity-none")));
+    return;
+  }
+  const most = Math.max(...bars.bars.flatMap((b) => [b.low, b.high]).filter((x) => x !== null).map((x) => Math.abs(x - bars.middle))) || 1;
+  box.append(make("p", {}, `${t(`studio-quantity-${bars.quantity}`)}: ${bars.shown}`));
+  const rows = bars.bars.map((bar) => {
+    const part = (x) => (x === null ? 0 : (x - bars.middle) / most * 50);
+    const side = (x, kind) => {
+      const p = part(x);
+      return make("i", { class: kind, style: `left:${50 + Math.min(0, p)}%;width:${Math.abs(p)}%` });
+    };
+    return make("tr", {}, make("th", { scope: "row", title: bar.key }, label(bar.key)),
+      make("td", { class: "bar" }, side(bar.low, "less"), side(bar.high, "more")),
+      make("td", { class: "n" }, `${bar.shown[0] ?? "–"} … ${bar.shown[1] ?? "–"}`));
+  });
+  box.append(make("table", { class: "tornado" }, make("tbody", {}, ...rows)),
+    make("p", { class: "key" }, make("i", { class: "less" }), t("studio-minus"), " ", make("i", { class: "more" }), t("studio-plus")));
+}
+
+async function trade(against) {
+  try {
+    front = await post("front", { scene: state.scene, against });
+    points();
+  } catch (error) {
+    notice([error.place, error.message, error.help].filter(Boolean).join(" – "));
+  }
+}
+
+function points() {
+  const box = clear($("front"));
+  const list = front.points;
+  if (list.length === 0) {
+    box.append(make("p", {}, t("studio-front-none")));
+    return;
+  }
+  const [width, height] = [360, 230];
+  const [xs, ys] = [list.map((p) => p.x), list.map((p) => p.y)];
+  const scale = (values, a, b) => {
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    return (v) => a + (high > low ? (v - low) / (high - low) : 0.5) * (b - a);
+  };
+  const [x, y] = [scale(xs, 54, width - 20), scale([0, ...ys], height - 34, 14)];
+  const picture = svg("svg", { class: "front", viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": t("studio-front") });
+  picture.append(svg("path", { class: "axis", d: `M54 8V${height - 34}H${width - 8}` }),
+    svg("path", { class: "line main", d: list.map((p, i) => `${i ? "L" : "M"}${x(p.x)} ${y(p.y)}`).join("") }));
+  const text = (at, content, anchor) => {
+    const e = svg("text", { class: "tick", x: at[0], y: at[1], "text-anchor": anchor });
+    e.textContent = content;
+    picture.append(e);
+  };
+  text([54, height - 20], number(Math.min(...xs), 3), "middle");
+  text([width - 20, height - 20], number(Math.max(...xs), 3), "middle");
+  text([width / 2, height - 5], `${t(`studio-quantity-${front.against}`)}, ${front.unit}`, "middle");
+  text([50, 18], number(Math.max(...ys), 3), "end");
+  text([50, height - 34], "0", "end");
+  text([60, 14], `${t("studio-quantity-force_error")}, N`, "start");
+  for (const p of list) {
+    const name = `${p.shown[0]}, ${p.shown[1]}`;
+    const take = () => edit([{ set: { key: p.key, value: p.value } }]);
+    const dot = svg("circle", { class: `knot ${p.verdict}`, cx: x(p.x), cy: y(p.y), r: 6, tabindex: 0, role: "button", "aria-label": name });
+    const title = svg("title");
+    title.textContent = name;
+    dot.append(title);
+    dot.addEventListener("click", take);
+    dot.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); take(); } });
+    picture.append(dot);
+  }
+  box.append(picture);
+}

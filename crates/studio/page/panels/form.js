@@ -1,0 +1,202 @@
+// The form, built from the key table: a text input for every value, a slider where a range makes sense.
+
+import { $, make, clear } from "../core/dom.js";
+import { t, has, language, onLanguage } from "../core/words.js";
+
+const SECTIONS = ["", "gait", "drive", "law", "cam", "limits", "accuracy", "machine"];
+let keys = [];
+let edit = () => {};
+const rows = new Map();
+let dragged = null;
+let gesture = 0;
+
+export function load(table, onEdit) {
+  keys = table.filter((k) => !k.key.includes(".N."));
+  edit = onEdit;
+  build();
+  onLanguage(build);
+}
+
+function id(key) {
+  return "f-" + key.replaceAll(".", "-");
+}
+
+export function label(key) {
+  const known = `studio-key-${key.replaceAll(".", "-")}`;
+  return has(known) ? t(known) : key.split(".").at(-1).replaceAll("_", " ");
+}
+
+function build() {
+  const root = clear($("values"));
+  const search = make("input", { type: "search", id: "find-value", "aria-label": t("studio-find"), placeholder: t("studio-find"), oninput: find });
+  root.append(make("div", { class: "find" }, search));
+  const old = new Map(rows);
+  rows.clear();
+  for (const section of SECTIONS) {
+    const mine = keys.filter((k) => (k.section ?? "") === section);
+    if (mine.length === 0) continue;
+    const body = make("div", { class: "rows" });
+    for (const key of mine) body.append(row(key));
+    const fold = section === "" ? body : make("details", { open: true, class: "section" },
+      make("summary", {}, t(`studio-section-${section}`)), body);
+    root.append(fold);
+  }
+  for (const [key, before] of old) if (before.field) show(rows.get(key), before.field);
+}
+
+function row(key) {
+  const name = key.key;
+  const entry = { key, field: null };
+  const help = make("p", { class: "help", id: id(name) + "-help", hidden: true }, key.doc[language()]);
+  entry.fault = make("p", { class: "row-fault", id: id(name) + "-fault", hidden: true });
+  entry.input = input(key);
+  const more = make("button", { type: "button", class: "ask", "aria-expanded": "false", "aria-controls": help.id,
+    "aria-label": t("studio-help", { name: label(name) }), onclick: () => {
+      help.hidden = !help.hidden;
+      more.setAttribute("aria-expanded", String(!help.hidden));
+    } }, "?");
+  entry.slider = make("input", { type: "range", "data-key": name, hidden: true, tabindex: "0", min: 0, max: 1, step: "any",
+    "aria-label": t("studio-slider", { name: label(name) }) });
+  slide(entry);
+  entry.text = `${name} ${label(name)} ${key.doc[language()]}`.toLowerCase();
+  entry.root = make("div", { class: "row", "data-row": name },
+    make("label", { for: id(name), title: `${name}: ${key.doc[language()]}` }, label(name)), more, entry.input, entry.slider, help, entry.fault);
+  rows.set(name, entry);
+  return entry.root;
+}
+
+function input(key) {
+  const shared = { id: id(key.key), name: key.key, "aria-describedby": `${id(key.key)}-help ${id(key.key)}-fault` };
+  if (key.kind === "choice") {
+    const select = make("select", shared, make("option", { value: "" }, ""));
+    for (const word of key.choices) select.append(make("option", { value: word }, word));
+    select.addEventListener("change", () => send(key.key, select.value, "choice"));
+    return select;
+  }
+  if (key.kind === "flag") {
+    const select = make("select", shared);
+    for (const [value, text] of [["", "–"], ["true", t("studio-yes")], ["false", t("studio-no")]]) {
+      select.append(make("option", { value }, text));
+    }
+    select.addEventListener("change", () => send(key.key, select.value, "choice"));
+    return select;
+  }
+  const field = make("input", { ...shared, type: "text", autocomplete: "off", spellcheck: "false" });
+  field.addEventListener("focus", () => { gesture += 1; });
+  field.addEventListener("input", () => send(key.key, field.value, "typed"));
+  field.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") gesture += 1;
+    if (event.key === "ArrowUp" || event.key === "ArrowDown") nudge(key.key, event);
+  });
+  return field;
+}
+
+function send(key, value, how) {
+  if (how === "choice") gesture += 1;
+  // What stands in the page is no longer what the last design said.
+  rows.get(key).seen = null;
+  edit([{ set: { key, value } }], `${key} ${gesture}`);
+}
+
+// Up and down change the number by one step of its slider.
+function nudge(key, event) {
+  const { input, slider, field } = rows.get(key);
+  if (!field?.slider || slider.hidden) return;
+  event.preventDefault();
+  const sign = event.key === "ArrowUp" ? 1 : -1;
+  const step = field.slider.step * (event.shiftKey ? 10 : 1);
+  input.value = written(Number(slider.value) + sign * step, field.slider);
+  slider.value = parseFloat(input.value);
+  send(key, input.value, "typed");
+}
+
+function written(x, slider) {
+  const decimals = Math.max(0, Math.min(8, -Math.floor(Math.log10(slider.step) + 1e-9)));
+  return Number(x.toFixed(decimals)) + slider.unit;
+}
+
+function slide(entry) {
+  const { slider, key } = entry;
+  slider.addEventListener("pointerdown", () => { gesture += 1; });
+  slider.addEventListener("input", () => {
+    dragged = key.key;
+    entry.input.value = written(Number(slider.value), entry.field.slider);
+    send(key.key, entry.input.value, "slid");
+  });
+  slider.addEventListener("change", () => {
+    dragged = null;
+    gesture += 1;
+  });
+}
+
+// The fields of a design.
+export function update(fields) {
+  let moved = false;
+  for (const [key, entry] of rows) {
+    const field = fields[key];
+    const hidden = !field || (!field.acts && field.text === "");
+    moved = moved || hidden !== entry.root.hidden;
+    entry.root.hidden = hidden;
+    const seen = JSON.stringify(field);
+    // Most fields are as they were: only the others touch the page.
+    if (field && seen !== entry.seen) show(entry, field);
+    entry.seen = seen;
+  }
+  if (!moved) return;
+  for (const fold of document.querySelectorAll("#values .section")) {
+    fold.hidden = ![...fold.querySelectorAll(".row")].some((row) => !row.hidden);
+  }
+}
+
+function show(entry, field) {
+  const { input, slider, key } = entry;
+  const typing = document.activeElement === input && input.tagName === "INPUT";
+  if (!typing && dragged !== key.key) input.value = field.text;
+  if (input.tagName === "INPUT") input.placeholder = field.placeholder;
+  else if (input.options[0]?.value === "" && key.kind === "choice") input.options[0].textContent = field.placeholder ? `(${field.placeholder})` : "–";
+  entry.root.classList.toggle("idle", !field.acts);
+  entry.root.classList.toggle("set", field.text !== "");
+  slider.hidden = !field.slider;
+  if (!field.slider) {
+    entry.field = field;
+    return;
+  }
+  const before = entry.field?.slider;
+  const at = field.slider.at;
+  // Under the hand the ends of a slider stay where they are.
+  const keeps = before && before.unit === field.slider.unit && (dragged === key.key || (at > before.from && at < before.to));
+  entry.field = keeps ? { ...field, slider: { ...before, at } } : field;
+  const { from, to } = entry.field.slider;
+  if (!keeps) Object.assign(slider, { min: from, max: to });
+  if (dragged !== key.key) slider.value = at;
+  slider.setAttribute("aria-valuetext", input.value || field.placeholder);
+}
+
+// Marks the field that an error names; returns whether there is one.
+export function fault(error) {
+  clearFault();
+  const entry = error?.key && rows.get(error.key);
+  if (!entry) return false;
+  entry.root.hidden = false;
+  entry.input.setAttribute("aria-invalid", "true");
+  entry.fault.hidden = false;
+  entry.fault.textContent = error.help ? `${error.message}; ${error.help}` : error.message;
+  return true;
+}
+
+export function clearFault() {
+  for (const { input, fault } of rows.values()) {
+    input.removeAttribute("aria-invalid");
+    fault.hidden = true;
+  }
+}
+
+function find() {
+  const wanted = ($("find-value")?.value ?? "").trim().toLowerCase();
+  for (const { root, text } of rows.values()) root.classList.toggle("unfound", wanted !== "" && !text.includes(wanted));
+}
+
+export function reset() {
+  dragged = null;
+  for (const entry of rows.values()) Object.assign(entry, { field: null, seen: null });
+}

@@ -1,0 +1,174 @@
+// A force drawn by hand: points of one cycle that are dragged, added and deleted.
+
+import { make, clear, notice, svg } from "../core/dom.js";
+import { t, number } from "../core/words.js";
+import { post } from "../core/net.js";
+import { addFile } from "../core/store.js";
+
+const [WIDTH, HEIGHT, PAD] = [320, 190, 28];
+let edit = () => {};
+let answer = null;
+let drawn = null;
+let chosen = 0;
+let scale = [0, 1];
+let picture = null;
+let version = 0;
+
+export function load(onEdit) {
+  edit = onEdit;
+}
+
+export function show(next) {
+  answer = next;
+}
+
+// The button that begins, or the editor; `again` builds the panel anew.
+export function section(again) {
+  if (drawn) return editor();
+  return make("button", { type: "button", id: "draw-force", class: "main", onclick: () => { begin(); again(); } }, t("studio-force-draw"));
+}
+
+// Begins with the present force.
+function begin() {
+  const { curves, motion } = answer;
+  const target = curves.panels[0].lines.find((l) => l.role === "target") ?? curves.panels[0].lines[0];
+  const { period } = motion;
+  const count = 12;
+  const points = Array.from({ length: count }, (_, k) => {
+    const wanted = curves.start + curves.length * k / count;
+    const i = curves.theta.findIndex((x) => x >= wanted - 1e-9);
+    return [period * k / count, Math.round(10 * (target.y[Math.max(i, 0)] ?? 0)) / 10];
+  });
+  drawn = { period_s: period, points, gesture: 0 };
+  keep();
+}
+
+// Hands the points to the server, which says what curve goes through them.
+async function keep() {
+  version += 1;
+  const mine = version;
+  // Two names in turn: the scene is seen to change.
+  const body = { file: `force-by-hand-${mine % 2}.csv`, period_s: drawn.period_s, points: drawn.points };
+  try {
+    const kept = await post("force", body);
+    if (mine !== version) return;
+    addFile(kept.use, kept.csv);
+    drawn.curve = kept.force_n;
+    edit([{ set: { key: "gait.file", value: kept.use } }], `drawn ${drawn.gesture}`);
+    paint();
+  } catch (error) {
+    notice(error.message);
+  }
+}
+
+function fit() {
+  const all = drawn.points.map((p) => p[1]).concat(drawn.curve ?? []);
+  const [low, high] = [Math.min(0, ...all), Math.max(1, ...all)];
+  scale = [low, high + 0.1 * (high - low)];
+}
+
+const x = (time) => PAD + time / drawn.period_s * (WIDTH - PAD - 8);
+const y = (force) => HEIGHT - 18 - (force - scale[0]) / (scale[1] - scale[0]) * (HEIGHT - 26);
+
+// Time and force under the pointer.
+function under(event) {
+  const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+  const time = (p.x - PAD) / (WIDTH - PAD - 8) * drawn.period_s;
+  const force = scale[0] + (HEIGHT - 18 - p.y) / (HEIGHT - 26) * (scale[1] - scale[0]);
+  return [Math.max(0, Math.min(drawn.period_s * 0.999, time)), Math.round(force * 10) / 10];
+}
+
+// A point stays between its neighbours.
+function move(i, [time, force]) {
+  const gap = drawn.period_s / 200;
+  const low = i > 0 ? drawn.points[i - 1][0] + gap : 0;
+  const high = i + 1 < drawn.points.length ? drawn.points[i + 1][0] - gap : drawn.period_s - gap;
+  drawn.points[i] = [i === 0 ? 0 : Math.max(low, Math.min(high, time)), force];
+}
+
+function add(point) {
+  drawn.points.push(point);
+  drawn.points.sort((a, b) => a[0] - b[0]);
+  chosen = drawn.points.indexOf(point);
+  paint();
+  keep();
+}
+
+function remove(i) {
+  if (drawn.points.length <= 3) return;
+  drawn.points.splice(i, 1);
+  chosen = Math.max(0, Math.min(i, drawn.points.length - 1));
+  paint();
+  keep();
+}
+
+function paint() {
+  if (!picture) return;
+  clear(picture);
+  picture.append(svg("path", { class: "axis", d: `M${PAD} ${y(0)}H${WIDTH - 8}M${PAD} 8V${HEIGHT - 18}` }));
+  if (drawn.curve) {
+    const step = drawn.period_s / drawn.curve.length;
+    const d = drawn.curve.map((f, i) => `${i ? "L" : "M"}${x(i * step).toFixed(1)} ${y(f).toFixed(1)}`).join("");
+    picture.append(svg("path", { class: "line target", d }));
+  }
+  picture.append(...drawn.points.map(knot));
+}
+
+function knot(point, i) {
+  const dot = svg("circle", { class: i === chosen ? "knot chosen" : "knot", cx: x(point[0]), cy: y(point[1]), r: 6, tabindex: 0, role: "button",
+    "aria-label": t("studio-point", { number: i + 1, time: number(point[0], 3), force: number(point[1], 4) }) });
+  dot.addEventListener("pointerdown", (event) => {
+    chosen = i;
+    drawn.gesture += 1;
+    fit();
+    picture.setPointerCapture(event.pointerId);
+    event.stopPropagation();
+    paint();
+  });
+  dot.addEventListener("dblclick", () => remove(i));
+  dot.addEventListener("keydown", (event) => key(event, i));
+  return dot;
+}
+
+function key(event, i) {
+  const [up, along] = [(scale[1] - scale[0]) / 100, drawn.period_s / 100];
+  const step = { ArrowUp: [0, up], ArrowDown: [0, -up], ArrowRight: [along, 0], ArrowLeft: [-along, 0] }[event.key];
+  if (!step && event.key !== "Delete") return;
+  event.preventDefault();
+  if (step) {
+    chosen = i;
+    move(i, [drawn.points[i][0] + step[0], drawn.points[i][1] + step[1]]);
+    paint();
+    keep();
+  } else remove(i);
+  picture.querySelectorAll(".knot")[chosen]?.focus();
+}
+
+function editor() {
+  picture = svg("svg", { class: "editor", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "group", "aria-label": t("studio-force-hand") });
+  picture.addEventListener("pointermove", (event) => {
+    if (!picture.hasPointerCapture(event.pointerId)) return;
+    move(chosen, under(event));
+    paint();
+    keep();
+  });
+  picture.addEventListener("dblclick", (event) => { if (!event.target.classList.contains("knot")) add(under(event)); });
+  fit();
+  paint();
+  const between = () => {
+    const [a, b] = [drawn.points[chosen], drawn.points[chosen + 1] ?? [drawn.period_s, drawn.points[0][1]]];
+    add([(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
+  };
+  const period = make("input", { type: "text", id: "hand-period", size: 8, value: String(Number(drawn.period_s.toPrecision(5))), onchange: () => {
+    const next = parseFloat(period.value.replace(",", "."));
+    if (!(next > 0)) return;
+    const factor = next / drawn.period_s;
+    for (const p of drawn.points) p[0] *= factor;
+    drawn.period_s = next;
+    keep();
+  } });
+  return make("div", { class: "hand" }, picture, make("div", { class: "buttons" },
+    make("button", { type: "button", onclick: between }, t("studio-point-add")),
+    make("button", { type: "button", onclick: () => remove(chosen) }, t("studio-point-remove")),
+    make("label", { for: "hand-period" }, t("studio-force-period")), period));
+}

@@ -1,0 +1,286 @@
+// The cam with its follower: turning, dragged by hand, with circles, normal, osculating circle and coloured contour.
+
+import { $, svg, make, clear } from "../core/dom.js";
+import { t, quantity, onLanguage } from "../core/words.js";
+import * as clock from "../core/clock.js";
+
+const COLOURS = ["none", "pressure_angle", "curvature", "curvature_use", "force", "hertz"];
+const UNITS = { pressure_angle: "°", curvature: "1/m", curvature_use: "%", force: "N", hertz: "MPa" };
+const PIECES = 240;
+let answer = null;
+let parts = {};
+let frame = null;
+let renewed = true;
+let pinned = [];
+let strokes = [];
+let size = [0, 0];
+
+export function load() {
+  new ResizeObserver(([{ contentRect }]) => {
+    size = [contentRect.width, contentRect.height];
+    draw($("stage").querySelector("svg"));
+  }).observe($("stage"));
+  for (const id of ["circles", "pitch", "normal", "osculating", "places"]) {
+    $(`show-${id}`).addEventListener("change", () => { decorate(); follow(); });
+  }
+  $("colour").addEventListener("change", decorate);
+  clock.onAngle(follow);
+  onLanguage(choices);
+  choices();
+  hand();
+}
+
+function choices() {
+  const select = $("colour");
+  const before = select.value || "none";
+  clear(select).append(...COLOURS.map((c) => make("option", { value: c }, t(`studio-colour-${c}`))));
+  select.value = before;
+}
+
+export function show(next) {
+  answer = next;
+  const stage = $("stage");
+  stage.innerHTML = next.drawing;
+  const picture = stage.querySelector("svg");
+  picture.setAttribute("aria-hidden", "true");
+  picture.removeAttribute("role");
+  strokes = [...picture.querySelectorAll("[stroke-width], [stroke-dasharray]")].map((e) => ({
+    style: e.style, width: Number(e.getAttribute("stroke-width") ?? 1), dashes: e.getAttribute("stroke-dasharray")?.split(/[ ,]+/).map(Number),
+  }));
+  keepFrame(picture);
+  parts = {};
+  for (const id of ["cam-turning", "cam-follower", "cam-second", "cam-push", "cam-contact"]) parts[id] = picture.querySelector(`#${id}`);
+  const body = parts["cam-turning"];
+  parts.circles = [...body.querySelectorAll("circle[stroke-dasharray]")];
+  parts.pitch = [...body.querySelectorAll("path[stroke-dasharray]")];
+  parts.colours = svg("g");
+  parts.places = svg("g");
+  parts.osculating = svg("circle", { class: "osculating" });
+  parts.normal = svg("path", { class: "normal" });
+  body.append(...pinned.map(other), parts.colours, parts.normal, parts.osculating, parts.places);
+  const { motion } = next;
+  stage.setAttribute("aria-valuemin", motion.start);
+  stage.setAttribute("aria-valuemax", motion.start + motion.length);
+  Object.assign($("angle"), { min: motion.start, max: motion.start + motion.length });
+  decorate();
+}
+
+// A drawing that changes little keeps its frame, so that the cam is seen to grow and shrink.
+function keepFrame(picture) {
+  const next = picture.getAttribute("viewBox").split(" ").map(Number);
+  const inside = frame && next[0] >= frame[0] && next[1] >= frame[1]
+    && next[0] + next[2] <= frame[0] + frame[2] && next[1] + next[3] <= frame[1] + frame[3];
+  const large = frame && next[2] * next[3] > 0.55 * frame[2] * frame[3];
+  if (renewed || !inside || !large) {
+    const room = renewed ? 0.02 : 0.06;
+    renewed = false;
+    frame = [next[0] - room * next[2], next[1] - room * next[3], next[2] * (1 + 2 * room), next[3] * (1 + 2 * room)];
+  }
+  picture.setAttribute("viewBox", frame.join(" "));
+  draw(picture);
+}
+
+// Lines keep their width in pixels at any scale. (With vector-effect each frame would measure every line again.)
+function draw(picture) {
+  if (!picture || !frame || size[0] * size[1] === 0) return;
+  const pixel = Math.max(frame[2] / size[0], frame[3] / size[1]);
+  picture.style.setProperty("--pixel", pixel);
+  for (const { style, width, dashes } of strokes) {
+    style.strokeWidth = width * pixel;
+    if (dashes) style.strokeDasharray = dashes.map((d) => d * pixel).join(" ");
+  }
+}
+
+// The next drawing chooses its own frame.
+export function anew() {
+  renewed = true;
+}
+
+export function compare(list) {
+  pinned = list;
+  if (!answer) return;
+  show(answer);
+  follow();
+}
+
+function other({ curves, colour }) {
+  return svg("path", { class: "pinned", style: `stroke:${colour}`, d: outline(curves.contour, 0, curves.contour.x.length - 1) });
+}
+
+function outline({ x, y }, from, to) {
+  let d = "";
+  for (let i = from; i <= to; i += 1) {
+    if (x[i] !== null && y[i] !== null) d += `${d ? "L" : "M"}${x[i]} ${y[i]}`;
+  }
+  return d;
+}
+
+function decorate() {
+  if (!answer) return;
+  const shows = (id) => $(`show-${id}`).checked;
+  for (const e of parts.circles) e.style.display = shows("circles") ? "" : "none";
+  for (const e of parts.pitch) e.style.display = shows("pitch") ? "" : "none";
+  for (const id of ["normal", "osculating", "places"]) parts[id].style.display = shows(id) ? "" : "none";
+  parts["cam-push"].style.display = shows("normal") ? "" : "none";
+  clear(parts.places);
+  const size = 0.014 * Math.max(frame[2], frame[3]);
+  for (const place of answer.curves.places) {
+    const mark = svg("circle", { class: place.broken ? "place broken" : "place", cx: place.x, cy: place.y, r: size });
+    const title = svg("title");
+    title.textContent = `${answer.names[place.limit] ?? place.limit}: ${quantity(place.theta, answer.curves.unit)}`;
+    mark.append(title);
+    mark.addEventListener("click", () => { clock.play(false); clock.set(place.theta); });
+    parts.places.append(mark);
+  }
+  colour();
+}
+
+// From dark blue over green to yellow: readable for colour-blind eyes on light and dark ground.
+function shade(u) {
+  const stops = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+  const x = Math.max(0, Math.min(0.9999, u)) * (stops.length - 1);
+  const [a, b, f] = [stops[Math.floor(x)], stops[Math.floor(x) + 1], x % 1];
+  return `rgb(${a.map((c, k) => Math.round(c + f * (b[k] - c))).join(" ")})`;
+}
+
+function colour() {
+  clear(parts.colours);
+  const legend = clear($("legend"));
+  const name = $("colour").value;
+  legend.hidden = name === "none";
+  if (name === "none") return;
+  const contour = answer.curves.contour;
+  const values = contour[name];
+  const known = values.filter((v) => v !== null);
+  if (known.length === 0) {
+    legend.append(t("studio-colour-undefined"));
+    return;
+  }
+  const low = known.reduce((m, v) => Math.min(m, v));
+  const high = known.reduce((m, v) => Math.max(m, v));
+  const step = Math.max(1, Math.floor(values.length / PIECES));
+  for (let i = 0; i + 1 < values.length; i += step) {
+    const value = values[i];
+    if (value === null) continue;
+    const d = outline(contour, i, Math.min(i + step, values.length - 1));
+    parts.colours.append(svg("path", { class: "coloured", d, style: `stroke:${shade(high > low ? (value - low) / (high - low) : 0.5)}` }));
+  }
+  const bar = make("span", { class: "ramp", style: `background:linear-gradient(to right,${[0, 0.25, 0.5, 0.75, 1].map(shade).join(",")})` });
+  legend.append(quantity(low, UNITS[name], 3), bar, quantity(high, UNITS[name], 3));
+}
+
+// Value of a sampled quantity after part `u` of a turn; null where it has none.
+function value(list, u) {
+  const x = u * (list.length - 1);
+  const i = Math.min(Math.floor(x), list.length - 2);
+  const [a, b] = [list[i], list[i + 1]];
+  return a === null || b === null ? null : a + (x - i) * (b - a);
+}
+
+// Angles go the short way where they wrap.
+function turned(list, u) {
+  const x = u * (list.length - 1);
+  const i = Math.min(Math.floor(x), list.length - 2);
+  return list[i] + (x - i) * ((((list[i + 1] - list[i]) % 360) + 540) % 360 - 180);
+}
+
+function stand(part, x, y, a) {
+  part.setAttribute("transform", `translate(${x} ${y}) rotate(${a})`);
+}
+
+function follow() {
+  if (!answer) return;
+  const { motion } = answer;
+  const theta = clock.angle();
+  const u = Math.max(0, Math.min(1, (theta - motion.start) / motion.length));
+  parts["cam-turning"].setAttribute("transform", motion.slide ? `translate(${-theta * motion.slide} 0)` : `rotate(${theta})`);
+  stand(parts["cam-follower"], value(motion.px, u), value(motion.py, u), turned(motion.pa, u));
+  if (parts["cam-second"]) stand(parts["cam-second"], value(motion.qx, u), value(motion.qy, u), turned(motion.qa, u));
+  touch(motion, u);
+  bend(theta);
+  $("angle").value = theta;
+  const text = quantity(theta, motion.angle_unit.trim(), 4);
+  $("stage").setAttribute("aria-valuenow", theta.toFixed(2));
+  $("stage").setAttribute("aria-valuetext", `${text}, ${t("studio-chart-s")} ${quantity(value(motion.s, u), motion.unit)}`);
+}
+
+function touch(motion, u) {
+  const [x, y, force] = [value(motion.cx, u), value(motion.cy, u), value(motion.f, u)];
+  const [contact, push] = [parts["cam-contact"], parts["cam-push"]];
+  const touching = x !== null;
+  contact.setAttribute("visibility", touching ? "visible" : "hidden");
+  if (!motion.most) motion.most = motion.f.reduce((m, f) => Math.max(m, Math.abs(f)), 0) || 1;
+  push.setAttribute("visibility", touching && Math.abs(force) > 0.01 * motion.most ? "visible" : "hidden");
+  if (!touching) return;
+  contact.setAttribute("cx", x);
+  contact.setAttribute("cy", y);
+  const size = force / motion.most * push.dataset.reach;
+  push.setAttribute("transform", `translate(${x} ${y}) rotate(${turned(motion.push, u)}) scale(${size})`);
+}
+
+// Contact normal and osculating circle, in the cam's frame.
+function bend(theta) {
+  const { curves } = answer;
+  const list = curves.theta;
+  let [low, high] = [0, list.length - 1];
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (list[middle] <= theta) low = middle;
+    else high = middle;
+  }
+  const c = curves.contour;
+  const [cx, cy, radius] = [c.centre_x[low], c.centre_y[low], c.radius[low]];
+  const known = cx !== null && radius !== null && Math.abs(radius) < 4 * Math.max(frame[2], frame[3]);
+  parts.osculating.setAttribute("visibility", known ? "visible" : "hidden");
+  parts.normal.setAttribute("visibility", known ? "visible" : "hidden");
+  if (!known) return;
+  parts.osculating.setAttribute("cx", cx);
+  parts.osculating.setAttribute("cy", cy);
+  parts.osculating.setAttribute("r", Math.abs(radius));
+  parts.normal.setAttribute("d", `M${cx} ${cy}L${c.x[low]} ${c.y[low]}`);
+}
+
+// The cam is turned by hand, or pushed where it slides.
+function hand() {
+  const stage = $("stage");
+  let last = null;
+  const where = (event) => {
+    const picture = stage.querySelector("svg");
+    const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(picture.getScreenCTM().inverse());
+    return [p.x, -p.y];
+  };
+  stage.addEventListener("pointerdown", (event) => {
+    if (!answer || event.target.classList?.contains("place")) return;
+    clock.play(false);
+    stage.setPointerCapture(event.pointerId);
+    last = where(event);
+  });
+  stage.addEventListener("pointermove", (event) => {
+    if (!last || !stage.hasPointerCapture(event.pointerId)) return;
+    const here = where(event);
+    const { slide } = answer.motion;
+    if (slide) {
+      clock.set(clock.angle() - (here[0] - last[0]) / slide);
+    } else {
+      const way = (Math.atan2(here[1], here[0]) - Math.atan2(last[1], last[0])) * 180 / Math.PI;
+      clock.set(clock.angle() + ((way + 540) % 360) - 180);
+    }
+    last = here;
+  });
+  stage.addEventListener("pointerup", () => { last = null; });
+  stage.addEventListener("keydown", (event) => {
+    const step = (event.shiftKey ? 10 : 1) * (answer ? answer.motion.length / 360 : 1);
+    const steps = { ArrowRight: step, ArrowUp: step, ArrowLeft: -step, ArrowDown: -step };
+    if (event.key in steps) {
+      clock.play(false);
+      clock.set(clock.angle() + steps[event.key]);
+    } else if (event.key === "Home") {
+      clock.play(false);
+      clock.set(answer.motion.start);
+    }
+    else if (event.key === " ") clock.play(!clock.isPlaying());
+    else return;
+    event.preventDefault();
+  });
+}
+

@@ -1,0 +1,110 @@
+// Verdict with reasons, conflict with its relaxations, figures, active limits, tables.
+
+import { $, make, say, clear } from "../core/dom.js";
+import { t, language } from "../core/words.js";
+import { post } from "../core/net.js";
+import { page } from "../core/solver.js";
+
+let apply = () => {};
+let shown = null;
+
+export function load(onApply) {
+  apply = onApply;
+}
+
+export function show(answer) {
+  shown = answer;
+  const state = answer.infeasible ? "infeasible" : answer.verdict;
+  $("verdict").dataset.verdict = answer.verdict;
+  $("verdict").className = `verdict ${answer.infeasible ? "unacceptable" : answer.verdict}`;
+  say($("verdict-name"), t(`studio-verdict-${state}`));
+  say($("verdict-reasons"), answer.reasons);
+  figures(answer);
+  conflict(answer, answer.relaxations, []);
+  renewed($("limits"), [answer.easing, answer.active, answer.notes], () => limits(answer));
+  tables(answer);
+  if (answer.needs_relaxing) relax(answer);
+}
+
+// Fills a box anew where what it shows has changed.
+const filled = new Map();
+function renewed(box, content, fill) {
+  const seen = JSON.stringify([language(), content]);
+  if (filled.get(box.id) === seen) return;
+  filled.set(box.id, seen);
+  fill();
+}
+
+function figures({ figures: list }) {
+  const form = list.map(({ name, more }) => [name, Boolean(more)]);
+  renewed($("figures"), form, () => clear($("figures")).append(...list.map(({ name, more }) =>
+    make("div", {}, make("dt", {}, name), make("dd", {}, make("span", {}), more ? make("small", {}) : null)))));
+  list.forEach(({ value, more }, i) => {
+    const [text, small] = $("figures").children[i].lastChild.children;
+    say(text, value);
+    if (small) say(small, more);
+  });
+}
+
+// The whole design is tried with every relaxation, which takes longer than the design itself.
+let asking = 0;
+function relax(answer) {
+  clearTimeout(asking);
+  asking = setTimeout(async () => {
+    try {
+      const tried = await post("relax", { id: answer.id, page, number: answer.number });
+      if (shown !== answer || tried.superseded) return;
+      $("verdict-reasons").textContent = tried.reasons;
+      conflict(answer, tried.relaxations, tried.together);
+    } catch { /* the conflict alone stays */ }
+  }, 120);
+}
+
+function conflict(answer, relaxations, together) {
+  const box = clear($("conflict"));
+  const useful = relaxations.filter((r) => r.value);
+  box.hidden = !answer.needs_relaxing || (answer.conflict.length === 0 && useful.length === 0 && together.length === 0);
+  if (box.hidden) return;
+  if (answer.conflict.length > 0) {
+    box.append(make("p", {}, make("strong", {}, t("studio-conflict")), " ", answer.conflict.join(" · ")));
+  }
+  if (useful.length > 0) {
+    box.append(make("p", {}, t("studio-relax")), make("div", { class: "buttons" }, ...useful.map(button)));
+  } else if (together.length > 0 && together.every((r) => r.value)) {
+    const all = together.map((r) => ({ set: { key: r.key, value: r.value } }));
+    const text = together.map((r) => `${r.name} ${r.from} → ${r.to}`).join(", ");
+    box.append(make("p", {}, t("studio-relax-together")),
+      make("div", { class: "buttons" }, make("button", { type: "button", class: "relax", onclick: () => apply(all) }, text)));
+  }
+}
+
+function button({ key, name, from, to, value }) {
+  return make("button", { type: "button", class: "relax", "data-relax": key, "data-value": value,
+    onclick: () => apply([{ set: { key, value } }]) }, `${name}: ${from} → `, make("b", {}, to));
+}
+
+function limits(answer) {
+  const box = clear($("limits"));
+  box.append(make("h3", {}, t("studio-active")));
+  if (answer.easing.length > 0) {
+    box.append(make("table", {}, make("thead", {}, make("tr", {},
+      ...["limit", "eased", "objective"].map((k) => make("th", { scope: "col" }, t(`studio-active-${k}`))))),
+    make("tbody", {}, ...answer.easing.slice(0, 6).map((e) => make("tr", {}, make("th", { scope: "row" }, e.name),
+      make("td", {}, `${e.from} → ${e.to}`), make("td", {}, `${e.objective}: ${e.before} → ${e.after}`))))));
+  } else {
+    box.append(make("p", {}, answer.active.length > 0 ? answer.active.join(" · ") : t("studio-active-none")));
+  }
+  if (answer.notes.length > 0) box.append(make("details", { class: "notes" }, make("summary", {}, t("studio-notes", { count: answer.notes.length })),
+    make("ul", {}, ...answer.notes.map((n) => make("li", {}, n)))));
+}
+
+// The report's own tables; the server escapes what stands in them. They lie below the picture and follow when the
+// hand rests.
+let resting = 0;
+function tables(answer) {
+  clearTimeout(resting);
+  resting = setTimeout(() => {
+    const { checks, active, data, solution } = answer.tables;
+    $("tables").innerHTML = `<div>${checks}${active}</div><div>${data}${solution}</div>`;
+  }, 150);
+}

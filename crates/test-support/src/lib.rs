@@ -1,0 +1,90 @@
+//! What tests of several crates share: scenes from text and changes, their designs, laws from a list of motions.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+use std::path::Path;
+
+use gaitcam::error::Result;
+use gaitcam::law::{Extent, Law, Rise, Segment, program};
+use gaitcam::scene::{self, Scene};
+use gaitcam::synth::{Design, synthesise};
+
+/// Root of the repository.
+pub fn root() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// The text of a scene of the folder `scenes`.
+///
+/// # Panics
+/// Where there is none of that name.
+pub fn scene_file(name: &str) -> String {
+    let path = root().join(format!("scenes/{name}.toml"));
+    std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The scene of a text with changes, each as `key=value`.
+///
+/// # Errors
+/// Keys and values that are wrong.
+///
+/// # Panics
+/// On a text that is no TOML.
+pub fn scene<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Scene> {
+    let mut table: toml::Table = text.parse().unwrap_or_else(|e| panic!("{e}"));
+    for change in changes {
+        scene::set(&mut table, change.as_ref())?;
+    }
+    scene::read(&table)
+}
+
+/// The design of a text with changes, towards the force of the load model that it names.
+///
+/// # Errors
+/// Faults of scene, model and synthesis.
+pub fn design<C: AsRef<str>>(text: &str, changes: &[C]) -> Result<Design> {
+    let scene = scene(text, changes)?;
+    synthesise(&scene, scene.model_force()?.as_ref())
+}
+
+/// The design of a scene of the folder `scenes`.
+///
+/// # Panics
+/// Where there is none of that name, or none can be had.
+pub fn designed(name: &str) -> Design {
+    design::<&str>(&scene_file(name), &[]).unwrap_or_else(|e| panic!("{name}: {e}"))
+}
+
+/// Motions by name, lift and angle in degrees.
+///
+/// # Panics
+/// On a name that the catalogue does not have.
+pub fn segments(motions: &[(&str, f64, f64)]) -> Vec<Segment> {
+    let segment = |&(motion, lift, degrees): &(&str, f64, f64)| Segment {
+        motion: Rise::from_name(motion).unwrap_or_else(|e| panic!("{e}")),
+        lift,
+        angle: degrees.to_radians(),
+    };
+    motions.iter().map(segment).collect()
+}
+
+/// The law of such motions over one turn.
+///
+/// # Panics
+/// On motions that do not fill a turn.
+pub fn turn(motions: &[(&str, f64, f64)]) -> Law {
+    program(&segments(motions), Extent::TURN).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Holds a value against the one expected.
+///
+/// # Panics
+/// Where they are more than `within` apart.
+#[track_caller]
+pub fn near(value: f64, expected: f64, within: f64) {
+    assert!(
+        (value - expected).abs() <= within,
+        "{value} is not {expected}"
+    );
+}

@@ -1,0 +1,262 @@
+//! What rides on the cam.
+
+mod kind;
+mod measures;
+
+pub use kind::FollowerKind;
+pub use measures::{Measures, Unit};
+
+use crate::law::Law;
+use crate::quantity::Quantity;
+use serde::Serialize;
+
+/// What rides on the cam, with the lengths that fix it, m.
+///
+/// A knife edge is a roller of radius 0. A mushroom is a face rounded to an arc, convex towards the cam:
+/// it meets the cam as a roller of the arc's radius would, but only with part of the circle.
+///
+/// ```
+/// use gaitcam::cam::Follower;
+///
+/// let roller = Follower::RollerTranslating {
+///     prime_radius: 0.05,
+///     offset: 0.0,
+///     roller_radius: 0.01,
+/// };
+/// assert!((roller.base_radius() - 0.04).abs() < 1e-15);
+/// assert_eq!(roller.name(), "roller-translating");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Follower {
+    /// A flat face normal to the follower's motion.
+    FlatTranslating {
+        /// Radius of the base circle: the face stands at base_radius + s.
+        base_radius: f64,
+    },
+    /// A roller on a follower that slides along a line `offset` beside the cam's centre.
+    RollerTranslating {
+        /// Radius of the prime circle: the roller centre's distance at s = 0.
+        prime_radius: f64,
+        /// Offset e of the line of motion, positive towards +x.
+        offset: f64,
+        /// Radius of the roller; 0 for a knife edge.
+        roller_radius: f64,
+    },
+    /// An arc on a follower that slides along a line `offset` beside the cam's centre.
+    MushroomTranslating {
+        /// Distance of the arc's centre from the cam's at s = 0: base radius + arc radius.
+        prime_radius: f64,
+        /// Offset e of the line on which the arc's centre moves, positive towards +x.
+        offset: f64,
+        /// Radius of the arc.
+        arc_radius: f64,
+    },
+    /// A roller on an arm: centre at (c − A cos ξ, A sin ξ), ξ = ξ₀ + s; the law is in rad.
+    RollerOscillating {
+        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        pivot_distance: f64,
+        /// Length A of the arm from pivot to roller centre.
+        arm: f64,
+        /// Radius of the prime circle: fixes ξ₀ by cos ξ₀ = (A² + c² − Rp²)/(2Ac).
+        prime_radius: f64,
+        /// Radius of the roller; 0 for a knife edge.
+        roller_radius: f64,
+    },
+    /// An arc on an arm; as the oscillating roller.
+    MushroomOscillating {
+        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        pivot_distance: f64,
+        /// Length A of the arm from pivot to the arc's centre.
+        arm: f64,
+        /// Distance of the arc's centre from the cam's at s = 0.
+        prime_radius: f64,
+        /// Radius of the arc.
+        arc_radius: f64,
+    },
+    /// A flat face on an arm: it stands f + c sin ξ from the cam's centre, ξ = ξ₀ + s; the law is in rad.
+    FlatOscillating {
+        /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+        pivot_distance: f64,
+        /// Offset f of the face from the parallel through the pivot, positive away from the cam.
+        face_offset: f64,
+        /// Radius of the base circle: fixes ξ₀ by f + |c| sin ξ₀ = Rb.
+        base_radius: f64,
+    },
+    /// A roller on a slide: the cam moves by −x, the roller by +y; the law runs over m of travel.
+    TranslatingCam {
+        /// Height of the profile over the cam's foot at s = 0.
+        base_height: f64,
+        /// Radius of the roller; 0 for a knife edge.
+        roller_radius: f64,
+    },
+    /// A roller with a radial axis in the groove of a cylinder; the profile is the lower wall, unrolled
+    /// at `radius`. [`BarrelGroove`](super::BarrelGroove) knows both walls in space.
+    Barrel {
+        /// Radius of the cylinder on which the profile is unrolled.
+        radius: f64,
+        /// Radius of the roller.
+        roller_radius: f64,
+    },
+}
+
+impl Follower {
+    /// Radius of the base circle, the largest circle about the centre inside the profile's dwell at
+    /// s = 0; the base height of a translating cam, the radius of a barrel.
+    pub fn base_radius(&self) -> f64 {
+        match *self {
+            Follower::FlatTranslating { base_radius }
+            | Follower::FlatOscillating { base_radius, .. } => base_radius,
+            Follower::TranslatingCam { base_height, .. } => base_height,
+            Follower::Barrel { radius, .. } => radius,
+            _ => self.prime_radius() - self.roller_radius(),
+        }
+    }
+
+    /// Radius of the prime circle (the base circle's for a flat face).
+    pub fn prime_radius(&self) -> f64 {
+        match *self {
+            Follower::FlatTranslating { base_radius }
+            | Follower::FlatOscillating { base_radius, .. } => base_radius,
+            Follower::RollerTranslating { prime_radius, .. }
+            | Follower::MushroomTranslating { prime_radius, .. }
+            | Follower::RollerOscillating { prime_radius, .. }
+            | Follower::MushroomOscillating { prime_radius, .. } => prime_radius,
+            Follower::TranslatingCam {
+                base_height,
+                roller_radius,
+            } => base_height + roller_radius,
+            Follower::Barrel { radius, .. } => radius,
+        }
+    }
+
+    /// The follower on a base circle of another radius, all else kept. For a barrel the radius of the
+    /// cylinder changes.
+    #[must_use]
+    pub fn with_base_radius(mut self, base: f64) -> Follower {
+        let rolling = self.roller_radius();
+        match &mut self {
+            Follower::FlatTranslating { base_radius }
+            | Follower::FlatOscillating { base_radius, .. } => *base_radius = base,
+            Follower::RollerTranslating { prime_radius, .. }
+            | Follower::MushroomTranslating { prime_radius, .. }
+            | Follower::RollerOscillating { prime_radius, .. }
+            | Follower::MushroomOscillating { prime_radius, .. } => *prime_radius = base + rolling,
+            Follower::TranslatingCam { base_height, .. } => *base_height = base,
+            Follower::Barrel { radius, .. } => *radius = base,
+        }
+        self
+    }
+
+    /// Offset of the follower's line of motion, m (0 where there is none to change anything).
+    pub fn offset(&self) -> f64 {
+        match *self {
+            Follower::RollerTranslating { offset, .. }
+            | Follower::MushroomTranslating { offset, .. } => offset,
+            _ => 0.0,
+        }
+    }
+
+    /// Radius of the roller or of the mushroom's arc, 0 where there is none.
+    pub fn roller_radius(&self) -> f64 {
+        match *self {
+            Follower::FlatTranslating { .. } | Follower::FlatOscillating { .. } => 0.0,
+            Follower::RollerTranslating { roller_radius, .. }
+            | Follower::RollerOscillating { roller_radius, .. }
+            | Follower::TranslatingCam { roller_radius, .. }
+            | Follower::Barrel { roller_radius, .. } => roller_radius,
+            Follower::MushroomTranslating { arc_radius, .. }
+            | Follower::MushroomOscillating { arc_radius, .. } => arc_radius,
+        }
+    }
+
+    /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. It has ends then, even
+    /// where the law closes.
+    pub fn is_unrolled(&self) -> bool {
+        matches!(
+            self,
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. }
+        )
+    }
+
+    /// Height D = √(Rp² − e²) of the face, or of the circle's centre, over the cam's centre at s = 0, m, of
+    /// a translating follower.
+    pub fn start_height(&self) -> f64 {
+        let (rp, e) = (self.prime_radius(), self.offset());
+        (rp * rp - e * e).sqrt()
+    }
+
+    /// Where the follower stands at s = 0: its height over the cam's centre, m, or the angle of its arm, rad.
+    pub(super) fn start_place(&self) -> f64 {
+        self.start_angle().unwrap_or_else(|| self.start_height())
+    }
+
+    /// The follower on the base circle that puts it at `start` when s = 0; `None` when there is none.
+    pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
+        let radius = self.roller_radius();
+        let flat_arm = matches!(self, Follower::FlatOscillating { .. });
+        let base = match *self {
+            Follower::RollerOscillating {
+                pivot_distance: c,
+                arm,
+                ..
+            }
+            | Follower::MushroomOscillating {
+                pivot_distance: c,
+                arm,
+                ..
+            } => (arm * arm + c * c - 2.0 * arm * c.abs() * start.cos()).sqrt() - radius,
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset,
+                ..
+            } => face_offset + pivot_distance.abs() * start.sin(),
+            _ => start.hypot(self.offset()) - radius,
+        };
+        ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
+    }
+
+    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. Not a number when the arm
+    /// cannot reach ([`Cam::check`](super::Cam::check) says so).
+    pub fn start_angle(&self) -> Option<f64> {
+        match *self {
+            Follower::RollerOscillating {
+                pivot_distance,
+                arm,
+                prime_radius,
+                ..
+            }
+            | Follower::MushroomOscillating {
+                pivot_distance,
+                arm,
+                prime_radius,
+                ..
+            } => {
+                let c = pivot_distance.abs();
+                let cos = (arm * arm + c * c - prime_radius * prime_radius) / (2.0 * arm * c);
+                Some(cos.acos())
+            }
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset,
+                base_radius,
+            } => Some(((base_radius - face_offset) / pivot_distance.abs()).asin()),
+            _ => None,
+        }
+    }
+
+    /// A lift with its unit: a length, or the angle of an arm.
+    pub(super) fn lift_quantity(&self, lift: f64) -> Quantity {
+        if self.is_oscillating() {
+            Quantity::angle(lift)
+        } else {
+            Quantity::length(lift)
+        }
+    }
+
+    /// Smallest and largest lift of a law.
+    pub(super) fn lift_range(law: &Law) -> (f64, f64) {
+        let (low, high) = law.extremes(0);
+        (low.value, high.value)
+    }
+}

@@ -1,0 +1,248 @@
+//! Whether a follower can do what its law asks: what no cam could mend is refused here.
+
+use super::Geometry;
+use crate::cam::{Cam, Follower};
+use crate::error::{ArmFault, CamError, CamLength, Result};
+use crate::quantity::Quantity;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+impl Cam {
+    /// Refuses lengths that fix no cam: not positive, an offset beyond the prime circle, an arm that does
+    /// not reach, a swing beyond the dead centres, a pivot inside the cam.
+    ///
+    /// Undercut and steep pressure angles are no faults of the input but of the cam: the verdict of a
+    /// synthesis names them.
+    ///
+    /// # Errors
+    /// The length or angle at fault, as a [`CamError`].
+    pub fn check(&self) -> Result<()> {
+        self.check_beside()?;
+        match self.follower {
+            Follower::RollerOscillating { pivot_distance, .. }
+            | Follower::MushroomOscillating { pivot_distance, .. }
+            | Follower::FlatOscillating { pivot_distance, .. } => {
+                self.check_pivot(pivot_distance.abs())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// As [`Cam::check`], but the pivot may lie within the cam's outline: the arm runs in another plane
+    /// (CAM-DAS allows that).
+    ///
+    /// # Errors
+    /// As [`Cam::check`].
+    pub fn check_beside(&self) -> Result<()> {
+        check_lengths(&self.follower)?;
+        let (low, high) = Follower::lift_range(&self.law);
+        match self.follower {
+            Follower::FlatTranslating { .. } => self.check_above_centre(low),
+            Follower::RollerTranslating { .. } | Follower::MushroomTranslating { .. } => {
+                self.check_offset()?;
+                self.check_above_centre(low)
+            }
+            Follower::RollerOscillating {
+                pivot_distance,
+                arm,
+                ..
+            }
+            | Follower::MushroomOscillating {
+                pivot_distance,
+                arm,
+                ..
+            } => {
+                self.check_reach(pivot_distance.abs(), arm)?;
+                self.check_swing(low, high, 0.0, PI)
+            }
+            Follower::FlatOscillating {
+                pivot_distance,
+                face_offset,
+                base_radius,
+            } => {
+                let c = pivot_distance.abs();
+                if (base_radius - face_offset).abs() >= c {
+                    return Err(CamError::FaceReach {
+                        offset: Quantity::length(face_offset),
+                        base: Quantity::length(base_radius),
+                        pivot: Quantity::length(c),
+                        least: Quantity::length((base_radius - face_offset).abs()),
+                    }
+                    .into());
+                }
+                self.check_swing(low, high, -FRAC_PI_2, FRAC_PI_2)?;
+                self.check_arm_speed(pivot_distance.signum())
+            }
+            Follower::TranslatingCam { .. } | Follower::Barrel { .. } => Ok(()),
+        }
+    }
+
+    fn check_offset(&self) -> Result<()> {
+        let (e, rp) = (self.follower.offset(), self.follower.prime_radius());
+        if e.abs() < rp {
+            return Ok(());
+        }
+        Err(CamError::Offset {
+            offset: Quantity::length(e),
+            prime: Quantity::length(rp),
+        }
+        .into())
+    }
+
+    /// A follower that sinks to the cam's centre turns the cam inside out.
+    fn check_above_centre(&self, low: f64) -> Result<()> {
+        let (rise, e) = (self.follower.start_height(), self.follower.offset());
+        if rise + low > 0.0 {
+            return Ok(());
+        }
+        Err(CamError::BelowCentre {
+            lift: self.follower.lift_quantity(low),
+            height: Quantity::length(rise),
+            least: Quantity::length((low * low + e * e).sqrt()),
+        }
+        .into())
+    }
+
+    fn check_reach(&self, c: f64, arm: f64) -> Result<()> {
+        let rp = self.follower.prime_radius();
+        if (c - arm).abs() < rp && rp < c + arm {
+            return Ok(());
+        }
+        let fault = if arm <= c - rp {
+            ArmFault::Short
+        } else if arm >= c + rp {
+            ArmFault::Long
+        } else {
+            ArmFault::Apart
+        };
+        Err(CamError::ArmReach {
+            arm: Quantity::length(arm),
+            fault,
+            prime: Quantity::length(rp),
+            pivot: Quantity::length(c),
+            least: Quantity::length((c - rp).abs()),
+            most: Quantity::length(c + rp),
+        }
+        .into())
+    }
+
+    fn check_swing(&self, low: f64, high: f64, least: f64, most: f64) -> Result<()> {
+        let start = self.follower.start_angle().unwrap_or(f64::NAN);
+        if start + low > least && start + high < most {
+            return Ok(());
+        }
+        Err(CamError::Swing {
+            from: Quantity::angle(start + low),
+            to: Quantity::angle(start + high),
+            dead: [Quantity::angle(least), Quantity::angle(most)],
+            start: Quantity::angle(start),
+            rise: Quantity::angle(most - start),
+            fall: Quantity::angle(start - least),
+        }
+        .into())
+    }
+
+    /// The face must turn against the cam: 1 + σξ′ > 0.
+    fn check_arm_speed(&self, side: f64) -> Result<()> {
+        let (slow, fast) = self.law.extremes(1);
+        let worst = if side > 0.0 { slow } else { fast };
+        if 1.0 + side * worst.value > 0.0 {
+            return Ok(());
+        }
+        Err(CamError::FaceSpeed {
+            at: Quantity::angle(worst.at),
+            speed: worst.value,
+        }
+        .into())
+    }
+
+    fn check_pivot(&self, c: f64) -> Result<()> {
+        let geometry = Geometry::new(&self.follower);
+        let largest = self
+            .extremes_of(|at| {
+                let [x, y] = geometry.contact(at).point;
+                x * x + y * y
+            })
+            .1;
+        let reach = largest.value.sqrt();
+        if c > reach {
+            return Ok(());
+        }
+        Err(CamError::PivotInside {
+            pivot: Quantity::length(c),
+            reach: Quantity::length(reach),
+            at: Quantity::angle(largest.at),
+        }
+        .into())
+    }
+}
+
+fn check_lengths(follower: &Follower) -> Result<()> {
+    let faulty = |length: CamLength, x: f64| CamError::NotPositive {
+        length,
+        value: Quantity::length(x),
+    };
+    let positive = |length: CamLength, x: f64| {
+        if x.is_finite() && x > 0.0 {
+            Ok(())
+        } else {
+            Err(faulty(length, x))
+        }
+    };
+    let radius = follower.roller_radius();
+    match *follower {
+        Follower::MushroomTranslating { arc_radius, .. }
+        | Follower::MushroomOscillating { arc_radius, .. } => {
+            positive(CamLength::ArcRadius, arc_radius)?
+        }
+        _ if radius.is_finite() && radius >= 0.0 => {}
+        _ => return Err(faulty(CamLength::RollerRadius, radius).into()),
+    }
+    if !follower.offset().is_finite() {
+        return Err(CamError::NotFinite {
+            length: CamLength::Offset,
+        }
+        .into());
+    }
+    match *follower {
+        Follower::RollerOscillating {
+            pivot_distance,
+            arm,
+            ..
+        }
+        | Follower::MushroomOscillating {
+            pivot_distance,
+            arm,
+            ..
+        } => {
+            positive(CamLength::PivotDistance, pivot_distance.abs())?;
+            positive(CamLength::Arm, arm)?;
+        }
+        Follower::FlatOscillating {
+            pivot_distance,
+            face_offset,
+            ..
+        } => {
+            positive(CamLength::PivotDistance, pivot_distance.abs())?;
+            if !face_offset.is_finite() {
+                return Err(CamError::NotFinite {
+                    length: CamLength::FaceOffset,
+                }
+                .into());
+            }
+        }
+        Follower::TranslatingCam { base_height, .. } => {
+            return Ok(positive(CamLength::BaseHeight, base_height)?);
+        }
+        Follower::Barrel { radius, .. } => return Ok(positive(CamLength::BarrelRadius, radius)?),
+        _ => {}
+    }
+    positive(CamLength::PrimeRadius, follower.prime_radius())?;
+    if follower.base_radius() > 0.0 {
+        return Ok(());
+    }
+    Err(CamError::RollerFillsCam {
+        radius: Quantity::length(radius),
+        prime: Quantity::length(follower.prime_radius()),
+    }
+    .into())
+}

@@ -1,0 +1,123 @@
+//! Extremes of curvature, pressure angle and contact travel over the continuous law.
+
+use super::Geometry;
+use crate::cam::{Cam, Curvature, Follower};
+use crate::law::Svaj;
+use crate::poly::{Extreme, stand_in};
+
+/// Relative accuracy of the stand-ins whose extremes are taken.
+const STAND_IN: f64 = 1e-12;
+
+impl Cam {
+    /// Smallest and largest pressure angle, rad, signed: positive leans the push counter-clockwise from
+    /// the motion, as a rise does. Zero for a flat face that translates; sin φ = f/L for one on an arm, L
+    /// from pivot to contact.
+    pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
+        let along_normal = match self.follower {
+            Follower::FlatTranslating { .. } => true,
+            Follower::FlatOscillating { face_offset, .. } => face_offset == 0.0,
+            _ => false,
+        };
+        if along_normal {
+            let zero = Extreme {
+                at: self.law.extent().0,
+                value: 0.0,
+            };
+            return (zero, zero);
+        }
+        let geometry = Geometry::new(&self.follower);
+        let (low, high) = match geometry {
+            // tan φ = v/scale is linear in the law: exact roots.
+            Geometry::Unrolled { scale, .. } => self
+                .law
+                .combination([0.0, 1.0 / scale, 0.0, 0.0], 0.0)
+                .extremes(),
+            _ => self.extremes_of(|at| geometry.contact(at).tan_pressure),
+        };
+        let angle = |e: Extreme| Extreme {
+            at: e.at,
+            value: e.value.atan(),
+        };
+        (angle(low), angle(high))
+    }
+
+    /// Curvature of the finished profile: where it is sharpest, on the convex and the concave side.
+    ///
+    /// Flat translating: exact extremes of Rb + s + a. A flat face cannot touch a concave flank, so its
+    /// smallest radius is signed and there is no concave side.
+    pub fn curvature(&self) -> Curvature {
+        let geometry = Geometry::new(&self.follower);
+        let flat = |low: Extreme| Curvature {
+            convex: low,
+            concave: None,
+            undercut: low.value < 0.0,
+        };
+        match self.follower {
+            Follower::FlatTranslating { base_radius } => {
+                let rho = self.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
+                return flat(rho.extremes().0);
+            }
+            Follower::FlatOscillating { .. } => {
+                return flat(self.extremes_of(|at| geometry.contact(at).rho).0);
+            }
+            _ => {}
+        }
+        let (low, high) = self.extremes_of(|at| geometry.pitch_curvature(at));
+        let finished = |e: Extreme| Extreme {
+            at: e.at,
+            value: 1.0 / e.value - geometry.radius(),
+        };
+        let convex = if high.value > 0.0 {
+            finished(high)
+        } else {
+            Extreme {
+                at: high.at,
+                value: f64::INFINITY,
+            }
+        };
+        Curvature {
+            convex,
+            concave: (low.value < 0.0).then(|| finished(low)),
+            undercut: convex.value < 0.0,
+        }
+    }
+
+    /// Where the contact wanders on the follower, m: least and greatest distance along a flat face from
+    /// the foot of the cam's centre (translating) or of the pivot (oscillating, CAM-DAS's measure), along
+    /// a mushroom's chord from the arc's middle. `None` for rollers and knife edges.
+    pub fn contact_travel(&self) -> Option<(Extreme, Extreme)> {
+        match self.follower {
+            Follower::FlatTranslating { .. } => Some(self.law.extremes(1)),
+            Follower::FlatOscillating { .. }
+            | Follower::MushroomTranslating { .. }
+            | Follower::MushroomOscillating { .. } => {
+                let geometry = Geometry::new(&self.follower);
+                Some(self.extremes_of(|at| geometry.travel(at)))
+            }
+            _ => None,
+        }
+    }
+
+    /// Where the contact lies on the follower at one instant of the motion, m, measured as
+    /// [`Cam::contact_travel`] is; on a roller along the chord from its middle.
+    pub fn contact_along(&self, at: Svaj) -> f64 {
+        Geometry::new(&self.follower).travel(at)
+    }
+
+    /// Least length of the flat (or mushroom's) face, m: how far the contact wanders on it; max v − min v
+    /// for a flat translating face (Campillo de Blas 2017). `None` for rollers and knife edges.
+    pub fn face_width(&self) -> Option<f64> {
+        self.contact_travel()
+            .map(|(low, high)| high.value - low.value)
+    }
+
+    /// Extremes over the law of a function of the motion, by a polynomial stand-in.
+    pub(super) fn extremes_of(&self, f: impl Fn(Svaj) -> f64) -> (Extreme, Extreme) {
+        let breaks = self.law.breaks();
+        let inside = |i: usize, x: f64| (x - breaks[i]) / (breaks[i + 1] - breaks[i]);
+        stand_in(breaks, STAND_IN, |i, x| {
+            f(self.law.svaj_on(i, inside(i, x)))
+        })
+        .extremes()
+    }
+}

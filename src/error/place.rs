@@ -1,0 +1,85 @@
+//! Where a fault is, and how a fault gets its place.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::Error;
+
+/// Where in the input a fault was found.
+///
+/// ```
+/// use gaitcam::error::Place;
+///
+/// assert_eq!(Place::Line("walk.csv".into(), 41).to_string(), "walk.csv line 41: ");
+/// assert_eq!(Place::Unplaced.to_string(), "");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Place {
+    /// Nothing to point at (for library callers who pass values).
+    Unplaced,
+    /// A whole file.
+    File(PathBuf),
+    /// One line of a text file, counted from 1.
+    Line(PathBuf, usize),
+    /// A byte offset in a binary file, counted from 0.
+    Byte(PathBuf, usize),
+    /// A dotted key of a scene, for example `limits.stroke`.
+    Key(String),
+    /// A flag or argument of the command line, for example `--set`.
+    Argument(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Place::Unplaced => Ok(()),
+            Place::File(path) => write!(f, "{}: ", path.display()),
+            Place::Line(path, line) => write!(f, "{} line {line}: ", path.display()),
+            Place::Byte(path, offset) => write!(f, "{} byte {offset}: ", path.display()),
+            Place::Key(key) => write!(f, "{key}: "),
+            Place::Argument(flag) => write!(f, "{flag}: "),
+        }
+    }
+}
+
+/// Gives a fault its place: for every kind of fault, and for errors that have none yet.
+///
+/// ```
+/// use gaitcam::error::{FileError, Place, Placed};
+///
+/// let error = FileError::Folder.in_file("walk.csv".as_ref());
+/// assert_eq!(error.place, Place::File("walk.csv".into()));
+/// // A place that is already known stays.
+/// assert_eq!(error.clone().at_key("gait.file"), error);
+/// ```
+pub trait Placed: Into<Error> {
+    /// In a whole file.
+    fn in_file(self, path: &Path) -> Error {
+        self.into().at(Place::File(path.to_path_buf()))
+    }
+
+    /// In a line of a file, counted from 1.
+    fn at_line(self, path: &Path, line: usize) -> Error {
+        self.into().at(Place::Line(path.to_path_buf(), line))
+    }
+
+    /// At a byte of a file, counted from 0.
+    fn at_byte(self, path: &Path, offset: usize) -> Error {
+        self.into().at(Place::Byte(path.to_path_buf(), offset))
+    }
+
+    /// At a dotted key of a scene.
+    fn at_key(self, key: &str) -> Error {
+        self.into().at(Place::Key(key.to_string()))
+    }
+
+    /// At a flag or argument of the command.
+    fn at_argument(self, argument: &str) -> Error {
+        self.into().at(Place::Argument(argument.to_string()))
+    }
+}
+
+impl<E: Into<Error>> Placed for E {}

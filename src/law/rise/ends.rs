@@ -1,0 +1,152 @@
+//! Peaks of a rise, and how it meets what stands beside it.
+
+use super::Rise;
+use crate::error::Result;
+use crate::law::Svaj;
+use crate::wording::{self, Language};
+
+impl Rise {
+    /// Exact peak factors.
+    ///
+    /// # Errors
+    /// Parameters out of range.
+    pub fn factors(&self) -> Result<Factors> {
+        let law = self.law()?;
+        let order = |k: usize| {
+            let (low, high) = law.extremes(k);
+            (low.value, high.value)
+        };
+        let (v, a, j) = (order(1), order(2), order(3));
+        let largest = |p: (f64, f64)| p.0.abs().max(p.1.abs());
+        let power = law
+            .combination([0.0, 1.0, 0.0, 0.0], 0.0)
+            .times(&law.combination([0.0, 0.0, 1.0, 0.0], 0.0))
+            .extremes();
+        let jumps = law.joints().iter().any(|joint| joint.jump.a.abs() > REST);
+        Ok(Factors {
+            cv: largest(v),
+            ca: largest(a),
+            cj: if jumps { f64::INFINITY } else { largest(j) },
+            ct: largest((power.0.value, power.1.value)),
+            v,
+            a,
+            j,
+        })
+    }
+
+    /// Motion at both ends of the normalised rise: what may stand beside it.
+    ///
+    /// # Errors
+    /// Parameters out of range.
+    pub fn ends(&self) -> Result<Ends> {
+        let law = self.law()?;
+        Ok(Ends {
+            start: End {
+                at: law.svaj_on(0, 0.0),
+            },
+            end: End {
+                at: law.svaj_on(law.poly().pieces() - 1, 1.0),
+            },
+        })
+    }
+}
+
+/// Motion at one end of a normalised rise.
+///
+/// ```
+/// use gaitcam::law::Rise;
+///
+/// // A parabolic rise meets a dwell in velocity, not in acceleration.
+/// let start = Rise::Parabolic.ends()?.start;
+/// assert!((start.at.a - 4.0).abs() < 1e-12);
+/// assert_eq!(start.continuity_with_dwell(), 1);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct End {
+    /// v, a, j there; s is 0 or 1.
+    pub at: Svaj,
+}
+
+/// Both ends of a normalised rise.
+///
+/// ```
+/// use gaitcam::law::Rise;
+///
+/// // The quarter harmonic leaves with v = π/2.
+/// let ends = Rise::SemiharmonicStart.ends()?;
+/// assert!(ends.start.at.v.abs() < 1e-12);
+/// assert!((ends.end.at.v - std::f64::consts::FRAC_PI_2).abs() < 1e-12);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends {
+    /// At x = 0.
+    pub start: End,
+    /// At x = 1.
+    pub end: End,
+}
+
+/// Values at ends below this count as rest: they are rounding of factors up to 100.
+const REST: f64 = 1e-9;
+
+impl End {
+    /// Highest derivative that stays continuous with a dwell beside this end: 0 = lift only … 3 = jerk.
+    pub fn continuity_with_dwell(&self) -> usize {
+        [self.at.v, self.at.a, self.at.j]
+            .iter()
+            .position(|x| x.abs() > REST)
+            .unwrap_or(3)
+    }
+
+    /// Whatever may stand beside an end: at rest without and with acceleration, moving without and with it.
+    pub const JOINS: [&'static str; 4] = [
+        "dwell",
+        "return of equal acceleration",
+        "constant velocity",
+        "nothing but a general polynomial",
+    ];
+
+    /// What may stand beside this end without a jump of v or a.
+    pub fn joins(&self) -> &'static str {
+        let moves = usize::from(self.at.v.abs() > REST);
+        let accelerates = usize::from(self.at.a.abs() > REST);
+        End::JOINS[2 * moves + accelerates]
+    }
+
+    /// The same in the words of a language.
+    pub fn joins_in(&self, language: Language) -> String {
+        wording::catalogue(language).text(&format!("joins-{}", self.joins().replace(' ', "-")))
+    }
+}
+
+/// Peaks of a normalised rise, exact for the continuous law.
+///
+/// ```
+/// use gaitcam::law::Rise;
+///
+/// // Cycloidal: Cv = 2, Ca = 2π, Cj = 4π².
+/// let factors = Rise::Cycloidal.factors()?;
+/// let pi = std::f64::consts::PI;
+/// assert!((factors.cv - 2.0).abs() < 1e-6);
+/// assert!((factors.ca - 2.0 * pi).abs() < 1e-6);
+/// assert!((factors.cj - 4.0 * pi * pi).abs() < 1e-6);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Factors {
+    /// Largest |v|.
+    pub cv: f64,
+    /// Largest |a|.
+    pub ca: f64,
+    /// Largest |j|; infinite when the acceleration jumps between the ends.
+    pub cj: f64,
+    /// Largest |a·v|.
+    pub ct: f64,
+    /// Smallest and largest v.
+    pub v: (f64, f64),
+    /// Smallest and largest a.
+    pub a: (f64, f64),
+    /// Smallest and largest j where it exists.
+    pub j: (f64, f64),
+}

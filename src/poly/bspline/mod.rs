@@ -1,0 +1,353 @@
+//! B-splines on arbitrary knots, periodic or clamped, seen piece by piece in Bernstein form.
+//!
+//! On one span the degree + 1 basis functions that live there are polynomials; the *extraction matrix*
+//! of the span writes them in Bernstein form. Everything linear in a spline (values, derivatives, limits)
+//! then becomes a short row on a few neighbouring coefficients.
+
+mod knots;
+
+use super::PiecewisePoly;
+
+/// One non-empty knot span and the basis functions on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Span {
+    /// Left end.
+    pub start: f64,
+    /// Length, positive.
+    pub width: f64,
+    /// Index of the first of the degree + 1 basis functions on the span (before wrapping).
+    pub first: usize,
+    /// Which extraction matrix the span uses.
+    matrix: usize,
+}
+
+impl Span {
+    /// Spans with equal numbers look alike: same knots around them, so same rows.
+    pub fn matrix(&self) -> usize {
+        self.matrix
+    }
+}
+
+/// A space of splines of one degree on a knot vector.
+///
+/// ```
+/// use gaitcam::poly::SplineSpace;
+///
+/// // Cubics over four spans of a turn: one coefficient a span.
+/// let space = SplineSpace::periodic_uniform(3, 4, std::f64::consts::TAU);
+/// assert_eq!(space.spans().len(), 4);
+/// assert_eq!(space.degree(), 3);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SplineSpace {
+    degree: usize,
+    dimension: usize,
+    spans: Vec<Span>,
+    /// Extraction matrices, (degree+1)² each, entry [k*(degree+1) + i]: Bernstein coefficient k of local
+    /// basis function i. Uniform spans share one.
+    matrices: Vec<Vec<f64>>,
+    /// Knots of one turn of a periodic space, and its length; empty for a clamped one.
+    turn: Vec<f64>,
+    period: f64,
+    /// Length of the knots' own unit.
+    unit: f64,
+}
+
+impl SplineSpace {
+    /// The space of the derivatives of a periodic space, on the same knots, with the factors f of
+    /// c′ᵢ = fᵢ (cᵢ − cᵢ₋₁), indices counted round.
+    ///
+    /// `None` for a clamped space, for degree 0 and where a break of full multiplicity lets splines jump.
+    pub fn derivative(&self) -> Option<(SplineSpace, Vec<f64>)> {
+        let (n, q) = (self.dimension, self.degree);
+        if self.turn.is_empty() || q == 0 {
+            return None;
+        }
+        let knot = |i: usize| self.turn[i % n] + self.period * (i / n) as f64;
+        let factors: Vec<f64> = (0..n)
+            .map(|i| q as f64 / ((knot(i + q) - knot(i)) * self.unit))
+            .collect();
+        if factors.iter().any(|f| !f.is_finite()) {
+            return None;
+        }
+        if self.unit == 1.0 {
+            let space = SplineSpace::around(q - 1, self.turn.clone(), self.period);
+            return Some((space, factors));
+        }
+        let mut space = SplineSpace::in_whole_numbers(q - 1, n);
+        space.stretch(self.period * self.unit);
+        Some((space, factors))
+    }
+
+    /// Degree of the pieces.
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// Number of coefficients.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Knots of one turn of a periodic space, a multiple one as often as it counts; empty for a clamped space.
+    pub fn knots(&self) -> Vec<f64> {
+        self.turn.iter().map(|knot| knot * self.unit).collect()
+    }
+
+    /// The non-empty spans in order.
+    pub fn spans(&self) -> &[Span] {
+        &self.spans
+    }
+
+    /// Index of the span that holds `x` and u ∈ [0, 1] within it.
+    pub fn locate(&self, x: f64) -> (usize, f64) {
+        let i = self.spans[1..].partition_point(|s| s.start <= x);
+        (i, (x - self.spans[i].start) / self.spans[i].width)
+    }
+
+    /// Extraction matrix of a span, (degree+1)², entry `[k*(degree+1) + i]` as documented above.
+    pub fn extraction(&self, span: usize) -> &[f64] {
+        &self.matrices[self.spans[span].matrix]
+    }
+
+    /// Coefficient index of local basis function `i` on a span.
+    pub fn index(&self, span: usize, i: usize) -> usize {
+        (self.spans[span].first + i) % self.dimension
+    }
+
+    /// Turns weights on a span's Bernstein coefficients into weights on its local basis functions.
+    pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        let rows = self.extraction(span).chunks_exact(self.degree + 1);
+        for (row, weight) in rows.zip(bernstein_weights) {
+            for (value, e) in out.iter_mut().zip(row) {
+                *value += weight * e;
+            }
+        }
+    }
+
+    /// Weights on a span's local basis functions of Σ wₖ dᵏ/dxᵏ at u ∈ [0, 1] of the span.
+    pub fn row(&self, span: usize, u: f64, weights: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; self.degree + 1];
+        self.values(span, &[u], weights, &mut out);
+        out
+    }
+
+    /// The same at many `places`: each local function's values there, one function after the other, into
+    /// `out`.
+    pub fn values(&self, span: usize, places: &[f64], weights: &[f64], out: &mut [f64]) {
+        let (n, count) = (self.degree + 1, places.len());
+        let width = self.spans[span].width;
+        let extraction = self.extraction(span);
+        out.fill(0.0);
+        let mut basis = vec![0.0; n * count];
+        let mut coefficients = vec![0.0; n];
+        for (order, &weight) in weights.iter().enumerate().take(n) {
+            if weight == 0.0 {
+                continue;
+            }
+            let m = self.degree - order;
+            bernstein_basis(m, places, &mut basis);
+            let scale: f64 = (m + 1..n).map(|d| d as f64 / width).product();
+            for (i, own) in out.chunks_exact_mut(count).enumerate() {
+                for (c, e) in coefficients
+                    .iter_mut()
+                    .zip(extraction[i..].iter().step_by(n))
+                {
+                    *c = weight * scale * e;
+                }
+                for left in (m + 1..n).rev() {
+                    for k in 0..left {
+                        coefficients[k] = coefficients[k + 1] - coefficients[k];
+                    }
+                }
+                for (c, values) in coefficients[..=m].iter().zip(basis.chunks_exact(count)) {
+                    for (o, b) in own.iter_mut().zip(values) {
+                        *o += c * b;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The spline with the given coefficients as a piecewise polynomial.
+    ///
+    /// # Panics
+    /// When `coefficients` is not as long as the dimension.
+    pub fn spline(&self, coefficients: &[f64]) -> PiecewisePoly {
+        assert_eq!(coefficients.len(), self.dimension);
+        let n = self.degree + 1;
+        let mut breaks: Vec<f64> = self.spans.iter().map(|s| s.start).collect();
+        breaks.push(self.spans.last().map_or(0.0, |s| s.start + s.width));
+        let mut coef = Vec::with_capacity(self.spans.len() * n);
+        let mut local = vec![0.0; n];
+        for (i, span) in self.spans.iter().enumerate() {
+            let mut at = span.first;
+            for c in &mut local {
+                *c = coefficients[at];
+                at = if at + 1 == self.dimension { 0 } else { at + 1 };
+            }
+            let rows = self.extraction(i).chunks_exact(n);
+            coef.extend(
+                rows.map(|row| -> f64 { row.iter().zip(&local).map(|(e, c)| e * c).sum() }),
+            );
+        }
+        PiecewisePoly::new(breaks, self.degree, coef)
+    }
+}
+
+/// The m + 1 Bernstein polynomials of degree m at `places`, one polynomial after the other.
+fn bernstein_basis(m: usize, places: &[f64], out: &mut [f64]) {
+    let count = places.len();
+    out[..count].fill(1.0);
+    for r in 1..=m {
+        out[r * count..(r + 1) * count].fill(0.0);
+        for k in (1..=r).rev() {
+            let (below, own) = out.split_at_mut(k * count);
+            let below = &below[(k - 1) * count..];
+            for ((b, left), u) in own.iter_mut().zip(below).zip(places) {
+                *b = left * u + *b * (1.0 - u);
+            }
+        }
+        for (b, u) in out.iter_mut().zip(places) {
+            *b *= 1.0 - u;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Cox–de Boor, the definition: an independent route to the same numbers.
+    fn cox(knots: &[f64], i: usize, p: usize, x: f64) -> f64 {
+        if p == 0 {
+            return f64::from(u8::from(knots[i] <= x && x < knots[i + 1]));
+        }
+        let term = |num: f64, den: f64, f: f64| if den > 0.0 { num / den * f } else { 0.0 };
+        term(
+            x - knots[i],
+            knots[i + p] - knots[i],
+            cox(knots, i, p - 1, x),
+        ) + term(
+            knots[i + p + 1] - x,
+            knots[i + p + 1] - knots[i + 1],
+            cox(knots, i + 1, p - 1, x),
+        )
+    }
+
+    #[test]
+    fn clamped_splines_agree_with_the_recursion() {
+        for degree in 1..=7 {
+            let breaks = [0.0, 0.3, 0.5, 1.1, 2.0];
+            let multiplicity = [1, 2.min(degree), 1];
+            let space = SplineSpace::clamped(degree, &breaks, &multiplicity);
+            let mut knots = vec![0.0; degree + 1];
+            for (b, m) in breaks[1..4].iter().zip(multiplicity) {
+                knots.extend(std::iter::repeat_n(*b, m));
+            }
+            knots.extend(vec![2.0; degree + 1]);
+            for i in 0..space.dimension() {
+                let mut c = vec![0.0; space.dimension()];
+                c[i] = 1.0;
+                let spline = space.spline(&c);
+                for x in [0.0, 0.1, 0.3, 0.42, 0.5, 0.9, 1.1, 1.5, 1.999] {
+                    let expected = cox(&knots, i, degree, x);
+                    assert!(
+                        (spline.eval(x) - expected).abs() < 1e-13,
+                        "{degree} {i} {x}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn periodic_splines_join_smoothly_everywhere_and_sum_to_one() {
+        for (degree, n) in [(3, 4), (5, 3), (5, 8), (7, 5), (9, 3), (4, 1)] {
+            let mut breaks: Vec<f64> = (0..=n).map(|i| f64::from(i) / f64::from(n)).collect();
+            if n > 3 {
+                breaks[1] += 0.05;
+            }
+            let space = SplineSpace::periodic(degree, &breaks, &vec![1; n as usize]);
+            assert_eq!(space.dimension(), n as usize);
+            let one = space.spline(&vec![1.0; space.dimension()]);
+            assert!((one.eval(0.37) - 1.0).abs() < 1e-13);
+            let c: Vec<f64> = (0..space.dimension())
+                .map(|i| ((i * i) % 7) as f64 - 2.0)
+                .collect();
+            let mut f = space.spline(&c);
+            for order in 0..degree {
+                for i in 0..f.pieces() {
+                    let next = (i + 1) % f.pieces();
+                    let (end, start) = (f.piece(i)[f.degree()], f.piece(next)[0]);
+                    let scale = f.extremes().1.value.abs().max(1.0);
+                    assert!(
+                        (end - start).abs() < 1e-10 * scale,
+                        "degree {degree} n {n} order {order}"
+                    );
+                }
+                f = f.derivative();
+            }
+        }
+    }
+
+    #[test]
+    fn differences_of_coefficients_are_those_of_the_derivative() {
+        let breaks = [0.0, 0.1, 0.35, 0.5, 0.52, 1.0];
+        for space in [
+            SplineSpace::periodic_uniform(5, 9, 2.0),
+            SplineSpace::periodic_uniform(3, 2, 1.0),
+            SplineSpace::periodic(5, &breaks, &[1, 3, 1, 2, 3]),
+        ] {
+            let mut c: Vec<f64> = (0..space.dimension())
+                .map(|i| ((i * i) % 7) as f64 - 2.0)
+                .collect();
+            let mut f = space.spline(&c);
+            let mut own = space.clone();
+            for _ in 0..3 {
+                let (next, factors) = own.derivative().unwrap();
+                let n = c.len();
+                c = (0..n)
+                    .map(|i| factors[i] * (c[i] - c[(i + n - 1) % n]))
+                    .collect();
+                f = f.derivative();
+                let spline = next.spline(&c);
+                let size = f.extremes().1.value.abs();
+                for k in 0..200 {
+                    let x = 0.005 * f64::from(k) + 0.0013;
+                    assert!((spline.eval(x) - f.eval(x)).abs() < 1e-11 * size, "{x}");
+                }
+                own = next;
+            }
+        }
+        assert!(
+            SplineSpace::periodic(3, &[0.0, 1.0, 2.0], &[1, 4])
+                .derivative()
+                .is_none()
+        );
+        assert!(
+            SplineSpace::clamped(3, &[0.0, 1.0], &[])
+                .derivative()
+                .is_none()
+        );
+    }
+
+    #[test]
+    fn rows_differentiate_like_the_spline_itself() {
+        let space = SplineSpace::periodic_uniform(5, 7, 2.0);
+        let c: Vec<f64> = (0..7).map(|i| f64::from(i * i % 5)).collect();
+        let mut f = space.spline(&c);
+        for order in 0..4 {
+            for x in [0.0, 0.2, 0.77, 1.3, 1.99] {
+                let (span, u) = space.locate(x);
+                let mut w = [0.0; 4];
+                w[order] = 1.0;
+                let row = space.row(span, u, &w);
+                let value: f64 = (0..6).map(|i| row[i] * c[space.index(span, i)]).sum();
+                assert!((value - f.eval(x)).abs() < 1e-9, "{order} {x}");
+            }
+            f = f.derivative();
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! How near the force has to come to its target, and where it counts.
+
+use super::Problem;
+use super::target::weight_at;
+use crate::cam::FollowerKind;
+use crate::drive::DriveKind;
+use crate::force::spread_rms_n;
+
+/// RMS force error, part of the mean force, that is small enough where the scene asks for none.
+pub(crate) const USUAL_ACCURACY: f64 = 0.005;
+/// A mean force that differs from the weight by a smaller part is the same: masses are written with four
+/// digits.
+const SAME_MEAN: f64 = 1e-3;
+
+impl Problem {
+    /// Force error, N RMS, at which an automatic size of the law is large enough; 0 where no force is
+    /// wanted.
+    pub fn wanted_error(&self) -> f64 {
+        let mean = self.target_mean();
+        match self.accuracy {
+            Some(rms) => rms * mean,
+            None => self.noise().max(USUAL_ACCURACY * mean),
+        }
+    }
+
+    /// The same, whatever the recording's spread.
+    pub fn asked_error(&self) -> f64 {
+        self.accuracy.unwrap_or(USUAL_ACCURACY) * self.target_mean()
+    }
+
+    /// Force error, N RMS, above which a design misses its force: the accuracy asked for, otherwise 0.5 % of
+    /// the mean or the step-to-step spread of the recording, whichever is larger; `None` where no force is
+    /// wanted, a band stands for the accuracy, or the scene has it not judged.
+    pub fn allowed_error(&self) -> Option<f64> {
+        let target = self.target.as_ref()?;
+        if self.limits.unjudged.accuracy || self.band.is_some() {
+            return None;
+        }
+        let mean = self.target_mean();
+        Some(match self.accuracy {
+            Some(rms) => rms * mean,
+            None => spread_rms_n(&target.curve)
+                .unwrap_or(0.0)
+                .max(USUAL_ACCURACY * mean),
+        })
+    }
+
+    /// How far the mean of the wanted force is from the weight that a moving axis carries, N: over a turn no
+    /// cam changes the mean (theory §1). Differences below the rounding of a mass are none.
+    pub fn mean_force_gap(&self) -> Option<f64> {
+        let gap = self.target_mean() - self.drive.rest_force;
+        let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
+        (judged && gap.abs() > SAME_MEAN * self.target_mean()).then_some(gap)
+    }
+
+    /// Smallest contact force that is judged where the scene gives none, N: 0 where only force closes the
+    /// contact, on a moving axis or by whatever presses on a fixed one.
+    pub fn usual_force_min(&self) -> Option<f64> {
+        let form_closed = self.cam.conjugate.is_some()
+            || self.cam.breadth.is_some()
+            || self.cam.follower == FollowerKind::Barrel;
+        let pressed = match self.drive.kind {
+            DriveKind::MovingAxis => true,
+            DriveKind::FixedAxis => !self.drive.is_idle() && !form_closed,
+            DriveKind::Hydraulic => false,
+        };
+        (pressed && !self.limits.unjudged.contact_force).then_some(0.0)
+    }
+
+    /// Where the spread of the recording, not an accuracy, decides the size of the law: that error, N.
+    pub fn error_at_noise(&self) -> Option<f64> {
+        let noise = self.noise();
+        (self.accuracy.is_none() && noise > USUAL_ACCURACY * self.target_mean()).then_some(noise)
+    }
+
+    /// |mean| of the wanted force, N; 0 where none is wanted.
+    pub fn target_mean(&self) -> f64 {
+        self.target.as_ref().map_or(0.0, |t| t.mean_n().abs())
+    }
+
+    /// Error below which a fit would follow the noise: a fifth of the step-to-step spread, N.
+    ///
+    /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
+    fn noise(&self) -> f64 {
+        let spread = self.target.as_ref().and_then(|t| spread_rms_n(&t.curve));
+        0.2 * spread.unwrap_or(0.0)
+    }
+
+    /// Whether parts of the cycle count more or less than once.
+    pub fn is_weighed(&self) -> bool {
+        !self.weights.is_empty()
+    }
+
+    /// Weight of the force error at a cam angle.
+    pub fn weight(&self, theta: f64) -> f64 {
+        weight_at(&self.weights, theta + self.phase)
+    }
+
+    /// The lowest weight of any part of the cycle.
+    pub fn least_weight(&self) -> f64 {
+        (self.weights.iter()).fold(1.0, |least, w| least.min(w.weight))
+    }
+}

@@ -1,0 +1,114 @@
+//! What is known of the size of the cam before it is designed.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::Problem;
+use crate::cam::FollowerKind;
+use crate::scene::{CamSpec, Minimise};
+
+impl Problem {
+    /// What is said of the size of the cam.
+    pub fn size(&self) -> Size {
+        let (cam, roller) = (&self.cam, self.cam.roller_radius);
+        match (cam.base_radius, cam.prime_radius) {
+            (Some(base), prime) => Size::Given {
+                base,
+                prime: prime.unwrap_or(base + roller),
+            },
+            (None, Some(prime)) => Size::Given {
+                base: prime - roller,
+                prime,
+            },
+            (None, None) if self.size_is_wanted() => Size::Sought,
+            (None, None) => Size::AfterLaw,
+        }
+    }
+
+    /// Radius of the prime circle, m, where it is given.
+    pub fn prime_radius(&self) -> Option<f64> {
+        match self.size() {
+            Size::Given { prime, .. } => Some(prime),
+            Size::Sought | Size::AfterLaw => None,
+        }
+    }
+
+    /// Radius of the base circle, m, where it is given.
+    pub fn base_radius(&self) -> Option<f64> {
+        match self.size() {
+            Size::Given { base, .. } => Some(base),
+            Size::Sought | Size::AfterLaw => None,
+        }
+    }
+
+    /// Whether an objective or a limit prices the size; only sliding followers with a straight line of
+    /// action have it in the program.
+    fn size_is_wanted(&self) -> bool {
+        let sized = [
+            FollowerKind::FlatTranslating,
+            FollowerKind::RollerTranslating,
+            FollowerKind::KnifeTranslating,
+        ];
+        match self.objective() {
+            Minimise::Size => true,
+            Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
+            _ => self.limits.prime_radius.is_some() && sized.contains(&self.cam.follower),
+        }
+    }
+
+    /// Smallest base radius that the bore leaves, m.
+    pub fn outside_bore(&self) -> f64 {
+        outside_bore(&self.cam)
+    }
+
+    /// Pressure angles on rise and fall that size a cam: a side that is not limited beside one that is may
+    /// have any, and where neither is, the usual rule holds on both.
+    pub fn sizing_pressure_angles(&self) -> [f64; 2] {
+        let sides = [
+            self.limits.pressure_angle_rise,
+            self.limits.pressure_angle_fall,
+        ];
+        let other = if sides == [None, None] {
+            USUAL_PRESSURE_ANGLE
+        } else {
+            FRAC_PI_2
+        };
+        sides.map(|side| side.unwrap_or(other))
+    }
+}
+
+/// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
+pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
+
+/// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
+///
+/// ```
+/// use gaitcam::problem::{Problem, Size};
+/// use gaitcam::scene;
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = scene.model_force()?;
+/// assert_eq!(Problem::settle(&scene, force.as_ref())?.size(), Size::AfterLaw);
+/// let given = scene.with("cam.base_radius", "30 mm")?;
+/// let size = Problem::settle(&given, force.as_ref())?.size();
+/// assert_eq!(size, Size::Given { base: 0.03, prime: 0.03 });
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Size {
+    /// The size is fixed, and the law has to fit it.
+    Given {
+        /// Radius of the base circle, m.
+        base: f64,
+        /// Radius of the prime circle, m.
+        prime: f64,
+    },
+    /// Size and law are found as one program: the size is minimised or limited.
+    Sought,
+    /// The smallest size that the finished law allows.
+    AfterLaw,
+}
+
+/// Smallest base radius that the hole for the shaft leaves, m.
+pub(crate) fn outside_bore(cam: &CamSpec) -> f64 {
+    cam.hole().map_or(0.0, |hole| hole.least_base_radius())
+}

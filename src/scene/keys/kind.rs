@@ -1,0 +1,191 @@
+//! What a key takes: its kind of value, its range, what the number measures, and which way it relaxes.
+
+use serde::Serialize;
+
+use crate::cam::Measures;
+use crate::units::Dimension;
+
+/// What a number measures, by what the follower's lift is measured in.
+///
+/// ```
+/// use gaitcam::cam::Measures;
+/// use gaitcam::scene::keys;
+/// use gaitcam::units::Dimension;
+///
+/// // The stroke of an arm is an angle.
+/// let stroke = keys::find("limits.stroke").unwrap().measure().unwrap();
+/// assert_eq!(stroke.of(Measures::Oscillating), Dimension::Angle);
+/// assert_eq!(stroke.of(Measures::Translating), Dimension::Length);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Measure {
+    /// Followers that translate.
+    pub translating: Dimension,
+    /// Followers that oscillate.
+    pub oscillating: Dimension,
+    /// Cams that translate themselves.
+    pub straight: Dimension,
+}
+
+impl Measure {
+    /// The same for every follower.
+    pub const fn same(dimension: Dimension) -> Measure {
+        Measure::by_arm(dimension, dimension)
+    }
+
+    /// One for followers on an arm, another for all others.
+    pub const fn by_arm(other: Dimension, arm: Dimension) -> Measure {
+        Measure {
+            translating: other,
+            oscillating: arm,
+            straight: other,
+        }
+    }
+
+    /// The dimension for a follower.
+    pub fn of(self, measures: Measures) -> Dimension {
+        match measures {
+            Measures::Translating => self.translating,
+            Measures::Oscillating => self.oscillating,
+            Measures::Straight => self.straight,
+        }
+    }
+
+    /// Every dimension that occurs, each once.
+    pub fn each(self) -> Vec<Dimension> {
+        let mut all = vec![self.translating];
+        for next in [self.oscillating, self.straight] {
+            if !all.contains(&next) {
+                all.push(next);
+            }
+        }
+        all
+    }
+}
+
+/// What kind of value a key takes.
+///
+/// ```
+/// use gaitcam::scene::keys::{self, Kind};
+///
+/// assert!(matches!(keys::find("law.degree").unwrap().kind, Kind::Count(..)));
+/// assert!(matches!(keys::find("law.monotone").unwrap().kind, Kind::Flag));
+/// ```
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A number with its unit.
+    Number(Measure),
+    /// A number with its unit, or this word.
+    NumberOr(Measure, &'static str),
+    /// A whole number from the first to the last.
+    Count(usize, usize),
+    /// One of several words.
+    Choice(fn() -> Vec<&'static str>),
+    /// `true` or `false`.
+    Flag,
+    /// A text.
+    Text,
+    /// A text or a list of texts.
+    Texts,
+}
+
+/// Which numbers a key takes, in SI.
+///
+/// ```
+/// use gaitcam::scene::keys::{self, Range};
+///
+/// let restitution = keys::find("machine.restitution").unwrap();
+/// assert_eq!(restitution.range, Range::Between(0.0, 1.0));
+/// assert!(restitution.range.contains(0.3) && !restitution.range.contains(1.3));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Range {
+    /// Any.
+    Any,
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NotNegative,
+    /// From the first to the last.
+    Between(f64, f64),
+    /// An angle above 0 and below 90°.
+    Acute,
+}
+
+impl Range {
+    /// Whether a number lies in it.
+    pub fn contains(self, x: f64) -> bool {
+        x.is_finite()
+            && match self {
+                Range::Any => true,
+                Range::Positive => x > 0.0,
+                Range::NotNegative => x >= 0.0,
+                Range::Between(low, high) => (low..=high).contains(&x),
+                Range::Acute => x > 0.0 && x < std::f64::consts::FRAC_PI_2,
+            }
+    }
+}
+
+/// Which way a number has to go to ask for less.
+///
+/// ```
+/// use gaitcam::scene::keys::{self, Relax};
+///
+/// // A larger stroke asks for less, and so does a smaller radius of curvature.
+/// assert_eq!(keys::find("limits.stroke").unwrap().relax, Some(Relax::Up));
+/// assert_eq!(keys::find("limits.curvature").unwrap().relax, Some(Relax::Down));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Relax {
+    /// A larger value is the weaker demand.
+    Up,
+    /// A smaller value is the weaker demand.
+    Down,
+}
+
+/// Why a key that is given changes nothing in a scene.
+///
+/// ```
+/// use gaitcam::Scene;
+/// use gaitcam::scene::keys::{self, Idle};
+///
+/// let damping = keys::find("machine.damping_ratio").unwrap();
+/// assert_eq!(damping.idle(&Scene::default()), Some(Idle::RigidFollower));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// The law's family does not use it.
+    Family,
+    /// The kind of follower does not use it.
+    Follower,
+    /// The drive does not use it.
+    Drive,
+    /// No force is wanted.
+    NoForce,
+    /// The force is a recording.
+    Recording,
+    /// The force is a load model.
+    Model,
+    /// Nothing is known of the follower's stiffness.
+    RigidFollower,
+}
+
+impl Idle {
+    /// Its name in data.
+    pub fn name(self) -> &'static str {
+        match self {
+            Idle::Family => "family",
+            Idle::Follower => "follower",
+            Idle::Drive => "drive",
+            Idle::NoForce => "no-force",
+            Idle::Recording => "recording",
+            Idle::Model => "model",
+            Idle::RigidFollower => "rigid-follower",
+        }
+    }
+}
