@@ -7,3 +7,4 @@ mod emit;
 mod machining;
 mod sheets;
 mod words;
+mod workshop;
