@@ -234,6 +234,27 @@ impl BarrelGroove {
         [theta + across / radius, at.s + self.axis_offset(wall) + up]
     }
 
+    /// The same wall where the cylinder of radius `distance` about the barrel's axis cuts it: angle from the x axis
+    /// in the sense of growing θ, rad, and height z, m.
+    ///
+    /// On the roller's axis at r the contact is R_f·v/√(r² + v²) aside, so r² + R_f²v²/(r² + v²) = distance²: a
+    /// quadratic in r².
+    pub fn wall_at(&self, theta: f64, distance: f64, wall: Wall) -> [f64; 2] {
+        let at = self.law.svaj(theta);
+        let (d2, v2, f2) = (
+            distance * distance,
+            at.v * at.v,
+            self.roller_radius() * self.roller_radius(),
+        );
+        let along = d2 - v2;
+        let radius = (0.5 * (along + along.hypot(2.0 * at.v * (d2 - f2).max(0.0).sqrt()))).sqrt();
+        let [across, up] = self.wall_offset(at, radius, wall);
+        [
+            theta + across.atan2(radius),
+            at.s + self.axis_offset(wall) + up,
+        ]
+    }
+
     /// From the roller's axis to the contact: along the groove (growing θ) and along z.
     fn wall_offset(&self, at: Svaj, radius: f64, wall: Wall) -> [f64; 2] {
         let slope = at.v / radius;

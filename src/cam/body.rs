@@ -123,6 +123,11 @@ impl Cam {
     /// The smallest round hole that brings the centre of area to the centre of rotation and leaves walls of
     /// [`LEAST_WALL`]; `None` where none has the room, or nothing is to be balanced.
     pub fn balance_hole(&self, bore: Option<Bore>) -> Option<Hole> {
+        self.balance_hole_outside(bore, bore.map_or(0.0, |b| b.reach()))
+    }
+
+    /// The same, with nothing bored within `inner` m of the centre.
+    pub(super) fn balance_hole_outside(&self, bore: Option<Bore>, inner: f64) -> Option<Hole> {
         let body = self.body(bore)?;
         let moment = body.moment();
         let far = body.centroid[0].hypot(body.centroid[1]);
@@ -132,7 +137,6 @@ impl Cam {
         let along = body.centroid.map(|x| x / far);
         let profile: Vec<[f64; 2]> = self.profile(PROFILE).iter().map(|p| [p.x, p.y]).collect();
         let reach = profile.iter().fold(0.0_f64, |m, p| m.max(p[0].hypot(p[1])));
-        let inner = bore.map_or(0.0, |b| b.reach());
         // The farther out, the smaller the hole: from outside inwards, the first that has room.
         (0..PLACES).rev().find_map(|i| {
             let distance = reach * (i + 1) as f64 / PLACES as f64;

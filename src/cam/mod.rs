@@ -12,8 +12,10 @@ mod conjugate;
 mod continuity;
 mod follower;
 mod geometry;
+mod hardness;
 mod inspect;
 mod interference;
+mod making;
 mod profile;
 mod size;
 
@@ -25,8 +27,10 @@ pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
 pub use follower::{Follower, FollowerKind, Measures, Unit};
+pub use hardness::{Hardness, HardnessScale};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
+pub use making::{Hub, Making};
 pub use profile::ProfilePoint;
 pub use size::{
     PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,

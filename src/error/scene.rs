@@ -39,6 +39,12 @@ pub enum SceneError {
     MassOfArm,
     /// A value where a table should be.
     NotTable { typed: String, section: String },
+    /// No hardness with its scale.
+    NotHardness { typed: String },
+    /// A length of the hub without its diameter.
+    HubWithoutDiameter,
+    /// A hub that does not surround the hole for the shaft.
+    HubInBore { hub: String, hole: Quantity },
     /// Something else where a list of tables should be.
     NotList { typed: String, list: String },
     /// No text.

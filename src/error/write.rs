@@ -28,11 +28,17 @@ pub enum WriteError {
     PlateThickness { thickness: Quantity },
     TooFewPoints { points: usize, least: usize },
     OpenProfile,
+    OpenGroove,
+    GrooveCrossings,
     UndercutProfile,
     ProfileFolds,
+    HubTooLarge { hub: Quantity, free: Quantity },
     BoreTooLarge { bore: Quantity, free: Quantity },
     CutterRadius { radius: Quantity },
     TooSharp,
+    NoCutterPath,
+    GrooveCutter { radius: Quantity, roller: Quantity },
+    WireTooThick { radius: Quantity },
 }
 
 impl From<WriteError> for Error {

@@ -1,6 +1,6 @@
 //! `[cam]`: the cam and its follower.
 
-use crate::cam::{Bore, Closure, FollowerKind, Keyway, Measures};
+use crate::cam::{Bore, Closure, FollowerKind, Hub, Keyway, Making, Measures};
 
 /// Plate thickness of solids when nothing is said, m.
 const THICKNESS: f64 = 0.01;
@@ -43,6 +43,12 @@ pub struct CamSpec {
     pub mark: bool,
     /// Thickness of the plate, for solids.
     pub thickness: f64,
+    /// Diameter of a hub on the upper face.
+    pub hub_diameter: Option<f64>,
+    /// How far the hub stands out; `None` = as far as the plate is thick.
+    pub hub_length: Option<f64>,
+    /// What the workshop is told beside the shape; its hub is given by the two fields above.
+    pub making: Making,
     /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
     /// half turn only.
     pub breadth: Option<f64>,
@@ -74,6 +80,9 @@ impl Default for CamSpec {
             keyway: None,
             mark: false,
             thickness: THICKNESS,
+            hub_diameter: None,
+            hub_length: None,
+            making: Making::default(),
             breadth: None,
             travel: None,
             turns: 1,
@@ -110,6 +119,18 @@ impl CamSpec {
             KeywaySpec::Width(width) => Keyway::of_width(width),
         });
         Some(Bore { diameter, keyway })
+    }
+
+    /// What the workshop is told, with the hub.
+    pub fn making(&self) -> Making {
+        let hub = self.hub_diameter.map(|diameter| Hub {
+            diameter,
+            length: self.hub_length.unwrap_or(self.thickness),
+        });
+        Making {
+            hub,
+            ..self.making.clone()
+        }
     }
 }
 

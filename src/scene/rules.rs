@@ -58,7 +58,7 @@ impl<'a> Typed<'a> {
 type Rule = fn(&Scene, Typed) -> std::result::Result<(), (&'static str, SceneError)>;
 
 /// In the order in which they are reported.
-const RULES: [Rule; 13] = [
+const RULES: [Rule; 14] = [
     name,
     force,
     objective,
@@ -66,6 +66,7 @@ const RULES: [Rule; 13] = [
     machine,
     size,
     keyway,
+    hub,
     circles,
     motion,
     pair,
@@ -251,6 +252,26 @@ fn keyway(scene: &Scene, typed: Typed) -> Verdict {
         }
         _ => Ok(()),
     }
+}
+
+/// The hub around the hole for the shaft.
+fn hub(scene: &Scene, typed: Typed) -> Verdict {
+    let cam = &scene.cam;
+    let Some(diameter) = cam.hub_diameter else {
+        return match cam.hub_length {
+            Some(_) => Err(("cam.hub.length", SceneError::HubWithoutDiameter)),
+            None => Ok(()),
+        };
+    };
+    let hole = 2.0 * cam.hole().map_or(0.0, |hole| hole.reach());
+    if diameter > hole {
+        return Ok(());
+    }
+    let fault = SceneError::HubInBore {
+        hub: typed.text("cam.hub.diameter", diameter, Dimension::Length),
+        hole: Quantity::length(hole),
+    };
+    Err(("cam.hub.diameter", fault))
 }
 
 /// Base circle, prime circle, bore and offset.

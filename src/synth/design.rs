@@ -7,7 +7,9 @@ use super::parameters::Functions;
 use super::proof::Doubt;
 use super::qp::{Certificate, Demand};
 use super::reason::{Reason, sentences};
-use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, Criterion, Measures, Unit, Verdict};
+use crate::cam::{
+    BarrelGroove, Bore, Cam, Check, Conjugate, Criterion, Making, Measures, Unit, Verdict,
+};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::error::SynthError;
@@ -69,6 +71,8 @@ pub struct Design {
     pub mark: bool,
     /// Thickness of the plate, m.
     pub thickness: f64,
+    /// Material, surface and what is added to the plate.
+    pub making: Making,
     /// Distance of the force from the target.
     pub force: ForceReport,
     /// `None` when built; otherwise why no such cam exists.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::Design;
 use super::limits::{Press, torque_curve};
-use crate::cam::Measures;
+use crate::cam::{Hole, Measures};
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
 
 /// A mean power below this part of the largest is rounding: springs and masses give back what they take.
@@ -83,6 +83,20 @@ impl Design {
             liftoff_speed_rad_per_s: self.liftoff().filter(|_| turns),
             hertz_pressure_max_pa: self.pressure(),
         }
+    }
+
+    /// The hole that balances each cam, where the scene wants it and it has room: of a pair the second as it stands on
+    /// the shaft, turned by half a turn.
+    pub fn balance_holes(&self) -> Vec<Option<Hole>> {
+        let first = self.making.balance_hole(&self.cam, self.bore);
+        let second = self.conjugate.as_ref().map(|pair| {
+            let hole = self.making.balance_hole(&pair.second, self.bore);
+            hole.map(|hole| Hole {
+                centre: hole.centre.map(|x| -x),
+                ..hole
+            })
+        });
+        [first].into_iter().chain(second).collect()
     }
 
     /// Speed at which a follower that is not held from both sides leaves the cam.

@@ -254,6 +254,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         bore: problem.cam.hole(),
         mark: problem.cam.mark,
         thickness: problem.cam.thickness,
+        making: problem.cam.making(),
         force,
         infeasible,
         relaxations: Vec::new(),

@@ -9,7 +9,7 @@ venv="$root/target/step-tests"
 if [ ! -x "$venv/bin/python" ]; then
   python3 -m venv "$venv"
 fi
-if ! "$venv/bin/python" -c "import OCP, gmsh" 2>/dev/null; then
-  "$venv/bin/pip" install --quiet cadquery-ocp gmsh || { echo "step: SKIPPED, OCCT cannot be installed"; exit 0; }
+if ! "$venv/bin/python" -c "import OCP, gmsh, numpy" 2>/dev/null; then
+  "$venv/bin/pip" install --quiet cadquery-ocp gmsh numpy || { echo "step: SKIPPED, OCCT cannot be installed"; exit 0; }
 fi
 GAITCAM=$binary "$venv/bin/python" "$here/step.py"

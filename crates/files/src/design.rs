@@ -32,8 +32,12 @@ pub struct Contents {
     pub solid: bool,
     /// Radius of a cutter whose path is written, m.
     pub tool: Option<f64>,
+    /// Half the diameter of a wire and its spark gap, m: its path is written.
+    pub wire: Option<f64>,
     /// Layers of the DXF drawings.
     pub drawn: output::dxf::Content,
+    /// As what profile.dxf has the edges.
+    pub curves: output::dxf::Curves,
     /// What stands in the title block of the drawing beside the design.
     pub title: output::drawing::Title,
     /// Language of pictures and report.
@@ -47,7 +51,9 @@ impl Default for Contents {
             png: true,
             solid: false,
             tool: None,
+            wire: None,
             drawn: output::dxf::Content::All,
+            curves: output::dxf::Curves::default(),
             title: output::drawing::Title::default(),
             language: Language::En,
         }
@@ -75,7 +81,7 @@ pub fn write(
     tables(folder, design, contents.points)?;
     folder.write(
         "profile.dxf",
-        &output::dxf::profile(design, contents.points, contents.drawn),
+        &output::dxf::profile_as(design, contents.points, contents.drawn, contents.curves),
     )?;
     let outline = output::svg::profile(design, contents.points);
     folder.write("profile.svg", outline.as_bytes())?;
@@ -85,6 +91,9 @@ pub fn write(
     }
     if let Some(radius) = contents.tool {
         remarks.extend(workshop::cutter(folder, design, radius, contents.points)?);
+    }
+    if let Some(radius) = contents.wire {
+        remarks.extend(workshop::wire(folder, design, radius)?);
     }
     Ok(remarks)
 }
@@ -177,7 +186,7 @@ pub fn check_inputs_stay(folder: &Path, input: &Input) -> Result<()> {
 fn is_written(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.as_ref();
-    earlier::OF_DESIGN.contains(&name) || name == SCENE_BESIDE_INPUT
+    earlier::of_design().contains(&name) || name == SCENE_BESIDE_INPUT
 }
 
 fn same(a: &Path, b: &Path) -> bool {

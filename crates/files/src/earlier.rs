@@ -3,34 +3,15 @@
 use std::fs;
 use std::path::Path;
 
-/// Every file that `synth` may write, and so may remove.
-pub(crate) const OF_DESIGN: [&str; 23] = [
-    "law.csv",
-    "profile.csv",
-    "second_profile.csv",
-    "profile.dxf",
-    "profile.svg",
-    "svaj.svg",
-    "svaj.png",
-    "force.svg",
-    "force.png",
-    "cam.svg",
-    "cam.png",
-    "profile.stl",
-    "profile.3mf",
-    "profile.xlsx",
-    "cam.step",
-    "profile_arcs.dxf",
-    "groove_upper.stl",
-    "groove_lower.stl",
-    "cutter.csv",
-    "cutter.nc",
-    "drawing.pdf",
-    "report.html",
-    "summary.json",
-];
+use gaitcam_output::files;
+
 /// What `simulate` adds to the design that it runs.
 const OF_RUN: [&str; 2] = ["dynamics.csv", "simulation.json"];
+
+/// Every file that `synth` may write, and so may remove.
+pub(crate) fn of_design() -> Vec<&'static str> {
+    files::ALL.iter().map(|file| file.name).collect()
+}
 
 /// Names of the files that an earlier result may have left in `folder` and that do not belong to a result of
 /// `scene` (as TOML); none where the folder holds no result.
@@ -40,15 +21,15 @@ pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
         return Vec::new();
     }
     let run: &[&str] = if is_of(folder, scene) { &[] } else { &OF_RUN };
-    let own: &[&str] = if design { &OF_DESIGN } else { &[] };
-    [own, run].concat()
+    let own = if design { of_design() } else { Vec::new() };
+    [own, run.to_vec()].concat()
 }
 
 /// Names of the files of a design of another scene than `scene` (as TOML) that is in `folder`, beside which a run
 /// cannot stand.
 pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
     if holds_design(folder) && !is_of(folder, scene) {
-        OF_DESIGN.to_vec()
+        of_design()
     } else {
         Vec::new()
     }

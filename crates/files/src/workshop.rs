@@ -32,12 +32,12 @@ pub enum Remark {
     },
     /// There are none.
     NoArcs,
-    /// There is no drawing: the cam has no radii about a centre.
-    NoDrawing,
+    /// No hole has room to balance a cam.
+    NoBalanceHole,
     /// The cutter damages the profile.
     Gouge(Gouge),
-    /// There is no program for the cutter.
-    NoProgram,
+    /// There is no program for the cutter or the wire.
+    NoProgram(Error),
 }
 
 /// Writes cam.step, profile.stl, profile.3mf, profile_arcs.dxf, profile.xlsx and drawing.pdf (a barrel: its walls
@@ -54,17 +54,19 @@ pub fn write(
         "profile.xlsx",
         &output::xlsx::workbook(design, time, contents.language)?,
     )?;
+    if design.making.balance && design.balance_holes().contains(&None) {
+        remarks.push(Remark::NoBalanceHole);
+    }
+    let drawing = output::drawing::pdf(design, &contents.title, contents.language);
+    folder.write("drawing.pdf", &drawing)?;
     if let Some(groove) = &design.groove {
         for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
             let mesh = output::groove::wall(groove, wall, ALONG, THROUGH);
             let bytes = output::solid::binary_stl(&mesh)?;
             folder.write(&format!("groove_{name}.stl"), &bytes)?;
         }
+        remarks.extend(step(folder, design)?);
         return Ok(remarks);
-    }
-    match output::drawing::pdf(design, &contents.title, contents.language) {
-        Some(bytes) => folder.write("drawing.pdf", &bytes)?,
-        None => remarks.push(Remark::NoDrawing),
     }
     let plate = output::solid::Plate {
         thickness: design.thickness,
@@ -78,10 +80,7 @@ pub fn write(
         }
         Err(fault) => remarks.push(Remark::NoSolid(fault)),
     }
-    match output::step::plate(design, design.thickness) {
-        Ok(bytes) => folder.write("cam.step", &bytes)?,
-        Err(fault) => remarks.push(Remark::NoStep(fault)),
-    }
+    remarks.extend(step(folder, design)?);
     let options = output::dxf::Options {
         points: VERTICES,
         version: output::dxf::Version::R2000,
@@ -101,7 +100,18 @@ pub fn write(
     Ok(remarks)
 }
 
-/// Writes cutter.csv and says where the cutter would gouge; where it does not, cutter.nc as well.
+/// Writes cam.step, or says why not.
+fn step(folder: &impl Sink, design: &Design) -> Result<Option<Remark>> {
+    match output::step::solid(design) {
+        Ok(bytes) => {
+            folder.write("cam.step", &bytes)?;
+            Ok(None)
+        }
+        Err(fault) => Ok(Some(Remark::NoStep(fault))),
+    }
+}
+
+/// Writes cutter.csv and says where the cutter would gouge; where it does not, the programs for it as well.
 pub fn cutter(
     folder: &impl Sink,
     design: &Design,
@@ -110,14 +120,27 @@ pub fn cutter(
 ) -> Result<Vec<Remark>> {
     let path = output::cutter::path(design, radius, points)?;
     folder.write("cutter.csv", output::cutter::csv(&path).as_bytes())?;
-    let program = match path.gouges.is_empty() {
-        true => output::gcode::program(design, radius)?,
-        false => None,
-    };
-    let mut remarks: Vec<Remark> = path.gouges.into_iter().map(Remark::Gouge).collect();
-    match program {
-        Some(text) => folder.write("cutter.nc", text.as_bytes())?,
-        None => remarks.push(Remark::NoProgram),
+    if !path.gouges.is_empty() {
+        return Ok(path.gouges.into_iter().map(Remark::Gouge).collect());
     }
-    Ok(remarks)
+    match output::gcode::milling(design, radius) {
+        Ok(programs) => {
+            for program in programs {
+                folder.write(program.file, program.text.as_bytes())?;
+            }
+            Ok(Vec::new())
+        }
+        Err(fault) => Ok(vec![Remark::NoProgram(fault)]),
+    }
+}
+
+/// Writes wire.nc, or says why not.
+pub fn wire(folder: &impl Sink, design: &Design, radius: f64) -> Result<Option<Remark>> {
+    match output::gcode::wire(design, radius) {
+        Ok(program) => {
+            folder.write(program.file, program.text.as_bytes())?;
+            Ok(None)
+        }
+        Err(fault) => Ok(Some(Remark::NoProgram(fault))),
+    }
 }

@@ -11,6 +11,7 @@ mod cad;
 mod data;
 mod escape;
 mod figures;
+pub mod files;
 pub mod folder;
 mod number;
 #[cfg(feature = "parquet")]

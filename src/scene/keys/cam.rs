@@ -3,7 +3,8 @@
 use super::kind::{Idle, Kind, Measure, Range, Relax};
 use super::row::{Access, Key, given, key, optional, other, plain};
 use super::value::Value;
-use crate::cam::FollowerKind;
+use crate::cam::{FollowerKind, Hardness};
+use crate::error::SceneError;
 use crate::scene::{ConjugateSpec, KeywaySpec, Scene};
 use crate::units::Dimension as D;
 
@@ -187,6 +188,73 @@ pub static ROWS: &[Key] = &[
         given!(cam.thickness),
     )
     .default("10 mm"),
+    other(
+        "cam.material",
+        Kind::Text,
+        Access {
+            get: |s, _| s.cam.making.material.clone().map(Value::Text),
+            set: |s, _, v| {
+                s.cam.making.material = Some(v.text()).filter(|text| !text.trim().is_empty());
+                Ok(())
+            },
+        },
+    ),
+    other(
+        "cam.hardness",
+        Kind::Text,
+        Access {
+            get: |s, _| s.cam.making.hardness.map(|h| Value::Text(h.to_string())),
+            set: |s, _, v| {
+                let typed = v.text();
+                let read = Hardness::parse(&typed);
+                s.cam.making.hardness = Some(read.ok_or(SceneError::NotHardness { typed })?);
+                Ok(())
+            },
+        },
+    ),
+    plain(
+        "cam.roughness",
+        D::Length,
+        Range::Positive,
+        optional!(cam.making.roughness),
+    )
+    .default(""),
+    plain(
+        "cam.tolerance",
+        D::Length,
+        Range::Positive,
+        optional!(cam.making.tolerance),
+    )
+    .default(""),
+    other(
+        "cam.balance",
+        Kind::Flag,
+        Access {
+            get: |s, _| Some(Value::Flag(s.cam.making.balance)),
+            set: |s, _, v| {
+                s.cam.making.balance = v == Value::Flag(true);
+                Ok(())
+            },
+        },
+    )
+    .default("false")
+    .only(is_disc),
+    plain(
+        "cam.hub.diameter",
+        D::Length,
+        Range::Positive,
+        optional!(cam.hub_diameter),
+    )
+    .default("")
+    .only(is_disc),
+    plain(
+        "cam.hub.length",
+        D::Length,
+        Range::Positive,
+        optional!(cam.hub_length),
+    )
+    .default("")
+    .only(is_disc),
     plain(
         "cam.breadth",
         D::Length,

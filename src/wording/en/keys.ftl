@@ -34,6 +34,13 @@ key-cam-bore = Diameter of the bore; the base circle stays outside it.
 key-cam-keyway = Width of the keyway, DIN 6885-1; auto takes it from the bore. It points to θ = 0; the base circle stays 3 mm outside it.
 key-cam-mark = Engraves a dot at θ = 0 on the solid (cam.step), beside the line that drawings always have.
 key-cam-thickness = Thickness of the cam plate, which is also the length of the line contact.
+key-cam-material = Material of the cam by its designation, as the drawing shows it; steel where nothing is given.
+key-cam-hardness = Hardness of the cam's surface: "58 HRC", "650 HV", "240 HB". The report holds the Hertz pressure against what it bears.
+key-cam-roughness = Arithmetical mean roughness Ra of the profile, as the drawing shows it.
+key-cam-tolerance = Half width of the tolerance on the profile; the drawing states what it does to the force.
+key-cam-balance = Bores the hole that balances the cam: in DXF, STEP, STL and drawing.
+key-cam-hub-diameter = Diameter of a hub on the upper face of the plate, in STEP and drawing.
+key-cam-hub-length = How far the hub stands out of the plate; as far as the plate is thick where nothing is given.
 key-cam-breadth = Constant breadth: distance between both faces or both roller centres. The law then needs its first half turn only.
 key-cam-travel = Travel of a translating cam; auto takes what the segments cover.
 key-cam-turns = Turns of a barrel cam until the law repeats.

@@ -34,6 +34,13 @@ key-cam-bore = Diámetro del agujero; el círculo base queda fuera de él.
 key-cam-keyway = Anchura del chavetero, DIN 6885-1; auto la toma del agujero. Apunta a θ = 0; el círculo base queda 3 mm fuera de él.
 key-cam-mark = Graba un punto en θ = 0 en el sólido (cam.step), además de la línea que los dibujos siempre tienen.
 key-cam-thickness = Espesor de la placa de la leva, que es también la longitud del contacto.
+key-cam-material = Material de la leva por su designación, como lo muestra el plano; acero si no se da.
+key-cam-hardness = Dureza de la superficie de la leva: "58 HRC", "650 HV", "240 HB". El informe compara la presión de Hertz con la que soporta.
+key-cam-roughness = Rugosidad media aritmética Ra del perfil, como la muestra el plano.
+key-cam-tolerance = Semiancho de la tolerancia del perfil; el plano indica lo que causa en la fuerza.
+key-cam-balance = Taladra el agujero que equilibra la leva: en DXF, STEP, STL y plano.
+key-cam-hub-diameter = Diámetro de un cubo en la cara superior de la placa, en STEP y plano.
+key-cam-hub-length = Cuánto sobresale el cubo de la placa; tanto como su espesor si no se da.
 key-cam-breadth = Anchura constante: distancia entre ambas caras o ambos centros de rodillo. La ley solo necesita entonces su primera media vuelta.
 key-cam-travel = Recorrido de una leva de traslación; auto toma lo que cubren los segmentos.
 key-cam-turns = Vueltas de una leva de tambor hasta que la ley se repite.

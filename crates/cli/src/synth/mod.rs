@@ -9,7 +9,7 @@ mod summary;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use crate::console::error::CliError;
@@ -25,7 +25,10 @@ use gaitcam::synth::{Design, relaxed_with, synthesise_with};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{self, Contents, check_inputs_stay};
-use gaitcam_output::{Timing, dxf::Content};
+use gaitcam_output::{
+    Timing,
+    dxf::{Content, Curves},
+};
 
 const EXAMPLES: &str = "Examples:
   gaitcam synth
@@ -71,12 +74,34 @@ pub struct SynthArgs {
     /// Leave out of DXF drawings what is not cut: circles, marks, pitch curve (layers REF_*)
     #[arg(long)]
     pub cut_only: bool,
+    /// Draw the edges of profile.dxf as arcs (R12), or as splines (R2000)
+    #[arg(long, value_name = "CURVES", value_enum, default_value_t = Dxf::Arcs)]
+    pub dxf: Dxf,
     /// Also write the path of a cutter of this radius: --tool '6 mm'
     #[arg(long, value_name = "RADIUS")]
     pub tool: Option<String>,
+    /// Also write the path of a wire that cuts at this distance from its centre: --wire '0.14 mm'
+    #[arg(long, value_name = "RADIUS")]
+    pub wire: Option<String>,
+}
+
+/// As what profile.dxf has the edges.
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+pub enum Dxf {
+    #[default]
+    Arcs,
+    Splines,
 }
 
 impl SynthArgs {
+    /// The curves of profile.dxf.
+    fn curves(&self) -> Curves {
+        match self.dxf {
+            Dxf::Arcs => Curves::Arcs,
+            Dxf::Splines => Curves::Splines,
+        }
+    }
+
     /// What the DXF drawings show.
     fn drawn(&self) -> Content {
         if self.cut_only {
@@ -114,6 +139,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let start = Instant::now();
     let points = rows(args)?;
     let tool = input::quantity("--tool", args.tool.as_deref(), Dimension::Length)?;
+    let wire = input::quantity("--wire", args.wire.as_deref(), Dimension::Length)?;
     let input = input::scene(&args.scene)?;
     let request = Request {
         contents: Contents {
@@ -121,7 +147,9 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
             png: !args.no_png,
             solid: args.solid,
             tool,
+            wire,
             drawn: args.drawn(),
+            curves: args.curves(),
             title: input.title(),
             language: crate::console::language::current(),
         },

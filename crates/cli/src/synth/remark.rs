@@ -17,9 +17,9 @@ pub fn sentence(remark: &Remark, measures: Measures) -> String {
             let deviation = words::power(1e3 * deviation, 2);
             words::fill("synth-arcs", &json!({"arcs": arcs, "deviation": deviation}))
         }
+        Remark::NoBalanceHole => words::text("synth-no-balance-hole"),
         Remark::NoArcs => words::text("synth-no-arcs"),
-        Remark::NoDrawing => words::text("synth-no-drawing"),
-        Remark::NoProgram => words::text("synth-no-program"),
+        Remark::NoProgram(fault) => words::fill("synth-no-program", &said(fault)),
         Remark::Gouge(gouge) => self::gouge(gouge, measures),
     }
 }

@@ -1,6 +1,6 @@
 //! The summary of a design on the console: verdict, reasons, numbers; at most 25 lines.
 
-use gaitcam::cam::{Check, Criterion, Measures};
+use gaitcam::cam::{Check, Criterion, Hardness, Measures};
 use gaitcam::synth::{Binding, Design, SolverReport, in_units, sentences};
 use gaitcam_output::Timing;
 use serde_json::json;
@@ -226,10 +226,26 @@ fn machine(design: &Design) -> Option<String> {
         }),
         m.hertz_pressure_max_pa
             .filter(|p| p.is_finite())
-            .map(|p| words::fill("synth-hertz", &json!({"pressure": fixed(1e-6 * p, 1)}))),
+            .map(|p| hertz(p, design.making.hardness)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
+}
+
+/// The Hertz pressure, beside what the surface bears where its hardness is given.
+fn hertz(pressure: f64, hardness: Option<Hardness>) -> String {
+    let mega = |p: f64| fixed(1e-6 * p, 1);
+    match hardness {
+        None => words::fill("synth-hertz", &json!({"pressure": mega(pressure)})),
+        Some(hardness) => words::fill(
+            "synth-hertz-of",
+            &json!({
+                "pressure": mega(pressure),
+                "borne": mega(hardness.allowable_pressure()),
+                "hardness": hardness.to_string(),
+            }),
+        ),
+    }
 }
 
 /// The contact points of one active limit, gathered.

@@ -83,7 +83,9 @@ synth-points = Filas de law.csv y profile.csv (por defecto 1440), o puntos del f
 synth-front = Calcula un frente de Pareto en lugar de una leva: force_error:prime_radius, o :jerk, :acceleration, :velocity, :stroke, :torque, :power, :hertz_pressure, :liftoff_speed
 synth-solid = Escribe además los archivos de taller: plano (PDF), sólido (STEP, STL, 3MF), arcos (DXF), libro (XLSX)
 synth-cut_only = Quita de los dibujos DXF lo que no se corta: círculos, marcas, curva de paso (capas REF_*)
+synth-dxf = Traza los bordes de profile.dxf como arcos (R12) o como splines (R2000)
 synth-tool = Escribe además la trayectoria de una fresa de este radio: --tool '6 mm'
+synth-wire = Escribe además la trayectoria de un hilo que corta a esta distancia de su centro: --wire '0.14 mm'
 
 gait-files = Registros, o carpetas de ellos: texto, OpenSim .mot/.sto, C3D, plantillas instrumentadas; de varios, una tabla y su media conjunta
 gait-out = Escribe el ciclo medio (de varios registros, la media conjunta) en csv, con figuras (svg, png); en una carpeta, también el ciclo de cada registro

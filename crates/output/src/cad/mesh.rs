@@ -5,12 +5,16 @@ use std::io::Cursor;
 use stl_io::{Normal, Triangle, Vertex};
 
 use super::threemf;
-use gaitcam::cam::Bore;
+use super::triangulate::triangulate;
+use gaitcam::cam::{Bore, Hole};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
+
+/// Points of a round hole.
+const ROUND: usize = 240;
 
 /// A plate of one thickness, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,20 +79,72 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     if !(0..n).all(turning) {
         return Err(WriteError::ProfileFolds.into());
     }
-    match plate.bore {
-        None => Ok(full(&outline, thickness)),
-        Some(bore) => {
-            let free = clearance(&outline);
-            if !(bore.diameter > 0.0 && MM * bore.reach() < free) {
-                return Err(WriteError::BoreTooLarge {
-                    bore: Quantity::length(bore.diameter),
-                    free: Quantity::length(free / MM),
-                }
-                .into());
+    if let Some(bore) = plate.bore {
+        let free = clearance(&outline);
+        if !(bore.diameter > 0.0 && MM * bore.reach() < free) {
+            return Err(WriteError::BoreTooLarge {
+                bore: Quantity::length(bore.diameter),
+                free: Quantity::length(free / MM),
             }
-            Ok(bored(&with_corners(outline, &bore), &bore, thickness))
+            .into());
         }
     }
+    let balance = synthesis.making.balance_hole(cam, plate.bore);
+    match (balance, plate.bore) {
+        (Some(hole), bore) => pierced(outline, bore, hole, thickness),
+        (None, None) => Ok(full(&outline, thickness)),
+        (None, Some(bore)) => Ok(bored(&with_corners(outline, &bore), &bore, thickness)),
+    }
+}
+
+/// The plate with a hole beside the centre: its faces fall into no wedges.
+fn pierced(outline: Vec<[f64; 2]>, bore: Option<Bore>, hole: Hole, thickness: f64) -> Result<Mesh> {
+    let turn = |i: usize| -std::f64::consts::TAU * i as f64 / ROUND as f64;
+    let round = (0..ROUND).map(|i| {
+        let (sin, cos) = turn(i).sin_cos();
+        let r = 0.5 * hole.diameter;
+        [
+            MM * (hole.centre[0] + r * cos),
+            MM * (hole.centre[1] + r * sin),
+        ]
+    });
+    let shaft = bore.map(|bore| {
+        let mut angles: Vec<f64> = (0..ROUND).map(turn).collect();
+        let corners = bore.corners().into_iter();
+        angles.extend(corners.map(|a| -(-a).rem_euclid(std::f64::consts::TAU)));
+        // Clockwise.
+        angles.sort_by(|a, b| b.total_cmp(a));
+        angles.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+        let at = |a: &f64| {
+            let r = MM * bore.edge(*a);
+            [r * a.cos(), r * a.sin()]
+        };
+        angles.iter().map(at).collect()
+    });
+    let rings: Vec<Vec<[f64; 2]>> = [outline, round.collect()]
+        .into_iter()
+        .chain(shaft)
+        .collect();
+    let face = triangulate(&rings).ok_or(WriteError::ProfileFolds)?;
+    let mut triangles = Vec::with_capacity(4 * face.len());
+    for [a, b, c] in face {
+        triangles.push([2 * a + 1, 2 * b + 1, 2 * c + 1]);
+        triangles.push([2 * a, 2 * c, 2 * b]);
+    }
+    let mut first = 0;
+    for ring in &rings {
+        let n = ring.len();
+        for i in 0..n {
+            let (a, b) = (2 * (first + i), 2 * (first + (i + 1) % n));
+            triangles.push([a, b, b + 1]);
+            triangles.push([a, b + 1, a + 1]);
+        }
+        first += n;
+    }
+    Ok(Mesh {
+        vertices: self::ring(&rings.concat(), thickness),
+        triangles,
+    })
 }
 
 /// Smallest distance of the polygon from the centre.

@@ -8,6 +8,8 @@ pub mod gcode;
 pub mod groove;
 pub mod mesh;
 pub mod outline;
+mod spline;
 pub mod step;
 pub mod svg;
 mod threemf;
+mod triangulate;

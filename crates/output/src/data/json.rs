@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Timing;
-use gaitcam::cam::{Continuity, Criterion};
+use gaitcam::cam::{Continuity, Criterion, Hardness};
 use gaitcam::synth::{
     Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Functions, Infeasible,
     LoadFactor, MachineReport, Reason, Relaxation,
@@ -185,10 +185,11 @@ struct MachineSummary {
     power_mean_w: Option<Real>,
     liftoff_speed_rad_per_s: Option<Real>,
     hertz_pressure_max_pa: Option<Real>,
+    hertz_pressure_allowable_pa: Option<Real>,
 }
 
 impl MachineSummary {
-    fn new(machine: MachineReport) -> Self {
+    fn new(machine: MachineReport, hardness: Option<Hardness>) -> Self {
         MachineSummary {
             torque_max_n_m: machine.torque_max_n_m.map(Real),
             torque_rms_n_m: machine.torque_rms_n_m.map(Real),
@@ -196,6 +197,7 @@ impl MachineSummary {
             power_mean_w: machine.power_mean_w.map(Real),
             liftoff_speed_rad_per_s: machine.liftoff_speed_rad_per_s.map(Real),
             hertz_pressure_max_pa: machine.hertz_pressure_max_pa.map(Real),
+            hertz_pressure_allowable_pa: hardness.map(|h| Real(h.allowable_pressure())),
         }
     }
 }
@@ -257,7 +259,7 @@ impl<'a> Summary<'a> {
             },
             law: LawSummary::new(synthesis),
             cam: CamSummary::new(synthesis),
-            machine: MachineSummary::new(synthesis.machine()),
+            machine: MachineSummary::new(synthesis.machine(), synthesis.making.hardness),
             load_factors: synthesis.load_factors(),
             recording: (synthesis.target.as_ref())
                 .and_then(|t| t.recording.as_ref())

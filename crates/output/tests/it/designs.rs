@@ -1,6 +1,8 @@
 //! Designs with known answers, built from the public types.
 
-use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict, smallest_base_radius};
+use gaitcam::cam::{
+    Cam, Check, Criterion, Follower, LimitKind, Making, Verdict, smallest_base_radius,
+};
 use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
@@ -85,6 +87,7 @@ pub fn footbridge() -> Design {
         bore: None,
         mark: false,
         thickness: 0.01,
+        making: Making::default(),
         force: ForceReport {
             rms_error_n: amplitude / 2f64.sqrt(),
             max_error_n: amplitude,
@@ -196,6 +199,7 @@ pub fn heel_tester() -> Design {
         bore: None,
         mark: false,
         thickness: 0.01,
+        making: Making::default(),
         force: ForceReport {
             rms_error_n: 36.0,
             max_error_n: 84.0,

@@ -208,8 +208,8 @@ fn instances(text: &str) -> std::collections::HashMap<usize, String> {
 fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
     for mut s in [footbridge(), heel_tester()] {
         s.bore = Some(Bore::plain(0.01));
-        let bytes = gaitcam_output::step::plate(&s, 0.01).unwrap();
-        assert_eq!(bytes, gaitcam_output::step::plate(&s, 0.01).unwrap());
+        let bytes = gaitcam_output::step::solid(&s).unwrap();
+        assert_eq!(bytes, gaitcam_output::step::solid(&s).unwrap());
         let text = String::from_utf8(bytes).unwrap();
         let all = instances(&text);
         for entity in all.values() {
@@ -246,7 +246,7 @@ fn a_step_file_refers_only_to_what_it_holds_and_closes_its_shell() {
 fn a_keyway_and_a_dot_add_their_faces_and_a_pair_has_two_solids() {
     let mut s = footbridge();
     let faces = |s: &Design| {
-        let text = String::from_utf8(gaitcam_output::step::plate(s, 0.01).unwrap()).unwrap();
+        let text = String::from_utf8(gaitcam_output::step::solid(s).unwrap()).unwrap();
         let all = instances(&text);
         let count = |name: &str| all.values().filter(|e| e.starts_with(name)).count();
         (count("ADVANCED_FACE"), count("MANIFOLD_SOLID_BREP"))

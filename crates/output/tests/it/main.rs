@@ -13,6 +13,7 @@ mod sheets;
 mod summary;
 mod tables;
 mod words;
+mod workshop;
 
 use gaitcam_output::Timing;
 

@@ -23,6 +23,7 @@ use gaitcam::scene::{self, Scene, keys};
 use gaitcam::synth::{Design, Relaxation, relaxed_with, synthesise_with};
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
+use gaitcam_output::files::{self, Group};
 use gaitcam_output::report::parts::{self, Figure, Tables};
 
 /// A scene with changes.
@@ -64,6 +65,10 @@ pub struct Answer {
     continuity: Continuity,
     drawing: String,
     motion: Value,
+    /// Names of the files that it has, by group.
+    exports: Vec<(&'static str, Vec<&'static str>)>,
+    /// Radius of the cutter that its path is made for at first.
+    cutter: String,
     curves: Curves,
     names: BTreeMap<String, String>,
     idle: bool,
@@ -206,12 +211,28 @@ fn answer(kept: &Kept, id: String, language: Language) -> Answer {
         continuity: Continuity::of(&design.cam),
         drawing: parts::drawing(design, language),
         motion: parts::motion(design),
+        exports: exports(design),
+        cutter: format!("{} mm", 1e3 * files::usual_cutter(design)),
         curves,
         names,
         idle: design.is_idle(),
         needs_relaxing: design.verdict == gaitcam::cam::Verdict::Unacceptable,
         server_ms: 0.0,
     }
+}
+
+/// The files of a design by group, its scene among the tables.
+fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
+    let names = |group: Group| -> Vec<&'static str> {
+        let scene = (group == Group::Tables).then_some("scene.toml");
+        let own = files::of(design).filter(|file| file.group == group);
+        own.map(|file| file.name).chain(scene).collect()
+    };
+    let groups = Group::ALL.map(|group| (group.name(), names(group)));
+    groups
+        .into_iter()
+        .filter(|group| !group.1.is_empty())
+        .collect()
 }
 
 /// The figures that the slate compares.

@@ -8,7 +8,7 @@ use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
 use gaitcam::units::{Dimension, parse};
-use gaitcam_output::{self as output, cutter, dxf, solid};
+use gaitcam_output::{self as output, cutter, dxf, files, gcode, solid};
 
 /// Rows of the tables, as `synth` writes them.
 const ROWS: usize = 1440;
@@ -31,7 +31,7 @@ pub fn file(studio: &Studio, path: &str, tool: Option<&str>) -> Response {
             ..Response::json(&forgotten)
         };
     };
-    match contents(&kept, name, tool.unwrap_or("3 mm")) {
+    match contents(&kept, name, tool) {
         Some(Ok(bytes)) => Response::new(kind(name), bytes).saved_as(name),
         Some(Err(error)) => Response {
             status: Status::BadRequest,
@@ -55,7 +55,7 @@ fn kind(name: &str) -> &'static str {
 }
 
 /// The bytes of a file; `None` for names that this design has no file of.
-fn contents(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
+fn contents(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8>>> {
     let design = &kept.design;
     let language = words::current();
     let text = |text: String| Some(Ok(text.into_bytes()));
@@ -67,7 +67,7 @@ fn contents(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
             summary["scene"] = serde_json::to_value(&kept.table).unwrap_or_default();
             return text(serde_json::to_string_pretty(&summary).unwrap_or_default());
         }
-        _ if design.infeasible.is_some() => return None,
+        _ if files::of(design).all(|file| file.name != name) => return None,
         _ => {}
     }
     match name {
@@ -89,7 +89,7 @@ fn contents(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
     }
 }
 
-fn workshop(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
+fn workshop(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8>>> {
     let design = &kept.design;
     let plate = solid::Plate {
         thickness: design.thickness,
@@ -100,11 +100,11 @@ fn workshop(kept: &Kept, name: &str, tool: &str) -> Option<Result<Vec<u8>>> {
         "profile.xlsx" => Some(output::xlsx::workbook(design, kept.time, words::current())),
         "groove_upper.stl" => wall(design, Wall::Upper),
         "groove_lower.stl" => wall(design, Wall::Lower),
-        "cutter.csv" => Some(path(design, tool)),
-        _ if design.groove.is_some() => None,
+        "drawing.pdf" => Some(Ok(drawing(kept))),
+        "cutter.csv" | "cutter.nc" | "cutter_second.nc" => Some(cut(design, name, tool)),
         "profile.stl" => Some(solid::stl(design, plate)),
         "profile.3mf" => Some(solid::threemf(design, plate)),
-        "cam.step" => Some(output::step::plate(design, design.thickness)),
+        "cam.step" => Some(output::step::solid(design)),
         "profile_arcs.dxf" => {
             let options = dxf::Options {
                 points: VERTICES,
@@ -123,13 +123,34 @@ fn wall(design: &Design, wall: Wall) -> Option<Result<Vec<u8>>> {
     Some(solid::binary_stl(&mesh))
 }
 
-/// The path of a cutter of the given radius.
-fn path(design: &Design, tool: &str) -> Result<Vec<u8>> {
-    let radius = parse(tool, Dimension::Length)?;
+/// The drawing, its revision that of the scene.
+fn drawing(kept: &Kept) -> Vec<u8> {
+    let scene = toml::to_string(&kept.table).unwrap_or_default();
+    let usual = output::drawing::Title::default();
+    let accuracy = gaitcam::scene::read(&kept.table).ok().and_then(|s| s.rms);
+    let title = output::drawing::Title {
+        revision: Some(output::drawing::revision(&scene)),
+        accuracy: accuracy.unwrap_or(usual.accuracy),
+        ..usual
+    };
+    output::drawing::pdf(&kept.design, &title, words::current())
+}
+
+/// The path of a cutter, or the program for it.
+fn cut(design: &Design, name: &str, tool: Option<&str>) -> Result<Vec<u8>> {
+    let radius = match tool {
+        Some(tool) => parse(tool, Dimension::Length)?,
+        None => files::usual_cutter(design),
+    };
     if radius <= 0.0 {
-        let fault = tool.to_string();
+        let fault = tool.unwrap_or_default().to_string();
         return Err(Error::from(StudioError::BadRequest { fault }));
     }
-    let path = cutter::path(design, radius, ROWS)?;
-    Ok(cutter::csv(&path).into_bytes())
+    if name == "cutter.csv" {
+        let path = cutter::path(design, radius, ROWS)?;
+        return Ok(cutter::csv(&path).into_bytes());
+    }
+    let programs = gcode::milling(design, radius)?;
+    let own = programs.into_iter().find(|program| program.file == name);
+    Ok(own.map_or(Vec::new(), |program| program.text.into_bytes()))
 }

@@ -140,6 +140,17 @@ fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
         assert!(answer.body.len() > 100, "{name}");
     }
     assert_eq!(export("nothing.csv").status, 404);
+    // The page lists what the command writes, and each is there.
+    let listed: Vec<String> = (answer["exports"].as_array().unwrap().iter())
+        .flat_map(|group| group[1].as_array().unwrap())
+        .map(|name| name.as_str().unwrap().to_string())
+        .collect();
+    for name in ["drawing.pdf", "cutter.nc", "cam.step", "scene.toml"] {
+        assert!(listed.iter().any(|n| n == name), "{name}");
+    }
+    for name in &listed {
+        assert_eq!(export(name).status, 200, "{name}");
+    }
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! The title block: what is made of what, how exactly, and which revision of which scene it is.
 
+use gaitcam::cam::{Cam, Measures};
 use gaitcam::sweep::{Part, Scatter, Spread, Tolerance};
 use gaitcam::synth::Design;
 
+use super::Title;
 use super::layout::Layout;
 use super::pen::{Pen, Stroke};
-use super::{Piece, Title};
 use crate::number::number;
 use crate::words::Words;
 
@@ -17,6 +18,8 @@ const HEAD: f64 = 4.6;
 const FIRST: f64 = 10.0;
 const FIELD: f64 = 8.0;
 
+/// Roughness Ra of a profile where the scene gives none, m: ground.
+const USUAL_ROUGHNESS: f64 = 0.8e-6;
 /// Profile tolerances that are offered, m, the widest first.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
 /// Made cams per tolerance, and the seed of their errors.
@@ -25,17 +28,17 @@ const SEED: u64 = 1;
 
 /// A tolerance on the profile and what it does to the force.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Making {
+struct Scattered {
     /// Half width, m.
     tolerance: f64,
     /// RMS force error that 95 % of the made cams stay below, percent of the mean force.
     error: f64,
 }
 
-/// The widest tolerance offered with which making adds at most half of the error `allowed` (part of the mean
+/// The tolerance that the scene gives, or the widest one offered with which making adds at most half of the error `allowed` (part of the mean
 /// force) to the design's own, squares added, for 95 % of the cams; the narrowest where none does. `None` where
 /// no force is wanted.
-fn making(design: &Design, allowed: f64) -> Option<Making> {
+fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {
         let part = [Tolerance {
@@ -47,10 +50,13 @@ fn making(design: &Design, allowed: f64) -> Option<Making> {
             .map(|i| scatter.sample(&part, i, MADE, SEED).force_rms_error_percent)
             .collect();
         let error = Spread::of(&errors, None).map_or(f64::NAN, |s| s.quantiles[2]);
-        Making { tolerance, error }
+        Scattered { tolerance, error }
     };
+    if let Some(given) = design.making.tolerance {
+        return Some(of(given));
+    }
     let own = design.force.rms_error_percent_of_mean;
-    let keeps = |m: &Making| m.error.powi(2) - own.powi(2) <= (50.0 * allowed).powi(2);
+    let keeps = |m: &Scattered| m.error.powi(2) - own.powi(2) <= (50.0 * allowed).powi(2);
     let narrowest = OFFERED[OFFERED.len() - 1];
     let found = OFFERED.into_iter().map(of).find(keeps);
     found.or_else(|| Some(of(narrowest)))
@@ -62,7 +68,7 @@ type Field = (String, String);
 /// Draws the title block of one piece; `sheet` counts from 1.
 pub fn draw(
     pen: &mut Pen,
-    (design, piece): (&Design, &Piece),
+    (design, cam, name): (&Design, &Cam, Option<&str>),
     title: &Title,
     sheet: [usize; 2],
     layout: &Layout,
@@ -73,13 +79,13 @@ pub fn draw(
     pen.frame([left, area.bottom], [right, area.top], Stroke::Outline);
     let under = area.top - FIRST;
     pen.line(&[[left, under], [right, under]], Stroke::Thin);
-    let head = match piece.name {
+    let head = match name {
         Some(which) => format!("{} – {}", design.name, words.text(which)),
         None => design.name.clone(),
     };
     pen.text_within(&head, [left + 2.0, under + 3.0], HEAD, right - left - 4.0);
     let wide = (right - left) / layout.columns as f64;
-    let fields = fields(design, piece, title, sheet, layout, words);
+    let fields = fields(design, cam, title, sheet, layout, words);
     for (i, (name, value)) in fields.iter().enumerate() {
         let (row, column) = (i / layout.columns, i % layout.columns);
         let x = left + wide * column as f64;
@@ -92,7 +98,7 @@ pub fn draw(
 
 fn fields(
     design: &Design,
-    piece: &Piece,
+    cam: &Cam,
     title: &Title,
     [sheet, sheets]: [usize; 2],
     layout: &Layout,
@@ -101,40 +107,55 @@ fn fields(
     let field = |key: &str, value: String| (words.text(key), value);
     let mm = |x: f64| words.decimal(format!("{:.3} mm", 1e3 * x));
     let blank = || "–".to_string();
-    let curvature = piece.cam.curvature();
+    let curvature = cam.curvature();
     let concave = curvature.concave.map_or_else(blank, |c| mm(-c.value));
-    let roller = piece.cam.follower.roller_radius();
-    let contact = match piece.cam.face_width() {
+    let roller = cam.follower.roller_radius();
+    let contact = match cam.face_width() {
         Some(width) => field("drawing-face", mm(width)),
         None => field("drawing-roller", format!("Ø {}", mm(2.0 * roller))),
     };
-    let rpm = design.drive.speed * 30.0 / std::f64::consts::PI;
-    let speed = words.decimal(format!("{} rpm", number(rpm.abs(), 4)));
+    let speed = match cam.follower.measures() {
+        Measures::Straight => format!("{} m/s", number(design.drive.speed.abs(), 4)),
+        Measures::Translating | Measures::Oscillating => {
+            let rpm = design.drive.speed * 30.0 / std::f64::consts::PI;
+            format!("{} rpm", number(rpm.abs(), 4))
+        }
+    };
+    let made = &design.making;
+    let steel = || words.text("drawing-steel");
+    let material = made.material.clone().unwrap_or_else(steel);
+    let material = match made.hardness {
+        Some(hardness) => format!("{material}, {hardness}"),
+        None => material,
+    };
+    let roughness = made.roughness.unwrap_or(USUAL_ROUGHNESS);
+    let roughness = format!("Ra {} (Ra 3.2)", short(1e6 * roughness));
     let (tolerance, error) = match making(design, title.accuracy) {
         Some(m) => {
             let error = number(m.error, 3);
             let own = number(design.force.rms_error_percent_of_mean, 3);
             let arguments = [("error", error.as_str()), ("own", &own)];
             (
-                words.decimal(format!("± {} mm", number(1e3 * m.tolerance, 1))),
+                words.decimal(format!("± {} mm", short(1e3 * m.tolerance))),
                 words.decimal(words.fill("drawing-force", &arguments)),
             )
         }
-        None => ("±".to_string(), words.text("drawing-no-force")),
+        None => {
+            let given = design.making.tolerance;
+            let given = given.map_or("±".to_string(), |t| format!("± {} mm", short(1e3 * t)));
+            (words.decimal(given), words.text("drawing-no-force"))
+        }
     };
     vec![
-        field("drawing-material", words.text("drawing-steel")),
-        field("drawing-roughness", "Ra 0.8 (Ra 3.2)".to_string()),
+        field("drawing-material", material),
+        field("drawing-roughness", words.decimal(roughness)),
         field("drawing-tolerance", tolerance),
         field("drawing-force-error", error),
-        field(
-            "drawing-follower",
-            words.name(piece.cam.follower.kind().name()),
-        ),
+        field("drawing-follower", words.name(cam.follower.kind().name())),
         contact,
         field("drawing-convex", mm(curvature.convex.value)),
         field("drawing-concave", concave),
-        field("drawing-speed", speed),
+        field("drawing-speed", words.decimal(speed)),
         field(
             "drawing-scale",
             format!("{}  ({})", layout.scale.text(), layout.name),
@@ -151,6 +172,11 @@ fn fields(
             format!("gaitcam {}", env!("CARGO_PKG_VERSION")),
         ),
     ]
+}
+
+/// A number to a millionth, without zeros at its end.
+fn short(x: f64) -> String {
+    format!("{}", (1e6 * x).round() / 1e6)
 }
 
 /// The Gregorian date `days` after 1970-01-01, as 2026-01-31.

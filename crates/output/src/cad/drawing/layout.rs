@@ -106,11 +106,10 @@ const COLUMN: f64 = 112.0;
 const GAP: f64 = 2.0;
 
 impl Layout {
-    /// The sheet for a cam within a circle of `radius` m about its centre and of `thickness` m: A4, or A3 where
-    /// A4 would draw it smaller than it is and A3 larger than A4 does.
-    pub fn of(radius: f64, thickness: f64) -> Layout {
-        let (small, large) = (Self::a4(), Self::a3());
-        let [on_a4, on_a3] = [small, large].map(|l| l.fitted(radius, thickness));
+    /// The sheet for views that take so much room, width and height in mm, at a scale in mm per mm: A4, or A3 where
+    /// A4 would draw them smaller than they are and A3 larger than A4 does.
+    pub fn fitting(room: impl Fn(f64) -> [f64; 2]) -> Layout {
+        let [on_a4, on_a3] = [Self::a4(), Self::a3()].map(|l| l.scaled(&room));
         if on_a4.scale.factor() >= on_a3.scale.factor().min(1.0) {
             on_a4
         } else {
@@ -118,11 +117,9 @@ impl Layout {
         }
     }
 
-    fn fitted(self, radius: f64, thickness: f64) -> Layout {
+    fn scaled(self, room: impl Fn(f64) -> [f64; 2]) -> Layout {
         let fits = |scale: &Scale| {
-            let mm = 1e3 * scale.factor();
-            let wide = 2.0 * mm * radius + 2.0 * LABELS + mm * thickness + BESIDE;
-            let high = 2.0 * mm * radius + ABOVE + BELOW;
+            let [wide, high] = room(scale.factor());
             wide <= self.views.width() && high <= self.views.height()
         };
         let scale = Scale::all().find(fits).unwrap_or(self.scale);

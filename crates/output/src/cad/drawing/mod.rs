@@ -4,28 +4,31 @@
 //! numbers can be searched and copied. Lengths on the sheet are millimetres, angles degrees, in the frame of
 //! the cam at θ = 0, the follower's motion upwards.
 
+mod barrel;
 mod block;
+mod disc;
 mod helvetica;
 mod layout;
+mod leader;
 mod pen;
 mod radii;
+mod slide;
 mod table;
 mod views;
 
-use gaitcam::cam::{Bore, Cam};
+use gaitcam::cam::Cam;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
 
-use super::outline::Edge;
 use crate::words::Words;
+use barrel::Barrel;
+use disc::Piece;
 use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
-use radii::{farthest, radii};
-use views::Views;
+use slide::Slide;
+use table::Table;
 
-/// Rows of the table: one every 5°.
-const ROWS: usize = 72;
 /// Radius of the probing ball that the table is made for, m.
 pub const BALL: f64 = 0.001;
 
@@ -58,64 +61,56 @@ pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
 
-/// One cam to be made.
-struct Piece<'a> {
-    cam: &'a Cam,
-    edge: Edge<'a>,
-    /// Key of its name where there are two.
-    name: Option<&'static str>,
-    bore: Option<Bore>,
-    thickness: f64,
-    clockwise: bool,
+/// What one sheet is about.
+enum Subject<'a> {
+    Disc(Piece<'a>),
+    Slide(Slide<'a>),
+    Barrel(Barrel<'a>),
 }
 
-impl<'a> Piece<'a> {
-    /// The cams of a design that turn.
+impl<'a> Subject<'a> {
+    /// The sheets of a design.
     fn all(design: &'a Design) -> Vec<Self> {
-        if design.cam.follower.is_unrolled() {
-            return Vec::new();
+        if let Some(groove) = &design.groove {
+            let sheets = Barrel::sheets(design, groove);
+            return sheets.into_iter().map(Subject::Barrel).collect();
         }
-        let names = match design.conjugate {
-            Some(_) => [Some("drawing-first"), Some("drawing-second")],
-            None => [None, None],
-        };
-        let second = design.conjugate.as_ref().map(|pair| &pair.second);
-        let cams = [&design.cam].into_iter().chain(second);
-        let edges = Edge::all(design).into_iter().zip(names);
-        cams.zip(edges)
-            .map(|(cam, (edge, name))| Piece {
-                cam,
-                edge,
-                name,
-                bore: design.bore,
-                thickness: design.thickness,
-                clockwise: design.drive.speed < 0.0,
-            })
-            .collect()
+        if design.cam.follower.is_unrolled() {
+            return vec![Subject::Slide(Slide::new(design))];
+        }
+        Piece::all(design).into_iter().map(Subject::Disc).collect()
     }
 
-    fn base(&self) -> f64 {
-        self.cam.follower.base_radius()
+    fn layout(&self) -> Layout {
+        match self {
+            Subject::Disc(piece) => piece.layout(),
+            Subject::Slide(slide) => slide.layout(),
+            Subject::Barrel(barrel) => barrel.layout(),
+        }
     }
 
-    fn prime(&self) -> f64 {
-        self.cam.follower.prime_radius()
+    /// Draws the views; returns the table beside them.
+    fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+        match self {
+            Subject::Disc(piece) => piece.draw(pen, layout, words),
+            Subject::Slide(slide) => slide.draw(pen, layout, words),
+            Subject::Barrel(barrel) => barrel.draw(pen, layout, words),
+        }
     }
 
-    /// Radius of the circle about the centre that holds everything drawn, m.
-    fn radius(&self) -> f64 {
-        let [x, y] = farthest(&self.edge, 1440).p;
-        x.hypot(y).max(self.prime())
+    /// The cam that it shows, and its name where there are two.
+    fn cam(&self, design: &'a Design) -> (&'a Cam, Option<&'static str>) {
+        match self {
+            Subject::Disc(piece) => (piece.cam, piece.name),
+            Subject::Slide(_) | Subject::Barrel(_) => (&design.cam, None),
+        }
     }
 }
 
-/// The drawing; `None` for a cam that slides and for a barrel, which are not given by radii about a centre.
-pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>> {
+/// The drawing.
+pub fn pdf(design: &Design, title: &Title, language: Language) -> Vec<u8> {
     let words = Words::new(language);
-    let pieces = Piece::all(design);
-    if pieces.is_empty() {
-        return None;
-    }
+    let subjects = Subject::all(design);
     let mut next = 0;
     let mut fresh = || {
         next += 1;
@@ -123,7 +118,7 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     };
     let (catalogue, tree, info) = (fresh(), fresh(), fresh());
     let fonts = [fresh(), fresh()];
-    let sheets: Vec<(Ref, Ref)> = pieces.iter().map(|_| (fresh(), fresh())).collect();
+    let sheets: Vec<(Ref, Ref)> = subjects.iter().map(|_| (fresh(), fresh())).collect();
     let mut pdf = Pdf::new();
     pdf.catalog(catalogue)
         .pages(tree)
@@ -134,8 +129,8 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
     pdf.pages(tree)
         .kids(sheets.iter().map(|s| s.0))
         .count(i32::try_from(sheets.len()).unwrap_or(i32::MAX));
-    for (i, (piece, (page, content))) in pieces.iter().zip(&sheets).enumerate() {
-        let layout = Layout::of(piece.radius(), piece.thickness);
+    for (i, (subject, (page, content))) in subjects.iter().zip(&sheets).enumerate() {
+        let layout = subject.layout();
         let [width, height] = layout.paper.map(|mm| (POINT * mm) as f32);
         let mut sheet = pdf.page(*page);
         sheet
@@ -149,20 +144,20 @@ pub fn pdf(design: &Design, title: &Title, language: Language) -> Option<Vec<u8>
             .pair(SYMBOL, fonts[1]);
         resources.finish();
         sheet.finish();
-        let number = [i + 1, pieces.len()];
-        let drawn = drawn((design, piece), title, number, &layout, &words);
+        let number = [i + 1, subjects.len()];
+        let drawn = drawn((design, subject), title, number, &layout, &words);
         pdf.stream(*content, &drawn);
     }
     pdf.type1_font(fonts[0])
         .base_font(HELVETICA)
         .encoding_predefined(Name(b"WinAnsiEncoding"));
     pdf.type1_font(fonts[1]).base_font(SYMBOL);
-    Some(pdf.finish())
+    pdf.finish()
 }
 
 /// One sheet.
 fn drawn(
-    (design, piece): (&Design, &Piece),
+    (design, subject): (&Design, &Subject),
     title: &Title,
     number: [usize; 2],
     layout: &Layout,
@@ -175,9 +170,9 @@ fn drawn(
         [frame.right, frame.top],
         Stroke::Outline,
     );
-    Views::new(piece, layout, words).draw(&mut pen);
-    let rows = radii(&piece.edge, BALL, ROWS);
-    table::draw(&mut pen, &rows, BALL, layout, words);
-    block::draw(&mut pen, (design, piece), title, number, layout, words);
+    let table = subject.draw(&mut pen, layout, words);
+    table::draw(&mut pen, &table, layout);
+    let (cam, name) = subject.cam(design);
+    block::draw(&mut pen, (design, cam, name), title, number, layout, words);
     pen.finish()
 }

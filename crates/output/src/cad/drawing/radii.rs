@@ -60,6 +60,38 @@ pub fn farthest(edge: &Edge, count: usize) -> EdgePoint {
         .unwrap_or_else(|| edge.at(0.0))
 }
 
+/// Height of the highest crossing of the upright line at `x` m with the parallel of an open profile at distance `off` m, m;
+/// `None` where there is none.
+pub fn height(edge: &Edge, x: f64, off: f64) -> Option<f64> {
+    let breaks = edge.breaks();
+    let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
+    let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
+    let point = |theta: f64| moved(&edge.at(theta), off);
+    // At an end of the profile rounding must not decide.
+    let beside = |theta: f64| point(theta)[0] - x >= 0.0;
+    let ends = [start, end].map(|theta| (theta, point(theta)));
+    let on_end = ends.iter().find(|(_, p)| (p[0] - x).abs() < 1e-9);
+    if let Some((_, p)) = on_end {
+        return Some(p[1]);
+    }
+    let heights = (0..SAMPLES)
+        .filter(|&i| beside(at(i)) != beside(at(i + 1)))
+        .map(|i| {
+            let (mut low, mut high) = (at(i), at(i + 1));
+            let side = beside(low);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                if beside(middle) == side {
+                    low = middle
+                } else {
+                    high = middle
+                }
+            }
+            point(0.5 * (low + high))[1]
+        });
+    heights.max_by(f64::total_cmp)
+}
+
 /// The profile's point moved out by `off` along the normal.
 fn moved(point: &EdgePoint, off: f64) -> [f64; 2] {
     // The profile runs clockwise: outwards lies to the left of its tangent.

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use gaitcam::cam::{Bore, Keyway};
 
-use super::Piece;
+use super::disc::Piece;
 use super::layout::{ABOVE, Area, BELOW, BESIDE, LABELS, Layout};
+use super::leader::{self, LETTERS};
 use super::pen::{Anchor, Pen, Stroke};
 use super::radii::farthest;
 use crate::cad::outline::zero_mark;
@@ -14,23 +15,19 @@ use crate::words::Words;
 const MM: f64 = 1000.0;
 /// Points of the outline.
 const POINTS: usize = 1440;
-/// Letters of dimensions, mm per em.
-const LETTERS: f64 = 3.2;
-/// Distance of the two lines of a label.
-const LINE: f64 = 3.9;
 /// Least height of the labels' column above and below the centre, mm.
 const LEAST_HEIGHT: f64 = 20.0;
-/// Distance of labels from the circle around the cam, and the length of the leader's level end, mm.
+/// Distance of labels from the circle around the cam, mm.
 const OFF: f64 = 5.0;
-const SHELF: f64 = 2.0;
 /// What centre lines stand out, mm.
 const OVER: f64 = 4.0;
+/// Distance of the side view's dimensions from it, mm: of the first, and of the thickness of a plate with a hub.
+const UNDER: f64 = 8.0;
+pub const UNDER_HUB: f64 = 16.0;
 /// Where the arrow of rotation begins and ends, from the mark of θ = 0, rad.
 const ARROW: [f64; 2] = [0.12, 0.5];
 /// Points of the bore's edge between its corners.
 const EDGE: u32 = 180;
-/// Below this the arrows of a dimension stand outside its extension lines, mm.
-const NARROW: f64 = 14.0;
 
 /// Where the labels stand: side, and height as a part of the column's.
 const SLOTS: [[f64; 2]; 8] = [
@@ -86,7 +83,7 @@ impl<'a> Views<'a> {
             right,
             top,
         } = layout.views;
-        let wide = 2.0 * (around + LABELS) + scale * piece.thickness + BESIDE;
+        let wide = 2.0 * (around + LABELS) + scale * piece.width() + BESIDE;
         let start = left + 0.5 * (right - left - wide);
         let middle = 0.5 * (bottom + BELOW + top - ABOVE);
         Views {
@@ -132,6 +129,19 @@ impl<'a> Views<'a> {
         }
         if let Some(bore) = &self.piece.bore {
             pen.ring(&self.hole(bore), Stroke::Outline);
+        }
+        if let Some(hub) = self.piece.hub {
+            pen.circle(
+                self.centre,
+                0.5 * self.scale * hub.diameter,
+                Stroke::Outline,
+            );
+        }
+        if let Some(hole) = self.piece.balance {
+            let ([x, y], r) = (self.place(hole.centre), 0.5 * self.scale * hole.diameter);
+            pen.circle([x, y], r, Stroke::Outline);
+            pen.line(&[[x - r - 1.5, y], [x + r + 1.5, y]], Stroke::Thin);
+            pen.line(&[[x, y - r - 1.5], [x, y + r + 1.5]], Stroke::Thin);
         }
         let reach_of_bore = self.piece.bore.map_or(0.0, |b| b.reach());
         let mark = zero_mark(base, reach_of_bore).map(|p| self.place(p));
@@ -225,6 +235,26 @@ impl<'a> Views<'a> {
             });
             out.extend(bore.keyway.map(|key| self.keyway(&bore, &key)));
         }
+        if let Some(hole) = self.piece.balance {
+            let [x, y] = hole.centre;
+            let angle = x.atan2(y).rem_euclid(TAU).to_degrees();
+            let place = format!(
+                "Ø {:.2}  R {:.3}  φ {angle:.2}°",
+                MM * hole.diameter,
+                MM * x.hypot(y)
+            );
+            out.push(Label {
+                text: [words.text("drawing-balance"), words.decimal(place)],
+                of: Target::Point(self.place(hole.centre)),
+            });
+        }
+        if let Some(hub) = self.piece.hub {
+            let size = words.decimal(format!("Ø {:.2}", MM * hub.diameter));
+            out.push(Label {
+                text: [words.text("drawing-hub"), size],
+                of: Target::Circle(0.5 * self.scale * hub.diameter),
+            });
+        }
         out
     }
 
@@ -272,29 +302,7 @@ impl<'a> Views<'a> {
                 [self.centre[0] + r * dx / far, self.centre[1] + r * dy / far]
             }
         };
-        let shelf = [end[0] + slot[0] * SHELF, end[1]];
-        pen.line(&[from, end, shelf], Stroke::Thin);
-        let far = (from[0] - end[0]).hypot(from[1] - end[1]);
-        pen.arrowhead(from, [(from[0] - end[0]) / far, (from[1] - end[1]) / far]);
-        let anchor = if slot[0] > 0.0 {
-            Anchor::Start
-        } else {
-            Anchor::End
-        };
-        let x = shelf[0] + 1.0 * slot[0];
-        let capital = 0.36 * LETTERS;
-        pen.text(
-            &label.text[0],
-            [x, end[1] - capital + 0.5 * LINE],
-            LETTERS,
-            anchor,
-        );
-        pen.text(
-            &label.text[1],
-            [x, end[1] - capital - 0.5 * LINE],
-            LETTERS,
-            anchor,
-        );
+        leader::label(pen, &label.text, from, end, slot[0]);
     }
 
     /// The cam from the right, with the bore hidden.
@@ -306,35 +314,30 @@ impl<'a> Views<'a> {
             });
         let thick = self.scale * self.piece.thickness;
         let (left, right) = (self.side, self.side + thick);
+        let far = self.side + self.scale * self.piece.width();
         pen.frame([left, ends[0]], [right, ends[1]], Stroke::Outline);
         let y = self.centre[1];
-        pen.line(&[[left - OVER, y], [right + OVER, y]], Stroke::Centre);
+        pen.line(&[[left - OVER, y], [far + OVER, y]], Stroke::Centre);
         if let Some(bore) = self.piece.bore {
             let key = bore.keyway.map_or(0.0, |key| key.depth);
             let edges = [-bore.radius(), bore.radius() + key];
             for edge in edges.map(|off| y + self.scale * off) {
-                pen.line(&[[left, edge], [right, edge]], Stroke::Hidden);
+                pen.line(&[[left, edge], [far, edge]], Stroke::Hidden);
             }
         }
-        let level = ends[0] - 8.0;
-        for x in [left, right] {
-            pen.line(&[[x, ends[0] - 1.0], [x, level - 1.5]], Stroke::Thin);
-        }
-        let text = self
-            .words
-            .decimal(format!("{:.2}", MM * self.piece.thickness));
-        if thick >= NARROW {
-            pen.line(&[[left, level], [right, level]], Stroke::Thin);
-            pen.arrowhead([left, level], [-1.0, 0.0]);
-            pen.arrowhead([right, level], [1.0, 0.0]);
-            let at = [0.5 * (left + right), level + 1.0];
-            pen.text(&text, at, LETTERS, Anchor::Middle);
+        let text = |x: f64| self.words.decimal(format!("{:.2}", MM * x));
+        let thickness = text(self.piece.thickness);
+        let below = if self.piece.hub.is_some() {
+            UNDER_HUB
         } else {
-            pen.line(&[[left - 6.0, level], [right + 6.0, level]], Stroke::Thin);
-            pen.arrowhead([left, level], [1.0, 0.0]);
-            pen.arrowhead([right, level], [-1.0, 0.0]);
-            let at = [right + 7.0, level - 0.36 * LETTERS];
-            pen.text(&text, at, LETTERS, Anchor::Start);
+            UNDER
+        };
+        leader::level(pen, &thickness, [left, right], ends[0], ends[0] - below);
+        if let Some(hub) = self.piece.hub {
+            let (half, out) = (0.5 * self.scale * hub.diameter, self.scale * hub.length);
+            pen.frame([right, y - half], [right + out, y + half], Stroke::Outline);
+            let whole = text(self.piece.thickness + hub.length);
+            leader::level(pen, &whole, [left, right + out], ends[0], ends[0] - UNDER);
         }
     }
 }

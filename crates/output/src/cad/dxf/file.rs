@@ -7,6 +7,7 @@
 use std::fmt::{Display, Write};
 
 use super::Version;
+use crate::cad::spline::Clamped;
 use crate::number::append;
 
 /// What is drawn; lengths in mm.
@@ -17,8 +18,10 @@ pub enum Shape {
         vertices: Vec<[f64; 3]>,
         closed: bool,
     },
-    /// About the origin.
-    Circle { radius: f64 },
+    /// A cubic B-spline.
+    Spline(Clamped),
+    /// About a centre.
+    Circle { centre: [f64; 2], radius: f64 },
     /// From one point to another.
     Line { ends: [[f64; 2]; 2] },
     /// ASCII that starts at a point; `%%d` is the degree sign.
@@ -155,9 +158,10 @@ impl Drawing {
                 Shape::Polyline { vertices, closed } => {
                     out.polyline(space, layer, vertices, *closed);
                 }
-                Shape::Circle { radius } => {
+                Shape::Spline(spline) => out.spline(space, layer, spline),
+                Shape::Circle { centre, radius } => {
                     out.entity("CIRCLE", "AcDbCircle", space, layer);
-                    out.point(10, [0.0; 2]).length(40, *radius);
+                    out.point(10, *centre).length(40, *radius);
                 }
                 Shape::Line { ends: [from, to] } => {
                     out.entity("LINE", "AcDbLine", space, layer);
@@ -277,6 +281,26 @@ impl Groups {
     fn entity(&mut self, kind: &str, class: &str, space: u32, layer: &str) {
         self.object(kind, space, &["AcDbEntity"]);
         self.put(8, layer).class(class);
+    }
+
+    /// A spline, which R12 does not know: bit 8 of its flags says that it is plane.
+    fn spline(&mut self, space: u32, layer: &str, Clamped { control, knots }: &Clamped) {
+        self.entity("SPLINE", "AcDbSpline", space, layer);
+        self.put(210, "0.0").put(220, "0.0").put(230, "1.0");
+        let count: usize = knots.iter().map(|k| k.0).sum();
+        self.put(70, 8)
+            .put(71, 3)
+            .put(72, count)
+            .put(73, control.len());
+        self.put(74, 0).put(42, "1e-9").put(43, "1e-9");
+        for &(times, value) in knots {
+            for _ in 0..times {
+                self.length(40, value);
+            }
+        }
+        for p in control {
+            self.point(10, *p);
+        }
     }
 
     /// R12 has only the heavy polyline, with a vertex as an entity of its own.

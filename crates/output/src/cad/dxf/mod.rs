@@ -3,19 +3,20 @@
 mod file;
 
 use self::file::{Drawing, Shape};
-use super::biarc;
 use super::outline::{Arrow, Edge, marks, zero_mark};
+use super::{biarc, spline};
 use gaitcam::cam::Bore;
 use gaitcam::synth::Design;
 
 const MM: f64 = 1000.0;
 
 /// Layers with their AutoCAD colour indices; a drawing has those it uses. What is cut lies on `CUT_*`.
-const LAYERS: [(&str, u8); 13] = [
+const LAYERS: [(&str, u8); 14] = [
     ("CUT_PROFILE", 7),
     ("CUT_UPPER_WALL", 4),
     ("CUT_SECOND_PROFILE", 4),
     ("CUT_BORE", 5),
+    ("CUT_BALANCE_HOLE", 5),
     ("REF_PITCH_CURVE", 30),
     ("REF_SECOND_PITCH_CURVE", 40),
     ("REF_BASE_CIRCLE", 3),
@@ -53,6 +54,16 @@ pub enum Content {
     CutOnly,
 }
 
+/// As what the edges are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Curves {
+    /// Polylines of circular arcs, which every machine takes.
+    #[default]
+    Arcs,
+    /// Cubic B-splines, C² as the profile is: for CAD.
+    Splines,
+}
+
 /// How to draw the cam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
@@ -70,20 +81,29 @@ pub struct Options {
 /// with fewer vertices than the chords of a tenfold error have.
 pub const FAITHFUL: f64 = 1e-7;
 
+/// Largest distance of splines from the true edges where they are held against them, m: nowhere more than [`FAITHFUL`].
+const SPLINES: f64 = 5e-8;
+
 /// The plain hand-over: R12, the profile in arcs that stay within [`FAITHFUL`] of it, the bore that the
 /// scene gives. A profile that no arcs follow, and the pitch curve, are polylines of `points` vertices at
 /// equal steps of the cam angle.
 pub fn profile(synthesis: &Design, points: usize, content: Content) -> Vec<u8> {
+    profile_as(synthesis, points, content, Curves::Arcs)
+}
+
+/// The same with the edges as arcs, or as splines in R2000.
+pub fn profile_as(synthesis: &Design, points: usize, content: Content, curves: Curves) -> Vec<u8> {
     let options = Options {
         points,
         version: Version::R12,
         bore: synthesis.bore,
         content,
     };
-    match arcs(synthesis, FAITHFUL, options) {
-        Some(drawn) => drawn.bytes,
-        None => drawing(synthesis, options),
-    }
+    let drawn = match curves {
+        Curves::Arcs => arcs(synthesis, FAITHFUL, options).map(|drawn| drawn.bytes),
+        Curves::Splines => splines(synthesis, options),
+    };
+    drawn.unwrap_or_else(|| drawing(synthesis, options))
 }
 
 /// Every edge that is cut (a disc's profile, both cams of a pair, both walls of an unrolled groove) as
@@ -138,6 +158,26 @@ pub fn arcs(synthesis: &Design, tolerance: f64, options: Options) -> Option<ArcD
         arcs,
         deviation,
     })
+}
+
+/// As [`drawing`], with the edges as cubic B-splines within [`FAITHFUL`] of the true ones, in the dialect R2000 at least.
+/// `None` where no splines can follow one.
+pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
+    let version = match options.version {
+        Version::R12 => Version::R2000,
+        later => later,
+    };
+    let mut sheet = Sheet::new(Options { version, ..options });
+    for edge in Edge::all(synthesis) {
+        let reach: Vec<[f64; 2]> = (edge.points(options.points).iter())
+            .map(|e| e.p.map(|x| MM * x))
+            .collect();
+        for spline in spline::along(&edge, SPLINES, 1)? {
+            sheet.add(edge.layer, Shape::Spline(spline), &reach);
+        }
+    }
+    sheet.construction(synthesis);
+    Some(sheet.drawing.bytes())
 }
 
 /// A drawing under way.
@@ -201,6 +241,10 @@ impl Sheet {
                 }
             }
         }
+        for hole in synthesis.balance_holes().into_iter().flatten() {
+            let centre = hole.centre.map(|x| MM * x);
+            self.circle_at("CUT_BALANCE_HOLE", centre, 0.5 * MM * hole.diameter);
+        }
         if self.options.content == Content::CutOnly {
             return;
         }
@@ -226,8 +270,13 @@ impl Sheet {
     }
 
     fn circle(&mut self, layer: &'static str, radius: f64) {
-        let reach = [[-radius; 2], [radius; 2]];
-        self.add(layer, Shape::Circle { radius }, &reach);
+        self.circle_at(layer, [0.0; 2], radius);
+    }
+
+    fn circle_at(&mut self, layer: &'static str, centre: [f64; 2], radius: f64) {
+        let corner = |side: f64| centre.map(|x| x + side * radius);
+        let reach = [corner(-1.0), corner(1.0)];
+        self.add(layer, Shape::Circle { centre, radius }, &reach);
     }
 
     fn line(&mut self, layer: &'static str, ends: [[f64; 2]; 2]) {

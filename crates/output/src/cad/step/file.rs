@@ -2,11 +2,13 @@
 
 use std::fmt::Write;
 
+use crate::cad::spline::Clamped;
+
 /// One piece of a closed outline, counter-clockwise, mm.
 #[derive(Debug, Clone)]
 pub enum Piece {
-    /// Control points of a clamped cubic B-spline with knots 0, 1, 2 …
-    Spline(Vec<[f64; 2]>),
+    /// A B-spline.
+    Spline(Clamped),
     /// A straight piece between two points.
     Line([[f64; 2]; 2]),
     /// An arc between two points, about a centre.
@@ -20,7 +22,7 @@ pub enum Piece {
 impl Piece {
     fn start(&self) -> [f64; 2] {
         match self {
-            Piece::Spline(control) => control[0],
+            Piece::Spline(spline) => spline.control[0],
             Piece::Line(ends) | Piece::Arc { ends, .. } => ends[0],
         }
     }
@@ -54,14 +56,14 @@ pub struct File {
 }
 
 impl File {
-    fn add(&mut self, entity: &str) -> usize {
+    pub fn add(&mut self, entity: &str) -> usize {
         self.last += 1;
         // Writing to a String cannot fail.
         let _ = writeln!(self.text, "#{}={entity};", self.last);
         self.last
     }
 
-    fn point(&mut self, p: [f64; 3]) -> usize {
+    pub fn point(&mut self, p: [f64; 3]) -> usize {
         let [x, y, z] = p.map(real);
         self.add(&format!("CARTESIAN_POINT('',({x},{y},{z}))"))
     }
@@ -71,7 +73,7 @@ impl File {
         self.add(&format!("DIRECTION('',({x},{y},{z}))"))
     }
 
-    fn vertex(&mut self, p: [f64; 3]) -> usize {
+    pub fn vertex(&mut self, p: [f64; 3]) -> usize {
         let point = self.point(p);
         self.add(&format!("VERTEX_POINT('',#{point})"))
     }
@@ -88,11 +90,11 @@ impl File {
         self.axes([x, y, z], [0.0, 0.0, normal], [1.0, 0.0, 0.0])
     }
 
-    fn edge(&mut self, from: usize, to: usize, curve: usize) -> Rim {
+    pub fn edge(&mut self, from: usize, to: usize, curve: usize) -> Rim {
         self.add(&format!("EDGE_CURVE('',#{from},#{to},#{curve},.T.)"))
     }
 
-    fn line(&mut self, from: [f64; 3], to: [f64; 3]) -> usize {
+    pub fn line(&mut self, from: [f64; 3], to: [f64; 3]) -> usize {
         let d = [to[0] - from[0], to[1] - from[1], to[2] - from[2]];
         let length = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
         let foot = self.point(from);
@@ -101,30 +103,28 @@ impl File {
         self.add(&format!("LINE('',#{foot},#{vector})"))
     }
 
+    /// A circle at height z, counter-clockwise.
+    pub fn circle(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
+        let axes = self.level(centre, z, 1.0);
+        self.add(&format!("CIRCLE('',#{axes},{})", real(radius)))
+    }
+
+    /// A cylinder about an upright axis, its normal outwards.
+    pub fn cylinder(&mut self, centre: [f64; 2], radius: f64, z: f64) -> usize {
+        let axes = self.level(centre, z, 1.0);
+        self.add(&format!("CYLINDRICAL_SURFACE('',#{axes},{})", real(radius)))
+    }
+
     /// A piece of outline at height z.
     fn curve(&mut self, piece: &Piece, z: f64) -> usize {
         match piece {
             Piece::Line([a, b]) => self.line([a[0], a[1], z], [b[0], b[1], z]),
-            Piece::Arc { centre, radius, .. } => {
-                let axes = self.level(*centre, z, 1.0);
-                self.add(&format!("CIRCLE('',#{axes},{})", real(*radius)))
-            }
-            Piece::Spline(control) => {
-                let points = self.row(control, z);
-                let (counts, knots) = clamped(control.len());
-                self.add(&format!(
-                    "B_SPLINE_CURVE_WITH_KNOTS('',3,{points},.UNSPECIFIED.,.F.,.F.,{counts},{knots},.UNSPECIFIED.)"
-                ))
+            Piece::Arc { centre, radius, .. } => self.circle(*centre, *radius, z),
+            Piece::Spline(Clamped { control, knots }) => {
+                let points: Vec<[f64; 3]> = control.iter().map(|p| [p[0], p[1], z]).collect();
+                self.spline_curve(&points, knots)
             }
         }
-    }
-
-    /// Control points at height z, as a list.
-    fn row(&mut self, control: &[[f64; 2]], z: f64) -> String {
-        let points: Vec<String> = (control.iter())
-            .map(|p| format!("#{}", self.point([p[0], p[1], z])))
-            .collect();
-        format!("({})", points.join(","))
     }
 
     /// The surface above a piece; its normal points to the right of the piece.
@@ -137,38 +137,19 @@ impl File {
                 let axes = self.axes([a[0], a[1], low], [d[1], -d[0], 0.0], [d[0], d[1], 0.0]);
                 self.add(&format!("PLANE('',#{axes})"))
             }
-            Piece::Arc { centre, radius, .. } => {
-                let axes = self.level(*centre, low, 1.0);
-                self.add(&format!(
-                    "CYLINDRICAL_SURFACE('',#{axes},{})",
-                    real(*radius)
-                ))
-            }
-            Piece::Spline(control) => {
+            Piece::Arc { centre, radius, .. } => self.cylinder(*centre, *radius, low),
+            Piece::Spline(Clamped { control, knots }) => {
                 // Control points lie along the curve first, then upwards.
-                let [below, above] = [low, high].map(|z| self.points_of(control, z));
-                let net: Vec<String> = (below.iter().zip(&above))
-                    .map(|(b, a)| format!("(#{b},#{a})"))
+                let net: Vec<Vec<[f64; 3]>> = (control.iter())
+                    .map(|p| [low, high].map(|z| [p[0], p[1], z]).to_vec())
                     .collect();
-                let (counts, knots) = clamped(control.len());
-                self.add(&format!(
-                    "B_SPLINE_SURFACE_WITH_KNOTS('',3,1,({}),.UNSPECIFIED.,.F.,.F.,.F.,{counts},(2,2),{knots},(0.,1.),\
-                     .UNSPECIFIED.)",
-                    net.join(",")
-                ))
+                self.spline_surface(&net, [knots, &[(2, 0.0), (2, 1.0)]])
             }
         }
     }
 
-    fn points_of(&mut self, control: &[[f64; 2]], z: f64) -> Vec<usize> {
-        control
-            .iter()
-            .map(|p| self.point([p[0], p[1], z]))
-            .collect()
-    }
-
     /// A loop of edges, each taken along (`true`) or against its sense.
-    fn ring(&mut self, edges: &[(Rim, bool)]) -> usize {
+    pub fn ring(&mut self, edges: &[(Rim, bool)]) -> usize {
         let oriented: Vec<String> = edges
             .iter()
             .map(|(rim, along)| {
@@ -189,7 +170,7 @@ impl File {
         self.ring(&edges)
     }
 
-    fn face(&mut self, surface: usize, outer: usize, inner: &[usize], along: bool) -> usize {
+    pub fn face(&mut self, surface: usize, outer: usize, inner: &[usize], along: bool) -> usize {
         let mut bounds = vec![self.add(&format!("FACE_OUTER_BOUND('',#{outer},.T.)"))];
         for ring in inner {
             bounds.push(self.add(&format!("FACE_BOUND('',#{ring},.T.)")));
@@ -330,20 +311,8 @@ impl File {
     }
 }
 
-/// Multiplicities and knots of a clamped cubic of so many control points.
-fn clamped(points: usize) -> (String, String) {
-    let spans = points - 3;
-    let mut counts = vec!["1"; spans + 1];
-    (counts[0], counts[spans]) = ("4", "4");
-    let knots: Vec<String> = (0..=spans).map(|k| format!("{k}.")).collect();
-    (
-        format!("({})", counts.join(",")),
-        format!("({})", knots.join(",")),
-    )
-}
-
 /// A real with its point.
-fn real(x: f64) -> String {
+pub fn real(x: f64) -> String {
     let mut text = String::new();
     crate::number::append(&mut text, x, 12);
     if !text.contains('.') {

@@ -1,69 +1,115 @@
-//! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214).
+//! `cam.step`: the cam as an exact solid for CAD (ISO 10303-21, AP214). Lengths in mm.
 //!
-//! The profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until
-//! it stays within [`FAITHFUL`] of the true one; the plate is its extrusion with the hole for the shaft. Lengths in mm.
-//! Of a conjugate pair both cams are there as they stand on the shaft, one plate's thickness apart.
+//! A disc's profile is a periodic cubic B-spline through points at equal steps of the cam angle, C², refined until
+//! it stays within [`FAITHFUL`] of the true one; the plate is its extrusion with the hole for the shaft. Of a
+//! conjugate pair both cams are there as they stand on the shaft, one plate's thickness apart. A slide has its foot under
+//! the profile; a barrel has its groove.
 
+mod barrel;
 mod file;
-mod spline;
+mod freeform;
+mod slide;
 
-use self::file::{File, Piece, circle};
-use self::spline::Spline;
+pub(super) use self::barrel::Sectors;
+use self::file::{File, Piece, Rims, circle};
 use super::outline::Edge;
-use gaitcam::cam::Bore;
+use super::spline;
+use gaitcam::cam::{BarrelGroove, Bore, Hole, Hub};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
 const MM: f64 = 1000.0;
-/// Largest distance of the spline from the true profile, m.
-pub const FAITHFUL: f64 = 1e-7;
+/// Largest distance of a spline from the true profile where it is held against it, m: nowhere more than 0.1 µm.
+pub const FAITHFUL: f64 = 5e-8;
+/// Points of a profile that a hub is held against.
+const PROFILE: usize = 1440;
+/// Half the room that the mark of θ = 0 needs, mm.
+const LEAST_ROOM: f64 = 0.25;
 /// Edges into which the profile is divided.
 const EDGES: usize = 4;
 
-/// The plate of `thickness` m with its bore, of a pair both plates.
+/// The cam as a solid; of a pair both.
 ///
 /// # Errors
 ///
-/// On a law that does not close, an undercut profile, a thickness that is not positive, and a profile that no
+/// On a law that does not close, an undercut profile or groove, a thickness that is not positive, and a profile that no
 /// spline of so many spans follows.
-pub fn plate(synthesis: &Design, thickness: f64) -> Result<Vec<u8>> {
-    let cam = &synthesis.cam;
-    if !(thickness.is_finite() && thickness > 0.0) {
-        return Err(WriteError::PlateThickness {
-            thickness: Quantity::length(thickness),
-        }
-        .into());
-    }
-    if !cam.law.is_closed() || cam.follower.is_unrolled() {
+pub fn solid(design: &Design) -> Result<Vec<u8>> {
+    let mut file = File::default();
+    let solids = if let Some(groove) = &design.groove {
+        vec![barrel::add(&mut file, groove, design)?]
+    } else if design.cam.follower.is_unrolled() {
+        vec![slide::add(&mut file, design)?]
+    } else {
+        plates(&mut file, design)?
+    };
+    Ok(file.finish(&solids, &design.name))
+}
+
+/// Heights between which a barrel's solid lies, m.
+pub fn barrel_ends(groove: &BarrelGroove) -> [f64; 2] {
+    barrel::ends(groove)
+}
+
+fn plates(file: &mut File, synthesis: &Design) -> Result<Vec<usize>> {
+    let thickness = positive(synthesis.thickness)?;
+    if !synthesis.cam.law.is_closed() {
         return Err(WriteError::OpenProfile.into());
     }
-    let mut file = File::default();
+    let hub = hub(synthesis)?;
+    let edges = Edge::all(synthesis);
+    let holes = synthesis.balance_holes();
+    let last = edges.len() - 1;
     let mut solids = Vec::new();
-    for (k, edge) in Edge::all(synthesis).iter().enumerate() {
+    for (k, (edge, balance)) in edges.iter().zip(holes).enumerate() {
         if edge.is_undercut() {
             return Err(WriteError::UndercutProfile.into());
         }
-        let spline = Spline::within(edge, FAITHFUL).ok_or(WriteError::TooSharp)?;
+        let outline = spline::along(edge, FAITHFUL, EDGES).ok_or(WriteError::TooSharp)?;
         let foot = 2.0 * MM * thickness * k as f64;
         let body = Body {
-            outline: pieces(&spline),
+            outline: outline.into_iter().map(Piece::Spline).collect(),
             hole: synthesis.bore,
-            dot: synthesis
-                .mark
-                .then(|| Dot::of(synthesis))
-                .filter(|_| k == 0),
+            balance,
+            // The hub of a pair stands on its upper cam.
+            hub: hub.filter(|_| k == last),
+            dot: Dot::of(synthesis).filter(|_| k == 0 && synthesis.mark),
             z: [foot, foot + MM * thickness],
         };
-        solids.push(body.add_to(&mut file));
+        solids.push(body.add_to(file));
     }
-    Ok(file.finish(&solids, &synthesis.name))
+    Ok(solids)
 }
 
-fn pieces(spline: &Spline) -> Vec<Piece> {
-    let n = spline.control.len();
-    let part = |k: usize| spline.part(k * n / EDGES, (k + 1) * n / EDGES);
-    (0..EDGES).map(|k| Piece::Spline(part(k))).collect()
+/// The hub, where it stands within the profile.
+fn hub(design: &Design) -> Result<Option<Hub>> {
+    let Some(hub) = design.making.hub else {
+        return Ok(None);
+    };
+    let edges = Edge::all(design);
+    let free = (edges.iter().flat_map(|edge| edge.points(PROFILE)))
+        .map(|e| e.p[0].hypot(e.p[1]))
+        .fold(f64::INFINITY, f64::min);
+    if 0.5 * hub.diameter < free {
+        return Ok(Some(hub));
+    }
+    Err(WriteError::HubTooLarge {
+        hub: Quantity::length(hub.diameter),
+        free: Quantity::length(free),
+    }
+    .into())
+}
+
+/// A thickness that makes a plate.
+fn positive(thickness: f64) -> Result<f64> {
+    if thickness.is_finite() && thickness > 0.0 {
+        return Ok(thickness);
+    }
+    Err(WriteError::PlateThickness {
+        thickness: Quantity::length(thickness),
+    }
+    .into())
 }
 
 /// The engraved mark of θ = 0: a shallow round hole in the upper face, mm.
@@ -75,15 +121,32 @@ struct Dot {
 }
 
 impl Dot {
-    /// Halfway between the hole for the shaft and the base circle.
-    fn of(synthesis: &Design) -> Dot {
-        let base = MM * synthesis.cam.follower.base_radius();
-        let reach = synthesis.bore.map_or(0.0, |b| MM * b.reach());
+    /// Halfway between hub or hole for the shaft and the base circle; `None` where there is no room.
+    fn of(design: &Design) -> Option<Dot> {
+        let base = MM * design.cam.follower.base_radius();
+        let hub = design.making.hub.map_or(0.0, |hub| 0.5 * MM * hub.diameter);
+        let reach = design.bore.map_or(0.0, |b| MM * b.reach()).max(hub);
+        let room = 0.5 * (base - reach);
+        let dot = Dot::at([0.0, reach + room], room, MM * design.thickness);
+        (room > LEAST_ROOM).then_some(dot)
+    }
+
+    /// A dot with so much room around its centre in a body of such a thickness.
+    fn at(centre: [f64; 2], room: f64, thickness: f64) -> Dot {
         Dot {
-            centre: [0.0, 0.5 * (base + reach)],
-            radius: (0.2 * (base - reach)).min(1.0),
-            depth: (0.1 * MM * synthesis.thickness).min(0.3),
+            centre,
+            radius: (0.4 * room).min(1.0),
+            depth: (0.1 * thickness).min(0.3),
         }
+    }
+
+    /// Its wall and floor below a face at height z; returns its rims.
+    fn add_to(self, file: &mut File, z: f64, faces: &mut Vec<usize>) -> Rims {
+        let floor = z - self.depth;
+        let outline = circle(self.centre, self.radius);
+        let rims = file.wall(&outline, [floor, z], true, faces);
+        file.cap(floor, true, &rims.low, &[], faces);
+        rims
     }
 }
 
@@ -91,6 +154,8 @@ impl Dot {
 struct Body {
     outline: Vec<Piece>,
     hole: Option<Bore>,
+    balance: Option<Hole>,
+    hub: Option<Hub>,
     dot: Option<Dot>,
     z: [f64; 2],
 }
@@ -99,27 +164,61 @@ impl Body {
     fn add_to(&self, file: &mut File) -> usize {
         let mut faces = Vec::new();
         let [low, high] = self.z;
+        let top = high + self.hub.map_or(0.0, |hub| MM * hub.length);
         let outer = file.wall(&self.outline, self.z, false, &mut faces);
-        let hole = self
-            .hole
-            .map(|bore| file.wall(&hole_pieces(&bore), self.z, true, &mut faces));
-        let dot = self.dot.map(|dot| {
-            let floor = high - dot.depth;
-            let rims = file.wall(
-                &circle(dot.centre, dot.radius),
-                [floor, high],
-                true,
-                &mut faces,
-            );
-            file.cap(floor, true, &rims.low, &[], &mut faces);
-            rims
-        });
-        let below: Vec<&[usize]> = hole.iter().map(|r| r.low.as_slice()).collect();
-        let above: Vec<&[usize]> = hole.iter().chain(&dot).map(|r| r.high.as_slice()).collect();
+        let shaft = (self.hole.iter())
+            .map(|bore| file.wall(&hole_pieces(bore), [low, top], true, &mut faces))
+            .collect::<Vec<Rims>>();
+        let balance = (self.balance.iter())
+            .map(|hole| {
+                let edge = circle(hole.centre.map(|x| MM * x), 0.5 * MM * hole.diameter);
+                file.wall(&edge, self.z, true, &mut faces)
+            })
+            .collect::<Vec<Rims>>();
+        let dot: Vec<Rims> = (self.dot.iter())
+            .map(|dot| dot.add_to(file, high, &mut faces))
+            .collect();
+        let hub: Vec<Rims> = (self.hub.iter())
+            .map(|hub| {
+                let edge = circle([0.0; 2], 0.5 * MM * hub.diameter);
+                file.wall(&edge, [high, top], false, &mut faces)
+            })
+            .collect();
+        for rims in &hub {
+            let bored: Vec<&[usize]> = shaft.iter().map(|r| r.high.as_slice()).collect();
+            file.cap(top, true, &rims.high, &bored, &mut faces);
+        }
+        let below: Vec<&[usize]> = (shaft.iter().chain(&balance))
+            .map(|r| r.low.as_slice())
+            .collect();
+        // Around a hub the plate's face begins at the hub.
+        let inner = match hub.is_empty() {
+            true => shaft.iter().map(|r| r.high.as_slice()).collect(),
+            false => hub.iter().map(|r| r.low.as_slice()).collect::<Vec<_>>(),
+        };
+        let above: Vec<&[usize]> = (balance.iter().chain(&dot))
+            .map(|r| r.high.as_slice())
+            .chain(inner)
+            .collect();
         file.cap(low, false, &outer.low, &below, &mut faces);
         file.cap(high, true, &outer.high, &above, &mut faces);
         file.solid("cam", &faces)
     }
+}
+
+/// The edge of a barrel's hole, counter-clockwise, m: its keyway points along +x, where θ = 0 is on a barrel.
+pub(super) fn turned_hole(bore: &Bore, count: usize) -> Vec<[f64; 2]> {
+    let mut angles: Vec<f64> = (0..count)
+        .map(|i| std::f64::consts::TAU * i as f64 / count as f64)
+        .collect();
+    angles.extend(
+        bore.corners()
+            .iter()
+            .map(|a| a.rem_euclid(std::f64::consts::TAU)),
+    );
+    angles.sort_by(f64::total_cmp);
+    let point = |a: f64| [bore.edge(a) * a.sin(), -bore.edge(a) * a.cos()];
+    angles.into_iter().map(point).collect()
 }
 
 /// The hole's edge in straight pieces and arcs, mm.

@@ -17,7 +17,7 @@ pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {
     table(out, words, "report-drive", &drive(synthesis, words));
     table(out, words, "report-law", &law(synthesis, words));
     table(out, words, "report-cam", &cam(synthesis, words));
-    let machine = machine(synthesis);
+    let machine = machine(synthesis, words);
     if !machine.is_empty() {
         table(out, words, "report-loads", &machine);
     }
@@ -161,7 +161,7 @@ fn cam(synthesis: &Design, words: &Words) -> Rows {
 }
 
 /// Torque, power, lift-off and pressure, where they are defined.
-fn machine(synthesis: &Design) -> Rows {
+fn machine(synthesis: &Design, words: &Words) -> Rows {
     let m = synthesis.machine();
     let measures = synthesis.cam.follower.measures();
     let speed = measures.speed();
@@ -188,11 +188,31 @@ fn machine(synthesis: &Design) -> Rows {
                 .filter(|p| p.is_finite())
                 .map(|p| plain(1e-6 * p, "MPa")),
         ),
+        ("report-hertz-allowable", allowable(synthesis, words)),
     ];
     let known = rows.into_iter();
     known
         .filter_map(|(name, value)| Some((name, value?)))
         .collect()
+}
+
+/// Pressure that the hardness of the surface bears, with the margin.
+fn allowable(synthesis: &Design, words: &Words) -> Option<String> {
+    let hardness = synthesis.making.hardness?;
+    let borne = hardness.allowable_pressure();
+    let pressure = synthesis.machine().hertz_pressure_max_pa;
+    let margin = pressure
+        .filter(|p| *p > 0.0)
+        .map_or(f64::INFINITY, |p| borne / p);
+    let arguments = [
+        ("pressure", number(1e-6 * borne, 4)),
+        ("hardness", hardness.to_string()),
+        ("margin", number(margin, 3)),
+    ];
+    let arguments = arguments
+        .each_ref()
+        .map(|(key, value)| (*key, value.as_str()));
+    Some(words.fill("report-hertz-borne", &arguments))
 }
 
 /// What a follower's base radius is called.

@@ -1,0 +1,125 @@
+//! The groove of a barrel on a rotary axis: the cutter's axis meets the barrel's as the roller's does.
+//!
+//! A cutter of the roller's radius that takes the roller's way leaves the roller's envelope, so nothing is left and
+//! nothing gouged, whatever the depth. A thinner cutter cannot: where the groove is oblique its circle touches the wall
+//! at another place at every depth.
+
+use std::fmt::Write;
+
+use gaitcam::cam::{BarrelGroove, Wall};
+use gaitcam::error::{Result, WriteError};
+use gaitcam::units::Quantity;
+
+use super::{ACCELERATION, FEED, comment, finished};
+
+const MM: f64 = 1000.0;
+/// Largest distance of the lines from the roller's way, m.
+const LINES: f64 = 2e-7;
+/// Longest line, rad.
+const LONGEST: f64 = std::f64::consts::TAU / 72.0;
+/// Halvings after which a line is taken as it is.
+const DEEPEST: usize = 16;
+/// Radii that are one, part of them.
+const ONE: f64 = 1e-6;
+
+/// The program for a cutter of radius `tool` m; two passes where two rollers are set off from their stud.
+pub fn program(groove: &BarrelGroove, name: &str, tool: f64) -> Result<String> {
+    let roller = groove.roller_radius();
+    if (tool - roller).abs() > ONE * roller {
+        return Err(WriteError::GrooveCutter {
+            radius: Quantity::length(tool),
+            roller: Quantity::length(roller),
+        }
+        .into());
+    }
+    let (floor, surface) = groove.depth();
+    let undercut = |wall: &Wall| groove.smallest_bulge(floor, *wall).value <= 0.0;
+    if [Wall::Lower, Wall::Upper].iter().any(undercut) {
+        return Err(WriteError::NoCutterPath.into());
+    }
+    let mut out = format!("%\n({})\n", comment(name));
+    let (start, length) = groove.law().extent();
+    let stations = stations(groove);
+    let mut offsets: Vec<f64> = [Wall::Lower, Wall::Upper]
+        .map(|wall| groove.axis_offset(wall))
+        .to_vec();
+    offsets.dedup();
+    let place = |theta: f64, offset: f64| MM * (groove.law().svaj(theta).s + offset);
+    // Writing to a String cannot fail.
+    let _ = write!(
+        out,
+        "(GROOVE, CUTTER AND ROLLER OF RADIUS {:.4} MM, BOTH AXES MEET)\n\
+         (X ALONG THE BARREL FROM LIFT 0, A = THETA: ANGLE OF THE BARREL)\n\
+         (FLOOR AT RADIUS {:.4} MM, SURFACE AT RADIUS {:.4} MM)\n\
+         (FEED {FEED:.0} MM/MIN AT THE SURFACE, WRITTEN AS 1/MIN)\n\
+         G90 G21 G40 G94\nG0 X{:.4} A{:.5}\nM0 (TOOL TO THE FLOOR)\nG93\n",
+        MM * tool,
+        MM * floor,
+        MM * surface,
+        place(start, offsets[0]),
+        start.to_degrees(),
+    );
+    for (pass, offset) in offsets.iter().enumerate() {
+        let gone = length * pass as f64;
+        if pass > 0 {
+            let across = MM * (offset - offsets[pass - 1]).abs();
+            let _ = writeln!(
+                out,
+                "G1 X{:.4} F{:.3}",
+                place(start, *offset),
+                FEED / across
+            );
+        }
+        for pair in stations.windows(2) {
+            let rise = place(pair[1], 0.0) - place(pair[0], 0.0);
+            let long = (MM * surface * (pair[1] - pair[0])).hypot(rise);
+            let _ = writeln!(
+                out,
+                "G1 X{:.4} A{:.5} F{:.3}",
+                place(pair[1], *offset),
+                (pair[1] + gone).to_degrees(),
+                feed(groove, 0.5 * (pair[0] + pair[1])) / long
+            );
+        }
+    }
+    out.push_str("G94\nM0 (TOOL CLEAR)\nM30\n%\n");
+    Ok(finished(out))
+}
+
+/// Feed on the surface, mm/min: the acceleration across the groove stays within the table's.
+fn feed(groove: &BarrelGroove, theta: f64) -> f64 {
+    let (_, surface) = groove.depth();
+    let bend = MM * groove.rho_pitch(theta, surface).abs();
+    FEED.min(60.0 * (ACCELERATION * bend).sqrt())
+}
+
+/// Angles between which straight lines follow the law.
+fn stations(groove: &BarrelGroove) -> Vec<f64> {
+    let breaks = groove.law().breaks();
+    let mut out = vec![breaks[0]];
+    for pair in breaks.windows(2) {
+        let count = ((pair[1] - pair[0]) / LONGEST).ceil().max(1.0);
+        let at = |k: f64| pair[0] + (pair[1] - pair[0]) * k / count;
+        for k in 0..count as usize {
+            divide(groove, at(k as f64), at((k + 1) as f64), DEEPEST, &mut out);
+        }
+    }
+    out
+}
+
+fn divide(groove: &BarrelGroove, from: f64, to: f64, depth: usize, out: &mut Vec<f64>) {
+    let s = |theta: f64| groove.law().svaj(theta).s;
+    let (low, high) = (s(from), s(to));
+    let astray = |part: f64| (s(from + part * (to - from)) - low - part * (high - low)).abs();
+    let worst = [0.25, 0.5, 0.75]
+        .into_iter()
+        .map(astray)
+        .fold(0.0, f64::max);
+    if worst <= LINES || depth == 0 {
+        out.push(to);
+        return;
+    }
+    let middle = 0.5 * (from + to);
+    divide(groove, from, middle, depth - 1, out);
+    divide(groove, middle, to, depth - 1, out);
+}

@@ -1,0 +1,57 @@
+//! The hole for the shaft, cut by a wire from a start hole at the centre.
+
+use gaitcam::cam::Bore;
+
+use super::{FEED, Move, Path};
+
+/// The way along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
+/// the wire has no room.
+pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
+    let round = bore.radius() - radius;
+    if round <= 0.0 {
+        return None;
+    }
+    let line = |to| Move {
+        to,
+        arc: None,
+        feed: FEED,
+    };
+    let arc = |to, centre, counter_clockwise| Move {
+        to,
+        arc: Some((centre, counter_clockwise)),
+        feed: FEED,
+    };
+    let centre = [0.0; 2];
+    let lowest = [0.0, -round];
+    let mut moves = vec![line(lowest)];
+    match bore.keyway {
+        None => {
+            moves.push(arc([0.0, round], centre, true));
+            moves.push(arc(lowest, centre, true));
+        }
+        Some(key) => {
+            let half = 0.5 * key.width;
+            let (aside, top) = (half - radius, bore.radius() + key.depth - radius);
+            if aside <= 0.0 {
+                return None;
+            }
+            let foot = (bore.radius() * bore.radius() - half * half).sqrt();
+            // Where the round part ends the wire goes around the corner.
+            let shrunk = round / bore.radius();
+            let corner = |side: f64| [side * half, foot];
+            let before = |side: f64| [side * half * shrunk, foot * shrunk];
+            moves.push(arc(before(1.0), centre, true));
+            moves.push(arc([aside, foot], corner(1.0), false));
+            moves.push(line([aside, top]));
+            moves.push(line([-aside, top]));
+            moves.push(line([-aside, foot]));
+            moves.push(arc(before(-1.0), corner(-1.0), false));
+            moves.push(arc(lowest, centre, true));
+        }
+    }
+    moves.push(line(centre));
+    Some(Path {
+        start: centre,
+        moves,
+    })
+}

@@ -1,0 +1,77 @@
+//! An edge that is cut as cubic B-splines.
+
+mod interpolant;
+mod periodic;
+
+pub use interpolant::{FEWEST, Interpolant};
+
+use self::periodic::Spline;
+use super::outline::{Edge, EdgePoint};
+
+const MM: f64 = 1000.0;
+/// Most spans of a piece of an edge with two ends.
+const MOST: usize = 16384;
+
+/// A clamped cubic B-spline in the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clamped {
+    /// Control points, mm.
+    pub control: Vec<[f64; 2]>,
+    /// Multiplicities and values of the knots.
+    pub knots: Vec<(usize, f64)>,
+}
+
+/// Splines that follow one another within `tolerance` m of an edge.
+///
+/// A closed edge is one periodic spline, C², in `parts` parts, counter-clockwise; of an edge with two ends every piece of
+/// the law is one, in the sense of growing θ. `None` where no spline of so many spans follows.
+pub fn along(edge: &Edge, tolerance: f64, parts: usize) -> Option<Vec<Clamped>> {
+    if edge.is_undercut() {
+        return None;
+    }
+    if !edge.is_closed() {
+        let pieces = edge.breaks().windows(2);
+        return pieces
+            .map(|pair| piece(edge, [pair[0], pair[1]], tolerance))
+            .collect();
+    }
+    let spline = Spline::within(edge, tolerance)?;
+    let n = spline.control.len();
+    let part = |k: usize| {
+        let control = spline.part(k * n / parts, (k + 1) * n / parts);
+        let spans = control.len() - 3;
+        let inner = (1..spans).map(|k| (1, k as f64));
+        let ends = [(4, 0.0), (4, spans as f64)];
+        let knots = [ends[0]].into_iter().chain(inner).chain([ends[1]]);
+        Clamped {
+            knots: knots.collect(),
+            control,
+        }
+    };
+    Some((0..parts).map(part).collect())
+}
+
+/// The edge between two angles, in either sense.
+pub fn piece(edge: &Edge, [from, to]: [f64; 2], tolerance: f64) -> Option<Clamped> {
+    let mut spans = FEWEST;
+    while spans <= MOST {
+        let at = |i: f64| -> EdgePoint { edge.at(from + (to - from) * i / spans as f64) };
+        let points: Vec<[f64; 2]> = (0..=spans)
+            .map(|i| at(i as f64).p.map(|x| MM * x))
+            .collect();
+        let space = Interpolant::new(spans);
+        let control = space.control(&points);
+        let astray = |i: usize| {
+            let x = 0.25 * i as f64;
+            let (p, q) = (space.at(&control, x), at(x));
+            ((p[0] - MM * q.p[0]) * q.t[1] - (p[1] - MM * q.p[1]) * q.t[0]).abs()
+        };
+        let worst = (0..4 * spans).map(astray).fold(0.0, f64::max);
+        if worst <= MM * tolerance {
+            let knots = space.knots();
+            return Some(Clamped { control, knots });
+        }
+        spans *= 2;
+    }
+    None
+}

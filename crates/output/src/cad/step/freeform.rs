@@ -1,0 +1,46 @@
+//! B-spline curves and surfaces in space, mm.
+
+use super::file::File;
+
+/// Multiplicities and values of the knots of a clamped cubic.
+pub type Knots = [(usize, f64)];
+
+impl File {
+    /// A cubic curve.
+    pub fn spline_curve(&mut self, control: &[[f64; 3]], knots: &Knots) -> usize {
+        let points = self.points(control);
+        let (counts, values) = written(knots);
+        self.add(&format!(
+            "B_SPLINE_CURVE_WITH_KNOTS('',3,{points},.UNSPECIFIED.,.F.,.F.,{counts},{values},.UNSPECIFIED.)"
+        ))
+    }
+
+    /// A surface, cubic in the first direction and of any degree in the second; `net[i][j]` is point i of the first and j of
+    /// the second.
+    pub fn spline_surface(&mut self, net: &[Vec<[f64; 3]>], knots: [&Knots; 2]) -> usize {
+        let rows: Vec<String> = net.iter().map(|row| self.points(row)).collect();
+        let degree = knots[1][0].0 - 1;
+        let [(u_counts, u), (v_counts, v)] = knots.map(written);
+        self.add(&format!(
+            "B_SPLINE_SURFACE_WITH_KNOTS('',3,{degree},({}),.UNSPECIFIED.,.F.,.F.,.F.,{u_counts},{v_counts},{u},{v},.UNSPECIFIED.)",
+            rows.join(",")
+        ))
+    }
+
+    /// Points as a list.
+    fn points(&mut self, control: &[[f64; 3]]) -> String {
+        let points: Vec<String> = (control.iter())
+            .map(|p| format!("#{}", self.point(*p)))
+            .collect();
+        format!("({})", points.join(","))
+    }
+}
+
+fn written(knots: &Knots) -> (String, String) {
+    let counts: Vec<String> = knots.iter().map(|k| k.0.to_string()).collect();
+    let values: Vec<String> = knots.iter().map(|k| super::file::real(k.1)).collect();
+    (
+        format!("({})", counts.join(",")),
+        format!("({})", values.join(",")),
+    )
+}

@@ -1,0 +1,139 @@
+//! Hardness of the cam's surface, and the contact pressure that it bears.
+
+use std::fmt;
+
+/// Rockwell C, Vickers and Brinell (tungsten carbide ball) of hardened steel, ASTM E140 table 1.
+const CONVERSION: [[f64; 3]; 12] = [
+    [20.0, 238.0, 226.0],
+    [25.0, 266.0, 253.0],
+    [30.0, 302.0, 286.0],
+    [35.0, 345.0, 327.0],
+    [40.0, 392.0, 371.0],
+    [45.0, 446.0, 421.0],
+    [50.0, 513.0, 481.0],
+    [55.0, 595.0, 560.0],
+    [58.0, 653.0, 615.0],
+    [60.0, 697.0, 654.0],
+    [62.0, 746.0, 688.0],
+    [64.0, 800.0, 722.0],
+];
+/// Softest steel that the rule is used for, HB.
+const SOFTEST: f64 = 100.0;
+
+/// How a hardness was measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HardnessScale {
+    /// HV.
+    Vickers,
+    /// HRC.
+    RockwellC,
+    /// HB, with a ball of tungsten carbide.
+    Brinell,
+}
+
+impl HardnessScale {
+    /// Every scale.
+    pub const ALL: [HardnessScale; 3] = [
+        HardnessScale::Vickers,
+        HardnessScale::RockwellC,
+        HardnessScale::Brinell,
+    ];
+
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            HardnessScale::Vickers => "HV",
+            HardnessScale::RockwellC => "HRC",
+            HardnessScale::Brinell => "HB",
+        }
+    }
+
+    /// Its column of the conversion.
+    fn column(self) -> usize {
+        match self {
+            HardnessScale::RockwellC => 0,
+            HardnessScale::Vickers => 1,
+            HardnessScale::Brinell => 2,
+        }
+    }
+}
+
+/// A hardness with its scale.
+///
+/// ```
+/// use gaitcam::cam::Hardness;
+///
+/// let hardness = Hardness::parse("58 HRC").ok_or("no hardness")?;
+/// assert_eq!(hardness.brinell(), 615.0);
+/// assert_eq!(hardness.allowable_pressure(), 2.76e6 * 615.0 - 70e6);
+/// # Ok::<(), &str>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hardness {
+    /// The number.
+    pub value: f64,
+    /// How it was measured.
+    pub scale: HardnessScale,
+}
+
+impl Hardness {
+    /// Reads `58 HRC`, `650 HV`, `240 HB`; `None` for another text, and outside 20 … 64 HRC, 105 … 800 HV, 100 … 722 HB.
+    pub fn parse(text: &str) -> Option<Hardness> {
+        let text = text.trim();
+        let end = text.find(|c: char| c.is_ascii_alphabetic())?;
+        let value: f64 = text[..end].trim().parse().ok()?;
+        let symbol = text[end..].trim();
+        let scale = HardnessScale::ALL
+            .into_iter()
+            .find(|scale| scale.symbol().eq_ignore_ascii_case(symbol))?;
+        let hardness = Hardness { value, scale };
+        let column = scale.column();
+        let hardest = CONVERSION[CONVERSION.len() - 1][column];
+        let softest = match scale {
+            HardnessScale::RockwellC => CONVERSION[0][column],
+            _ => SOFTEST * CONVERSION[0][column] / CONVERSION[0][2],
+        };
+        (softest..=hardest).contains(&value).then_some(hardness)
+    }
+
+    /// The same on Brinell's scale, HB: between the rows of the table on straight lines, below it in its first ratio.
+    pub fn brinell(self) -> f64 {
+        let column = self.scale.column();
+        let first = CONVERSION[0];
+        if self.value <= first[column] {
+            return self.value * first[2] / first[column];
+        }
+        let above = CONVERSION.iter().position(|row| self.value <= row[column]);
+        let above = above.unwrap_or(CONVERSION.len() - 1);
+        let (a, b) = (CONVERSION[above - 1], CONVERSION[above]);
+        let part = (self.value - a[column]) / (b[column] - a[column]);
+        a[2] + part * (b[2] - a[2])
+    }
+
+    /// Contact pressure that hardened steel bears 10⁸ times, Pa: 2.76 HB − 70 MPa (theory §10).
+    pub fn allowable_pressure(self) -> f64 {
+        2.76e6 * self.brinell() - 70e6
+    }
+}
+
+impl fmt::Display for Hardness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.value, self.scale.symbol())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hardness_is_read_with_its_scale_and_converted_by_the_table() {
+        let brinell = |text: &str| Hardness::parse(text).map(Hardness::brinell);
+        assert_eq!(brinell("650 hv").map(f64::round), Some(612.0));
+        assert_eq!(brinell("50HRC"), Some(481.0));
+        assert_eq!(brinell("240 HB"), Some(240.0));
+        for wrong in ["58", "HRC 58", "19 HRC", "70 HRC", "58 HRB", "-3 HV", ""] {
+            assert_eq!(brinell(wrong), None, "{wrong}");
+        }
+    }
+}
