@@ -5,7 +5,7 @@
 
 pub mod bernstein;
 mod bspline;
-mod distance;
+mod cells;
 mod fourier;
 mod gauss;
 mod piecewise;
@@ -13,7 +13,7 @@ mod proxy;
 mod trigonometric;
 
 pub use bspline::{Span, SplineSpace};
-pub use distance::{Distance, distance};
+pub use cells::{Cells, Distance};
 pub use fourier::{amplitudes, sums};
 pub use gauss::gauss_legendre;
 pub use piecewise::{Extreme, Peak, PiecewisePoly};
