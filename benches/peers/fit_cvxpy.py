@@ -1,6 +1,5 @@
 """The footbridge law with a jerk limit, written as a cvxpy user would: limits at sampled angles."""
 
-import cvxpy as cp
 import numpy as np
 import common as c
 
@@ -23,6 +22,8 @@ def basis(theta, order):
 
 
 def main():
+    import cvxpy as cp
+
     a = basis(c.THETA, 2)
     j = basis(c.THETA, 3)
     wanted = (c.force(c.THETA) - c.WEIGHT) / (c.MASS * c.OMEGA**2)
@@ -45,4 +46,5 @@ def main():
     c.tell("jerk limit, quintic 32 spans", cp.__version__, seconds, f"{100 * error:.4f} % RMS, limit {excess:+.1e}")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -5,14 +5,18 @@
 
 A temporary virtual environment is made for each peer and the peer is installed into it by name; what cannot
 be installed is reported as "skipped". gaitcam is measured by `cargo bench --bench peers`, which prints one
-line of JSON per task, before and after the peers; the slower of its two medians counts. The table becomes the
-section "Peers" of speed_accuracy.md, which `gaitcam chart` keeps.
+line of JSON per task, before and after the peers; the slower of its two medians counts. All times are the
+processor's, of all threads together. The tables become the section "Peers" of speed_accuracy.md, which
+`gaitcam chart` keeps, and the chart of whole processes becomes whole_process.svg.
 """
 
 import argparse
 import csv
 import json
+import math
 import pathlib
+import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -23,10 +27,19 @@ ROOT = HERE.parent.parent
 PEERS = [
     ("cvxpy + Clarabel", ["cvxpy", "clarabel"], "fit_cvxpy.py"),
     ("scipy spline least squares", ["scipy"], "fit_scipy.py"),
+    ("", ["numpy", "scipy", "daqp", "piqp", "clarabel"], "fit_qp.py"),
     ("mechanism (PyPI)", ["mechanism"], "cam_mechanism.py"),
 ]
 # What was asked: faster by at least.
-ASKED = {"fit_cvxpy.py": 50, "fit_scipy.py": 5, "cam_mechanism.py": 10}
+ASKED = {"fit_cvxpy.py": 50, "fit_scipy.py": 5, "fit_qp.py": 2, "cam_mechanism.py": 10}
+# Our kernel does what the peer does, no more; the public call does all that a user gets.
+PUBLIC = {
+    "jerk limit, quintic 32 spans": "jerk limit, quintic 32 spans, public call",
+    "no limits, quintic 32 spans": "no limits, quintic, public call",
+    "acceleration and jerk at 95 %, quintic 32 spans": "acceleration and jerk at 95 %, quintic 32 spans, assembled too",
+}
+# Processes from start to end: name, command, whether a peer's.
+RUNS = 15
 SECTION = "\n## Peers\n"
 
 
@@ -82,38 +95,119 @@ def peer(python, names, script):
     return rows, ""
 
 
+def whole(command):
+    """Median time of the processor that a process takes from start to end, s."""
+    times = []
+    for _ in range(RUNS):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return statistics.median(times)
+
+
+def processes(pythons, folder):
+    """Whole processes of gaitcam and of the two scripts that do the same fit, all in one go."""
+    gaitcam = str(ROOT / "target" / "release" / "gaitcam")
+    out = str(pathlib.Path(folder) / "footbridge")
+    rows = [
+        ("gaitcam synth --json, no files", [gaitcam, "synth", "--json"]),
+        ("gaitcam synth --no-png", [gaitcam, "synth", "--no-png", "--out", out]),
+        ("gaitcam synth, all files", [gaitcam, "synth", "--out", out]),
+    ]
+    for name, script in [("scipy script", "fit_scipy.py"), ("cvxpy script", "fit_cvxpy.py")]:
+        if script in pythons:
+            rows.append((name, [pythons[script], str(HERE / script), "once"]))
+    return [(name, whole(command)) for name, command in rows]
+
+
+def chart(rows):
+    """Bars of the processes' times, on a scale of powers of ten."""
+    low, high = 1e-3, 10.0
+    width, bar, left = 560, 26, 240
+    place = lambda s: left + width * math.log(s / low) / math.log(high / low)
+    height = 70 + bar * len(rows)
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {left + width + 90} {height}" '
+        'font-family="DejaVu Sans, sans-serif" font-size="13">',
+        f'<rect width="{left + width + 90}" height="{height}" fill="#fff"/>',
+        f'<text x="{left}" y="20" font-weight="bold">The footbridge law as one process, time of the processor</text>',
+    ]
+    for power in range(-3, 2):
+        x = place(10.0**power)
+        name = f"{10**power:g} s" if power >= 0 else f"{10 ** (power + 3):g} ms"
+        out.append(f'<path d="M{x:.1f} 32V{height - 28}" stroke="#ccc"/>')
+        out.append(f'<text x="{x:.1f}" y="{height - 10}" text-anchor="middle" fill="#555">{name}</text>')
+    for i, (name, seconds) in enumerate(rows):
+        y = 38 + bar * i
+        colour = "#0072b2" if name.startswith("gaitcam") else "#999"
+        out.append(f'<rect x="{left}" y="{y}" width="{place(seconds) - left:.1f}" height="{bar - 8}" fill="{colour}"/>')
+        out.append(f'<text x="{left - 8}" y="{y + 13}" text-anchor="end">{name}</text>')
+        out.append(f'<text x="{place(seconds) + 6:.1f}" y="{y + 13}">{1e3 * seconds:.3g} ms</text>')
+    return "\n".join(out + ["</svg>\n"])
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("--out", type=pathlib.Path, default=ROOT / "reports")
     out = arguments.parse_args().out
     mine = ours()
-    found = []
+    found, pythons = [], {}
     with tempfile.TemporaryDirectory() as folder:
         for name, packages, script in PEERS:
             home = pathlib.Path(folder) / script.split(".")[0]
             venv.create(home, with_pip=True)
-            found.append((name, script, *peer(str(home / "bin" / "python"), packages, script)))
-    mine = slower(mine, ours())
+            python = str(home / "bin" / "python")
+            rows, why = peer(python, packages, script)
+            found.append((name, script, rows, why))
+            if not why:
+                pythons[script] = python
+        mine = slower(mine, ours())
+        runs = processes(pythons, folder)
     lines = [
         "Written by `python3 benches/peers/run.py` in one run: the same tasks, one after the other on one machine; "
-        "medians of repeated runs inside one process after a warm-up. gaitcam was measured before and after its "
-        "peers; the slower median stands here.",
+        "medians of repeated runs inside one process after a warm-up, as time of the processor. gaitcam was measured "
+        "before and after its peers; the slower median stands here.",
         "",
-        "| task | peer | its time | its error | gaitcam | its error | faster by | asked |",
-        "|---|---|---|---|---|---|---|---|",
+        "*kernel*: gaitcam does what the peer does, with what the peer is given: the number of spans, and beside DAQP, PIQP "
+        "and Clarabel all matrices too. *more*: what a user gets from `synthesise`, with spans sought where they are open, "
+        "the cam sized, every limit and the force checked on the continuous law and the optimum proved; beside DAQP, PIQP and "
+        "Clarabel the kernel with its matrices assembled from the force.",
+        "",
+        "| task | peer | its time | its error | kernel | its error | faster by | more | faster by | asked of the kernel |",
+        "|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name, script, rows, why in found:
         if why:
-            print(f"{name}: {why}")
-            lines.append(f"| — | {name} | {why} | | | | | {ASKED[script]} |")
+            print(f"{name or script}: {why}")
+            lines.append(f"| — | {name or script} | {why} | | | | | | | {ASKED[script]} |")
         for row in rows:
             own = mine[row["task"]]
+            more = mine.get(PUBLIC.get(row["task"]))
             ratio = row["seconds"] / own["seconds"]
-            print(f"{name}: {row['task']}: {ratio:.1f} times")
+            whole_ratio = f"{row['seconds'] / more['seconds']:.1f}" if more else ""
+            more_time = f"{1e3 * more['seconds']:.4f} ms" if more else ""
+            peer_name = f"{name} {row['version']}".strip()
+            print(f"{peer_name}: {row['task']}: kernel {ratio:.1f} times, more {whole_ratio or '-'}")
+            asked = ASKED[script] if "DAQP" in peer_name or script != "fit_qp.py" else ""
             lines.append(
-                f"| {row['task']} | {name} {row['version']} | {1e3 * row['seconds']:.3f} ms | {row['error']} "
-                f"| {1e3 * own['seconds']:.4f} ms | {own['error']} | {ratio:.1f} | {ASKED[script]} |"
+                f"| {row['task']} | {peer_name} | {1e3 * row['seconds']:.3f} ms | {row['error']} "
+                f"| {1e3 * own['seconds']:.4f} ms | {own['error']} | {ratio:.1f} | {more_time} | {whole_ratio} | {asked} |"
             )
+    all_files = dict(runs)["gaitcam synth, all files"]
+    lines += [
+        "",
+        "Whole processes from start to end, medians of "
+        f"{RUNS} runs: the scripts import their packages and fit once, and write nothing.",
+        "",
+        "![whole processes](whole_process.svg)",
+        "",
+        "| process | time of the processor | over gaitcam with all files |",
+        "|---|---|---|",
+    ]
+    lines += [f"| {name} | {1e3 * seconds:.1f} ms | {seconds / all_files:.2f} |" for name, seconds in runs]
+    out.mkdir(parents=True, exist_ok=True)
+    (out / "whole_process.svg").write_text(chart(runs))
     lines += [
         "",
         "Adaptive integrators of the crate `ode_solvers` (benches/ode) on the follower of chart (d1), error of the "
@@ -133,7 +227,6 @@ def main():
         lines.append(f"| {row['method']} | {1e6 * row['seconds']:.1f} µs | {row['error']:.1e} |")
     page = out / "speed_accuracy.md"
     before = page.read_text().split(SECTION)[0].rstrip("\n") + "\n" if page.exists() else ""
-    out.mkdir(parents=True, exist_ok=True)
     page.write_text(before + SECTION + "\n" + "\n".join(lines) + "\n")
 
 

@@ -136,20 +136,29 @@ impl Cam {
         }
         let along = body.centroid.map(|x| x / far);
         let profile: Vec<[f64; 2]> = self.profile(PROFILE).iter().map(|p| [p.x, p.y]).collect();
-        let reach = profile.iter().fold(0.0_f64, |m, p| m.max(p[0].hypot(p[1])));
+        let squares: Vec<f64> = profile.iter().map(|p| p[0] * p[0] + p[1] * p[1]).collect();
+        let reach = squares.iter().fold(0.0_f64, |m, s| m.max(*s)).sqrt();
+        let farthest = farthest_along(&profile, along);
+        let onward: Vec<f64> = profile
+            .iter()
+            .map(|p| along[0] * p[0] + along[1] * p[1])
+            .collect();
         // The farther out, the smaller the hole: from outside inwards, the first that has room.
         (0..PLACES).rev().find_map(|i| {
             let distance = reach * (i + 1) as f64 / PLACES as f64;
             let radius = (moment / (std::f64::consts::PI * distance)).sqrt();
-            let centre = along.map(|x| distance * x);
-            let inside = distance < farthest_along(&profile, along);
-            let wall = profile
+            if distance >= farthest || distance - inner - radius < LEAST_WALL {
+                return None;
+            }
+            // |p − c|² = |p|² − 2 p·c + |c|².
+            let nearest = squares
                 .iter()
-                .map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1]))
-                .fold(f64::INFINITY, f64::min);
-            let clear = wall.min(distance - inner) - radius;
-            (inside && clear >= LEAST_WALL).then_some(Hole {
-                centre,
+                .zip(&onward)
+                .map(|(square, along)| square - 2.0 * distance * along)
+                .fold(f64::INFINITY, |m, x| if x < m { x } else { m });
+            let wall = (nearest + distance * distance).max(0.0).sqrt();
+            (wall - radius >= LEAST_WALL).then_some(Hole {
+                centre: along.map(|x| distance * x),
                 diameter: 2.0 * radius,
             })
         })

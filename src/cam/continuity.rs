@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::{Cam, Verdict};
+use crate::law::Joint;
 use crate::poly::Extreme;
 
 /// Jumps below this part of the peak-to-peak value of the same derivative are rounding.
@@ -60,8 +61,9 @@ impl Cam {
     /// jumps, it is infinite; where one further below does, both ways.
     pub fn derivative_extremes(&self, order: usize) -> (Extreme, Extreme) {
         let (mut low, mut high) = self.law.extremes(order);
+        let joints = self.law.joints();
         for below in 0..order {
-            for jump in self.jumps(below) {
+            for jump in self.jumps_at(&joints, below) {
                 let at = jump.at;
                 let both = below + 1 < order;
                 if low.value.is_finite() && (both || jump.value < 0.0) {
@@ -79,18 +81,23 @@ impl Cam {
 
     /// The jumps of a derivative by more than rounding: where, and by how much.
     pub fn jumps(&self, order: usize) -> Vec<Extreme> {
-        let (low, high) = self.law.extremes(order);
-        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
-        let range = (high.value - low.value)
-            .max(HARDLY_MOVES * self.follower.prime_radius())
-            .max(STILL);
-        let joints = self.law.joints().into_iter();
-        let jump = joints.map(|x| Extreme {
+        self.jumps_at(&self.law.joints(), order)
+    }
+
+    fn jumps_at(&self, joints: &[Joint], order: usize) -> Vec<Extreme> {
+        let jump = joints.iter().map(|x| Extreme {
             at: x.at,
             value: [x.jump.s, x.jump.v, x.jump.a, x.jump.j][order],
         });
-        jump.filter(|x| x.value.abs() > (JUMP * range).max(ROUNDING))
-            .collect()
+        // A law that hardly moves is not made of jumps: rounding counts against the cam's size too.
+        let size = (HARDLY_MOVES * self.follower.prime_radius()).max(STILL);
+        let above = |range: f64| move |x: &Extreme| x.value.abs() > (JUMP * range).max(ROUNDING);
+        let mut jumps: Vec<Extreme> = jump.filter(above(size)).collect();
+        if !jumps.is_empty() {
+            let (low, high) = self.law.extremes(order);
+            jumps.retain(above((high.value - low.value).max(size)));
+        }
+        jumps
     }
 
     /// The class that CAM-DAS gives a law (Serrano Muñoz 2010, §7.3.5), stricter by one derivative than ours: a

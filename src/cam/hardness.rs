@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::Serialize;
+
 /// Rockwell C, Vickers and Brinell (tungsten carbide ball) of hardened steel, ASTM E140 table 1.
 const CONVERSION: [[f64; 3]; 12] = [
     [20.0, 238.0, 226.0],
@@ -21,7 +23,17 @@ const CONVERSION: [[f64; 3]; 12] = [
 const SOFTEST: f64 = 100.0;
 
 /// How a hardness was measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// ```
+/// use gaitcam::cam::{Hardness, HardnessScale};
+///
+/// let hardness = Hardness::parse("650 HV").ok_or("no hardness")?;
+/// assert_eq!(hardness.scale, HardnessScale::Vickers);
+/// assert_eq!(hardness.to_string(), "650 HV");
+/// # Ok::<(), &str>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum HardnessScale {
     /// HV.
     Vickers,
@@ -68,7 +80,7 @@ impl HardnessScale {
 /// assert_eq!(hardness.allowable_pressure(), 2.76e6 * 615.0 - 70e6);
 /// # Ok::<(), &str>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Hardness {
     /// The number.
     pub value: f64,

@@ -1,9 +1,28 @@
 //! What the workshop is told of a cam beside its shape.
 
+use serde::Serialize;
+
 use super::{Bore, Cam, Hardness, Hole};
 
 /// Material, surface, tolerance, and what is added to the plate; lengths in m.
-#[derive(Debug, Clone, PartialEq, Default)]
+///
+/// ```
+/// use gaitcam::cam::{Bore, Cam, Follower, Hub, Making};
+/// use gaitcam::law::Law;
+///
+/// // A disc of 31 mm about (1 mm, 0): the hole that balances it lies on the side of the centre.
+/// let law = Law::harmonic(0.001, &[(0.0, 0.001)]);
+/// let cam = Cam::new(law, Follower::FlatTranslating { base_radius: 0.03 })?;
+/// let bore = Some(Bore::plain(0.012));
+/// assert!(Making::default().balance_hole(&cam, bore).is_none());
+/// let making = Making { balance: true, ..Making::default() };
+/// assert!(making.balance_hole(&cam, bore).unwrap().centre[0] > 0.0);
+/// // Under a hub as large as the cam there is no room for it.
+/// let hub = Some(Hub { diameter: 0.058, length: 0.01 });
+/// assert!(Making { hub, ..making }.balance_hole(&cam, bore).is_none());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Making {
     /// The material by its designation; `None` = steel.
     pub material: Option<String>,
@@ -20,7 +39,19 @@ pub struct Making {
 }
 
 /// A round boss about the shaft, on the upper face of the plate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use gaitcam::scene;
+/// use gaitcam::synth::synthesise;
+///
+/// let mut scene = scene::built_in("camdas_03_flat")?.scene()?;
+/// scene.cam.hub_diameter = Some(0.03);
+/// let design = synthesise(&scene, None)?;
+/// let hub = design.making.hub.unwrap();
+/// assert_eq!((hub.diameter, hub.length), (0.03, design.thickness));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Hub {
     /// Diameter, m.
     pub diameter: f64,

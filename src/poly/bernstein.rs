@@ -6,6 +6,25 @@
 /// Depth at which halving an interval of 1 no longer changes its ends.
 const MAX_DEPTH: u32 = 54;
 
+/// Coefficients of a polynomial that needs no memory of its own.
+const SHORT: usize = 16;
+
+/// Binomial coefficients of the degrees below [`SHORT`].
+const BINOMIALS: [[f64; SHORT]; SHORT] = {
+    let mut rows = [[0.0; SHORT]; SHORT];
+    let mut n = 0;
+    while n < SHORT {
+        rows[n][0] = 1.0;
+        let mut k = 1;
+        while k <= n {
+            rows[n][k] = rows[n - 1][k - 1] + rows[n - 1][k];
+            k += 1;
+        }
+        n += 1;
+    }
+    rows
+};
+
 /// Value at `u`; stable for u in [0, 1], valid outside.
 pub fn eval(b: &[f64], u: f64) -> f64 {
     let n = b.len() - 1;
@@ -13,6 +32,15 @@ pub fn eval(b: &[f64], u: f64) -> f64 {
         return b[0];
     }
     let v = 1.0 - u;
+    if let Some(row) = BINOMIALS.get(n) {
+        let mut power = 1.0;
+        let mut sum = b[0] * v;
+        for (bi, binomial) in b[1..n].iter().zip(&row[1..n]) {
+            power *= u;
+            sum = (sum + power * binomial * bi) * v;
+        }
+        return sum + power * u * b[n];
+    }
     let mut power = 1.0;
     let mut binomial = 1.0;
     let mut sum = b[0] * v;
@@ -167,6 +195,12 @@ pub fn hull(b: &[f64]) -> (f64, f64) {
 /// points where it touches zero to within rounding. An identically zero polynomial has none.
 pub fn roots(b: &[f64]) -> Vec<f64> {
     let mut out = Vec::new();
+    add_roots(b, &mut out);
+    out
+}
+
+/// Adds the roots, as [`roots`] finds them, to a list.
+pub fn add_roots(b: &[f64], out: &mut Vec<f64>) {
     let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     if scale > 0.0 && scale.is_finite() {
         // Coefficients below this are rounding of the larger ones: subdivision would chase them.
@@ -177,10 +211,27 @@ pub fn roots(b: &[f64]) -> Vec<f64> {
             [p, q, r] if p * r < 0.0 && p.abs() > zero && r.abs() > zero => {
                 out.push(crossing_of_quadratic(p, q, r));
             }
-            _ => isolate(b, 0.0, 1.0, zero, 0, &mut out),
+            _ => isolate(b, 0.0, 1.0, zero, 0, out),
         }
     }
-    out
+}
+
+/// Hands the coefficients of d/du to `then`.
+fn with_derivative<T>(b: &[f64], then: impl FnOnce(&[f64]) -> T) -> T {
+    let n = b.len() - 1;
+    if n == 0 || n > SHORT {
+        return then(&derivative(b));
+    }
+    let mut slope = [0.0; SHORT];
+    for (d, w) in slope.iter_mut().zip(b.windows(2)) {
+        *d = (w[1] - w[0]) * n as f64;
+    }
+    then(&slope[..n])
+}
+
+/// Adds every u in (0, 1) at which the slope changes sign to a list.
+pub fn add_critical(b: &[f64], out: &mut Vec<f64>) {
+    with_derivative(b, |slope| add_roots(slope, out));
 }
 
 /// The one root in (0, 1) of p(1−u)² + 2qu(1−u) + ru² whose ends differ in sign.
@@ -213,7 +264,7 @@ pub fn peaks_above(b: &[f64], level: f64, mut visit: impl FnMut(f64, f64)) {
         push(0.0, b[0]);
     }
     if n > 0 {
-        let mut slope = [0.0; 16];
+        let mut slope = [0.0; SHORT];
         let slope: &mut [f64] = if n <= slope.len() {
             &mut slope[..n]
         } else {
@@ -245,9 +296,18 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
         out.push(mid);
         return;
     }
-    let (left, right) = split(b, 0.5);
+    let n = b.len();
+    let (mut short_left, mut short_right) = ([0.0; SHORT], [0.0; SHORT]);
+    let (long_left, long_right);
+    let (left, right) = if n <= SHORT {
+        halve(b, &mut short_left[..n], &mut short_right[..n]);
+        (&short_left[..n], &short_right[..n])
+    } else {
+        (long_left, long_right) = split(b, 0.5);
+        (&long_left[..], &long_right[..])
+    };
     let found = out.len();
-    isolate(&left, lo, mid, zero, depth + 1, out);
+    isolate(left, lo, mid, zero, depth + 1, out);
     let at_middle = right[0].abs() <= zero
         && left[..left.len() - 1].iter().any(|x| x.abs() > zero)
         && right[1..].iter().any(|x| x.abs() > zero);
@@ -255,9 +315,21 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
         out.push(mid);
     }
     let before = out.len();
-    isolate(&right, mid, hi, zero, depth + 1, out);
+    isolate(right, mid, hi, zero, depth + 1, out);
     if at_middle && out.get(before).is_some_and(|&r| r - mid < 1e-14) {
         out.remove(before);
+    }
+}
+
+/// Splits in the middle.
+fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
+    let n = b.len();
+    right.copy_from_slice(b);
+    for k in 0..n {
+        left[k] = right[0];
+        for i in 0..n - 1 - k {
+            right[i] += 0.5 * (right[i + 1] - right[i]);
+        }
     }
 }
 
@@ -278,8 +350,11 @@ fn sign_changes(b: &[f64], zero: f64) -> usize {
 
 /// The one root in (0, 1) of a polynomial whose end values differ in sign: Newton, kept in the bracket.
 fn bracketed_root(b: &[f64]) -> f64 {
+    with_derivative(b, |slope| root_by_newton(b, slope))
+}
+
+fn root_by_newton(b: &[f64], slope: &[f64]) -> f64 {
     let n = b.len() - 1;
-    let slope = derivative(b);
     let (mut lo, mut hi) = (0.0, 1.0);
     let rising = b[0] < 0.0;
     let mut u = b[0] / (b[0] - b[n]);
@@ -293,7 +368,7 @@ fn bracketed_root(b: &[f64]) -> f64 {
         } else {
             hi = u;
         }
-        let step = f / eval(&slope, u);
+        let step = f / eval(slope, u);
         let newton = u - step;
         let next = if newton > lo && newton < hi {
             newton

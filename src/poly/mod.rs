@@ -5,7 +5,7 @@
 
 pub mod bernstein;
 mod bspline;
-mod distance;
+mod cells;
 mod fourier;
 mod gauss;
 mod piecewise;
@@ -14,7 +14,7 @@ mod trigonometric;
 
 #[doc(hidden)]
 pub use bspline::{Span, SplineSpace};
-pub(crate) use distance::distance;
+pub(crate) use cells::Cells;
 pub(crate) use fourier::{amplitudes, sums};
 #[doc(hidden)]
 pub use gauss::gauss_legendre;

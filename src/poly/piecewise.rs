@@ -26,6 +26,9 @@ pub struct PiecewisePoly {
     coef: Vec<f64>,
 }
 
+/// Values that differ by this part of them are one but for rounding.
+const SAME: f64 = 1e-12;
+
 /// An extreme value and where it is taken.
 ///
 /// ```
@@ -42,6 +45,29 @@ pub struct Extreme {
     pub at: f64,
     /// The value there.
     pub value: f64,
+}
+
+/// Smallest and largest of the values seen so far.
+struct Range {
+    low: Extreme,
+    high: Extreme,
+}
+
+impl Range {
+    /// Of two places that are equal but for rounding the first counts, whatever rounding does.
+    fn take(&mut self, at: f64, value: f64) {
+        let tie = SAME * value.abs();
+        if value < self.low.value {
+            let farther = value < self.low.value - tie;
+            let at = if farther { at } else { self.low.at };
+            self.low = Extreme { at, value };
+        }
+        if value > self.high.value {
+            let farther = value > self.high.value + tie;
+            let at = if farther { at } else { self.high.at };
+            self.high = Extreme { at, value };
+        }
+    }
 }
 
 /// A local maximum, with the piece it belongs to: at a break this tells the side.
@@ -225,42 +251,35 @@ impl PiecewisePoly {
             at: self.breaks[0],
             value: self.piece(0)[0],
         };
-        let (mut low, mut high) = (start, start);
+        let mut range = Range {
+            low: start,
+            high: start,
+        };
+        // Ends first: where they surpass a piece's hull there is nothing to seek.
+        let (mut lowest_end, mut highest_end) = (start.value, start.value);
+        for b in self.coef.chunks_exact(self.degree + 1) {
+            for end in [b[0], b[self.degree]] {
+                lowest_end = if end < lowest_end { end } else { lowest_end };
+                highest_end = if end > highest_end { end } else { highest_end };
+            }
+        }
+        let mut critical = Vec::new();
         for i in 0..self.pieces() {
             let b = self.piece(i);
             let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);
-            let mut consider = |u: f64, value: f64| {
-                let point = Extreme {
-                    at: a + u * width,
-                    value,
-                };
-                if value < low.value {
-                    low = point;
-                }
-                if value > high.value {
-                    high = point;
-                }
-            };
-            consider(0.0, b[0]);
-            consider(1.0, b[self.degree]);
+            range.take(a, b[0]);
+            range.take(a + width, b[self.degree]);
             let (least, most) = bernstein::hull(b);
-            if least < low.value || most > high.value {
-                for u in bernstein::roots(&bernstein::derivative(b)) {
-                    let value = bernstein::eval(b, u);
-                    let point = Extreme {
-                        at: a + u * width,
-                        value,
-                    };
-                    if value < low.value {
-                        low = point;
-                    }
-                    if value > high.value {
-                        high = point;
-                    }
+            let lower = least < range.low.value && least < lowest_end;
+            if lower || most > range.high.value && most > highest_end {
+                critical.clear();
+                bernstein::add_critical(b, &mut critical);
+                for &u in &critical {
+                    range.take(a + u * width, bernstein::eval(b, u));
                 }
             }
         }
-        (low, high)
+        (range.low, range.high)
     }
 
     /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included

@@ -7,19 +7,20 @@
 mod accuracy;
 mod changed;
 mod machine;
+mod memo;
 mod notes;
 mod size;
-mod spans;
 mod target;
 
 pub(crate) use accuracy::USUAL_ACCURACY;
 pub(crate) use machine::drive_of;
+pub(crate) use memo::Memo;
+pub use memo::Shared;
+pub(crate) use memo::SpanKey;
+use memo::TargetKey;
 pub use notes::Note;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
-pub(crate) use spans::Key as SpanKey;
-pub use spans::Shared;
-pub(crate) use spans::SpanMemo;
 pub use target::Target;
 
 use std::f64::consts::TAU;
@@ -84,8 +85,8 @@ pub struct Problem {
     pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
-    /// Numbers of spans already found for this force and law.
-    pub(crate) spans: SpanMemo,
+    /// What is already found for this force and law.
+    pub(crate) memo: Memo,
     /// When searches are to end.
     pub halt: Halt,
     /// Only a design that passes is of use: what cannot reach the accuracy need not be finished.
@@ -126,6 +127,18 @@ impl Problem {
     /// The scene wants a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force; the band asks for a spread that the force does not have.
     pub fn settle(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
+        Problem::settle_with(scene, force, &Shared::default())
+    }
+
+    /// The same, with what problems of the same force and law have found.
+    ///
+    /// # Errors
+    /// As [`Problem::settle`].
+    pub fn settle_with(
+        scene: &Scene,
+        force: Option<&ForceCurve>,
+        shared: &Shared,
+    ) -> Result<Problem> {
         let gait = scene.gait.as_ref();
         let force = match (gait, force) {
             (Some(_), None) => return Err(SynthError::ForceNotRead.at_key("gait")),
@@ -161,8 +174,8 @@ impl Problem {
             accuracy: scene.rms,
             above_base_circle: true,
             open_questions: open_questions(gait, force.as_ref()),
-            spans: SpanMemo::default(),
-            halt: Halt::never(),
+            memo: shared.memo.clone(),
+            halt: shared.halt.clone(),
             only_passing: false,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
             given: Given {
@@ -182,21 +195,28 @@ impl Problem {
     /// # Errors
     /// As [`Problem::settle`].
     pub fn at_phase(mut self, phase: f64) -> Result<Problem> {
-        let force = match &self.given.force {
-            Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
-            other => other.clone(),
+        let key = TargetKey {
+            drive: self.given.drive.clone(),
+            phase,
         };
-        let (drive, force) = machine::settled(&self.given.drive, self.given.scale, force)?;
-        if force.is_some() && drive.weights() == [0.0; 4] {
+        let (drive, target) = self.memo.settled(key, || {
+            let force = match &self.given.force {
+                Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
+                other => other.clone(),
+            };
+            let (drive, force) = machine::settled(&self.given.drive, self.given.scale, force)?;
+            Ok::<_, crate::error::Error>((drive, force.map(Target::new)))
+        })?;
+        if target.is_some() && drive.weights() == [0.0; 4] {
             return Err(SynthError::NoLiftChangesForce.at_key("drive"));
         }
-        self.band = match (self.given.band, &force) {
-            (Some(band), Some(target)) => Some(band_about(target, band)?),
+        self.band = match (self.given.band, &target) {
+            (Some(band), Some(target)) => Some(band_about(&target.curve, band)?),
             _ => None,
         };
         self.drive = drive;
         self.phase = phase;
-        self.target = force.map(Target::new);
+        self.target = target;
         self.length = self.typical_lift();
         Ok(self)
     }

@@ -1,13 +1,16 @@
 //! The wanted force in step with the cam, and the band about it.
 
 use std::f64::consts::TAU;
+use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
-use crate::poly::gauss_legendre;
+use crate::poly::{Cells, amplitudes, gauss_legendre};
 use crate::scene::{Band, PhaseWeight};
 
 /// One turn of wanted force, as the fits read it thousands of times.
+///
+/// Clones share what was worked out for one of them.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -22,122 +25,96 @@ use crate::scene::{Band, PhaseWeight};
 #[derive(Debug, Clone)]
 pub struct Target {
     /// The cycle, beginning at cam angle 0.
-    pub curve: ForceCurve,
+    pub curve: Arc<ForceCurve>,
     /// Its cubics between the samples, N.
-    cubics: Vec<[f64; 4]>,
+    cells: Arc<Cells>,
+    mean_n: f64,
+    /// Its nearest polynomials on the pieces of splines that were asked for.
+    nearest: Arc<Mutex<Vec<(Pieces, Arc<[f64]>)>>>,
+    spectrum: Arc<OnceLock<Vec<(f64, f64)>>>,
+    /// Mean square of the distance from a force at rest, N: the force, and what it is.
+    square: Arc<Mutex<Option<[f64; 2]>>>,
 }
 
-/// More cells on a range than this leave a polynomial of the range all but a quartic on each.
-const MANY_CELLS: f64 = 24.0;
-/// Quadrature nodes on a cell then.
-const FEW_NODES: usize = 4;
+/// Pieces of a spline, and the degree of the polynomials on them.
+#[derive(Debug, Clone, PartialEq)]
+struct Pieces {
+    breaks: Vec<f64>,
+    degree: usize,
+}
+
+/// Splines whose nearest polynomials are kept: a design tries a few numbers of spans.
+const KEPT: usize = 16;
 
 impl Target {
     /// The cycle with its cubics.
     pub fn new(curve: ForceCurve) -> Self {
         Target {
-            cubics: curve.cubics(),
-            curve,
+            cells: Arc::new(Cells::new(curve.cubics(), TAU)),
+            mean_n: curve.mean_n(),
+            curve: Arc::new(curve),
+            nearest: Arc::default(),
+            spectrum: Arc::default(),
+            square: Arc::default(),
         }
     }
 
     /// Mean force, N.
     pub fn mean_n(&self) -> f64 {
-        self.curve.mean_n()
+        self.mean_n
     }
 
-    /// Force at an angle of the first turn, N.
-    pub fn at(&self, theta: f64) -> f64 {
-        let mut out = [0.0];
-        self.on(theta, 0.0, &[(0.0, 0.0)], &mut out);
-        out[0]
-    }
-
-    /// The same at places u ∈ [0, 1] of a range of the first turn, given with their weights.
-    pub fn on(&self, start: f64, width: f64, places: &[(f64, f64)], out: &mut [f64]) {
-        let n = self.cubics.len();
-        let per_angle = n as f64 / TAU;
-        let (first, step) = (start * per_angle, width * per_angle);
-        for (f, (place, _)) in out.iter_mut().zip(places) {
-            let x = first + place * step;
-            let i = (x as u32 as usize).min(n - 1);
-            let u = x - i as f64;
-            *f = cubic(&self.cubics[i], u);
-        }
-    }
-
-    /// The polynomial of a degree nearest to the force on a range of the first turn, in the mean, at places
-    /// u ∈ [0, 1] of it given with their weights. Integrals against polynomials of that degree are those of the
-    /// force itself: its kinks at the samples cost no accuracy.
-    pub fn nearest(
-        &self,
-        (start, width): (f64, f64),
-        degree: usize,
-        places: &[(f64, f64)],
-        out: &mut [f64],
-    ) {
-        let n = self.cubics.len();
-        let per_angle = n as f64 / TAU;
-        let (first, step) = (start * per_angle, width * per_angle);
-        let last = first + step;
-        let nodes = if step > MANY_CELLS {
-            FEW_NODES
-        } else {
-            (degree + 5).div_ceil(2)
-        };
-        let rule = gauss_legendre(nodes);
-        let mut moments = vec![0.0; degree + 1];
-        let mut waves = vec![0.0; degree + 1];
-        let mut a = first;
-        while a < last {
-            let i = (a as u32 as usize).min(n - 1);
-            // A rounding short of a sample is that sample.
-            let b = if i + 1 == n {
-                last
-            } else {
-                (i as f64 + 1.0).min(last)
-            };
-            for &(t, w) in &rule {
-                let x = a + t * (b - a);
-                legendre((x - first) / step, &mut waves);
-                let part = w * (b - a) / step * cubic(&self.cubics[i], x - i as f64);
-                for (moment, wave) in moments.iter_mut().zip(&waves) {
-                    *moment += part * wave;
-                }
-            }
-            a = b;
-        }
-        for (f, (place, _)) in out.iter_mut().zip(places) {
-            legendre(*place, &mut waves);
-            let terms = moments.iter().zip(&waves).enumerate();
-            *f = terms.map(|(k, (m, p))| (2 * k + 1) as f64 * m * p).sum();
-        }
+    /// The force as cubics between its samples, N.
+    pub fn cells(&self) -> &Cells {
+        &self.cells
     }
 
     /// Mean over the cycle of the squared distance from a force, N².
     pub fn mean_square_from(&self, force: f64) -> f64 {
-        let rule = gauss_legendre(4);
-        let of = |cubic_of: &[f64; 4]| -> f64 {
-            let at = |(u, w): &(f64, f64)| w * (cubic(cubic_of, *u) - force).powi(2);
-            rule.iter().map(at).sum()
-        };
-        self.cubics.iter().map(of).sum::<f64>() / self.cubics.len() as f64
+        let known = || self.square.lock().ok();
+        if let Some([level, square]) = known().and_then(|k| *k)
+            && level == force
+        {
+            return square;
+        }
+        let square = self.cells.mean_square_from(force);
+        if let Some(mut known) = known() {
+            *known = Some([force, square]);
+        }
+        square
     }
-}
 
-fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
-    let v = 1.0 - u;
-    v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
-}
+    /// Mean, then (cosine, sine) amplitudes of the harmonics of the samples, as
+    /// [`amplitudes`](crate::poly::amplitudes) gives them, N.
+    pub fn spectrum(&self) -> &[(f64, f64)] {
+        self.spectrum
+            .get_or_init(|| amplitudes(&self.curve.force_n))
+    }
 
-/// Legendre's polynomials of 2u − 1.
-fn legendre(u: f64, out: &mut [f64]) {
-    let x = 2.0 * u - 1.0;
-    let (mut before, mut p) = (0.0, 1.0);
-    for (k, out) in out.iter_mut().enumerate() {
-        *out = p;
-        let k = k as f64;
-        (before, p) = (p, ((2.0 * k + 1.0) * x * p - k * before) / (k + 1.0));
+    /// The nearest polynomial of a degree on every piece between breaks of the first turn, at the places u ∈ [0, 1] of
+    /// each that a rule of degree + 1 nodes has, piece by piece, N.
+    pub fn nearest(&self, breaks: &[f64], degree: usize) -> Arc<[f64]> {
+        if let Ok(list) = self.nearest.lock() {
+            let known = |p: &Pieces| p.degree == degree && p.breaks == breaks;
+            if let Some((_, values)) = list.iter().rev().find(|(p, _)| known(p)) {
+                return values.clone();
+            }
+        }
+        let rule = gauss_legendre(degree + 1);
+        let mut values = vec![0.0; rule.len() * (breaks.len() - 1)];
+        for (out, ends) in values.chunks_exact_mut(rule.len()).zip(breaks.windows(2)) {
+            let range = (ends[0], ends[1] - ends[0]);
+            self.cells.nearest(range, degree, &rule, out);
+        }
+        let values: Arc<[f64]> = values.into();
+        if let Ok(mut list) = self.nearest.lock() {
+            if list.len() >= KEPT {
+                list.clear();
+            }
+            let breaks = breaks.to_vec();
+            list.push((Pieces { breaks, degree }, values.clone()));
+        }
+        values
     }
 }
 
@@ -171,36 +148,4 @@ pub fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
         target.with_forces(forces.map(|(f, h)| f + sign * h).collect())
     };
     Ok([edge(-1.0), edge(1.0)])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Against a quadrature so fine that kinks do not matter, with few and with many cells on a range.
-    #[test]
-    fn the_nearest_polynomial_has_the_moments_of_the_force() {
-        let force = |i: usize| 700.0 + 300.0 * (0.7 * i as f64).sin() + 50.0 * ((i % 5) as f64);
-        for samples in [16, 1000] {
-            let curve =
-                ForceCurve::from_samples("rough", 0.6, (0..samples).map(force).collect()).unwrap();
-            let target = Target::new(curve);
-            for (start, width) in [(0.0, 1.1), (2.345, 0.01), (TAU - 0.5, 0.5)] {
-                let rule = gauss_legendre(9);
-                let mut values = vec![0.0; rule.len()];
-                target.nearest((start, width), 7, &rule, &mut values);
-                for power in 0..=7 {
-                    let own = rule.iter().zip(&values);
-                    let own: f64 = own.map(|((u, w), f)| w * f * u.powi(power)).sum();
-                    let fine = gauss_legendre(64_000);
-                    let at = |u: f64| target.at((start + u * width).min(TAU));
-                    let exact: f64 = fine.iter().map(|(u, w)| w * at(*u) * u.powi(power)).sum();
-                    assert!(
-                        (own / exact - 1.0).abs() < 1e-9,
-                        "{samples} {start} {power}: {own} {exact}"
-                    );
-                }
-            }
-        }
-    }
 }

@@ -5,7 +5,7 @@
 //! taken apart once; all others go through the synthesis like a single scene.
 
 use std::collections::HashMap;
-use std::sync::{Arc, RwLock};
+use std::sync::{Arc, Mutex, RwLock};
 
 use toml::Table;
 
@@ -16,8 +16,7 @@ use super::results::{Results, Row};
 use crate::error::{Error, Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
-use crate::problem::open_questions;
-use crate::problem::{Shared, SpanMemo};
+use crate::problem::{Memo, Shared, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::synthesise_with;
@@ -92,6 +91,7 @@ pub struct Kernel<'a> {
     clock: Clock<'a>,
     halts: Halts<'a>,
     harmonics: RwLock<HashMap<TargetName, Option<Arc<HarmonicTarget>>>>,
+    wanted: Mutex<Vec<Arc<Wanted>>>,
 }
 
 /// What names a force, and the bits of its step frequency.
@@ -109,15 +109,26 @@ struct Base {
     /// Step frequency and harmonics of the row before.
     last: Option<(u64, Option<Arc<HarmonicTarget>>)>,
     /// What the row before wanted.
-    before: Before,
+    before: Option<Arc<Wanted>>,
 }
 
-/// What the row before wanted, and what was found for it.
-#[derive(Default)]
-struct Before {
-    force: Option<(Gait, ForceCurve)>,
-    /// The law asked for, with the numbers of spans found for it.
-    law: Option<(LawSpec, SpanMemo)>,
+/// What rows ask for, and what was found for it: rows that differ in limits and sizes alone share it.
+struct Wanted {
+    /// Base scene; recordings are named relative to it.
+    scene: usize,
+    gait: Option<Gait>,
+    law: LawSpec,
+    force: Option<ForceCurve>,
+    memo: Memo,
+}
+
+/// What is wanted that is kept at a time.
+const KEPT_WANTED: usize = 256;
+
+impl Wanted {
+    fn is_of(&self, index: usize, scene: &Scene) -> bool {
+        self.scene == index && self.gait == scene.gait && self.law == scene.law
+    }
 }
 
 impl<'a> Kernel<'a> {
@@ -137,6 +148,7 @@ impl<'a> Kernel<'a> {
             clock,
             halts,
             harmonics: RwLock::new(HashMap::new()),
+            wanted: Mutex::default(),
         }
     }
 
@@ -207,7 +219,7 @@ impl<'a> Kernel<'a> {
             scene,
             source,
             last: None,
-            before: Before::default(),
+            before: None,
         }
     }
 
@@ -277,31 +289,21 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The synthesis of one scene. A row that wants the force of the row before does not make it again, and
-    /// one that asks for the same law too does not seek its spans again.
-    fn answer(&self, index: usize, scene: &Scene, before: &mut Before) -> Row {
-        let same = matches!((&before.force, &scene.gait), (Some(k), Some(gait)) if k.0 == *gait);
-        if !same {
-            *before = Before::default();
-            before.force = match (self.target(index, scene), &scene.gait) {
-                (Ok(curve), Some(gait)) => curve.map(|c| (gait.clone(), c)),
-                (Ok(_), None) => None,
-                (Err(e), _) => return Row::error(e.to_string()),
-            };
-        }
-        let spans = match &before.law {
-            Some((law, spans)) if *law == scene.law => spans.clone(),
-            _ => SpanMemo::default(),
+    /// The synthesis of one scene. What rows of the same force and law have found is not sought again.
+    fn answer(&self, index: usize, scene: &Scene, before: &mut Option<Arc<Wanted>>) -> Row {
+        let wanted = match before {
+            Some(wanted) if wanted.is_of(index, scene) => wanted.clone(),
+            _ => match self.wanted(index, scene) {
+                Ok(wanted) => wanted,
+                Err(e) => return Row::error(e.to_string()),
+            },
         };
+        *before = Some(wanted.clone());
         let shared = Shared {
-            spans: spans.clone(),
+            memo: wanted.memo.clone(),
             halt: (self.halts)(),
         };
-        let design = synthesise_with(scene, before.force.as_ref().map(|k| &k.1), &shared);
-        if before.law.as_ref().is_none_or(|l| l.0 != scene.law) {
-            before.law = Some((scene.law.clone(), spans));
-        }
-        match design {
+        match synthesise_with(scene, wanted.force.as_ref(), &shared) {
             // What a clock cut short is no answer that another run would give.
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
@@ -309,6 +311,32 @@ impl<'a> Kernel<'a> {
             Ok(design) => Row::of(&design),
             Err(e) => Row::error(e.to_string()),
         }
+    }
+
+    /// What a row asks for; of what was asked before, with what was found.
+    fn wanted(&self, index: usize, scene: &Scene) -> Result<Arc<Wanted>> {
+        let kept = || self.wanted.lock().ok();
+        let known = |list: &Vec<Arc<Wanted>>| {
+            let same = list.iter().rev().find(|w| w.is_of(index, scene));
+            same.cloned()
+        };
+        if let Some(wanted) = kept().and_then(|list| known(&list)) {
+            return Ok(wanted);
+        }
+        let wanted = Arc::new(Wanted {
+            scene: index,
+            gait: scene.gait.clone(),
+            law: scene.law.clone(),
+            force: self.target(index, scene)?,
+            memo: Memo::default(),
+        });
+        if let Some(mut list) = kept() {
+            if list.len() >= KEPT_WANTED {
+                list.clear();
+            }
+            list.push(wanted.clone());
+        }
+        Ok(wanted)
     }
 
     fn target(&self, index: usize, scene: &Scene) -> Result<Option<ForceCurve>> {

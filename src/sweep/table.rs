@@ -111,15 +111,14 @@ pub fn label(column: &str) -> String {
     format!("{name}, {}", unit.replace("^2", "²").replace("^3", "³"))
 }
 
+/// The shortest form that reads back to the same number, with an exponent below 1e-5 and from 1e16 on.
 fn number(out: &mut String, x: f64) {
-    let size = x.abs();
-    let _ = if x.is_nan() {
-        Ok(())
-    } else if size != 0.0 && !(1e-5..1e16).contains(&size) && x.is_finite() {
-        write!(out, "{x:e}")
-    } else {
-        write!(out, "{x}")
-    };
+    if x.is_nan() {
+        return;
+    }
+    let mut digits = zmij::Buffer::new();
+    let text = digits.format(x);
+    out.push_str(text.strip_suffix(".0").unwrap_or(text));
 }
 
 fn quoted(out: &mut String, text: &str) {
@@ -156,5 +155,38 @@ mod tests {
         let fields: Vec<&str> = record.iter().collect();
         let row = Row::of_fields(&fields);
         assert_eq!((row.outcome, &*row.error), (Outcome::Error, "a, \"b\""));
+    }
+
+    #[test]
+    fn numbers_are_written_as_the_standard_library_writes_them() {
+        let shown = |x: f64| {
+            let mut out = String::new();
+            number(&mut out, x);
+            out
+        };
+        let scales = (-20..22).map(|power| 10f64.powi(power));
+        let all =
+            scales.flat_map(|scale| [1.0, 1.5, -2.75, 9.999_999_999_999_99].map(|x| x * scale));
+        let special = [
+            0.0,
+            -0.0,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            1e-5,
+            9.99e-6,
+            1e16,
+            5e-324,
+        ];
+        for x in all.chain(special) {
+            let size = x.abs();
+            let plain = size == 0.0 || (1e-5..1e16).contains(&size) || !x.is_finite();
+            let expected = if plain {
+                format!("{x}")
+            } else {
+                format!("{x:e}")
+            };
+            assert_eq!(shown(x), expected);
+        }
+        assert_eq!(shown(f64::NAN), "");
     }
 }

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use serde::Serialize;
 
 use super::design::Design;
+use crate::poly::amplitudes;
 
 /// Harmonics of the step frequency that are quoted.
 const HARMONICS: usize = 6;
@@ -57,8 +58,9 @@ impl Design {
         }
         let achieved = self.drive.force_curve(self.pressing());
         let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
-        let wanted: Vec<f64> = angles().map(|t| target.at(t)).collect();
-        let given: Vec<f64> = angles().map(|t| achieved.eval(t)).collect();
+        let of = |samples: Vec<f64>| amplitudes(&samples);
+        let wanted = of(angles().map(|t| target.at(t)).collect());
+        let given = of(angles().map(|t| achieved.eval(t)).collect());
         let turns_per_s = self.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);
         (1..=steps * HARMONICS)
@@ -80,24 +82,17 @@ impl Design {
 }
 
 /// Steps in a turn of force: two feet that walk alike leave the first harmonic of their stride nearly empty.
-fn steps_per_turn(samples: &[f64]) -> usize {
-    if harmonic(samples, 2).0 > harmonic(samples, 1).0 {
+fn steps_per_turn(amplitudes: &[(f64, f64)]) -> usize {
+    if harmonic(amplitudes, 2).0 > harmonic(amplitudes, 1).0 {
         2
     } else {
         1
     }
 }
 
-/// Amplitude and phase of a harmonic of one turn of samples: A sin(kθ − φ).
-fn harmonic(samples: &[f64], k: usize) -> (f64, f64) {
-    let n = samples.len() as f64;
-    let step = TAU * k as f64 / n;
-    let (mut sine, mut cosine) = (0.0, 0.0);
-    for (i, f) in samples.iter().enumerate() {
-        let angle = step * i as f64;
-        sine += 2.0 / n * f * angle.sin();
-        cosine += 2.0 / n * f * angle.cos();
-    }
+/// Amplitude and phase of a harmonic: A sin(kθ − φ).
+fn harmonic(amplitudes: &[(f64, f64)], k: usize) -> (f64, f64) {
+    let (cosine, sine) = amplitudes[k];
     (sine.hypot(cosine), (-cosine).atan2(sine))
 }
 
@@ -111,16 +106,17 @@ mod tests {
         let samples: Vec<f64> = (0..256)
             .map(|i| force(TAU * f64::from(i) / 256.0))
             .collect();
+        let found = amplitudes(&samples);
         let (first, second, third) = (
-            harmonic(&samples, 1),
-            harmonic(&samples, 2),
-            harmonic(&samples, 3),
+            harmonic(&found, 1),
+            harmonic(&found, 2),
+            harmonic(&found, 3),
         );
         assert!((first.0 - 280.0).abs() < 1e-9 && first.1.abs() < 1e-9);
         assert!((second.0 - 70.0).abs() < 1e-9 && (second.1 - 0.7).abs() < 1e-9);
         assert!(third.0 < 1e-9);
-        assert_eq!(steps_per_turn(&samples), 1);
+        assert_eq!(steps_per_turn(&found), 1);
         let stride: Vec<f64> = (0..256).map(|i| samples[2 * i % 256]).collect();
-        assert_eq!(steps_per_turn(&stride), 2);
+        assert_eq!(steps_per_turn(&amplitudes(&stride)), 2);
     }
 }

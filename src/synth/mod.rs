@@ -99,6 +99,8 @@ pub use proof::Doubt;
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use reason::{Change, Reason, sentences};
 
+use std::sync::Arc;
+
 use crate::cam::{Cam, Check, LimitKind, Verdict};
 use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
@@ -127,10 +129,7 @@ pub fn synthesise_with(
     force: Option<&ForceCurve>,
     shared: &Shared,
 ) -> Result<Design> {
-    let mut problem = Problem::settle(scene, force)?;
-    problem.spans = shared.spans.clone();
-    problem.halt = shared.halt.clone();
-    designed(problem)
+    designed(Problem::settle_with(scene, force, shared)?)
 }
 
 /// The design of a problem, complete even where it has none that keeps its limits.
@@ -241,7 +240,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         phase: problem.phase,
         weight_n,
         band: problem.band,
-        target: problem.target.map(|t| t.curve),
+        target: problem.target.map(|t| Arc::unwrap_or_clone(t.curve)),
         drive: problem.drive,
         family: found.family.name().to_string(),
         functions: found.functions,

@@ -1,7 +1,9 @@
 //! A set of Fluent messages of one language.
 
+use std::sync::{RwLock, RwLockReadGuard};
+
 use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use fluent_bundle::{FluentArgs, FluentMessage, FluentResource, FluentValue};
 use fluent_syntax::ast::Pattern;
 use serde::Serialize;
 use serde_json::Value;
@@ -62,47 +64,88 @@ const AS_TYPED: &[&str] = &[
 /// ```
 pub struct Catalogue {
     language: Language,
-    bundle: FluentBundle<FluentResource>,
-    keys: Vec<String>,
+    /// Messages that were asked for: to read all of them takes longer than most designs.
+    bundle: RwLock<FluentBundle<FluentResource>>,
+    keys: Vec<&'static str>,
+    /// Key and Fluent text of every message, by key.
+    texts: Vec<(&'static str, &'static str)>,
 }
 
+type Messages<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
+
 impl Catalogue {
-    /// Reads the texts of Fluent files.
+    /// Takes the texts of Fluent files; each message is read when it is first asked for.
     ///
     /// # Panics
     ///
-    /// On a text that is no Fluent, or a key that stands twice: a mistake of the program, not of its user,
-    /// which every test of the catalogue meets.
-    pub fn new(language: Language, files: &[&str]) -> Catalogue {
+    /// On a line that begins no message and a key that stands twice: a mistake of the program, not of its user, which every test of the catalogue
+    /// meets.
+    pub fn new(language: Language, files: &[&'static str]) -> Catalogue {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
         // Sentences are of one direction: marks that isolate arguments would only disturb terminals.
         bundle.set_use_isolating(false);
-        let mut keys = Vec::new();
-        for text in files {
-            let resource = match FluentResource::try_new((*text).to_string()) {
-                Ok(resource) => resource,
-                Err((_, faults)) => panic!("a file of messages is no Fluent: {faults:?}"),
-            };
-            // A message's key stands at the start of its line.
-            let lines = text
-                .lines()
-                .filter(|l| l.starts_with(|c: char| c.is_ascii_lowercase()));
-            keys.extend(lines.filter_map(|l| Some(l.split_once(" =")?.0.to_string())));
-            if let Err(faults) = bundle.add_resource(resource) {
-                panic!("a message stands twice: {faults:?}");
-            }
+        let mut texts: Vec<_> = files.iter().flat_map(|file| messages(file)).collect();
+        let keys = texts.iter().map(|text| text.0).collect();
+        texts.sort_unstable_by_key(|text| text.0);
+        if let Some(twice) = texts.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            panic!("a message stands twice: {}", twice[0].0);
         }
         Catalogue {
             language,
-            bundle,
+            bundle: RwLock::new(bundle),
             keys,
+            texts,
+        }
+    }
+
+    /// The Fluent text of a message.
+    fn text_of(&self, key: &str) -> Option<&'static str> {
+        let at = self.texts.binary_search_by(|text| text.0.cmp(key)).ok()?;
+        Some(self.texts[at].1)
+    }
+
+    /// The messages read so far, with this one and those it refers to; `None` where there is none of this key.
+    fn messages(&self, key: &str) -> Option<Messages<'_>> {
+        let text = self.text_of(key)?;
+        let known = self.read();
+        if known.has_message(key) {
+            return Some(known);
+        }
+        drop(known);
+        self.add(key, text);
+        Some(self.read())
+    }
+
+    fn read(&self) -> Messages<'_> {
+        // A panic while a message is added leaves the others as they were.
+        (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    /// Reads a message and those it refers to.
+    ///
+    /// # Panics
+    ///
+    /// On a text that is no Fluent: a mistake of the program.
+    fn add(&self, key: &str, text: &str) {
+        let resource = match FluentResource::try_new(text.to_string()) {
+            Ok(resource) => resource,
+            Err((_, faults)) => panic!("the message {key} is no Fluent: {faults:?}"),
+        };
+        let mut bundle = (self.bundle.write()).unwrap_or_else(std::sync::PoisonError::into_inner);
+        // Another thread may have been faster.
+        if bundle.has_message(key) || bundle.add_resource(resource).is_err() {
+            return;
+        }
+        drop(bundle);
+        for other in references(text).filter(|other| *other != key) {
+            self.messages(other);
         }
     }
 
     /// Keys of all messages, in the order of the files.
-    pub fn keys(&self) -> &[String] {
-        &self.keys
+    pub fn keys(&self) -> Vec<String> {
+        self.keys.iter().map(|key| (*key).to_string()).collect()
     }
 
     /// The sentence of a message: its key is `area-variant`. A key that is missing shows as itself with the
@@ -116,9 +159,9 @@ impl Catalogue {
     pub fn help(&self, area: &str, message: &impl Serialize) -> Option<String> {
         let data = serde_json::to_value(message).unwrap_or_default();
         let (variant, fields) = parts(&data)?;
-        let found = self.bundle.get_message(&format!("{area}-{variant}"))?;
-        let pattern = found.get_attribute("help")?.value();
-        Some(self.format(pattern, area, fields))
+        self.pattern_of(&format!("{area}-{variant}"), area, fields, |message| {
+            Some(message.get_attribute("help")?.value())
+        })
     }
 
     /// Its language.
@@ -133,20 +176,15 @@ impl Catalogue {
 
     /// The text of a key without arguments: headings, labels.
     pub fn text(&self, key: &str) -> String {
-        let nothing = Value::Null;
-        match self.bundle.get_message(key).and_then(|m| m.value()) {
-            Some(pattern) => self.format(pattern, "", &nothing),
-            None => key.to_string(),
-        }
+        let text = self.value_of(key, "", &Value::Null);
+        text.unwrap_or_else(|| key.to_string())
     }
 
     /// The name of a unit variant (`flat-translating`, `force_min`) in this language, or as it is typed.
     pub fn name(&self, typed: &str) -> String {
         let key = format!("name-{}", typed.replace(['_', '.', ' '], "-"));
-        match self.bundle.get_message(&key).and_then(|m| m.value()) {
-            Some(pattern) => self.format(pattern, "", &Value::Null),
-            None => typed.to_string(),
-        }
+        let name = self.value_of(&key, "", &Value::Null);
+        name.unwrap_or_else(|| typed.to_string())
     }
 
     fn of_value(&self, area: &str, data: &Value) -> String {
@@ -154,15 +192,37 @@ impl Catalogue {
         let Some((variant, fields)) = parts(data) else {
             return missing();
         };
-        let message = |area: &str| self.bundle.get_message(&format!("{area}-{variant}"));
-        let found = message(area).or_else(|| SHARED.iter().find_map(|area| message(area)));
-        match found.and_then(|m| m.value()) {
-            Some(pattern) => self.format(pattern, area, fields),
-            None => missing(),
-        }
+        let of = |own: &str| self.value_of(&format!("{own}-{variant}"), area, fields);
+        let found = of(area).or_else(|| SHARED.iter().find_map(|area| of(area)));
+        found.unwrap_or_else(missing)
     }
 
-    fn format(&self, pattern: &Pattern<&str>, area: &str, fields: &Value) -> String {
+    /// The text of a message with its fields; `None` where there is none of this key.
+    fn value_of(&self, key: &str, area: &str, fields: &Value) -> Option<String> {
+        self.pattern_of(key, area, fields, |message| message.value())
+    }
+
+    /// The text of one of a message's patterns.
+    fn pattern_of(
+        &self,
+        key: &str,
+        area: &str,
+        fields: &Value,
+        part: impl for<'m> FnOnce(&FluentMessage<'m>) -> Option<&'m Pattern<&'m str>>,
+    ) -> Option<String> {
+        self.text_of(key)?;
+        let arguments = self.arguments(area, fields);
+        let all = self.messages(key)?;
+        let message = all.get_message(key)?;
+        let mut faults = Vec::new();
+        let text = all.format_pattern(part(&message)?, Some(&arguments), &mut faults);
+        debug_assert!(faults.is_empty(), "{text}: {faults:?}");
+        Some(text.into_owned())
+    }
+
+    /// The fields of a message as its arguments. They may be messages themselves, so they are made before the
+    /// message is looked at.
+    fn arguments(&self, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
             for (name, value) in fields {
@@ -173,12 +233,7 @@ impl Catalogue {
                 arguments.set(name.replace('_', "-"), argument);
             }
         }
-        let mut faults = Vec::new();
-        let text = self
-            .bundle
-            .format_pattern(pattern, Some(&arguments), &mut faults);
-        debug_assert!(faults.is_empty(), "{text}: {faults:?}");
-        text.into_owned()
+        arguments
     }
 
     fn argument(&self, area: &str, value: &Value) -> FluentValue<'static> {
@@ -198,7 +253,7 @@ impl Catalogue {
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => number(self.language, n.as_f64().unwrap_or(f64::NAN)),
             // A message without fields inside another, otherwise a name.
-            Value::String(text) if self.keys.contains(&format!("{area}-{text}")) => {
+            Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
             }
             Value::String(text) => self.name(text),
@@ -214,6 +269,43 @@ impl Catalogue {
             },
         }
     }
+}
+
+/// Keys and texts of the messages of a Fluent file: a message's key stands at the start of its line.
+fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let begins = |text: &str| text.starts_with(|c: char| c.is_ascii_lowercase());
+    let ends =
+        |text: &str| text.starts_with(|c: char| c.is_ascii_lowercase() || c == '#' || c == '-');
+    let mut rest = file;
+    std::iter::from_fn(move || {
+        while !begins(rest) {
+            rest = after_line(rest)?;
+        }
+        let whole = rest;
+        rest = after_line(rest).unwrap_or("");
+        while !rest.is_empty() && !ends(rest) {
+            rest = after_line(rest).unwrap_or("");
+        }
+        let text = &whole[..whole.len() - rest.len()];
+        match text.split_once(" =") {
+            Some((key, _)) => Some((key, text)),
+            None => panic!("no Fluent message: {text}"),
+        }
+    })
+}
+
+/// What follows a text's first line; `None` where there is no other.
+fn after_line(text: &'static str) -> Option<&'static str> {
+    text.split_once('\n').map(|(_, rest)| rest)
+}
+
+/// Keys that a message's text may refer to.
+fn references(text: &str) -> impl Iterator<Item = &str> {
+    text.split('{').skip(1).map(|part| {
+        let part = part.trim_start();
+        let end = part.find(|c: char| !(c.is_ascii_alphanumeric() || c == '-'));
+        &part[..end.unwrap_or(part.len())]
+    })
 }
 
 /// Variant and fields of a message as serde writes enums.

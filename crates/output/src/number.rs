@@ -20,26 +20,32 @@ pub fn append_decimal(out: &mut String, units: i64, decimals: u32) {
     if units < 0 {
         out.push('-');
     }
-    let (mut rest, mut left) = (units.unsigned_abs(), decimals);
-    while left > 0 && rest.is_multiple_of(10) {
-        rest /= 10;
-        left -= 1;
-    }
-    let mut digits = [b'0'; 24];
-    let mut at = digits.len();
-    while rest > 0 || left > 0 || at == digits.len() || digits[at] == b'.' {
+    let scale = 10u64.pow(decimals);
+    let size = units.unsigned_abs();
+    let (mut whole, mut part) = (size / scale, size % scale);
+    let mut digits = [b'0'; 40];
+    let mut at = 20;
+    while whole > 0 || at == 20 {
         at -= 1;
-        digits[at] = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        if left > 0 {
-            left -= 1;
-            if left == 0 {
-                at -= 1;
-                digits[at] = b'.';
-            }
+        digits[at] = b'0' + (whole % 10) as u8;
+        whole /= 10;
+    }
+    let mut end = 20;
+    if part > 0 {
+        digits[20] = b'.';
+        let mut last = 21 + decimals as usize;
+        while part.is_multiple_of(10) {
+            part /= 10;
+            last -= 1;
+        }
+        end = last;
+        while part > 0 {
+            last -= 1;
+            digits[last] = b'0' + (part % 10) as u8;
+            part /= 10;
         }
     }
-    out.extend(digits[at..].iter().map(|&d| char::from(d)));
+    out.push_str(std::str::from_utf8(&digits[at..end]).unwrap_or_default());
 }
 
 /// A text whose numbers have the decimal sign of a language. What only looks like a number, `0.1.0` or `walk_1.5`, stays.

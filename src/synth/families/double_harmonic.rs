@@ -81,7 +81,7 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
     let rest = drive.rest_force;
     let nodes: Vec<(f64, f64, f64)> = gauss_legendre(NODES)
         .into_iter()
-        .map(|(u, w)| (TAU * u, w, target.at(TAU * u) - rest))
+        .map(|(u, w)| (TAU * u, w, target.cells().at(TAU * u) - rest))
         .collect();
     let search = Search {
         drive,

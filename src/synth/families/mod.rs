@@ -8,6 +8,7 @@ mod program;
 mod spectral;
 mod spline;
 mod spline_program;
+mod spline_spans;
 mod touching;
 
 pub use spline::stopped_at_noise;

@@ -1,6 +1,7 @@
 //! The spline family: least squares in force space under demands and limits.
 
-use super::spline_program::{force_distance, unlimited_program};
+use super::spline_program::unlimited_program;
+use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
 use crate::problem::{Note, Problem, Size, SpanKey};
@@ -35,6 +36,8 @@ const SURELY: f64 = 1e-6;
 struct Fitted {
     /// The optimum of what is convex, or what the sequence made of it.
     touched: Touched,
+    /// Half the mean square of the force error.
+    force: Quadratic,
     /// What no law that keeps the convex limits betters, where a sequence went on from there.
     least: f64,
     /// The sequence of convex programs, where one was needed, and why it ended.
@@ -94,15 +97,20 @@ fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
         drive: problem.drive,
         degree: problem.degree(),
     };
-    let spans = (problem.spans).fewest(key, || fewest_without_limits(problem, wanted))?;
+    let spans = (problem.memo).fewest_spans(key, || fewest_without_limits(problem, wanted))?;
     while_worthwhile(problem, spans, wanted)
 }
 
 /// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
 /// without limits miss it with them.
 fn fewest_without_limits(problem: &Problem, wanted: f64) -> crate::error::Result<usize> {
+    let forecast = Forecast::of(problem);
     let mut spans = 3;
     while spans < MOST_AUTO_SPANS {
+        if forecast.as_ref().is_some_and(|f| f.misses(spans, wanted)) {
+            spans += 1 + spans / 40;
+            continue;
+        }
         let (program, force) = unlimited_program(problem, spans)?;
         match qp::solve_equalities(&program) {
             Ok(u) if rms(&force, &u.x) <= wanted => break,
@@ -123,7 +131,7 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
                 outcome?
             }
         };
-        let error = force_error(problem, &fitted);
+        let error = rms(&fitted.force, &fitted.touched.solution.x);
         let reached = error <= wanted;
         let hopeless = best
             .as_ref()
@@ -155,7 +163,7 @@ fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
 
 /// One program with all that is convex, and what is not brought in where it is broken.
 fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
-    let program = limited_program(problem, spans)?;
+    let (program, force) = limited_program(problem, spans)?;
     let stuck = |program, failure, nonconvex| {
         NoLaw::Stuck(Box::new(Stuck {
             family: Family::Spline,
@@ -173,6 +181,7 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
     }
     let mut fitted = Fitted {
         touched,
+        force,
         least: f64::NEG_INFINITY,
         sequence: None,
         spans,
@@ -243,9 +252,9 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     true
 }
 
-/// The program with every limit that is convex.
-fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Program> {
-    let (mut program, _) = unlimited_program(problem, spans)?;
+/// The program with every limit that is convex, and the force distance alone.
+fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<(Program, Quadratic)> {
+    let (mut program, force) = unlimited_program(problem, spans)?;
     let mut rows = limits::rows(problem);
     if problem.law.monotone {
         rows.extend(limits::monotone(problem));
@@ -259,7 +268,7 @@ fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<Prog
     if problem.size() == Size::Sought {
         limits::with_size(problem, &mut program);
     }
-    Ok(program)
+    Ok((program, force))
 }
 
 /// Brings limits of the profile that are not convex into the law, where the law without them would break
@@ -342,9 +351,4 @@ pub fn stopped_at_noise(problem: &Problem, family: Family) -> Option<Note> {
 
 fn rms(force: &Quadratic, x: &[f64]) -> f64 {
     (2.0 * force.value(x)).max(0.0).sqrt()
-}
-
-fn force_error(problem: &Problem, fitted: &Fitted) -> f64 {
-    let force = force_distance(problem, &fitted.touched.program.basis);
-    rms(&force, &fitted.touched.solution.x)
 }

@@ -47,7 +47,7 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
             jerk.add_energy(&basis, 3, 1.0);
             let own = jerk.hessian.largest_diagonal();
             if own > 0.0 {
-                quadratic.add_energy(&basis, 3, JERK_TERM * scale / own);
+                quadratic.add(&jerk, JERK_TERM * scale / own);
             }
         }
     }
@@ -86,13 +86,16 @@ pub fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
         // Against polynomials the target is its nearest polynomial on every span.
         Basis::Spline { space, .. } if !problem.is_weighed() => {
             let degree = space.degree();
+            let nearest = target.nearest(&basis.breaks(), degree);
+            let mut pieces = nearest.chunks_exact(degree + 1);
             force.add_distance(
                 basis,
                 &w,
                 degree + 1,
-                |start, width, places, out| {
-                    target.nearest((start, width), degree, places, out);
-                    out.iter_mut().for_each(|f| *f -= rest);
+                |_, _, _, out| {
+                    for (out, f) in out.iter_mut().zip(pieces.next().unwrap_or_default()) {
+                        *out = f - rest;
+                    }
                 },
                 None,
             );
@@ -112,7 +115,7 @@ pub fn force_distance(problem: &Problem, basis: &Basis) -> Quadratic {
                 &w,
                 nodes,
                 |start, width, places, out| {
-                    target.on(start, width, places, out);
+                    target.cells().on((start, width), places, out);
                     out.iter_mut().for_each(|f| *f -= rest);
                 },
                 weighed.then_some(&weight),

@@ -5,7 +5,7 @@ use super::row::{SLACK, row};
 use crate::cam::{Check, Criterion, LimitKind};
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::{Extreme, PiecewisePoly, distance};
+use crate::poly::{Extreme, PiecewisePoly};
 use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
@@ -99,7 +99,7 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
         ..ForceReport::default()
     };
     if let Some(target) = &problem.target {
-        let apart = distance(&own, &target.curve.curve());
+        let apart = target.cells().distance(&own);
         report.target_mean_n = target.mean_n();
         report.rms_error_n = (apart.square / length).max(0.0).sqrt();
         report.max_error_n = apart.largest;

@@ -69,6 +69,14 @@ impl ArrowMatrix {
         true
     }
 
+    /// Adds `factor` times another matrix of the same pattern.
+    pub fn add_scaled(&mut self, other: &ArrowMatrix, factor: f64) {
+        let own = self.core.iter_mut().chain(&mut self.rows);
+        for (a, b) in own.zip(other.core.iter().chain(&other.rows)) {
+            *a += factor * b;
+        }
+    }
+
     /// Multiplies every entry.
     pub fn scale(&mut self, factor: f64) {
         let all = self.core.iter_mut().chain(&mut self.rows);

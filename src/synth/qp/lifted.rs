@@ -165,6 +165,16 @@ impl Lifted {
         }
     }
 
+    /// Adds another objective over the same coefficients, `factor` times.
+    pub fn add(&mut self, other: &Lifted, factor: f64) {
+        self.used = self.used.max(other.used);
+        let blocks = other.blocks.iter().map(|&(i, j, v)| (i, j, factor * v));
+        self.blocks.extend(blocks);
+        for (own, g) in self.gradient.iter_mut().zip(&other.gradient) {
+            *own += factor * g;
+        }
+    }
+
     /// Multiplies the objective.
     pub fn scale(&mut self, factor: f64) {
         self.blocks.iter_mut().for_each(|b| b.2 *= factor);

@@ -40,7 +40,7 @@ impl Quadratic {
         basis: &Basis,
         weights: &[f64],
         nodes: usize,
-        wanted: impl Fn(f64, f64, &[(f64, f64)], &mut [f64]),
+        mut wanted: impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]),
         weight: Option<&dyn Fn(f64) -> f64>,
     ) {
         let breaks = basis.breaks();
@@ -133,6 +133,22 @@ impl Quadratic {
             |_, _, _, out| out.fill(0.0),
             None,
         );
+    }
+
+    /// Adds another objective over the same basis, `factor` times.
+    pub fn add(&mut self, other: &Quadratic, factor: f64) {
+        self.hessian.add_scaled(&other.hessian, factor);
+        for (own, g) in self.gradient.iter_mut().zip(&other.gradient) {
+            *own += factor * g;
+        }
+        self.constant += factor * other.constant;
+        self.lifted = match (self.lifted.take(), &other.lifted) {
+            (Some(mut own), Some(other)) => {
+                own.add(other, factor);
+                Some(own)
+            }
+            _ => None,
+        };
     }
 
     /// The same objective, `factor` times.

@@ -168,7 +168,7 @@ mod tests {
         for key in &used {
             assert!(told(key).is_some(), "{key} is missing in words/es/help.ftl");
         }
-        for key in spanish().keys() {
+        for key in &spanish().keys() {
             let of_page = key.starts_with("label-") || key.starts_with("value-");
             assert!(
                 of_page || used.contains(key),

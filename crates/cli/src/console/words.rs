@@ -88,13 +88,17 @@ mod tests {
 
     #[test]
     fn every_fault_has_its_sentence_and_both_languages_the_same_keys() {
-        let keys = |language| -> BTreeSet<String> { of(language).keys().iter().cloned().collect() };
+        let keys = |language| -> BTreeSet<String> { of(language).keys().into_iter().collect() };
         let (english, spanish) = (keys(Language::En), keys(Language::Es));
         for variant in CliError::VARIANTS {
             assert!(english.contains(&format!("cli-{variant}")), "{variant}");
         }
         let faults = english.iter().filter(|k| k.starts_with("cli-")).count();
         assert_eq!(faults, CliError::VARIANTS.len());
+        for language in [Language::En, Language::Es] {
+            // Each message is read when it is asked for.
+            assert!(english.iter().all(|key| !of(language).text(key).is_empty()));
+        }
         let missing: Vec<_> = english.symmetric_difference(&spanish).collect();
         assert!(missing.is_empty(), "{missing:?}");
     }

@@ -111,22 +111,26 @@ impl Task<'_> {
 
     fn distance(&self, basis: &Basis) -> Quadratic {
         let mut force = Quadratic::zero(basis);
-        let nodes = (self.degree + 2).max(self.target.force_n.len().div_ceil(self.spans));
         let target = Target::new(self.target.clone());
+        let nearest = target.nearest(&basis.breaks(), self.degree);
+        let mut pieces = nearest.chunks_exact(self.degree + 1);
         force.add_distance(
             basis,
             &self.drive.weights(),
-            nodes,
-            |start, width, places, out| {
-                target.on(start, width, places, out);
-                out.iter_mut().for_each(|f| *f -= self.drive.rest_force);
+            self.degree + 1,
+            |_, _, _, out| {
+                for (out, f) in out.iter_mut().zip(pieces.next().unwrap_or_default()) {
+                    *out = f - self.drive.rest_force;
+                }
             },
             None,
         );
+        force.constant = 0.5 * target.mean_square_from(self.drive.rest_force);
         force
     }
 
-    fn program(&self) -> Program {
+    /// The convex program, ready to be solved.
+    pub fn program(&self) -> Program {
         let basis = self.basis();
         let force = self.distance(&basis);
         let mut program = Program::new(basis, force, Vec::new(), self.length());

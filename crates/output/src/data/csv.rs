@@ -1,7 +1,5 @@
 //! Tables: the law and the profile, one row per cam angle, full precision.
 
-use std::fmt::Write;
-
 use crate::pose::{angles, oscillates, target_at};
 use gaitcam::cam::{ProfilePoint, Wall};
 use gaitcam::synth::Design;
@@ -131,13 +129,14 @@ fn text(columns: &Columns) -> String {
         out.push_str(name);
     }
     out.push('\n');
+    // The shortest form that reads back exactly.
+    let mut digits = zmij::Buffer::new();
     for row in 0..rows {
         for (i, (_, values)) in columns.iter().enumerate() {
             out.push_str(if i > 0 { "," } else { "" });
             let x = values[row];
             if !x.is_nan() {
-                // Debug is the shortest form that reads back exactly; writing to a String cannot fail.
-                let _ = write!(out, "{x:?}");
+                out.push_str(digits.format(x));
             }
         }
         out.push('\n');

@@ -48,7 +48,9 @@ impl Coverage {
         }
         let slope = (q[0] - p[0]) / (q[1] - p[1]);
         let sign = if down { 1.0 } else { -1.0 };
-        let (first, last) = (top as usize, (bottom.ceil() as usize).min(self.height));
+        let whole = bottom as usize;
+        let last = (whole + usize::from(bottom > whole as f64)).min(self.height);
+        let first = top as usize;
         let mut x = p[0] + (top - p[1]) * slope;
         for row in first..last {
             let dy = bottom.min((row + 1) as f64) - top.max(row as f64);
@@ -63,7 +65,8 @@ impl Coverage {
     fn row(&mut self, row: usize, a: f64, b: f64, d: f64) {
         let most = self.width as f64;
         let (a, b) = (a.clamp(0.0, most), b.clamp(0.0, most));
-        let (i, end) = (a as usize, (b.ceil() as usize).max(a as usize + 1));
+        let (i, whole) = (a as usize, b as usize);
+        let end = (whole + usize::from(b > whole as f64)).max(i + 1);
         let marks = &mut self.touched[row * self.words..(row + 1) * self.words];
         for cell in i / CELL..=end / CELL {
             marks[cell / 64] |= 1 << (cell % 64);

@@ -10,14 +10,19 @@ const SHORTEST: usize = 3;
 /// Reach of DEFLATE's matches.
 const WINDOW: usize = 32768;
 
-/// The file; `rgb` has three bytes per pixel, row by row.
-pub fn encode(width: usize, height: usize, rgb: &[u8]) -> Vec<u8> {
+/// Bytes of a row: the filter's number, 0 for none, then three bytes per pixel.
+pub fn stride(width: usize) -> usize {
+    3 * width + 1
+}
+
+/// The file; `rows` has [`stride`] bytes per row.
+pub fn encode(width: usize, height: usize, rows: &[u8]) -> Vec<u8> {
     let mut out = b"\x89PNG\r\n\x1a\n".to_vec();
     let mut head = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();
     // Eight bits, RGB, the only compression and filter methods, no interlace.
     head.extend([8, 2, 0, 0, 0]);
     chunk(&mut out, b"IHDR", &head);
-    chunk(&mut out, b"IDAT", &zlib(3 * width, rgb));
+    chunk(&mut out, b"IDAT", &zlib(stride(width), rows));
     chunk(&mut out, b"IEND", &[]);
     out
 }
@@ -31,14 +36,8 @@ fn chunk(out: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
     out.extend(sum.to_be_bytes());
 }
 
-/// The rows, each after the byte 0 for "no filter", as a zlib stream (RFC 1950).
-fn zlib(row: usize, rgb: &[u8]) -> Vec<u8> {
-    let stride = row + 1;
-    let mut data = Vec::with_capacity(rgb.len() / row.max(1) * stride);
-    for line in rgb.chunks_exact(row.max(1)) {
-        data.push(0);
-        data.extend_from_slice(line);
-    }
+/// The rows as a zlib stream (RFC 1950).
+fn zlib(stride: usize, data: &[u8]) -> Vec<u8> {
     let mut bits = Bits {
         out: vec![0x78, 0x01],
         ..Bits::default()
@@ -48,10 +47,11 @@ fn zlib(row: usize, rgb: &[u8]) -> Vec<u8> {
     let mut i = 0;
     while i < data.len() {
         let at = |distance: usize| match i.checked_sub(distance) {
-            Some(j) if distance <= WINDOW => run(&data, i, j),
+            Some(j) if data[j] == data[i] && distance <= WINDOW => run(data, i, j),
             _ => 0,
         };
-        let (above, left) = (at(stride), at(3));
+        let left = at(3);
+        let above = if left < LONGEST { at(stride) } else { 0 };
         if above.max(left) >= SHORTEST {
             let distance = if left >= above { 3 } else { stride };
             bits.matched(above.max(left), distance);
@@ -64,7 +64,7 @@ fn zlib(row: usize, rgb: &[u8]) -> Vec<u8> {
     // The end of the block.
     bits.code(0, 7);
     let mut out = bits.finish();
-    out.extend(simd_adler32::adler32(&data.as_slice()).to_be_bytes());
+    out.extend(simd_adler32::adler32(&data).to_be_bytes());
     out
 }
 
@@ -72,18 +72,16 @@ fn zlib(row: usize, rgb: &[u8]) -> Vec<u8> {
 fn run(data: &[u8], i: usize, j: usize) -> usize {
     let most = LONGEST.min(data.len() - i);
     let (here, there) = (&data[i..i + most], &data[j..j + most]);
-    let mut n = 0;
-    for (a, b) in here.chunks_exact(8).zip(there.chunks_exact(8)) {
-        if a != b {
-            break;
+    let (eights, rest) = here.as_chunks::<8>();
+    let (others, other_rest) = there.as_chunks::<8>();
+    for (n, (a, b)) in eights.iter().zip(others).enumerate() {
+        let differ = u64::from_le_bytes(*a) ^ u64::from_le_bytes(*b);
+        if differ != 0 {
+            return 8 * n + (differ.trailing_zeros() / 8) as usize;
         }
-        n += 8;
     }
-    n + here[n..]
-        .iter()
-        .zip(&there[n..])
-        .take_while(|(a, b)| a == b)
-        .count()
+    let equal = rest.iter().zip(other_rest).take_while(|(a, b)| a == b);
+    8 * eights.len() + equal.count()
 }
 
 /// Bits from the lowest of each byte on.
@@ -98,10 +96,10 @@ impl Bits {
     fn put(&mut self, value: u32, count: u32) {
         self.held |= u64::from(value) << self.count;
         self.count += count;
-        while self.count >= 8 {
-            self.out.push(self.held as u8);
-            self.held >>= 8;
-            self.count -= 8;
+        if self.count >= 32 {
+            self.out.extend((self.held as u32).to_le_bytes());
+            self.held >>= 32;
+            self.count -= 32;
         }
     }
 
@@ -147,8 +145,8 @@ impl Bits {
     }
 
     fn finish(mut self) -> Vec<u8> {
-        // What fills the last byte.
-        self.put(0, 7);
+        let whole = self.count.div_ceil(8) as usize;
+        self.out.extend(&self.held.to_le_bytes()[..whole]);
         self.out
     }
 }

@@ -5,11 +5,14 @@ use std::sync::LazyLock;
 use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
 
 use super::coverage::Coverage;
+use super::png::stride;
 use super::sheet::{Ink, Shape};
 use crate::plot::picture::Picture;
 
 /// Corners of a round dot or line end.
 const CORNERS: usize = 24;
+/// A point nearer than this to the straight way past it is not seen, pixels; places are known to a sixteenth.
+const UNSEEN: f64 = 0.06;
 /// Sine of the turn from which two segments get a round joint between them.
 const SHARP: f64 = 0.1;
 
@@ -29,7 +32,7 @@ pub fn png(picture: &Picture) -> Vec<u8> {
     for shape in &picture.shapes {
         page.draw(shape);
     }
-    super::png::encode(page.width, page.height, &page.rgb)
+    super::png::encode(page.width, page.height, &page.rows)
 }
 
 /// Width of a text in ems, regular weight.
@@ -46,24 +49,32 @@ pub fn text_width(text: &str) -> f64 {
 struct Page {
     width: usize,
     height: usize,
-    rgb: Vec<u8>,
+    /// Rows as PNG has them: a zero, then the pixels.
+    rows: Vec<u8>,
     coverage: Coverage,
 }
 
 impl Page {
     fn new(width: usize, height: usize) -> Self {
+        let stride = stride(width);
+        let mut rows = vec![255; stride * height];
+        rows.iter_mut()
+            .step_by(stride)
+            .for_each(|filter| *filter = 0);
         Page {
             width,
             height,
-            rgb: vec![255; 3 * width * height],
+            rows,
             coverage: Coverage::new(width, height),
         }
     }
 
     fn draw(&mut self, shape: &Shape) {
         match shape {
-            Shape::Line { points, ink, width } => self.fill(&outline(points, *width), *ink),
-            Shape::Area { points, ink } => self.fill(std::slice::from_ref(points), *ink),
+            Shape::Line { points, ink, width } => {
+                self.fill(&outline(&straightened(points), *width), *ink);
+            }
+            Shape::Area { points, ink } => self.fill(&[straightened(points)], *ink),
             Shape::Circle {
                 centre,
                 radius,
@@ -113,12 +124,17 @@ impl Page {
                 from = to;
             }
         }
-        let (width, rgb) = (self.width, &mut self.rgb);
+        let (stride, rows) = (stride(self.width), &mut self.rows);
         self.coverage.take(|row, first, end, c| {
             let alpha = ink.alpha as f32 * c;
-            let pixels = &mut rgb[3 * (row * width + first)..3 * (row * width + end)];
-            for pixel in pixels.chunks_exact_mut(3) {
-                mix(pixel, ink.rgb, alpha);
+            let pixels = &mut rows[row * stride + 1..][3 * first..3 * end];
+            // Most pixels lie on what their neighbour lies on.
+            let (mut under, mut over) = ([0; 3], mixed([0; 3], ink.rgb, alpha));
+            for pixel in pixels.as_chunks_mut::<3>().0 {
+                if *pixel != under {
+                    (under, over) = (*pixel, mixed(*pixel, ink.rgb, alpha));
+                }
+                *pixel = over;
             }
         });
     }
@@ -127,9 +143,11 @@ impl Page {
         if x < 0 || y < 0 || x >= self.width as i64 || y >= self.height as i64 {
             return;
         }
-        let i = 3 * (y as usize * self.width + x as usize);
+        let i = y as usize * stride(self.width) + 1 + 3 * x as usize;
         let alpha = ink.alpha as f32 * coverage.min(1.0);
-        mix(&mut self.rgb[i..i + 3], ink.rgb, alpha);
+        for pixel in self.rows[i..i + 3].as_chunks_mut::<3>().0 {
+            *pixel = mixed(*pixel, ink.rgb, alpha);
+        }
     }
 
     #[allow(clippy::too_many_arguments)] // the fields of one kind of shape
@@ -177,11 +195,11 @@ impl Page {
     }
 }
 
-fn mix(pixel: &mut [u8], colour: [u8; 3], alpha: f32) {
-    for (under, over) in pixel.iter_mut().zip(colour) {
-        let below = f32::from(*under);
-        *under = (below + alpha * (f32::from(over) - below) + 0.5) as u8;
-    }
+fn mixed(under: [u8; 3], colour: [u8; 3], alpha: f32) -> [u8; 3] {
+    std::array::from_fn(|k| {
+        let below = f32::from(under[k]);
+        (below + alpha * (f32::from(colour[k]) - below) + 0.5) as u8
+    })
 }
 
 fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
@@ -195,6 +213,51 @@ fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
             [x + r * cos, y + r * sin]
         })
         .collect()
+}
+
+/// The line without the points that lie on the way from those before to those after: a curve has more of them than
+/// the page has pixels.
+fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
+    let Some((&first, rest)) = points.split_first() else {
+        return out;
+    };
+    out.push(first);
+    let (mut corner, mut last) = (first, first);
+    // Directions from the corner that pass all points since by, none being known at first.
+    let mut passing: Option<[[f64; 2]; 2]> = None;
+    for &point in rest {
+        let mut way = [point[0] - corner[0], point[1] - corner[1]];
+        let onward = (point[0] - last[0]) * (last[0] - corner[0])
+            + (point[1] - last[1]) * (last[1] - corner[1]);
+        let passes = passing.is_none_or(|[left, right]| {
+            cross(left, way) >= 0.0 && cross(way, right) >= 0.0 && onward >= 0.0
+        });
+        if !passes {
+            out.push(last);
+            (corner, passing) = (last, None);
+            way = [point[0] - corner[0], point[1] - corner[1]];
+        }
+        let square = way[0] * way[0] + way[1] * way[1];
+        if square > UNSEEN * UNSEEN {
+            let lean = UNSEEN / square.sqrt();
+            let left = [way[0] + lean * way[1], way[1] - lean * way[0]];
+            let right = [way[0] - lean * way[1], way[1] + lean * way[0]];
+            passing = Some(passing.map_or([left, right], |[l, r]| {
+                [
+                    if cross(l, left) > 0.0 { left } else { l },
+                    if cross(right, r) > 0.0 { right } else { r },
+                ]
+            }));
+        }
+        last = point;
+    }
+    out.push(last);
+    out
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
 }
 
 /// A line of given width as polygons of one orientation: a rectangle per segment, a disc per sharp corner.
@@ -227,4 +290,52 @@ fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
         ]);
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn off(points: &[[f64; 2]], at: [f64; 2]) -> f64 {
+        let to = |pair: &[[f64; 2]]| {
+            let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+            let here = [at[0] - pair[0][0], at[1] - pair[0][1]];
+            let square = way[0] * way[0] + way[1] * way[1];
+            let t = ((here[0] * way[0] + here[1] * way[1]) / square.max(1e-300)).clamp(0.0, 1.0);
+            (here[0] - t * way[0]).hypot(here[1] - t * way[1])
+        };
+        points.windows(2).map(to).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn a_straightened_line_passes_every_point_by_less_than_is_seen() {
+        let wave = |i: i32| {
+            let x = f64::from(i) * 0.76;
+            [x, 200.0 + 150.0 * (0.02 * x).sin() + 10.0 * (0.4 * x).cos()]
+        };
+        let circle = |i: i32| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 1440.0).sin_cos();
+            [300.0 + 250.0 * cos, 300.0 + 250.0 * sin]
+        };
+        let there_and_back = |i: i32| [f64::from(i.min(1440 - i)), 5.0];
+        let shapes: [&dyn Fn(i32) -> [f64; 2]; 3] = [&wave, &circle, &there_and_back];
+        for shape in shapes {
+            let points: Vec<[f64; 2]> = (0..=1440).map(shape).collect();
+            let fewer = straightened(&points);
+            assert!(fewer.len() < points.len() / 2, "{}", fewer.len());
+            let most = points.iter().map(|p| off(&fewer, *p)).fold(0.0, f64::max);
+            assert!(most <= UNSEEN + 1e-9, "{most}");
+        }
+    }
+
+    #[test]
+    fn corners_and_ends_stay() {
+        let corner = [[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
+        let kept = vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
+        assert_eq!(straightened(&corner), kept);
+        let ring = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [0.0, 0.0]];
+        assert_eq!(straightened(&ring), ring.to_vec());
+        assert_eq!(straightened(&[]), Vec::<[f64; 2]>::new());
+        assert_eq!(straightened(&[[1.0, 2.0]]).len(), 2);
+    }
 }

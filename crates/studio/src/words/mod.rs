@@ -56,9 +56,8 @@ impl Words {
             .into_iter()
             .collect();
         let holes = Value::from(holes);
-        let keys = self
-            .0
-            .keys()
+        let keys = self.0.keys();
+        let keys = keys
             .iter()
             .filter_map(|k| Some((k, k.strip_prefix("studio-")?)));
         let text = |variant: &str| {

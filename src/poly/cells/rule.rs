@@ -1,0 +1,54 @@
+//! Quadrature on a cell, several nodes side by side.
+
+use crate::poly::gauss_legendre;
+
+/// Value of a cubic in Bernstein form.
+pub fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
+    let v = 1.0 - u;
+    v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
+}
+
+/// A rule of Gauss and Legendre on a cell, with the Bernstein polynomials of a cubic at its nodes.
+pub struct Rule<const Q: usize> {
+    nodes: [f64; Q],
+    /// Their weights.
+    pub weights: [f64; Q],
+    cubics: [[f64; Q]; 4],
+}
+
+impl<const Q: usize> Rule<Q> {
+    pub fn new() -> Self {
+        let rule = gauss_legendre(Q);
+        let nodes: [f64; Q] = std::array::from_fn(|q| rule[q].0);
+        Rule {
+            nodes,
+            weights: std::array::from_fn(|q| rule[q].1),
+            cubics: std::array::from_fn(|k| {
+                let mut unit = [0.0; 4];
+                unit[k] = 1.0;
+                nodes.map(|u| cubic(&unit, u))
+            }),
+        }
+    }
+
+    /// The nodes on a range.
+    #[inline(always)]
+    pub fn places(&self, from: f64, to: f64) -> [f64; Q] {
+        self.nodes.map(|t| from + t * (to - from))
+    }
+
+    /// A cubic at the nodes of its cell.
+    #[inline(always)]
+    pub fn on_cell(&self, c: &[f64; 4]) -> [f64; Q] {
+        std::array::from_fn(|q| {
+            let [first, second, third, fourth] = &self.cubics;
+            c[0] * first[q] + c[1] * second[q] + (c[2] * third[q] + c[3] * fourth[q])
+        })
+    }
+
+    /// Largest distance of a place of the cell from the nearest node.
+    pub fn widest_gap(&self) -> f64 {
+        let between = self.nodes.windows(2).map(|w| 0.5 * (w[1] - w[0]));
+        between.fold(self.nodes[0].max(1.0 - self.nodes[Q - 1]), f64::max)
+    }
+}

@@ -1,0 +1,108 @@
+use super::*;
+use crate::poly::{PiecewisePoly, gauss_legendre};
+use std::f64::consts::TAU;
+
+/// A rough function of cubics that join smoothly.
+fn rough(n: usize) -> Cells {
+    let value = |i: usize| 700.0 + 300.0 * (0.7 * i as f64).sin() + 50.0 * ((i % 5) as f64);
+    let slope = |i: usize| 100.0 * (0.9 * i as f64).cos();
+    let cubics = (0..n).map(|i| {
+        let (here, next) = (value(i), value((i + 1) % n));
+        let (s0, s1) = (slope(i), slope((i + 1) % n));
+        [here, here + s0 / 3.0, next - s1 / 3.0, next]
+    });
+    Cells::new(cubics.collect(), TAU)
+}
+
+fn pieces(cells: &Cells) -> PiecewisePoly {
+    let n = cells.cubics.len();
+    let breaks = (0..n).map(|i| TAU * i as f64 / n as f64).chain([TAU]);
+    let coef = cells.cubics.iter().flatten().copied();
+    PiecewisePoly::new(breaks.collect(), 3, coef.collect())
+}
+
+/// Pieces of different widths, with jumps between them.
+fn wave(n: usize, degree: usize) -> PiecewisePoly {
+    let place = |i: usize| TAU * (i as f64 / n as f64).powf(1.1);
+    let breaks = (0..n).map(place).chain([TAU]).collect();
+    let coef = (0..n * (degree + 1)).map(|i| 700.0 + 300.0 * (i as f64 * 0.7).sin());
+    PiecewisePoly::new(breaks, degree, coef.collect())
+}
+
+#[test]
+fn distance_is_that_of_the_difference_built_piece_by_piece() {
+    let shapes = [
+        (7, 3),
+        (1, 1),
+        (12, 4),
+        (3, 9),
+        (40, 5),
+        (300, 2),
+        (64, 3),
+        (2, 13),
+    ];
+    for (n, degree) in shapes {
+        for count in [5, 64, 1000] {
+            let (cells, own) = (rough(count), wave(n, degree));
+            let target = pieces(&cells);
+            let cut = own.cut_at(target.breaks());
+            let target = target.cut_at(cut.breaks());
+            let difference = PiecewisePoly::combine(&[(1.0, &cut), (-1.0, &target)], 0.0);
+            let (low, high) = difference.extremes();
+            let found = cells.distance(&own);
+            let square = difference.integral_of_square();
+            assert!(
+                (found.square / square - 1.0).abs() < 1e-12,
+                "{n} {degree} {count}: {found:?} {square}"
+            );
+            let largest = high.value.max(-low.value);
+            assert!(
+                (found.largest / largest - 1.0).abs() < 1e-12,
+                "{n} {degree} {count}: {found:?} {largest}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_function_is_no_distance_from_itself() {
+    for (count, parts) in [(64, 64), (64, 1), (50, 100)] {
+        let cells = rough(count);
+        let finer: Vec<f64> = (1..parts).map(|i| TAU * i as f64 / parts as f64).collect();
+        let found = cells.distance(&pieces(&cells).cut_at(&finer));
+        assert!(found.largest < 1e-11 && found.square < 1e-22, "{found:?}");
+    }
+}
+
+/// Against a quadrature so fine that kinks do not matter, with few and with many cells on a range.
+#[test]
+fn the_nearest_polynomial_has_the_moments_of_the_function() {
+    for count in [16, 1000] {
+        let cells = rough(count);
+        for (start, width) in [(0.0, 1.1), (2.345, 0.01), (TAU - 0.5, 0.5)] {
+            let rule = gauss_legendre(9);
+            let mut values = vec![0.0; rule.len()];
+            cells.nearest((start, width), 7, &rule, &mut values);
+            for power in 0..=7 {
+                let own = rule.iter().zip(&values);
+                let own: f64 = own.map(|((u, w), f)| w * f * u.powi(power)).sum();
+                let fine = gauss_legendre(64_000);
+                let at = |u: f64| cells.at((start + u * width).min(TAU));
+                let exact: f64 = fine.iter().map(|(u, w)| w * at(*u) * u.powi(power)).sum();
+                assert!(
+                    (own / exact - 1.0).abs() < 1e-9,
+                    "{count} {start} {power}: {own} {exact}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_mean_square_is_that_of_the_pieces() {
+    let cells = rough(64);
+    let pieces = pieces(&cells);
+    let apart = PiecewisePoly::combine(&[(1.0, &pieces)], -650.0);
+    let exact = apart.integral_of_square() / TAU;
+    assert!((cells.mean_square_from(650.0) / exact - 1.0).abs() < 1e-14);
+}
