@@ -51,6 +51,7 @@
 //! evidence and benchmarks and may change at any time.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![deny(clippy::missing_errors_doc)]
 
 pub mod criterion;
 pub mod halt;

@@ -140,7 +140,7 @@ const GROWTHS: i32 = 90;
 /// steps of a quarter, refined by halving.
 ///
 /// # Errors
-/// Fails when none works.
+/// When none works.
 pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if matches!(cam.follower, Follower::FlatTranslating { .. }) {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));

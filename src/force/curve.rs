@@ -59,7 +59,7 @@ impl ForceCurve {
     /// A curve from equal-phase samples of one cycle (the first sample is not repeated at the end).
     ///
     /// # Errors
-    /// Fails on fewer than 4 samples, on a value that is not finite, on a period that is not positive.
+    /// Fewer than 4 samples, a value that is not finite, a period that is not positive.
     pub fn from_samples(name: &str, period_s: f64, force_n: Vec<f64>) -> Result<Self> {
         if force_n.len() < 4 {
             let samples = force_n.len();

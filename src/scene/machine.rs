@@ -40,7 +40,7 @@ impl MachineSpec {
     /// What gives between cam and mass, where it is known.
     ///
     /// # Errors
-    /// Fails on a natural frequency without a mass.
+    /// A natural frequency without a mass.
     pub fn train(&self, drive: &Drive) -> Result<Option<Train>> {
         if let Some(hz) = self.natural_frequency {
             return Train::from_frequency(drive, hz, self.damping_ratio)

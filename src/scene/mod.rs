@@ -15,7 +15,6 @@ mod machine;
 mod notes;
 mod read;
 mod rules;
-mod schema;
 mod set;
 mod write;
 
@@ -24,13 +23,13 @@ pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
 pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
 pub use drive::DriveSpec;
 pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
+pub use keys::schema;
 pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
 pub use limits::Limits;
 pub use machine::MachineSpec;
 pub use notes::SceneNote;
 pub use read::{read, read_keys};
 pub use rules::check;
-pub use schema::schema;
 pub use set::{set, set_value};
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.

@@ -81,7 +81,7 @@ impl Axis {
     /// Reads `KEY=START:STOP:COUNT` or `KEY=A,B,C`; `sampled` ranges have no count.
     ///
     /// # Errors
-    /// Fails on a missing `=`, an empty list, a count of zero, and numbers without the key's unit.
+    /// A missing `=`, an empty list, a count of zero, and numbers without the key's unit.
     pub fn parse(text: &str, sampled: bool) -> Result<Axis> {
         let Some((name, values)) = text.split_once('=') else {
             return Err(SweepError::NoAssignment {
@@ -100,7 +100,7 @@ impl Axis {
     /// An axis of listed values.
     ///
     /// # Errors
-    /// Fails on an empty list, an empty value and a number without its unit.
+    /// An empty list, an empty value and a number without its unit.
     pub fn list<'a>(name: &str, values: impl Iterator<Item = &'a str>) -> Result<Axis> {
         let values: Vec<&str> = values.collect();
         if values.is_empty() || values.contains(&"") {

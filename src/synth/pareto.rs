@@ -109,7 +109,7 @@ impl Against {
     /// Reads `force_error:prime_radius`, in either order.
     ///
     /// # Errors
-    /// Fails on other words, saying which are known.
+    /// Other words, saying which are known.
     pub fn from_pair(pair: &str) -> Result<Self> {
         let others = || {
             Self::NAMES[1..]
@@ -229,7 +229,7 @@ fn known(value: Option<f64>) -> f64 {
 /// needs, in even steps.
 ///
 /// # Errors
-/// Fails on a scene without a force, on a family other than splines, on a size that the scene fixes, and where
+/// A scene without a force, a family other than splines, a size that the scene fixes, and where
 /// the law without the limit cannot be built.
 pub fn trade(
     scene: &Scene,

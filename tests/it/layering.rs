@@ -90,7 +90,11 @@ fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
         "",
     );
     for (module, text) in &files {
+        // Examples in the documentation are programs of users, who may.
         let code = text.split("#[cfg(test)]").next().unwrap_or("");
+        let code: String = (code.lines())
+            .filter(|line| !line.trim_start().starts_with("//"))
+            .collect();
         for word in [
             "std::fs",
             "println!",

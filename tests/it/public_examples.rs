@@ -91,7 +91,8 @@ impl Module {
     /// Adds every public type to `out`.
     fn collect(&self, out: &mut BTreeMap<(PathBuf, String), bool>) {
         for (before, statement) in self.statements() {
-            if before.contains("doc(hidden)") || statement.starts_with("pub(") {
+            let hidden = before.contains("doc(hidden)") || before.contains("cfg(doctest)");
+            if hidden || statement.starts_with("pub(") {
                 continue;
             }
             if let Some(name) = type_name(&statement) {

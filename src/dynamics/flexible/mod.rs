@@ -87,7 +87,7 @@ fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
 /// The drive's speed must be positive (a cam that turns clockwise: run the mirrored law).
 ///
 /// # Errors
-/// Fails on stiffness or masses that are none, and at the resonance of an undamped machine, which has no steady
+/// Stiffness or masses that are none; the resonance of an undamped machine, which has no steady
 /// state.
 pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     train.check()?;

@@ -33,7 +33,7 @@ const COMPARED: usize = 720;
 /// The constant F₀/k₁, the static give under the rest force, is part of the lift.
 ///
 /// # Errors
-/// Fails on stiffness or damping that cannot be, on an open law, and on a wanted law with a jump in one of its
+/// Stiffness or damping that cannot be, an open law, a wanted law with a jump in one of its
 /// first four derivatives (without mass fewer count): the cam's acceleration would jump there.
 pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;

@@ -27,7 +27,7 @@ pub use catalogue::{ModelInfo, Status, catalogue};
 /// are the same curve.
 ///
 /// # Errors
-/// Fails on an unknown name (with the nearest), on a frequency outside the range of the model, on a weight that
+/// An unknown name (with the nearest), a frequency outside the range of the model, a weight that
 /// is not positive.
 pub fn model(
     name: &str,

@@ -12,6 +12,7 @@ mod law;
 mod limits;
 mod list;
 mod row;
+mod schema;
 mod value;
 
 use std::sync::LazyLock;
@@ -21,6 +22,7 @@ use super::LimitKind;
 pub use kind::{Idle, Kind, Measure, Range, Relax};
 pub use list::{json, markdown, takes};
 pub use row::Key;
+pub use schema::schema;
 pub use value::Value;
 pub(super) use value::{read as read_value, shown};
 

@@ -25,6 +25,9 @@ pub struct Unlimited {
 /// outer products make it regular without moving the constrained optimum. A constant that nothing
 /// settles (the moving axis knows no absolute lift) is pinned at one coefficient, lightly where limits
 /// will want to move it.
+///
+/// # Errors
+/// Equalities that contradict each other, an objective without a factor.
 pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;

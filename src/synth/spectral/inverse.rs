@@ -33,8 +33,8 @@ impl Spectral {
 
 /// The best law of `count` harmonics, or of the fewest whose remainder is at most `wanted` newtons RMS.
 ///
-/// Fails when the target has too few samples for the harmonics asked, and when the drive is in resonance
-/// with a harmonic that the force contains.
+/// # Errors
+/// Fewer samples than the harmonics asked need; a drive in resonance with a harmonic that the force contains.
 pub fn invert(
     target: &ForceCurve,
     drive: &Drive,

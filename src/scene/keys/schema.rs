@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::keys::{KEYS, Key, Kind, Range};
+use super::{KEYS, Key, Kind, Range};
 use crate::units::Dimension;
 use crate::wording::{Language, key_doc};
 

@@ -1,0 +1,105 @@
+//! Numbers of every size, and targets of every shape.
+
+use std::f64::consts::TAU;
+
+use gaitcam::force::ForceCurve;
+use gaitcam::scene;
+use gaitcam::synth::synthesise;
+
+use super::{design, finite};
+
+/// Forces from a flea's to a rocket's: the relative answer does not move, or the refusal is in words.
+#[test]
+fn units_may_be_tiny_or_huge() {
+    let usual = design(&[]).unwrap();
+    for weight in ["1e-6 N", "1e-3 N", "1e4 N", "1e9 N"] {
+        match design(&[&format!("gait.body_weight={weight}")]) {
+            Ok(answer) => {
+                finite(&answer);
+                let (a, b) = (
+                    answer.force.rms_error_percent_of_mean,
+                    usual.force.rms_error_percent_of_mean,
+                );
+                assert!((a - b).abs() < 1e-6 * b, "{weight}: {a} {b}");
+                let (a, b) = (answer.cam.law.stroke(), usual.cam.law.stroke());
+                assert!((a / b - 1.0).abs() < 1e-9, "{weight}: stroke {a} {b}");
+            }
+            Err(words) => assert!(words.contains("weight"), "{weight}: {words}"),
+        }
+    }
+}
+
+/// Numbers below the normal range, and near its top: an answer or words, never NaN.
+#[test]
+fn denormals_and_giants_are_answered_or_refused_in_words() {
+    for change in [
+        "gait.body_weight=1e-310 N",
+        "gait.body_weight=1e300 N",
+        "drive.mass=1e-310 kg",
+        "drive.mass=1e300 kg",
+        "drive.speed=1e-310 rad/s",
+        "drive.speed=1e200 rad/s",
+        "limits.stroke=1e-310 m",
+        "limits.jerk=1e-310 m/s^3",
+        "limits.acceleration=1e300 m/s^2",
+        "limits.curvature=1e-310 m",
+        "cam.base_radius=1e-310 m",
+        "accuracy.rms=1e-310 %",
+    ] {
+        let answer = std::panic::catch_unwind(|| design(&[change]));
+        match answer {
+            Ok(Ok(answer)) => finite(&answer),
+            Ok(Err(words)) => assert!(words.len() > 10, "{change}: {words}"),
+            Err(_) => panic!("{change}: panicked"),
+        }
+    }
+}
+
+/// A force that is flat but for a spike of a nanonewton, and one that jumps by a thousand means.
+#[test]
+fn ill_scaled_targets_are_followed_or_refused() {
+    let n = 512;
+    let spike = |size: f64| {
+        let force = (0..n)
+            .map(|i| 700.0 + if i == 100 { size } else { 0.0 })
+            .collect();
+        ForceCurve::from_samples("spike", 1.0, force).unwrap()
+    };
+    let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+    for size in [1e-9, 1e-3, 7e5] {
+        match synthesise(&scene, Some(&spike(size))) {
+            Ok(answer) => {
+                finite(&answer);
+                assert!((answer.force.mean_n / answer.force.target_mean_n - 1.0).abs() < 1e-9);
+            }
+            Err(e) => assert!(e.to_string().len() > 10),
+        }
+    }
+}
+
+/// The wrap-around joint is a joint like the others: lift and derivatives meet across 2π.
+#[test]
+fn laws_join_across_the_turn() {
+    let answer = design(&["limits.jerk=150 m/s^3"]).unwrap();
+    let law = &answer.cam.law;
+    let last = law.breaks().len() - 2;
+    let (a, b) = (law.svaj_on(last, 1.0), law.svaj_on(0, 0.0));
+    let (low, high) = law.extremes(3);
+    let scale = high.value.max(-low.value);
+    for (x, y) in [(a.s, b.s), (a.v, b.v), (a.a, b.a), (a.j, b.j)] {
+        assert!((x - y).abs() < 1e-11 * scale, "{x} {y}");
+    }
+    for k in [-3.0, -1.0, 1.0, 1e3] {
+        let moved = law.svaj(1.0 + k * TAU);
+        assert!((moved.s - law.svaj(1.0).s).abs() < 1e-12 * k.abs().max(1.0));
+    }
+    // A force with a step at the wrap: followed, without ringing beyond the step's own size.
+    let step: Vec<f64> = (0..512)
+        .map(|i| 600.0 + 200.0 * f64::from(i) / 512.0)
+        .collect();
+    let target = ForceCurve::from_samples("saw", 1.0, step).unwrap();
+    let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+    let answer = synthesise(&scene, Some(&target)).unwrap();
+    finite(&answer);
+    assert!(answer.force.max_error_n < 200.0);
+}

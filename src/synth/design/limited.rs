@@ -1,0 +1,241 @@
+//! What limits do to a design: those that shape it, what easing them would buy, those that conflict.
+
+use serde::{Serialize, Serializer};
+
+use crate::cam::{Criterion, Measures, Unit};
+use crate::error::SynthError;
+use crate::synth::qp::Demand;
+use crate::synth::reason::{Reason, sentences};
+use crate::units::Dimension;
+use crate::wording::{self, Language};
+
+impl Infeasible {
+    /// The names of what conflicts, as in `summary.json`.
+    pub fn names(&self) -> Vec<String> {
+        self.conflict.iter().map(|c| c.name()).collect()
+    }
+
+    /// Conflict and cure as sentences.
+    pub fn sentence(&self, language: Language) -> String {
+        sentences(&self.reasons, language)
+    }
+
+    /// The same as the fault of a scene for which there is nothing to show.
+    pub(in crate::synth) fn no_law(&self) -> SynthError {
+        let reason = serde_json::to_value(self.reasons.first()).unwrap_or_default();
+        SynthError::NoLaw { reason }
+    }
+}
+
+/// A limit that holds with equality and pushes on the law.
+///
+/// ```
+/// use gaitcam::{LimitKind, scene, synthesise};
+///
+/// // 40 mm of stroke are less than the force asks for: the limit shapes the law.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert!((design.cam.law.stroke() - 0.04).abs() < 1e-9);
+/// assert!(design.binding.iter().any(|b| b.limit == LimitKind::Stroke && b.multiplier > 0.0));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Binding {
+    /// The limit.
+    pub limit: Criterion,
+    /// Multiplier: gain of the objective per unit of the limit (SI).
+    pub multiplier: f64,
+    /// Where it binds, rad.
+    #[serde(rename = "at_rad")]
+    pub at: f64,
+}
+
+/// What easing one limit by 1 % would buy, to first order.
+///
+/// ```
+/// use gaitcam::{LimitKind, scene, synthesise};
+///
+/// // 1 % more stroke, and what it would buy.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let easing = design.easing.iter().find(|e| e.limit == LimitKind::Stroke).unwrap();
+/// assert!((easing.to / easing.from - 1.01).abs() < 1e-9);
+/// assert!(easing.after < easing.before);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Easing {
+    /// The limit, or the scene's own number where that is another.
+    pub limit: Criterion,
+    /// Its value, SI.
+    pub from: f64,
+    /// The value eased, SI.
+    pub to: f64,
+    /// What is minimised.
+    pub objective: Minimised,
+    /// Its value.
+    pub before: f64,
+    /// Its value with the limit eased.
+    pub after: f64,
+}
+
+/// The quantity that a scene minimises.
+///
+/// ```
+/// use gaitcam::synth::Minimised;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.easing[0].objective, Minimised::RmsError);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Minimised {
+    /// RMS force error, N.
+    RmsError,
+    /// The same with phases weighed.
+    WeightedRmsError,
+    /// Largest force error, N.
+    MaxError,
+    /// Base or prime radius, m.
+    Radius,
+    /// RMS of a derivative by cam angle, m/radᵏ.
+    RmsDerivative(usize),
+    /// Largest value of a derivative by cam angle, m/radᵏ.
+    PeakDerivative(usize),
+    /// Force error, radius and jerk weighed against each other.
+    Weighed,
+}
+
+impl Minimised {
+    /// Its name in `summary.json`.
+    pub fn name(self) -> String {
+        match self {
+            Minimised::RmsError => "rms_error_n".to_string(),
+            Minimised::WeightedRmsError => "weighted_rms_error_n".to_string(),
+            Minimised::MaxError => "max_error_n".to_string(),
+            Minimised::Radius => "radius_m".to_string(),
+            Minimised::RmsDerivative(order) => format!("rms_derivative_{order}"),
+            Minimised::PeakDerivative(order) => format!("peak_derivative_{order}"),
+            Minimised::Weighed => "weighed".to_string(),
+        }
+    }
+}
+
+impl Serialize for Minimised {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
+/// A member of an irreducible infeasible set.
+///
+/// ```
+/// use gaitcam::synth::{Conflicting, Infeasible};
+/// use gaitcam::{Criterion, LimitKind};
+///
+/// let member = Conflicting::Limit(Criterion::Limit(LimitKind::Stroke));
+/// assert_eq!(member.name(), "stroke");
+/// let why = Infeasible { conflict: vec![member], relaxations: Vec::new(), reasons: Vec::new() };
+/// assert_eq!(why.names(), ["stroke"]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Conflicting {
+    /// A limit.
+    Limit(Criterion),
+    /// A demand on the law.
+    Demand(Demand),
+}
+
+impl Conflicting {
+    /// Its name in `summary.json`.
+    pub fn name(self) -> String {
+        match self {
+            Conflicting::Limit(limit) => limit.name().to_string(),
+            Conflicting::Demand(demand) => demand.name(),
+        }
+    }
+
+    /// What it is called in text.
+    pub fn sentence(self, language: Language) -> String {
+        match self {
+            Conflicting::Limit(limit) => wording::catalogue(language).name(limit.name()),
+            Conflicting::Demand(demand) => wording::sentence(language, "demand", &demand),
+        }
+    }
+}
+
+impl Easing {
+    /// The objective as people call it, the unit to show it in, and SI's factor to that unit.
+    pub fn in_words(&self, measures: Measures, language: Language) -> (String, &'static str, f64) {
+        let unit = match self.objective {
+            Minimised::RmsError | Minimised::WeightedRmsError | Minimised::MaxError => {
+                measures.force()
+            }
+            Minimised::Radius => Unit::of(Dimension::Length),
+            Minimised::RmsDerivative(order) | Minimised::PeakDerivative(order) => {
+                measures.lift(order)
+            }
+            Minimised::Weighed => Unit::of(Dimension::Ratio),
+        };
+        let name = wording::catalogue(language).name(&self.objective.name());
+        (name, unit.name, unit.factor)
+    }
+}
+
+/// Why no such cam exists.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // 20 mm up and down in one turn take 16 h/T² of acceleration at least (theory §1).
+/// let scene = scene::built_in("camdas_03_flat")?.scene()?;
+/// assert!(synthesise(&scene, None)?.infeasible.is_none());
+/// let jerk = "limits.jerk=1 m/s^3";
+/// let mut table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// scene::set(&mut table, "law.point=[{ angle = \"0 deg\", lift = \"0 mm\" }, { angle = \"180 deg\", lift = \"20 mm\" }]")?;
+/// scene::set(&mut table, &format!("limits.acceleration={} m/s^2", 0.9 * 16.0 * 0.02 * 1.85 * 1.85))?;
+/// let scene = scene::read(&table)?;
+/// let why = synthesise(&scene, scene.model_force()?.as_ref())?.infeasible.unwrap();
+/// assert!(why.names().contains(&"acceleration".to_string()), "{jerk}: {:?}", why.names());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Infeasible {
+    /// Limits or demands that cannot hold together.
+    pub conflict: Vec<Conflicting>,
+    /// For each of them: the smallest change that makes the rest possible.
+    pub relaxations: Vec<Relaxation>,
+    /// The same as reasons, with what would help.
+    pub reasons: Vec<Reason>,
+}
+
+/// The smallest change of one limit that lets the others hold.
+///
+/// ```
+/// use gaitcam::synth::{relaxed, synthesise};
+/// use gaitcam::{LimitKind, scene};
+///
+/// // 30 mm of stroke leave an error above 0.5 %: how much stroke would be enough?
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
+/// let force = scene.model_force()?;
+/// let design = relaxed(&scene, force.as_ref(), synthesise(&scene, force.as_ref())?);
+/// let stroke = design.relaxations.iter().find(|r| r.limit == LimitKind::Stroke).unwrap();
+/// assert_eq!((stroke.key, stroke.from), ("limits.stroke", 0.03));
+/// assert!(stroke.to.unwrap() > 0.03 && stroke.to.unwrap() < 0.05);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Relaxation {
+    /// The limit.
+    pub limit: Criterion,
+    /// Its key, as typed after `--set`.
+    pub key: &'static str,
+    /// Its present value, SI.
+    pub from: f64,
+    /// The value that works, SI; `None` when no value of this limit alone helps.
+    pub to: Option<f64>,
+}

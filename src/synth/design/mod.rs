@@ -1,0 +1,203 @@
+//! What a synthesis answers: plain data that emitters and sweeps read.
+
+mod limited;
+mod solver;
+
+pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
+pub use solver::{SolverReport, Step, Tier};
+
+use serde::Serialize;
+
+use super::parameters::Functions;
+use super::reason::{Reason, sentences};
+use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, Making, Verdict};
+use crate::drive::Drive;
+use crate::dynamics::flexible::polydyne::Miss;
+use crate::force::ForceCurve;
+use crate::law::Law;
+use crate::poly::Extreme;
+use crate::problem::Note;
+use crate::units::Quantity;
+use crate::wording::Language;
+
+/// Everything known about a finished design.
+///
+/// ```
+/// use gaitcam::{Verdict, scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert_eq!(design.verdict, Verdict::Acceptable);
+/// assert!(design.checks.iter().all(|check| check.pass));
+/// // As data: what the law is, what the cam measures, why the verdict is what it is.
+/// let data = serde_json::to_value(&design).unwrap();
+/// assert_eq!(data["verdict"], "acceptable");
+/// assert_eq!(data["drive"]["mass"], 700.0 / 9.81);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct Design {
+    /// The scene's name.
+    pub name: String,
+    /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
+    pub target: Option<ForceCurve>,
+    /// Weight that load factors are parts of, N: the walker's, as the scene scales it; `None` without a force.
+    pub weight_n: Option<f64>,
+    /// Lowest and highest force of the band that was asked for in place of the curve.
+    pub band: Option<[ForceCurve; 2]>,
+    /// Phase of the force cycle at cam angle 0, rad.
+    pub phase: f64,
+    /// How lift becomes force, with every number settled.
+    pub drive: Drive,
+    /// Family of the law as users name it: `spline`, `polynomial`, `program` …
+    pub family: String,
+    /// The functions that the law's coefficients belong to.
+    pub functions: Functions,
+    /// Coefficients of the law (of a polydyne cam: of the follower's end), m.
+    pub coefficients: Vec<f64>,
+    /// Degree of the law's polynomials as users name it (the double harmonic and its kin: 0).
+    pub degree: usize,
+    /// The cam with its law.
+    pub cam: Cam,
+    /// The end of the flexible follower that the cam is cut for.
+    pub end: Option<End>,
+    /// The pair with its second cam, where the scene asks for one.
+    pub conjugate: Option<Conjugate>,
+    /// The groove of a barrel cam with both walls.
+    pub groove: Option<BarrelGroove>,
+    /// The hole for the shaft.
+    pub bore: Option<Bore>,
+    /// Whether θ = 0 is engraved on the solid.
+    pub mark: bool,
+    /// Thickness of the plate, m.
+    pub thickness: f64,
+    /// Material, surface and what is added to the plate.
+    pub making: Making,
+    /// Distance of the force from the target.
+    pub force: ForceReport,
+    /// `None` when built; otherwise why no such cam exists.
+    pub infeasible: Option<Infeasible>,
+    /// Changes of one limit each that let the whole design pass; filled by `relaxed` for one that does not.
+    pub relaxations: Vec<Relaxation>,
+    /// Where no single change is enough: all of them by one share, which is.
+    pub together: Vec<Relaxation>,
+    /// The class of the cam.
+    pub verdict: Verdict,
+    /// Why, the main reason first.
+    pub reasons: Vec<Reason>,
+    /// Every limit held against the design.
+    pub checks: Vec<Check>,
+    /// Limits that shape the law, with what they cost.
+    pub binding: Vec<Binding>,
+    /// What easing each of them by 1 % would buy, the dearest first.
+    pub easing: Vec<Easing>,
+    /// How it was solved.
+    pub solver: SolverReport,
+    /// A search was ended from outside: this is the best it had.
+    pub out_of_time: bool,
+    /// What to know beside the verdict.
+    pub notes: Vec<Note>,
+}
+
+/// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // F = M (g + ω²a): the end's force is that of the law, which the cam alone would not give.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let end = design.end.as_ref().unwrap();
+/// let stiffness = design.drive.mass * (std::f64::consts::TAU * 12.0).powi(2);
+/// assert!((end.stiffness / stiffness - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Serialize)]
+pub struct End {
+    /// Law of the end; the cam's own differs from it by the follower's give.
+    pub law: Law,
+    /// Stiffness of the follower train, N/m (an arm: N·m/rad).
+    pub stiffness: f64,
+    /// Its damping, N·s/m.
+    pub damping: f64,
+    /// How far the end of the flexible follower stays from its law when this cam is run; `None` where
+    /// nothing is steady.
+    pub miss: Option<Miss>,
+    /// The same for a cam cut to the law itself.
+    pub plain_miss: Option<Miss>,
+}
+
+impl Design {
+    /// The reasons for the verdict as sentences.
+    pub fn reason(&self, language: Language) -> String {
+        sentences(&self.reasons, language)
+    }
+
+    /// The notes as sentences.
+    pub fn remarks(&self, language: Language) -> Vec<String> {
+        let said = |note: &Note| note.sentence(language);
+        self.notes.iter().map(said).collect()
+    }
+
+    /// What a run of the emitted cam adds to the verdict: the follower is off the cam for this share of the
+    /// motion.
+    pub fn loses_contact(&mut self, share: f64) {
+        let known = |r: &Reason| matches!(r, Reason::ContactLost { .. } | Reason::LiftsOff { .. });
+        if !self.reasons.iter().any(known) {
+            let share = Quantity::share(share);
+            self.reasons.retain(|r| *r != Reason::AllHold);
+            self.reasons.insert(0, Reason::ContactLostInRun { share });
+        }
+        self.verdict = Verdict::Unacceptable;
+    }
+
+    /// Whether the drive presses with nothing: no mass, spring, damping or preload is given.
+    pub fn is_idle(&self) -> bool {
+        self.drive.is_idle()
+    }
+
+    /// Smallest and largest pressure angle, rad; of a barrel at the floor of its groove, where the roller
+    /// is pushed most aslant.
+    pub fn pressure_angle_extremes(&self) -> (Extreme, Extreme) {
+        match &self.groove {
+            Some(groove) => groove.pressure_angle_extremes(groove.depth().0),
+            None => self.cam.pressure_angle_extremes(),
+        }
+    }
+
+    /// The law that makes the force: a polydyne cam's end, the cam's own otherwise.
+    pub fn pressing(&self) -> &Law {
+        self.end.as_ref().map_or(&self.cam.law, |end| &end.law)
+    }
+}
+
+/// Force of the cam against the target, N; all values belong to the continuous law.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // The mean force of a cam that carries its own mass is M·g, whatever the law.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = synthesise(&scene, scene.model_force()?.as_ref())?.force;
+/// assert!((force.mean_n - 700.0).abs() < 1e-6);
+/// assert!(force.rms_error_percent_of_mean <= 0.5);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ForceReport {
+    /// Root mean square over the cycle.
+    pub rms_error_n: f64,
+    /// Largest absolute difference.
+    pub max_error_n: f64,
+    /// RMS error as percent of the mean target.
+    pub rms_error_percent_of_mean: f64,
+    /// Mean of the target.
+    pub target_mean_n: f64,
+    /// Mean of the cam's force.
+    pub mean_n: f64,
+    /// Smallest force.
+    pub min_n: f64,
+    /// Largest force.
+    pub max_n: f64,
+}

@@ -1,0 +1,126 @@
+//! How a design was found.
+
+use serde::Serialize;
+
+use crate::synth::method::{Ended, Method, PassedOver};
+use crate::synth::proof::Doubt;
+use crate::synth::qp::Certificate;
+use crate::wording::Language;
+
+/// One convex program of a sequence, as it was taken.
+///
+/// ```
+/// use gaitcam::{scene, synthesise};
+///
+/// // A sequence of convex programs never gets worse.
+/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.torque", "12 N m")?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// assert!(!design.solver.steps.is_empty());
+/// assert!(design.solver.steps.windows(2).all(|s| s[1].merit <= s[0].merit));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Step {
+    /// Prime radius after the step, m.
+    pub prime_radius: f64,
+    /// Objective after the step.
+    pub merit: f64,
+    /// Smallest distance to undercut or the sharpest curvature allowed, without unit; not below zero.
+    pub clearance: f64,
+    /// Part of the step that was taken.
+    pub taken: f64,
+}
+
+/// Which rung of the ladder answered.
+///
+/// ```
+/// use gaitcam::synth::Tier;
+/// use gaitcam::{scene, synthesise};
+///
+/// // Harmonics in closed form; with limits that bind it takes a program.
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let force = scene.model_force()?;
+/// let harmonic = synthesise(&scene.with("law.family", "harmonic")?, force.as_ref())?;
+/// assert_eq!(harmonic.solver.tier, Tier::Spectral);
+/// let held = synthesise(&scene.with("limits.stroke", "40 mm")?, force.as_ref())?;
+/// assert_eq!(held.solver.tier, Tier::Qp);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tier {
+    /// Closed form, harmonic by harmonic.
+    Spectral,
+    /// Least squares with equalities: one factorisation.
+    Equality,
+    /// Convex quadratic program.
+    Qp,
+    /// Second-order cone program.
+    Socp,
+    /// Sequence of convex programs.
+    Scp,
+}
+
+impl Tier {
+    /// The word of `summary.json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Tier::Spectral => "spectral",
+            Tier::Equality => "equality",
+            Tier::Qp => "qp",
+            Tier::Socp => "socp",
+            Tier::Scp => "scp",
+        }
+    }
+}
+
+/// How the design was found.
+///
+/// ```
+/// use gaitcam::wording::Language;
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let solver = synthesise(&scene, scene.model_force()?.as_ref())?.solver;
+/// assert!(solver.certified && solver.doubt.is_none());
+/// assert!(!solver.status(Language::En).is_empty());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SolverReport {
+    /// The rung that answered.
+    pub tier: Tier,
+    /// How that rung found the law.
+    pub method: Method,
+    /// Simpler families that were tried first, and what they missed.
+    pub passed_over: Vec<PassedOver>,
+    /// Iterations over all solves.
+    pub iterations: usize,
+    /// Limits hold on the continuous law, and no law of the family is better by more than 1e-6 of the objective.
+    pub certified: bool,
+    /// Why it is not certified.
+    pub doubt: Option<Doubt>,
+    /// How near to the optimum the law is proved to be; `None` where nothing was minimised.
+    pub certificate: Option<Certificate>,
+    /// The sequence of convex programs, where one was needed.
+    pub steps: Vec<Step>,
+}
+
+impl SolverReport {
+    /// How the law was found and what simpler families missed.
+    pub fn status(&self, language: Language) -> String {
+        let missed = self.passed_over.iter().map(|p| p.sentence(language));
+        let all: Vec<String> = std::iter::once(self.method.sentence(language))
+            .chain(missed)
+            .collect();
+        all.join("; ")
+    }
+
+    /// Why the sequence of convex programs ended; `None` without one.
+    pub fn ended(&self) -> Option<Ended> {
+        match self.method {
+            Method::Sequence { ended, .. } => Some(ended),
+            _ => None,
+        }
+    }
+}
