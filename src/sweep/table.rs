@@ -116,6 +116,11 @@ fn number(out: &mut String, x: f64) {
     if x.is_nan() {
         return;
     }
+    if x.is_finite() && x.abs() >= 1e16 {
+        // Without the sign that the exponent would get below.
+        let _ = write!(out, "{x:e}");
+        return;
+    }
     let mut digits = zmij::Buffer::new();
     let text = digits.format(x);
     out.push_str(text.strip_suffix(".0").unwrap_or(text));

@@ -135,7 +135,10 @@ fn text(columns: &Columns) -> String {
         for (i, (_, values)) in columns.iter().enumerate() {
             out.push_str(if i > 0 { "," } else { "" });
             let x = values[row];
-            if !x.is_nan() {
+            if x.is_finite() && x.abs() >= 1e16 {
+                // Without the sign that the exponent would get below.
+                out.push_str(&format!("{x:?}"));
+            } else if !x.is_nan() {
                 out.push_str(digits.format(x));
             }
         }
