@@ -1,7 +1,9 @@
-//! The tasks of benches/peers/run.py by gaitcam: one line of JSON each.
+//! The tasks of benches/peers/run.py by gaitcam: one line of JSON each, times of the processor.
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use std::sync::LazyLock;
+use std::time::Instant;
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::drive::Drive;
@@ -10,7 +12,6 @@ use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::synthesise;
 use gaitcam_evidence::tiers::{Bound, Task};
-use rustix::time::{ClockId, clock_gettime};
 
 const WEIGHT: f64 = 700.0;
 const GRAVITY: f64 = 9.81;
@@ -31,24 +32,34 @@ fn force(theta: f64) -> f64 {
     WEIGHT * (1.0 + waves.sum::<f64>())
 }
 
-/// Time of the processor that this process has had, s.
+/// Time of the processor that this thread has had, s, known to a few milliseconds; time on the wall where the system
+/// does not say.
 fn processor_time() -> f64 {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|t| t.split(' ').next()?.parse::<f64>().ok());
+    nanoseconds.map_or_else(|| START.elapsed().as_secs_f64(), |n| 1e-9 * n)
 }
+
+/// A block of runs takes at least this time, s: the clock is coarse.
+const BLOCK: f64 = 0.2;
+/// Blocks of runs.
+const BLOCKS: usize = 7;
 
 /// Median time of the processor after a warm-up, s.
 fn median(mut run: impl FnMut()) -> f64 {
-    run();
-    let mut times: Vec<f64> = (0..201)
-        .map(|_| {
-            let start = processor_time();
-            run();
-            processor_time() - start
-        })
-        .collect();
+    let mut block = |count: usize| {
+        let start = processor_time();
+        (0..count).for_each(|_| run());
+        processor_time() - start
+    };
+    let mut count = 1;
+    while block(count) < BLOCK {
+        count *= 2;
+    }
+    let mut times: Vec<f64> = (0..BLOCKS).map(|_| block(count) / count as f64).collect();
     times.sort_by(f64::total_cmp);
-    times[100]
+    times[BLOCKS / 2]
 }
 
 fn tell(task: &str, seconds: f64, error: &str) {

@@ -1,4 +1,4 @@
-//! Every number that was asked of gaitcam in seconds, bytes or rows, measured: `cargo bench` writes
+//! Every number that was asked of gaitcam in seconds, bytes or rows, measured; this writes
 //! reports/benchmarks.md. Numbers of accuracy are tests; the table's second half names them.
 
 use std::f64::consts::{PI, TAU};
@@ -23,7 +23,6 @@ use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
 use gaitcam::synth::synthesise;
 use gaitcam_evidence::tiers::{Bound, Task, spectral};
 use rayon::prelude::*;
-use rustix::time::{ClockId, clock_gettime};
 
 /// One line of the table.
 struct Line {
@@ -146,32 +145,15 @@ fn duration(s: f64) -> String {
     }
 }
 
-/// Time of the processor that this thread has had, s.
-fn processor_time() -> f64 {
-    let time = clock_gettime(ClockId::ThreadCPUTime);
-    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
-}
-
-/// Time of the processor, which other programs disturb little.
-fn times<T>(run: impl FnMut() -> T) -> Times {
-    times_by(processor_time, run)
-}
-
-/// Time on the wall, for work of several threads.
-fn wall_times<T>(run: impl FnMut() -> T) -> Times {
-    let start = Instant::now();
-    times_by(|| start.elapsed().as_secs_f64(), run)
-}
-
 /// Runs after a warm-up: up to 101 in about half a second, at least five.
-fn times_by<T>(clock: impl Fn() -> f64, mut run: impl FnMut() -> T) -> Times {
+fn times<T>(mut run: impl FnMut() -> T) -> Times {
     black_box(run());
     let start = Instant::now();
     let mut all = Vec::new();
     while all.len() < 5 || (all.len() < 101 && start.elapsed().as_secs_f64() < 0.5) {
-        let one = clock();
+        let one = Instant::now();
         black_box(run());
-        all.push(clock() - one);
+        all.push(one.elapsed().as_secs_f64());
     }
     all.sort_by(f64::total_cmp);
     Times {
@@ -191,7 +173,8 @@ fn main() {
     charts(&mut report);
     let page = markdown(&report.0);
     print!("{page}");
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports/benchmarks.md");
+    let path =
+        Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("reports/benchmarks.md");
     std::fs::write(path, page).expect("reports/ can be written");
 }
 
@@ -501,7 +484,7 @@ fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
             .map(|b| kernel.run(b).len())
             .sum::<usize>()
     };
-    wall_times(|| pool.install(run))
+    times(|| pool.install(run))
 }
 
 fn sweeps(report: &mut Report) {
@@ -547,7 +530,7 @@ fn sweeps(report: &mut Report) {
 
 /// What `gaitcam chart` and benches/peers/run.py last wrote.
 fn charts(report: &mut Report) {
-    let reports = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).join("reports");
+    let reports = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("reports");
     let page = std::fs::read_to_string(reports.join("speed_accuracy.md")).unwrap_or_default();
     let on = page.matches("The default lies on the front.").count();
     let off = page
@@ -710,9 +693,9 @@ const TESTED: [(&str, &str, &str); 21] = [
 
 fn markdown(lines: &[Line]) -> String {
     let mut out = String::from(
-        "# Benchmarks\n\nWritten by `cargo bench -p gaitcam-bench` (benches/report.rs): medians after a warm-up, release build, as \
-         time of the processor (rates of two threads: on the wall); the fastest run beside them, because other programs ran \
-         on the machine too. Peers and whole processes are those of the last run of benches/peers/run.py.\n\n\
+        "# Benchmarks\n\nWritten by `cargo run --release -p gaitcam-evidence --features benchmarks --example benchmarks` (benches/report.rs): medians after a warm-up, release build, \
+         on the wall; the fastest run beside them, because other programs ran on the machine too. Peers and whole processes \
+         are time of the processor, of the last run of benches/peers/run.py.\n\n\
          | area | what | asked | median | fastest | |\n|---|---|---|---|---|---|\n",
     );
     for l in lines {
