@@ -169,8 +169,8 @@ fn main() {
         .map(|b| peak(&law, b.order) / b.most - 1.0)
         .fold(f64::NEG_INFINITY, f64::max);
     let words = format!("{:.4} % RMS, limits {excess:+.1e}", error(&drive, &law));
-    let program = both.program();
-    let seconds = median(|| drop(black_box(black_box(&program).solve())));
+    let ready = both.program();
+    let seconds = median(|| drop(black_box(black_box(&ready).solve())));
     tell(
         "acceleration and jerk at 95 %, quintic 32 spans",
         seconds,
