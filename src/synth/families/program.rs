@@ -27,7 +27,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
     let law =
         assembled(problem, &segments).map_err(|e| e.at(Place::Key("law.segment".to_string())))?;
     Ok(Found {
-        degree: law.poly().degree(),
+        degree: degree(&law),
         functions: Functions::Segments,
         coefficients: segments.iter().map(|s| s.lift).collect(),
         law,
@@ -36,6 +36,12 @@ pub fn found(problem: &Problem) -> Result<Found> {
         easing: Vec::new(),
         solver: report(Tier::Equality, Method::Programme, 0),
     })
+}
+
+/// Degree of the law's polynomials; harmonic segments have none.
+fn degree(law: &Law) -> usize {
+    let waves = (0..law.breaks().len() - 1).any(|i| !law.waves(i).is_empty());
+    if waves { 0 } else { law.poly().degree() }
 }
 
 /// The programme over what its cam covers: a turn, several, a length, or the half that a breadth mirrors.
