@@ -65,6 +65,12 @@ pub enum Reason {
         pull: Quantity,
         speed: Quantity,
     },
+    /// The same of a law that is prescribed: no limit shapes it.
+    LiftsOffAsPrescribed {
+        at: Quantity,
+        pull: Quantity,
+        speed: Quantity,
+    },
     /// The same where a spring, a preload or a mass presses.
     ContactLost { at: Quantity, pull: Quantity },
     /// The emitted cam was run, and the follower leaves it.

@@ -27,7 +27,7 @@ use crate::poly::{Peak, PiecewisePoly};
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;
 /// The merit must improve by this part, or the sequence ends.
-const IMPROVEMENT: f64 = 1e-7;
+const IMPROVEMENT: f64 = 1e-6;
 /// Tolerance of the limits between steps; the last law is solved to rounding.
 const STEP_TOLERANCE: f64 = 1e-6;
 /// Rows per piece of the law.
@@ -53,13 +53,14 @@ const SOON: f64 = 0.03;
 const SHORTEST: f64 = 1e-4;
 
 /// Improves `program`'s solution until the follower's limits hold as well; `from` is its optimum without
-/// them. Where the program has the size among its variables, the follower's own is not looked at.
+/// them, `known` a law that may keep them already. Where the program has the size among its variables, the follower's own is not looked at.
 ///
 /// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
 /// feasible start was found.
 pub fn refine(
     program: &Program,
     from: &Solution,
+    known: Option<Solution>,
     limits: NonconvexLimits,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
     // Between steps limits need not hold better than the next step will change them.
@@ -69,10 +70,14 @@ pub fn refine(
     let present = program.present();
     let given = limits.size();
     let sized = |extra: &[f64; EXTRAS]| sized(&limits, &present, given, extra);
-    let mut current =
-        start::feasible(program, from, &sized).or_else(|| start::climbed(program, from, &sized))?;
+    let mut current = known
+        .filter(|known| known.violation <= STEP_TOLERANCE)
+        .and_then(|known| start::feasible(program, &known, &sized))
+        .or_else(|| start::feasible(program, from, &sized))
+        .or_else(|| start::climbed(program, from, &sized))?;
     let merit = |s: &Solution| {
         program.objective(&s.x)
+            + program.constant
             + (0..EXTRAS)
                 .map(|k| program.cost[k] * s.extra[k])
                 .sum::<f64>()

@@ -8,6 +8,7 @@ use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;
 use crate::force::{Note, OpenQuestion};
 use crate::problem::Problem;
+use crate::scene::Family;
 use crate::units::{Dimension, Quantity};
 
 /// The class of the cam and every reason for it, the worst first.
@@ -102,10 +103,15 @@ fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> 
     }
     // F = M(g + ω²a): it vanishes where ω² = g/(−a).
     let fastest = drive.speed * (drive.rest_force / (drive.rest_force - low.worst)).sqrt();
-    Reason::LiftsOff {
-        at,
-        pull,
-        speed: Quantity::new(fastest, Dimension::AngularSpeed),
+    let speed = Quantity::new(fastest, Dimension::AngularSpeed);
+    // No limit shapes a law that is prescribed.
+    match problem.law.family {
+        Family::Program | Family::Polynomial => Reason::LiftsOffAsPrescribed { at, pull, speed },
+        Family::Spline
+        | Family::Auto
+        | Family::Ladder
+        | Family::Harmonic
+        | Family::DoubleHarmonic => Reason::LiftsOff { at, pull, speed },
     }
 }
 

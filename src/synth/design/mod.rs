@@ -143,7 +143,14 @@ impl Design {
     /// What a run of the emitted cam adds to the verdict: the follower is off the cam for this share of the
     /// motion.
     pub fn loses_contact(&mut self, share: f64) {
-        let known = |r: &Reason| matches!(r, Reason::ContactLost { .. } | Reason::LiftsOff { .. });
+        let known = |r: &Reason| {
+            matches!(
+                r,
+                Reason::ContactLost { .. }
+                    | Reason::LiftsOff { .. }
+                    | Reason::LiftsOffAsPrescribed { .. }
+            )
+        };
         if !self.reasons.iter().any(known) {
             let share = Quantity::share(share);
             self.reasons.retain(|r| *r != Reason::AllHold);

@@ -1,6 +1,7 @@
 //! From a problem to a law: one file per family, and `choose` for problems that leave the family open.
 
 mod choose;
+mod coarse_start;
 mod demands;
 mod double_harmonic;
 mod polynomial;

@@ -26,7 +26,7 @@ pub fn found(problem: &Problem) -> Result<Found> {
         .collect();
     let law = assembled(problem, &segments).map_err(|e| e.at_key("law.segment"))?;
     Ok(Found {
-        degree: law.poly().degree(),
+        degree: degree(&law),
         functions: Functions::Segments,
         coefficients: segments.iter().map(|s| s.lift).collect(),
         law,
@@ -35,6 +35,12 @@ pub fn found(problem: &Problem) -> Result<Found> {
         easing: Vec::new(),
         solver: report(Tier::Equality, Method::Programme, 0),
     })
+}
+
+/// Degree of the law's polynomials; harmonic segments have none.
+fn degree(law: &Law) -> usize {
+    let waves = (0..law.breaks().len() - 1).any(|i| !law.waves(i).is_empty());
+    if waves { 0 } else { law.poly().degree() }
 }
 
 /// The programme over what its cam covers: a turn, several, a length, or the half that a breadth mirrors.

@@ -1,5 +1,6 @@
 //! The spline family: least squares in force space under demands and limits.
 
+use super::coarse_start;
 use super::spline_program::unlimited_program;
 use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
@@ -28,6 +29,9 @@ const MOST_IN_BAND: usize = 120;
 const GROWTH: f64 = 1.5;
 /// … by at least this part.
 const WORTHWHILE: f64 = 0.02;
+/// Fewer spans than this say nothing of what more would bring: with limits that bind the error is no steady function of
+/// so few, and there may be no law at all.
+const TELLING: usize = 12;
 
 /// A lower bound of the error beyond what is allowed by this part of it is no rounding.
 const SURELY: f64 = 1e-6;
@@ -78,6 +82,13 @@ fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
     (evidence, Some(Doubt::Local))
 }
 
+/// The law on a number of spans with every limit, where there is one.
+pub fn on_spans(problem: &Problem, spans: usize) -> Option<Touched> {
+    let mut fitted = solve(problem, spans).ok()?;
+    with_profile(problem, &mut fitted);
+    Some(fitted.touched)
+}
+
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
 fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
     if let Some(spans) = problem.law.spans {
@@ -126,6 +137,10 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
     loop {
         let fitted = match (solve(problem, spans), best.take()) {
             (Err(NoLaw::Stuck(_)), Some((_, earlier))) => return Ok(earlier),
+            (Err(NoLaw::Stuck(_)), None) if spans < TELLING && !problem.halt.is_asked() => {
+                spans = (2 * spans).max(TELLING);
+                continue;
+            }
             (outcome, earlier) => {
                 best = earlier;
                 outcome?
@@ -133,9 +148,8 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
         };
         let error = rms(&fitted.force, &fitted.touched.solution.x);
         let reached = error <= wanted;
-        let hopeless = best
-            .as_ref()
-            .is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
+        let hopeless = spans >= TELLING
+            && (best.as_ref()).is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
         let better = match best {
             Some(earlier) if earlier.0 <= error => earlier,
             _ => (error, fitted),
@@ -240,7 +254,8 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
 fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
     let (program, solution) = fitted.touched.pinned(problem);
-    let Some((refined, steps, ended)) = scp::refine(&program, &solution, limits) else {
+    let known = coarse_start::found(problem, &program, fitted.spans);
+    let Some((refined, steps, ended)) = scp::refine(&program, &solution, known, limits) else {
         return false;
     };
     if steps.is_empty() && refined.x == solution.x {

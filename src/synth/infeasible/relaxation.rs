@@ -133,7 +133,14 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             infeasible.relaxations = [found.clone(), helpless].concat();
             design.reasons.clone_from(&infeasible.reasons);
         }
-        None => design.reasons.extend(cures),
+        None => {
+            // What the law at hand would need is not what a cam needs whose law is found for its size.
+            let resized = (numbers.iter())
+                .any(|(number, _)| number.key.section() == "cam" && is_found(&found, *number));
+            let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
+            design.reasons.retain(|r| !(resized && own(r)));
+            design.reasons.extend(cures);
+        }
     }
     design.relaxations = found;
     if problem.halt.is_asked() && !design.out_of_time {
@@ -142,6 +149,10 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
     }
     design.together = together;
     design
+}
+
+fn is_found(found: &[Relaxation], number: Relaxable) -> bool {
+    found.iter().any(|f| f.key == number.key.path)
 }
 
 fn passes(design: &Design) -> bool {

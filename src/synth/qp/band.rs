@@ -3,36 +3,43 @@
 //! The Gram matrix of periodic B-splines is banded with two corner blocks. Ordering the last unknowns
 //! as a border leaves a plain band and a small dense block; cost is linear in the number of spans.
 
+use super::double::Number;
+
 /// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
 /// rows for the last `border`.
 #[derive(Debug, Clone)]
-pub struct ArrowMatrix {
+pub struct ArrowMatrix<T = f64> {
     n: usize,
     band: usize,
     border: usize,
     /// Lower band of the leading block: entry (i, i−k) at `core[i*(band+1) + k]`.
-    core: Vec<f64>,
+    core: Vec<T>,
     /// Border rows, each of length n (its own block in the last columns, lower part used).
-    rows: Vec<f64>,
+    rows: Vec<T>,
 }
 
 /// Factor L of an [`ArrowMatrix`], same layout.
 #[derive(Debug, Clone)]
-pub struct ArrowFactor(ArrowMatrix);
+pub struct ArrowFactor<T = f64>(ArrowMatrix<T>);
 
-impl ArrowMatrix {
+impl<T: Number> ArrowMatrix<T> {
     /// The zero matrix. Unknowns coupled beyond `band` must both lie in the last `border` ones, or one of
     /// them must.
     pub fn zero(n: usize, band: usize, border: usize) -> Self {
         let border = border.min(n);
-        let core = vec![0.0; (n - border) * (band + 1)];
+        let core = vec![T::of(0.0); (n - border) * (band + 1)];
         ArrowMatrix {
             n,
             band,
             border,
             core,
-            rows: vec![0.0; border * n],
+            rows: vec![T::of(0.0); border * n],
         }
+    }
+
+    /// Half-bandwidth and border.
+    pub fn pattern(&self) -> (usize, usize) {
+        (self.band, self.border)
     }
 
     /// Number of unknowns.
@@ -44,47 +51,49 @@ impl ArrowMatrix {
     ///
     /// # Panics
     /// When the entry lies outside the pattern: a fault of the caller.
-    pub fn add(&mut self, i: usize, j: usize, value: f64) {
+    pub fn add(&mut self, i: usize, j: usize, value: T) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
         if i >= m {
-            self.rows[(i - m) * self.n + j] += value;
+            let entry = &mut self.rows[(i - m) * self.n + j];
+            *entry = *entry + value;
         } else {
             assert!(i - j <= self.band, "entry outside the band");
-            self.core[i * (self.band + 1) + (i - j)] += value;
+            let entry = &mut self.core[i * (self.band + 1) + (i - j)];
+            *entry = *entry + value;
         }
     }
 
     /// Adds the symmetric block of band + 1 unknowns from `first` on, laid out as the band itself: entry
     /// (k, l), l ≤ k, at `block[k*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
     /// band, as it must; otherwise nothing is added.
-    pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
+    pub fn add_block(&mut self, first: usize, block: &[T]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
             return false;
         }
         for (entry, value) in self.core[first * w..].iter_mut().zip(block) {
-            *entry += value;
+            *entry = *entry + *value;
         }
         true
     }
 
     /// Adds `factor` times another matrix of the same pattern.
-    pub fn add_scaled(&mut self, other: &ArrowMatrix, factor: f64) {
+    pub fn add_scaled(&mut self, other: &ArrowMatrix<T>, factor: T) {
         let own = self.core.iter_mut().chain(&mut self.rows);
         for (a, b) in own.zip(other.core.iter().chain(&other.rows)) {
-            *a += factor * b;
+            *a = *a + factor * *b;
         }
     }
 
     /// Multiplies every entry.
-    pub fn scale(&mut self, factor: f64) {
+    pub fn scale(&mut self, factor: T) {
         let all = self.core.iter_mut().chain(&mut self.rows);
-        all.for_each(|a| *a *= factor);
+        all.for_each(|a| *a = *a * factor);
     }
 
     /// Entry (i, j).
-    pub fn get(&self, i: usize, j: usize) -> f64 {
+    pub fn get(&self, i: usize, j: usize) -> T {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
         if i >= m {
@@ -92,12 +101,12 @@ impl ArrowMatrix {
         } else if i - j <= self.band {
             self.core[i * (self.band + 1) + (i - j)]
         } else {
-            0.0
+            T::of(0.0)
         }
     }
 
     /// Every stored entry of the lower triangle as (row, column, value).
-    pub fn lower_entries(&self) -> Vec<(usize, usize, f64)> {
+    pub fn lower_entries(&self) -> Vec<(usize, usize, T)> {
         let m = self.n - self.border;
         let mut out = Vec::new();
         for i in 0..self.n {
@@ -109,50 +118,50 @@ impl ArrowMatrix {
             out.extend(
                 (first..=i)
                     .map(|j| (i, j, self.get(i, j)))
-                    .filter(|e| e.2 != 0.0),
+                    .filter(|e| e.2 != T::of(0.0)),
             );
         }
         out
     }
 
     /// Product with a vector.
-    pub fn times(&self, x: &[f64]) -> Vec<f64> {
+    pub fn times(&self, x: &[T]) -> Vec<T> {
         let (m, w) = (self.n - self.border, self.band + 1);
-        let mut y = vec![0.0; self.n];
+        let mut y = vec![T::of(0.0); self.n];
         for i in 0..m {
-            y[i] += self.core[i * w] * x[i];
+            y[i] = y[i] + self.core[i * w] * x[i];
             for k in 1..=self.band.min(i) {
                 let value = self.core[i * w + k];
-                y[i] += value * x[i - k];
-                y[i - k] += value * x[i];
+                y[i] = y[i] + value * x[i - k];
+                y[i - k] = y[i - k] + value * x[i];
             }
         }
         for i in m..self.n {
             let row = &self.rows[(i - m) * self.n..][..=i];
-            for (j, value) in row[..i].iter().enumerate() {
-                y[i] += value * x[j];
-                y[j] += value * x[i];
+            for (j, &value) in row[..i].iter().enumerate() {
+                y[i] = y[i] + value * x[j];
+                y[j] = y[j] + value * x[i];
             }
-            y[i] += row[i] * x[i];
+            y[i] = y[i] + row[i] * x[i];
         }
         y
     }
 
     /// Largest diagonal entry.
     pub fn largest_diagonal(&self) -> f64 {
-        (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
+        (0..self.n).fold(0.0, |m, i| self.get(i, i).rounded().max(m))
     }
 
     /// Cholesky factor, or `None` when a pivot is not positive.
-    pub fn factor(mut self) -> Option<ArrowFactor> {
+    pub fn factor(mut self) -> Option<ArrowFactor<T>> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
         // Column of the factor under the pivot, inside the band.
-        let mut column = vec![0.0; self.band];
+        let mut column = vec![T::of(0.0); self.band];
         for j in 0..m {
             let pivot = positive_root(self.core[j * w])?;
             self.core[j * w] = pivot;
-            let inverse = 1.0 / pivot;
+            let inverse = T::of(1.0) / pivot;
             let below = self.band.min(m - 1 - j);
             for p in 1..=below {
                 // Entry (j + p, j + q) stands at (j + p)·w + p − q: rows run backwards.
@@ -160,32 +169,32 @@ impl ArrowMatrix {
                 let l = row[p] * inverse;
                 row[p] = l;
                 column[p - 1] = l;
-                for (entry, c) in row[..p].iter_mut().zip(column[..p].iter().rev()) {
-                    *entry -= l * c;
+                for (entry, &c) in row[..p].iter_mut().zip(column[..p].iter().rev()) {
+                    *entry = *entry - l * c;
                 }
             }
             for r in 0..self.border {
                 let (above, own) = self.rows.split_at_mut(r * n);
                 let l = own[j] * inverse;
                 own[j] = l;
-                for (entry, c) in own[j + 1..].iter_mut().zip(&column[..below]) {
-                    *entry -= l * c;
+                for (entry, &c) in own[j + 1..].iter_mut().zip(&column[..below]) {
+                    *entry = *entry - l * c;
                 }
                 for (q, other) in above.chunks_exact(n).enumerate() {
-                    own[m + q] -= l * other[j];
+                    own[m + q] = own[m + q] - l * other[j];
                 }
-                own[m + r] -= l * l;
+                own[m + r] = own[m + r] - l * l;
             }
         }
         for r in 0..self.border {
             for q in 0..r {
                 let (above, own) = self.rows.split_at_mut(r * n);
                 let other = &above[q * n + m..][..=q];
-                let done: f64 = own[m..m + q].iter().zip(other).map(|(a, b)| a * b).sum();
+                let done = product(&own[m..m + q], other);
                 own[m + q] = (own[m + q] - done) / other[q];
             }
             let own = &mut self.rows[r * n + m..][..=r];
-            let square: f64 = own[..r].iter().map(|a| a * a).sum();
+            let square = product(&own[..r], &own[..r]);
             own[r] = positive_root(own[r] - square)?;
         }
         Some(ArrowFactor(self))
@@ -193,43 +202,59 @@ impl ArrowMatrix {
 }
 
 /// The root of a pivot, if it has one.
-fn positive_root(pivot: f64) -> Option<f64> {
-    (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
+fn positive_root<T: Number>(pivot: T) -> Option<T> {
+    let value = pivot.rounded();
+    (value > 0.0 && value.is_finite()).then(|| pivot.root())
 }
 
-impl ArrowFactor {
+fn product<T: Number>(a: &[T], b: &[T]) -> T {
+    a.iter()
+        .zip(b)
+        .fold(T::of(0.0), |sum, (&a, &b)| sum + a * b)
+}
+
+impl<T: Number> ArrowFactor<T> {
+    /// Number of unknowns.
+    pub fn dimension(&self) -> usize {
+        self.0.n
+    }
+
+    /// Half-bandwidth and border.
+    pub fn pattern(&self) -> (usize, usize) {
+        self.0.pattern()
+    }
+
     /// Solves in place.
-    pub fn solve(&self, x: &mut [f64]) {
+    pub fn solve(&self, x: &mut [T]) {
         self.forward(x);
         self.backward(x);
     }
 
     /// Replaces b by L⁻¹b.
-    pub fn forward(&self, x: &mut [f64]) {
+    pub fn forward(&self, x: &mut [T]) {
         let a = &self.0;
         let (n, w) = (a.n, a.band + 1);
         let m = n - a.border;
         // Rows of limits touch a few neighbours: what stands before the first stays zero.
-        let start = x.iter().position(|v| *v != 0.0).unwrap_or(n);
+        let start = x.iter().position(|v| *v != T::of(0.0)).unwrap_or(n);
         for i in start..m {
             let first = i.saturating_sub(a.band).max(start);
             // Entry (i, k) stands at i·w + i − k: reversed beside x[first..i].
             let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
             let known = x[first..i].iter().rev();
-            let sum: f64 = row.iter().zip(known).map(|(l, x)| l * x).sum();
+            let sum = (row.iter().zip(known)).fold(T::of(0.0), |sum, (&l, &x)| sum + l * x);
             x[i] = (x[i] - sum) / a.core[i * w];
         }
         let start = start.min(m);
         for r in 0..a.border {
             let row = &a.rows[r * n..(r + 1) * n];
-            let done = row[start..m + r].iter().zip(&x[start..m + r]);
-            let sum: f64 = done.map(|(l, x)| l * x).sum();
+            let sum = product(&row[start..m + r], &x[start..m + r]);
             x[m + r] = (x[m + r] - sum) / row[m + r];
         }
     }
 
     /// Replaces y by L⁻ᵀy.
-    pub fn backward(&self, x: &mut [f64]) {
+    pub fn backward(&self, x: &mut [T]) {
         let a = &self.0;
         let (n, w) = (a.n, a.band + 1);
         let m = n - a.border;
@@ -237,8 +262,8 @@ impl ArrowFactor {
             let row = &a.rows[r * n..(r + 1) * n];
             let value = x[m + r] / row[m + r];
             x[m + r] = value;
-            for (x, l) in x[..m + r].iter_mut().zip(row) {
-                *x -= l * value;
+            for (x, &l) in x[..m + r].iter_mut().zip(row) {
+                *x = *x - l * value;
             }
         }
         for i in (0..m).rev() {
@@ -246,8 +271,8 @@ impl ArrowFactor {
             x[i] = value;
             let first = i.saturating_sub(a.band);
             let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
-            for (x, l) in x[first..i].iter_mut().rev().zip(row) {
-                *x -= l * value;
+            for (x, &l) in x[first..i].iter_mut().rev().zip(row) {
+                *x = *x - l * value;
             }
         }
     }

@@ -241,14 +241,14 @@ impl<'a> Unknowns<'a> {
 }
 
 /// Where the variables beside the law stand among the columns, and their units.
-struct Columns {
-    of: [Option<usize>; EXTRAS],
-    unit: [f64; EXTRAS],
-    total: usize,
+pub struct Columns {
+    pub of: [Option<usize>; EXTRAS],
+    pub unit: [f64; EXTRAS],
+    pub total: usize,
 }
 
 impl Columns {
-    fn new(program: &Program, rows: &[Row], n: usize) -> Self {
+    pub fn new(program: &Program, rows: &[Row], n: usize) -> Self {
         let mut of = [None; EXTRAS];
         let mut total = n;
         for (k, present) in program.present().into_iter().enumerate() {

@@ -1,11 +1,18 @@
 //! Exchange of rows: solve with the rows at hand, find the exact worst points of the law, bring them in,
 //! solve again, until no limit is broken on the whole turn.
 
-use super::basis::apply;
+use super::basis::{Basis, apply};
 use super::certificate::certificate;
-use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Row, Solution, Stop};
+use super::clarabel::Point;
+use super::interior::{self, Left};
+use super::program::{
+    EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, Row, Solution, Stop,
+};
 use super::{active_set, equality};
 use crate::poly::Peak;
+
+/// Where rows are put beside a broken place, as parts of the way to the row before.
+const BESIDE: [f64; 4] = [-0.6, -0.25, 0.25, 0.6];
 
 impl Program {
     /// The optimum without limits, then with as many rows as they need.
@@ -143,13 +150,7 @@ impl Program {
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
-        let mut margin = if self.cone {
-            settings.cone_margin
-        } else if self.lifted.is_some() {
-            settings.lifted_margin
-        } else {
-            0.0
-        };
+        let mut margin = if self.cone { settings.cone_margin } else { 0.0 };
         let most = if self.lifted.is_some() {
             settings.largest_lifted_margin
         } else {
@@ -159,15 +160,18 @@ impl Program {
             if self.halt.is_asked() {
                 return best.ok_or(Stop::OutOfTime.into());
             }
-            let point = match (super::clarabel::solve(self, &mut rows, margin), &best) {
+            let point = match (self.point(&mut rows, margin), &best) {
                 (Ok(point), _) => point,
                 // The room kept free is ours, not the user's: without it there is a solution.
                 (Err(_), Some(_)) if margin > 0.0 => break,
                 (Err(failure), _) => return Err(failure),
             };
             iterations += point.iterations;
-            // Far from the end the next rows matter, not the last digits.
-            let rough = self.violation(&point.x, &point.extra) > settings.polish_below;
+            // Far from the end, and in a sequence, the next rows matter, not the last digits; many spans have them
+            // already, and would lose them in the lift's coefficients.
+            let rough = self.violation(&point.x, &point.extra) > settings.polish_below
+                || !self.fixed.is_empty()
+                || self.lifted.is_some();
             let (x, extra) = if rough {
                 (point.x, point.extra)
             } else {
@@ -185,7 +189,7 @@ impl Program {
                 .collect();
             let solution = Solution {
                 active,
-                x,
+                x: x.clone(),
                 extra,
                 used_rows: true,
                 iterations,
@@ -193,6 +197,7 @@ impl Program {
                 violation,
             };
             if violation < self.settings.contacts.from
+                && self.fixed.is_empty()
                 && let Some(settled) = super::contacts::settled(self, &solution)
             {
                 return Ok(settled);
@@ -207,9 +212,80 @@ impl Program {
             if stalled && violation < most {
                 margin = (2.0 * violation).max(2.0 * margin).min(most);
             }
+            self.add_rows_beside(&mut rows, &broken, &x, &extra);
             self.add_rows(&mut rows, broken);
         }
         best.ok_or(Stop::NoProgress.into())
+    }
+
+    /// Rows on both sides of each broken place: the contact lies between it and the row before, which stands where the
+    /// limit's left side has fallen by the excess. Halfway there the next excess is a small part of this one.
+    fn add_rows_beside(
+        &self,
+        rows: &mut Vec<Row>,
+        broken: &[(usize, Peak)],
+        x: &[f64],
+        extra: &[f64; EXTRAS],
+    ) {
+        for &(index, peak) in broken {
+            let limit = &self.limits[index];
+            let falls = self.sharpness(limit, &peak, x);
+            let excess = peak.value - self.room(limit, x, extra);
+            if falls <= 0.0 || excess <= 0.0 {
+                continue;
+            }
+            let reach = (2.0 * excess / falls).sqrt().min(self.width(peak.piece));
+            for part in BESIDE {
+                let at = peak.at + part * reach;
+                if at > limit.domain.0 && at < limit.domain.1 {
+                    rows.push(self.row(index, self.place(at)));
+                }
+            }
+        }
+    }
+
+    /// −c″ of a limit's left side at a place; 0 where it is not known.
+    fn sharpness(&self, limit: &Limit, peak: &Peak, x: &[f64]) -> f64 {
+        let w = limit.weights;
+        let known = matches!(self.basis, Basis::Spline { .. }) && w[4] == 0.0;
+        if !known || limit.shape.is_some() {
+            return 0.0;
+        }
+        let twice = [0.0, 0.0, w[0], w[1], w[2], w[3]];
+        -apply(&self.basis.row_on(peak.piece, peak.u, &twice), x)
+    }
+
+    fn place(&self, at: f64) -> Peak {
+        let (piece, u) = match &self.basis {
+            Basis::Spline { space, .. } => space.locate(at),
+            Basis::Harmonic { .. } => (0, 0.0),
+        };
+        Peak {
+            piece,
+            u,
+            at,
+            value: 0.0,
+        }
+    }
+
+    /// The optimum under the rows at hand: on the program's own band, or where that method leaves it open by Clarabel.
+    fn point(&self, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
+        match interior::solve(self, rows, margin) {
+            Ok(point) => Ok(point),
+            Err(Left::Failed(failure)) => Err(failure),
+            // Beside rows of a sequence a law of many spans is no question of whether there is one at all.
+            Err(Left::Open) if self.lifted.is_some() && !self.fixed.is_empty() => {
+                Err(Stop::NoProgress.into())
+            }
+            Err(Left::Open) => {
+                let least = if self.lifted.is_some() {
+                    self.settings.exchange.lifted_margin
+                } else {
+                    0.0
+                };
+                super::clarabel::solve(self, rows, margin.max(least))
+            }
+        }
     }
 
     /// Whether a row is worth keeping beside a law that all but keeps its limits. Rows on sizes alone are.

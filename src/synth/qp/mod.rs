@@ -21,7 +21,9 @@
 //! | `active_set` | dual active-set method on the banded factor |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
-//! | `clarabel` | the interior-point method |
+//! | `interior` | the interior-point method on the program's own band |
+//! | `double` | numbers of twice the digits, for many spans |
+//! | `clarabel` | the last word where that settles nothing |
 //! | `contacts` | Newton's method on the contacts, for programs with variables beside the law |
 //! | `polish` | active rows solved as equalities, for the last digits |
 //! | `nearest` | the last digits where limits leave a hair |
@@ -35,8 +37,10 @@ mod certificate;
 mod clarabel;
 mod contacts;
 mod demand;
+mod double;
 mod equality;
 mod exchange;
+mod interior;
 mod lifted;
 mod local_reduction;
 mod nearest;

@@ -119,7 +119,7 @@ pub struct ExchangeSettings {
     pub largest_lifted_margin: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
-    /// The same with lifted unknowns.
+    /// The same of Clarabel with lifted unknowns.
     pub lifted_margin: f64,
     /// After the first round with lifted unknowns only rows with less slack than this part of their scale
     /// stay.
@@ -134,6 +134,8 @@ pub struct InteriorPointSettings {
     /// Gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits, and
     /// polishing restores the digits.
     pub tolerance: f64,
+    /// The same in numbers of twice the digits.
+    pub many_spans_tolerance: f64,
     /// Iterations; 20 are usual.
     pub iterations: u32,
     /// As many roundings are kept free inside limits with lifted unknowns.
@@ -144,7 +146,7 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             tolerance: TOLERANCE,
-            lifted_from: 250,
+            lifted_from: 150,
             equality: EqualitySettings {
                 dependent: 1e-11,
                 consistent: 1e-8,
@@ -155,7 +157,7 @@ impl Default for Settings {
                 rounds: 60,
                 steps_per_unknown: 60,
                 rows: 400,
-                few_rows: 80,
+                few_rows: 160,
                 proved: 1e-6,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,
@@ -187,7 +189,7 @@ impl Default for Settings {
                 polish_below: 1e-5,
                 polish_size: 500,
                 largest_margin: 1e-6,
-                largest_lifted_margin: 1e-3,
+                largest_lifted_margin: 1e-5,
                 cone_margin: 1e-7,
                 lifted_margin: 1e-8,
                 near: 0.2,
@@ -195,6 +197,7 @@ impl Default for Settings {
             },
             interior_point: InteriorPointSettings {
                 tolerance: 1e-9,
+                many_spans_tolerance: 1e-12,
                 iterations: 200,
                 roundings: 256.0,
             },

@@ -8,13 +8,14 @@ reason-lift-jumps = The lift is discontinuous at { $at }: no follower can execut
 reason-velocity-jumps = The velocity is discontinuous at { $at }: infinite acceleration and impact on the follower. Prescribe the same velocity on both sides (law.point.N.velocity).
 reason-acceleration-jumps = The acceleration is discontinuous at { $at }: infinite jerk, and vibration at high speed.
 reason-lifts-off = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Set limits.force_min = "0 N" to keep it in contact.
+reason-lifts-off-as-prescribed = The contact force becomes negative at { $at } (by { $pull }): above { $speed } the follower loses contact. Run the cam more slowly, or prescribe a lower deceleration there.
 reason-contact-lost = The contact force becomes negative at { $at } (by { $pull }): the follower loses contact. Use a stiffer spring, a larger preload, or a lower speed.
 reason-contact-lost-in-run = Run on its machine, the follower is out of contact with the cam for { $share } of the motion. Use a stiffer spring, a larger preload, or a lower speed.
 reason-cusp = The profile has a cusp at { $at } (zero radius of curvature). Set limits.curvature.
 reason-undercut = The profile is undercut at { $at }: its convex radius of curvature would be { $radius }.
 reason-too-sharp = The radius of curvature at { $at } is { $radius }; the minimum is { $allowed }.
 reason-second-too-sharp = The radius of curvature of the second cam at { $at } is { $radius }; the minimum is { $allowed }. Place its follower farther from the shaft.
-reason-base-radius-works = The smallest feasible base radius is { $radius }.
+reason-base-radius-works = This law needs a base radius of { $radius }.
 reason-enlarge-base-circle = Enlarge the base circle, or use a smaller roller.
 reason-lengthen-travel = Increase the length of travel, or use a smaller roller.
 reason-interference = At { $at } the follower interferes with another part of the cam by { $depth }. Use a smaller roller, or enlarge the base circle.

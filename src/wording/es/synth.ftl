@@ -8,13 +8,14 @@ reason-lift-jumps = La elevación es discontinua en { $at }: ningún seguidor pu
 reason-velocity-jumps = La velocidad es discontinua en { $at }: aceleración infinita y choque del seguidor. Prescriba la misma velocidad a ambos lados (law.point.N.velocity).
 reason-acceleration-jumps = La aceleración es discontinua en { $at }: sobreaceleración infinita y vibración a alta velocidad.
 reason-lifts-off = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Fije limits.force_min = "0 N" para mantenerlo.
+reason-lifts-off-as-prescribed = La fuerza de contacto se hace negativa en { $at } (en { $pull }): por encima de { $speed } el seguidor pierde el contacto. Haga girar la leva más despacio o prescriba una deceleración menor en ese punto.
 reason-contact-lost = La fuerza de contacto se hace negativa en { $at } (en { $pull }): el seguidor pierde el contacto. Use un muelle más rígido, más precarga o menos velocidad.
 reason-contact-lost-in-run = En marcha, el seguidor está sin contacto con la leva durante { $share } del movimiento. Use un muelle más rígido, más precarga o menos velocidad.
 reason-cusp = El perfil tiene una cúspide en { $at } (radio de curvatura nulo). Fije limits.curvature.
 reason-undercut = El perfil presenta rebaje en { $at }: su radio de curvatura convexo sería { $radius }.
 reason-too-sharp = El radio de curvatura en { $at } es { $radius }; el mínimo es { $allowed }.
 reason-second-too-sharp = El radio de curvatura de la segunda leva en { $at } es { $radius }; el mínimo es { $allowed }. Aleje su seguidor del eje.
-reason-base-radius-works = El menor radio base factible es { $radius }.
+reason-base-radius-works = Esta ley necesita un radio base de { $radius }.
 reason-enlarge-base-circle = Aumente el círculo base o use un rodillo más pequeño.
 reason-lengthen-travel = Aumente la longitud del recorrido o use un rodillo más pequeño.
 reason-interference = En { $at } el seguidor interfiere con otra parte de la leva en { $depth }. Use un rodillo más pequeño o aumente el círculo base.

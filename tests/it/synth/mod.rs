@@ -13,6 +13,7 @@ mod problem;
 mod random;
 mod relaxations;
 mod scale;
+mod spans;
 mod targets;
 mod verdict;
 mod verdict_grid;

@@ -179,7 +179,12 @@ fn a_moving_axis_is_held_by_its_weight() {
         synthesise(&scene_of(text, &[&speed]), None).unwrap()
     };
     judged(&at(0.999 * edge), Verdict::Acceptable, "reason-all-hold");
-    judged(&at(1.001 * edge), Verdict::Unacceptable, "reason-lifts-off");
+    let fast = at(1.001 * edge);
+    judged(
+        &fast,
+        Verdict::Unacceptable,
+        "reason-lifts-off-as-prescribed",
+    );
 }
 
 #[test]

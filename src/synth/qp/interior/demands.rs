@@ -1,0 +1,122 @@
+//! The demands in a step: a small dense system E K⁻¹ Eᵀ beside the banded factor of K.
+
+use super::super::band::{ArrowFactor, ArrowMatrix};
+use super::super::double::Number;
+use super::steps::Line;
+
+/// A demand whose pivot is below this many roundings of its own size follows from those before it.
+const DEPENDENT: f64 = 1e4;
+
+/// K⁻¹Eᵀ and the factor of E K⁻¹ Eᵀ.
+pub struct Demands<T> {
+    /// Weight with which the outer products of demands at one angle stand in K.
+    stiffness: T,
+    widest: usize,
+    solved: Vec<Vec<T>>,
+    /// Rows of the lower triangle; a demand that follows from others has a zero pivot.
+    lower: Vec<Vec<T>>,
+}
+
+impl<T: Number> Demands<T> {
+    /// Makes the matrix regular where the demands settle what it leaves open: their outer products move no step that
+    /// keeps them.
+    pub fn stiffen(demands: &[Line<T>], matrix: &mut ArrowMatrix<T>) -> T {
+        let widest = matrix.pattern().0 + 1;
+        let weight = T::of(1.0);
+        for demand in demands.iter().filter(|d| d.entries.len() <= widest) {
+            for (p, &(i, a)) in demand.entries.iter().enumerate() {
+                for &(j, b) in &demand.entries[..=p] {
+                    matrix.add(i, j, weight * a * b);
+                }
+            }
+        }
+        weight
+    }
+
+    pub fn new(demands: &[Line<T>], factor: &ArrowFactor<T>, stiffness: T) -> Self {
+        let n = factor.dimension();
+        let mut solved = Vec::with_capacity(demands.len());
+        for demand in demands {
+            let mut column = vec![T::of(0.0); n];
+            demand.add_to(&mut column, T::of(1.0));
+            factor.solve(&mut column);
+            solved.push(column);
+        }
+        let mut lower: Vec<Vec<T>> = Vec::with_capacity(demands.len());
+        for (i, demand) in demands.iter().enumerate() {
+            let mut row: Vec<T> = solved[..=i].iter().map(|y| demand.of(y)).collect();
+            let own = row[i];
+            for j in 0..=i {
+                let mut sum = row[j];
+                for k in 0..j {
+                    let other = if j == i { row[k] } else { lower[j][k] };
+                    sum = sum - row[k] * other;
+                }
+                row[j] = if j < i {
+                    if lower[j][j] > T::of(0.0) {
+                        sum / lower[j][j]
+                    } else {
+                        T::of(0.0)
+                    }
+                } else if sum.rounded() > DEPENDENT * T::EPSILON * own.rounded() {
+                    sum.root()
+                } else {
+                    T::of(0.0)
+                };
+            }
+            lower.push(row);
+        }
+        Demands {
+            stiffness,
+            widest: factor.pattern().0 + 1,
+            solved,
+            lower,
+        }
+    }
+
+    /// Solves K u + Eᵀν = x, E u = y in place of x; returns ν.
+    pub fn solve(
+        &self,
+        demands: &[Line<T>],
+        factor: &ArrowFactor<T>,
+        x: &mut [T],
+        y: &[T],
+    ) -> Vec<T> {
+        for (demand, &y) in demands.iter().zip(y) {
+            if demand.entries.len() <= self.widest {
+                demand.add_to(x, self.stiffness * y);
+            }
+        }
+        factor.solve(x);
+        let mut nu: Vec<T> = (demands.iter().zip(y))
+            .map(|(demand, &y)| demand.of(x) - y)
+            .collect();
+        let pivot = |i: usize| self.lower[i][i];
+        for i in 0..nu.len() {
+            for k in 0..i {
+                nu[i] = nu[i] - self.lower[i][k] * nu[k];
+            }
+            nu[i] = if pivot(i) > T::of(0.0) {
+                nu[i] / pivot(i)
+            } else {
+                T::of(0.0)
+            };
+        }
+        for i in (0..nu.len()).rev() {
+            for k in i + 1..nu.len() {
+                nu[i] = nu[i] - self.lower[k][i] * nu[k];
+            }
+            nu[i] = if pivot(i) > T::of(0.0) {
+                nu[i] / pivot(i)
+            } else {
+                T::of(0.0)
+            };
+        }
+        for (column, &nu) in self.solved.iter().zip(&nu) {
+            for (x, &c) in x.iter_mut().zip(column) {
+                *x = *x - nu * c;
+            }
+        }
+        nu
+    }
+}

@@ -1,0 +1,76 @@
+//! Many spans and few: proofs that keep their digits, and searches that do not end with the first few spans.
+
+use super::relaxations::scene_of;
+use gaitcam::force::{Feet, ForceCurve, model};
+use gaitcam::scene;
+use gaitcam::synth::{Design, relaxed, synthesise};
+
+fn young() -> ForceCurve {
+    model("young", Some(1.85), 700.0, Feet::Both).unwrap()
+}
+
+fn designed(changes: &[&str]) -> Design {
+    let scene = scene_of(scene::DEFAULT, changes);
+    let design = synthesise(&scene, Some(&young())).unwrap();
+    relaxed(&scene, Some(&young()), design)
+}
+
+/// The value that a refused design advises for a key.
+fn advised(design: &Design, key: &str) -> f64 {
+    let told = design.relaxations.iter().find(|r| r.key == key);
+    told.and_then(|r| r.to)
+        .unwrap_or_else(|| panic!("{key}: {:?}", design.relaxations))
+}
+
+/// Nested spaces: more spans can only come nearer to the force, and each proof says how near.
+#[test]
+fn limits_on_many_spans_are_proved_like_those_on_few() {
+    let three = [
+        "limits.stroke=48 mm",
+        "limits.acceleration=3 m/s^2",
+        "limits.jerk=90 m/s^3",
+    ];
+    for limits in [&three[..1], &three[..]] {
+        let mut before = f64::INFINITY;
+        for spans in [75, 150, 300, 600, 1200] {
+            let given = format!("law.spans={spans}");
+            let changes: Vec<&str> = [limits, &[&given, "law.family=spline"]].concat();
+            let scene = scene_of(scene::DEFAULT, &changes);
+            let design = synthesise(&scene, Some(&young())).unwrap();
+            let proof = design.solver.certificate.unwrap();
+            assert!(design.solver.certified, "{changes:?}: {proof:?}");
+            let error = design.force.rms_error_n;
+            assert!(error <= before * (1.0 + 1e-7), "{spans}: {error} {before}");
+            before = error;
+        }
+    }
+}
+
+/// The error that is advised is that of the best spans, not of the first few.
+#[test]
+fn an_accuracy_is_advised_that_more_spans_reach() {
+    for stroke in [35, 40, 44] {
+        let limit = format!("limits.stroke={stroke} mm");
+        let fine = designed(&[&limit, "law.family=spline", "law.spans=48"]);
+        let best = fine.force.rms_error_percent_of_mean / 100.0;
+        let design = designed(&[&limit, "law.family=spline"]);
+        let told = advised(&design, "accuracy.rms");
+        assert!(told < 1.01 * best, "{stroke}: {told} {best}");
+    }
+}
+
+/// A torque that some number of spans keeps with the accuracy is no more than what is advised.
+#[test]
+fn a_torque_is_advised_that_more_spans_keep() {
+    let design = designed(&["law.family=spline", "limits.torque=14 N m"]);
+    let told = advised(&design, "limits.torque");
+    let at = |spans: usize, torque: f64| {
+        let given = format!("law.spans={spans}");
+        let limit = format!("limits.torque={torque} N m");
+        designed(&["law.family=spline", &given, &limit])
+    };
+    let passes = |d: &Design| d.verdict != gaitcam::Verdict::Unacceptable;
+    for spans in [8, 16] {
+        assert!(!passes(&at(spans, 0.98 * told)), "{spans}: {told}");
+    }
+}
