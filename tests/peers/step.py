@@ -246,7 +246,7 @@ def furnished(folder):
     found, volume = solids_of(out / "cam.step", 1)
     surface, points = area(out / "profile.csv")
     lines = [line.strip() for line in (out / "profile.dxf").read_text().splitlines()]
-    radii = [float(lines[k + 9]) for k in range(len(lines)) if lines[k] == "CIRCLE" and lines[k + 2] == "CUT_BALANCE_HOLE"]
+    radii = [float(lines[k + 10]) for k in range(len(lines)) if lines[k] == "CIRCLE" and lines[k + 2] == "CUT_BALANCE_HOLE"]
     assert len(radii) == 1, "no balance hole"
     balance = math.pi * radii[0] ** 2
     exact = 10.0 * (surface - KEYED - balance) + 12.0 * (math.pi * 17.0**2 - KEYED) - 0.3 * math.pi
