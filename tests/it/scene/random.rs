@@ -50,6 +50,7 @@ pub fn typed(key: &Key, scene: &Scene, numbers: &mut Numbers) -> Option<String> 
         Kind::Flag => Some((numbers.below(2) == 0).to_string()),
         Kind::Text if key.name() == "motion" => Some("cycloidal".to_string()),
         Kind::Text if key.name() == "accept" => Some("clock, mass".to_string()),
+        Kind::Text if key.name() == "hardness" => Some(format!("{} HRC", 20 + numbers.below(45))),
         Kind::Text | Kind::Texts => Some(format!("word{}", numbers.below(9))),
         _ => None,
     }
