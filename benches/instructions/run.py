@@ -6,7 +6,7 @@
 
 Counts depend on the compiler, the C library and the processor's instruction set far less than times do, but they do:
 all three stand beside the counts, and a difference is said. Without valgrind nothing is counted, which is said loudly;
-with GAITCAM_COUNT=must, as in CI, that is a failure.
+with GAITCAM_COUNT=must that is a failure. CI installs it where it may.
 """
 
 import argparse
