@@ -19,7 +19,7 @@ use crate::scene::{Band, PhaseWeight};
 /// let samples = (0..64).map(|i| 500.0 + 100.0 * (std::f64::consts::TAU * f64::from(i) / 64.0).sin());
 /// let target = Target::new(ForceCurve::from_samples("a wave", 1.0, samples.collect())?);
 /// assert!((target.mean_n() - 500.0).abs() < 1e-9);
-/// assert!((target.at(std::f64::consts::FRAC_PI_2) - 600.0).abs() < 1e-9);
+/// assert!((target.curve.at(std::f64::consts::FRAC_PI_2) - 600.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone)]

@@ -1,8 +1,8 @@
 //! The demands in a step: a small dense system E K⁻¹ Eᵀ beside the banded factor of K.
 
-use super::super::band::{ArrowFactor, ArrowMatrix};
-use super::super::double::Number;
 use super::steps::Line;
+use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
+use crate::synth::qp::double::Number;
 
 /// A demand whose pivot is below this many roundings of its own size follows from those before it.
 const DEPENDENT: f64 = 1e4;

@@ -1,14 +1,14 @@
 //! A program in the units of the solver: lengths in typical lifts, rows and objective near one, counted from the
 //! optimum without limits.
 
-use super::super::band::ArrowMatrix;
-use super::super::basis::Basis;
-use super::super::clarabel::{Columns, Point, row_unit};
-use super::super::double::{Double, Number};
-use super::super::equality;
-use super::super::lifted::Lifted;
-use super::super::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Row};
 use super::steps::{Found, Line, System};
+use crate::synth::qp::band::ArrowMatrix;
+use crate::synth::qp::basis::Basis;
+use crate::synth::qp::clarabel::{Columns, Point, row_unit};
+use crate::synth::qp::double::{Double, Number};
+use crate::synth::qp::equality;
+use crate::synth::qp::lifted::Lifted;
+use crate::synth::qp::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Row};
 
 /// A row of which the demands leave open less than this part of its length is none.
 const IMPLIED: f64 = 1e-9;

@@ -4,14 +4,14 @@
 //! H u + q + Eᵀν + Aᵀz = 0,   E u = e,   A u + s = b,   s ≥ 0, z ≥ 0, s∘z = μ → 0
 //! ```
 
-use super::super::band::{ArrowFactor, ArrowMatrix};
-use super::super::double::Number;
-use super::super::program::{Failure, Stop};
-use super::super::settings::InteriorPointSettings;
 use super::Left;
 use super::cone::{Cone, MIDDLE, Scaling, inside, product, times};
 use super::demands::Demands;
 use crate::halt::Halt;
+use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
+use crate::synth::qp::double::Number;
+use crate::synth::qp::program::{Failure, Stop};
+use crate::synth::qp::settings::InteriorPointSettings;
 
 /// One row: Σ entries·u against a bound.
 pub struct Line<T> {
