@@ -27,7 +27,7 @@ use crate::poly::{Peak, PiecewisePoly};
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;
 /// The merit must improve by this part, or the sequence ends.
-const IMPROVEMENT: f64 = 1e-6;
+const IMPROVEMENT: f64 = 1e-7;
 /// Tolerance of the limits between steps; the last law is solved to rounding.
 const STEP_TOLERANCE: f64 = 1e-6;
 /// Rows per piece of the law.

@@ -6,7 +6,7 @@ use super::certificate::certificate;
 use super::clarabel::Point;
 use super::interior::{self, Left};
 use super::program::{
-    EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, Row, Solution, Stop,
+    EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, RADIUS, RISE, Row, Solution, Stop,
 };
 use super::{active_set, equality};
 use crate::poly::Peak;
@@ -150,7 +150,14 @@ impl Program {
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
-        let mut margin = if self.cone { settings.cone_margin } else { 0.0 };
+        let sized = self.present()[RISE] || self.present()[RADIUS];
+        let mut margin = if self.cone {
+            settings.cone_margin
+        } else if sized {
+            settings.size_margin
+        } else {
+            0.0
+        };
         let most = if self.lifted.is_some() {
             settings.largest_lifted_margin
         } else {

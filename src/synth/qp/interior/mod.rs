@@ -33,7 +33,10 @@ pub enum Left {
 /// kept free inside every limit.
 pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Left> {
     let far = rows.iter().any(|r| !r.touching.is_empty());
-    if far || rows.is_empty() || program.equalities.len() > MOST_DEMANDS {
+    // Where demands leave a law of few spans next to nothing there may be no interior at all.
+    let few = program.lifted.is_none() && !program.cone && program.fixed.is_empty();
+    let narrow = few && !program.equalities.is_empty();
+    if far || narrow || rows.is_empty() || program.equalities.len() > MOST_DEMANDS {
         return Err(Left::Open);
     }
     match &program.lifted {

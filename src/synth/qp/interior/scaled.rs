@@ -14,6 +14,8 @@ use crate::synth::qp::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Row
 const IMPLIED: f64 = 1e-9;
 /// … and one of which they leave less than this part of its square is measured by what is left.
 const NEARLY: f64 = 1e-4;
+/// … and that is broken by more than this, in its own unit, is broken by the demands.
+const BROKEN: f64 = 1e-9;
 /// Roundings kept free inside limits of many spans.
 const ROUNDINGS: f64 = 16.0;
 
@@ -150,6 +152,11 @@ impl<T: Number> Scaled<T> {
             let beside = row.extra.iter().any(|e| *e != 0.0);
             let free = if beside { 1.0 } else { implied.free(row) };
             if free < IMPLIED {
+                // What the demands fix on the wrong side of a limit is a question for the caller.
+                let value: f64 = row.entries.iter().map(|&(i, a)| a * start[i]).sum();
+                if value - row.bound > BROKEN * row_unit(&row.entries, length) {
+                    return None;
+                }
                 continue;
             }
             let unit = row_unit(&row.entries, length) * free;
