@@ -29,9 +29,9 @@
 //! about the target. From the optimum without limits the exact worst points of the law (roots in Bernstein
 //! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
 //! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
-//! of its size. Where rows are many, or the active set's own proof fails, an interior-point method on the same band
-//! takes its place: it factorises H + Σ (z/s) a aᵀ, cost linear in the spans; from 150 spans on in numbers of twice the
-//! digits.
+//! of its size. Where rows are many, or the active set's own proof fails, Clarabel takes its place; from 150 spans on an
+//! interior-point method on the same band, which factorises H + Σ (z/s) a aᵀ in numbers of twice the digits: cost linear
+//! in the spans.
 //!
 //! **SOCP.** Prime radius R, height D and offset e join x (theory §6):
 //!
@@ -39,8 +39,8 @@
 //! v − e ≤ tan φ₁ (s + D),   −(v − e) ≤ tan φ₂ (s + D),   R ≥ ‖(D, e)‖
 //! ```
 //!
-//! with R minimised, bounded or weighed, (e/e₁)² + R/R₁ + (j/j₁)²; under a flat face R + s + a ≥ ρ instead. The same
-//! interior-point method on exchanged rows; Clarabel has the last word where that settles nothing.
+//! with R minimised, bounded or weighed, (e/e₁)² + R/R₁ + (j/j₁)²; under a flat face R + s + a ≥ ρ instead. Clarabel, on
+//! exchanged rows.
 //!
 //! **SCP.** What is not convex: h(s, v, a, j, D, e) ≥ 0 for a roller's curvature, for curvature and pressure angle
 //! of followers on an arm, for the shaft's torque F v and its rate F′v + F a, and for the pressure between a

@@ -6,7 +6,7 @@ use super::certificate::certificate;
 use super::clarabel::Point;
 use super::interior::{self, Left};
 use super::program::{
-    EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, RADIUS, RISE, Row, Solution, Stop,
+    EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, Row, Solution, Stop,
 };
 use super::{active_set, equality};
 use crate::poly::Peak;
@@ -150,14 +150,7 @@ impl Program {
         let mut best: Option<Solution> = None;
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
-        let sized = self.present()[RISE] || self.present()[RADIUS];
-        let mut margin = if self.cone {
-            settings.cone_margin
-        } else if sized {
-            settings.size_margin
-        } else {
-            0.0
-        };
+        let mut margin = if self.cone { settings.cone_margin } else { 0.0 };
         let most = if self.lifted.is_some() {
             settings.largest_lifted_margin
         } else {
@@ -174,10 +167,9 @@ impl Program {
                 (Err(failure), _) => return Err(failure),
             };
             iterations += point.iterations;
-            // Far from the end, and in a sequence, the next rows matter, not the last digits; many spans have them
-            // already, and would lose them in the lift's coefficients.
+            // Far from the end the next rows matter, not the last digits; many spans have them already, and would lose
+            // them in the lift's coefficients.
             let rough = self.violation(&point.x, &point.extra) > settings.polish_below
-                || !self.fixed.is_empty()
                 || self.lifted.is_some();
             let (x, extra) = if rough {
                 (point.x, point.extra)
@@ -204,7 +196,6 @@ impl Program {
                 violation,
             };
             if violation < self.settings.contacts.from
-                && self.fixed.is_empty()
                 && let Some(settled) = super::contacts::settled(self, &solution)
             {
                 return Ok(settled);
@@ -219,7 +210,9 @@ impl Program {
             if stalled && violation < most {
                 margin = (2.0 * violation).max(2.0 * margin).min(most);
             }
-            self.add_rows_beside(&mut rows, &broken, &x, &extra);
+            if self.lifted.is_some() {
+                self.add_rows_beside(&mut rows, &broken, &x, &extra);
+            }
             self.add_rows(&mut rows, broken);
         }
         best.ok_or(Stop::NoProgress.into())

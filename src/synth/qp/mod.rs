@@ -21,9 +21,9 @@
 //! | `active_set` | dual active-set method on the banded factor |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
-//! | `interior` | the interior-point method on the program's own band |
-//! | `double` | numbers of twice the digits, for many spans |
-//! | `clarabel` | the last word where that settles nothing |
+//! | `interior` | the interior-point method on the program's own band, for many spans |
+//! | `double` | numbers of twice the digits |
+//! | `clarabel` | the interior-point method for few spans, and the last word where the other settles nothing |
 //! | `contacts` | Newton's method on the contacts, for programs with variables beside the law |
 //! | `polish` | active rows solved as equalities, for the last digits |
 //! | `nearest` | the last digits where limits leave a hair |

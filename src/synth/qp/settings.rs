@@ -119,8 +119,6 @@ pub struct ExchangeSettings {
     pub largest_lifted_margin: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
-    /// The same of sizes without a cone: a cam is made no larger than its limit by a hair.
-    pub size_margin: f64,
     /// The same of Clarabel with lifted unknowns.
     pub lifted_margin: f64,
     /// After the first round with lifted unknowns only rows with less slack than this part of their scale
@@ -193,7 +191,6 @@ impl Default for Settings {
                 largest_margin: 1e-6,
                 largest_lifted_margin: 1e-5,
                 cone_margin: 1e-7,
-                size_margin: 1e-9,
                 lifted_margin: 1e-8,
                 near: 0.2,
                 coincident: 1e-4,

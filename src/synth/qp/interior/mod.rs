@@ -2,9 +2,9 @@
 //!
 //! Slacks and multipliers of all rows are driven to the central path together (Mehrotra's predictor and corrector);
 //! what is factorised in every iteration is H + Σ (zᵢ/sᵢ) aᵢaᵢᵀ, which is as banded as H: cost in proportion to the spans.
-//! The objective counts from the optimum without limits, so that the gap is a part of what the limits cost. Laws of many
-//! spans are solved in numbers of twice the digits: in the lift's coefficients alone the matrix has a condition of N⁴
-//! and more (theory §9).
+//! The objective counts from the optimum without limits, so that the gap is a part of what the limits cost. In the
+//! coefficients of a lift of many spans the matrix has a condition of N⁴ and more (theory §9): they are solved in numbers
+//! of twice the digits. Few spans are left to the caller.
 //!
 //! What has no such band, and what the method does not settle, is left to the caller.
 
@@ -33,10 +33,7 @@ pub enum Left {
 /// kept free inside every limit.
 pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Left> {
     let far = rows.iter().any(|r| !r.touching.is_empty());
-    // Where demands leave a law of few spans next to nothing there may be no interior at all.
-    let few = program.lifted.is_none() && !program.cone && program.fixed.is_empty();
-    let narrow = few && !program.equalities.is_empty();
-    if far || narrow || rows.is_empty() || program.equalities.len() > MOST_DEMANDS {
+    if far || rows.is_empty() || program.equalities.len() > MOST_DEMANDS {
         return Err(Left::Open);
     }
     match &program.lifted {
@@ -45,7 +42,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
             rows,
             Scaled::<Double>::of_many_spans(program, lifted, rows, margin),
         ),
-        _ => answered(program, rows, Scaled::<f64>::new(program, rows, margin)),
+        _ => Err(Left::Open),
     }
 }
 

@@ -38,25 +38,6 @@ struct Parts<T> {
     rows: Vec<Vec<(usize, T)>>,
 }
 
-impl Scaled<f64> {
-    pub fn new(program: &Program, rows: &[Row], margin: f64) -> Option<Self> {
-        let start = start(program);
-        let mut pull = program.hessian.times(&start);
-        for (p, g) in pull.iter_mut().zip(&program.gradient) {
-            *p += g;
-        }
-        let parts = Parts {
-            hessian: program.hessian.clone(),
-            pull,
-            demands: (program.equalities.iter())
-                .map(|e| e.entries.clone())
-                .collect(),
-            rows: rows.iter().map(|r| r.entries.clone()).collect(),
-        };
-        Self::of(program, rows, margin, start, parts)
-    }
-}
-
 impl Scaled<Double> {
     /// Matrix and rows from the derivatives' own coefficients, which keep the digits.
     pub fn of_many_spans(
