@@ -186,6 +186,7 @@ impl Lifted {
     /// Adds another objective over the same coefficients, `factor` times.
     pub fn add(&mut self, other: &Lifted, factor: f64) {
         self.used = self.used.max(other.used);
+        self.full = OnceLock::new();
         let blocks = other.blocks.iter().map(|&(i, j, v)| (i, j, factor * v));
         self.blocks.extend(blocks);
         for (own, g) in self.gradient.iter_mut().zip(&other.gradient) {
