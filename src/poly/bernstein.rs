@@ -323,11 +323,10 @@ fn isolate(b: &[f64], lo: f64, hi: f64, zero: f64, depth: u32, out: &mut Vec<f64
 
 /// Splits in the middle.
 fn halve(b: &[f64], left: &mut [f64], right: &mut [f64]) {
-    let n = b.len();
     right.copy_from_slice(b);
-    for k in 0..n {
-        left[k] = right[0];
-        for i in 0..n - 1 - k {
+    for (k, left) in left.iter_mut().enumerate() {
+        *left = right[0];
+        for i in 0..b.len() - 1 - k {
             right[i] += 0.5 * (right[i + 1] - right[i]);
         }
     }

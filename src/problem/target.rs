@@ -30,7 +30,7 @@ pub struct Target {
     cells: Arc<Cells>,
     mean_n: f64,
     /// Its nearest polynomials on the pieces of splines that were asked for.
-    nearest: Arc<Mutex<Vec<(Pieces, Arc<[f64]>)>>>,
+    nearest: Arc<Mutex<Vec<Nearest>>>,
     spectrum: Arc<OnceLock<Vec<(f64, f64)>>>,
     /// Mean square of the distance from a force at rest, N: the force, and what it is.
     square: Arc<Mutex<Option<[f64; 2]>>>,
@@ -42,6 +42,9 @@ struct Pieces {
     breaks: Vec<f64>,
     degree: usize,
 }
+
+/// Pieces with the values of their nearest polynomials.
+type Nearest = (Pieces, Arc<[f64]>);
 
 /// Splines whose nearest polynomials are kept: a design tries a few numbers of spans.
 const KEPT: usize = 16;

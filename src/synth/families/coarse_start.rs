@@ -17,7 +17,7 @@ pub fn found(problem: &Problem, program: &Program, spans: usize) -> Option<Solut
     if spans < MANY || !problem.law.dwells.is_empty() {
         return None;
     }
-    let coarse = (2..=spans / FEWEST).find(|d| spans % d == 0 && spans / d < MANY)?;
+    let coarse = (2..=spans / FEWEST).find(|d| spans.is_multiple_of(*d) && spans / d < MANY)?;
     let touched = spline::on_spans(problem, spans / coarse)?;
     let law = touched.law();
     let mut distance = Quadratic::zero(&program.basis);

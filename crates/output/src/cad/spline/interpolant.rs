@@ -48,16 +48,18 @@ impl Interpolant {
         for i in 0..n {
             for j in i.saturating_sub(BAND)..i {
                 let factor = self.rows[i][BAND + j - i];
-                for d in 0..D {
-                    out[i][d] -= factor * out[j][d];
+                let other = out[j];
+                for (x, y) in out[i].iter_mut().zip(other) {
+                    *x -= factor * y;
                 }
             }
         }
         for i in (0..n).rev() {
             for j in i + 1..(i + 1 + BAND).min(n) {
                 let factor = self.rows[i][BAND + j - i];
-                for d in 0..D {
-                    out[i][d] -= factor * out[j][d];
+                let other = out[j];
+                for (x, y) in out[i].iter_mut().zip(other) {
+                    *x -= factor * y;
                 }
             }
             for x in &mut out[i] {
@@ -112,10 +114,10 @@ fn basis(spans: usize, x: f64) -> (usize, [f64; 4]) {
     let mut out = [1.0, 0.0, 0.0, 0.0];
     for degree in 1..=3 {
         let mut saved = 0.0;
-        for r in 0..degree {
+        for (r, value) in out.iter_mut().enumerate().take(degree) {
             let (right, left) = (knot(span + r + 1), knot(span + 1 + r - degree));
-            let part = out[r] / (right - left);
-            out[r] = saved + (right - x) * part;
+            let part = *value / (right - left);
+            *value = saved + (right - x) * part;
             saved = (x - left) * part;
         }
         out[degree] = saved;
