@@ -311,7 +311,7 @@ mod tests {
     fn a_straightened_line_passes_every_point_by_less_than_is_seen() {
         let wave = |i: i32| {
             let x = f64::from(i) * 0.76;
-            [x, 200.0 + 150.0 * (0.02 * x).sin() + 10.0 * (0.4 * x).cos()]
+            [x, 200.0 + 150.0 * (0.02 * x).sin() + 3.0 * (0.1 * x).cos()]
         };
         let circle = |i: i32| {
             let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 1440.0).sin_cos();
