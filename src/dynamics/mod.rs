@@ -7,7 +7,7 @@
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
-//! [`choose`] picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
+//! `choose` picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
 //! the end of a compliant follower moves as wanted.
 
 mod choose;

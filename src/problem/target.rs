@@ -88,7 +88,7 @@ impl Target {
     }
 
     /// Mean, then (cosine, sine) amplitudes of the harmonics of the samples, as
-    /// [`amplitudes`](crate::poly::amplitudes) gives them, N.
+    /// `poly::amplitudes` gives them, N.
     pub fn spectrum(&self) -> &[(f64, f64)] {
         self.spectrum
             .get_or_init(|| amplitudes(&self.curve.force_n))
