@@ -24,6 +24,8 @@ const PACES = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
 let answer = null;
 let lastGesture = null;
 let anew = true;
+// The longest search, s.
+let longest = 60;
 
 // Changes values of the scene and asks for its design. Changes of one gesture are one step of the history.
 function edit(changes, gesture = Symbol("step")) {
@@ -141,7 +143,8 @@ function working(on, since) {
     clock.hold(false);
     $("design").classList.add("busy");
     $("working").hidden = false;
-    $("working-time").textContent = t("studio-working", { seconds: words.number(passed / 1000, 2) });
+    Object.assign($("working-share"), { max: longest, value: passed / 1000 });
+    $("working-time").textContent = t("studio-working", { seconds: words.number(passed / 1000, 2), longest });
   }, 60);
 }
 
@@ -222,6 +225,7 @@ async function boot() {
   view.theme();
   const start = await get("start.json");
   words.load(start.words);
+  longest = start.longest_s;
   let tag = document.documentElement.lang;
   try { tag = localStorage.getItem("gaitcam-language") ?? tag; } catch { /* private windows keep nothing */ }
   words.choose(tag);
@@ -233,7 +237,7 @@ async function boot() {
   form.load(start.keys, edit);
   verdict.load((changes) => edit(changes));
   charts.load();
-  stage.load();
+  stage.load(() => solver.ask(performance.now()));
   player();
   view.tabs();
   view.dialogs();
@@ -245,7 +249,7 @@ async function boot() {
   text.load(openScene);
   files.load(start);
   welcome();
-  solver.on({ show, fault, working });
+  solver.on({ show, fault, working, colour: stage.chosen });
   store.replace(await store.fromAddress() ?? start.scene, false);
   for (const [name, content] of Object.entries(store.state.files)) await send(`recording?name=${encodeURIComponent(name)}`, content);
   window.addEventListener("hashchange", async () => {

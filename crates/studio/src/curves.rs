@@ -1,8 +1,8 @@
 //! Curves of a design over the cam's angle, in the units people use: what the diagrams show.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use gaitcam::cam::{Cam, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
+use gaitcam::cam::{Cam, Check, Criterion, Follower, LimitKind, Measures, ProfilePoint, Unit};
 use gaitcam::dynamics::hertz::{STEEL, line, modulus};
 use gaitcam::dynamics::touch;
 use gaitcam::law::Svaj;
@@ -78,12 +78,28 @@ pub struct Contour {
     centre_x: Vec<Shown>,
     centre_y: Vec<Shown>,
     radius: Vec<Shown>,
-    /// Pressure angle, °; curvature, 1/m, and as a part of what is allowed, %; force, N; Hertz pressure, MPa.
-    pressure_angle: Vec<Shown>,
-    curvature: Vec<Shown>,
-    curvature_use: Vec<Shown>,
-    force: Vec<Shown>,
-    hertz: Vec<Shown>,
+    /// What the colour means, and its values; none where nothing is coloured.
+    colour: Colour,
+    values: Vec<Shown>,
+}
+
+/// By what the contour is coloured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Colour {
+    /// By nothing.
+    #[default]
+    None,
+    /// Pressure angle, °.
+    PressureAngle,
+    /// Curvature, 1/m.
+    Curvature,
+    /// Curvature as a part of what is allowed, %.
+    CurvatureUse,
+    /// Contact force, N.
+    Force,
+    /// Hertz pressure, MPa.
+    Hertz,
 }
 
 /// A place on the contour where a limit acts.
@@ -112,8 +128,8 @@ struct Sample {
     point: ProfilePoint,
 }
 
-/// The curves of a design.
-pub fn curves(design: &Design) -> Curves {
+/// The curves of a design, its contour with the values of one colour.
+pub fn curves(design: &Design, colour: Colour) -> Curves {
     let cam = &design.cam;
     let measures = cam.follower.measures();
     let angle = measures.angle();
@@ -128,7 +144,7 @@ pub fn curves(design: &Design) -> Curves {
         length: angle.factor * length,
         unit: angle.name,
         panels: panels(design, &samples),
-        contour: contour(design, &samples),
+        contour: contour(design, &samples, colour),
         places: places(design),
     }
 }
@@ -298,22 +314,12 @@ fn levels(design: &Design, id: &str, factor: f64) -> Vec<Shown> {
     out
 }
 
-fn contour(design: &Design, samples: &[Sample]) -> Contour {
+fn contour(design: &Design, samples: &[Sample], colour: Colour) -> Contour {
     let cam = &design.cam;
     let all = |value: &dyn Fn(&Sample) -> f64| -> Vec<Shown> {
         samples.iter().map(|s| short(value(s))).collect()
     };
     let normal = |s: &Sample| normal(cam, s);
-    // The smallest radius allowed where the contour is convex, and where it is concave.
-    let [convex, concave] =
-        [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
-            let limited = design
-                .checks
-                .iter()
-                .find(|c| c.name == name && c.limit > 0.0);
-            limited.map_or(f64::NAN, |c| c.limit)
-        });
-    let sharpest = |s: &Sample| if s.point.rho > 0.0 { convex } else { concave };
     let most = 20.0 * cam.follower.prime_radius();
     let bent = |s: &Sample| {
         if s.point.rho.abs() > most {
@@ -328,12 +334,32 @@ fn contour(design: &Design, samples: &[Sample]) -> Contour {
         centre_x: all(&|s| MM * (s.point.x - bent(s) * normal(s).cos())),
         centre_y: all(&|s| MM * (s.point.y - bent(s) * normal(s).sin())),
         radius: all(&|s| MM * bent(s)),
-        pressure_angle: all(&|s| s.point.pressure_angle.to_degrees().abs()),
-        curvature: all(&|s| 1.0 / s.point.rho),
-        curvature_use: all(&|s| 100.0 * sharpest(s) / s.point.rho.abs()),
-        force: all(&|s| s.force),
-        hertz: all(&|s| hertz(design, s)),
+        colour,
+        values: match colour {
+            Colour::None => Vec::new(),
+            Colour::PressureAngle => all(&|s| s.point.pressure_angle.to_degrees().abs()),
+            Colour::Curvature => all(&|s| 1.0 / s.point.rho),
+            Colour::CurvatureUse => {
+                let [convex, concave] = smallest_radii(design);
+                let least = |s: &Sample| if s.point.rho > 0.0 { convex } else { concave };
+                all(&|s| 100.0 * least(s) / s.point.rho.abs())
+            }
+            Colour::Force => all(&|s| s.force),
+            Colour::Hertz => all(&|s| hertz(design, s)),
+        },
     }
+}
+
+/// The smallest radius allowed where the contour is convex, and where it is concave, m; NaN where any is.
+fn smallest_radii(design: &Design) -> [f64; 2] {
+    [Criterion::from(LimitKind::Curvature), Criterion::Concave].map(|name| {
+        let limits = |c: &&Check| c.name == name && c.limit > 0.0;
+        design
+            .checks
+            .iter()
+            .find(limits)
+            .map_or(f64::NAN, |c| c.limit)
+    })
 }
 
 /// Direction of the contact's normal in the cam's frame, rad.

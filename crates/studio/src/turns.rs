@@ -13,7 +13,7 @@ use crate::lock;
 /// Pages that are remembered; beyond it all are forgotten, which only costs an unneeded design.
 const PAGES: usize = 256;
 /// The longest search.
-const LONGEST: Duration = Duration::from_secs(60);
+pub const LONGEST: Duration = Duration::from_secs(60);
 
 /// The places at the solver.
 pub struct Turns {

@@ -38,10 +38,8 @@ pub struct Motion {
     digits: [usize; 2],
     s: Vec<Option<f64>>,
     f: Vec<Option<f64>>,
-    t: Vec<Option<f64>>,
-    gap: Vec<Option<f64>>,
-    rho: Vec<Option<f64>>,
-    phi: Vec<Option<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    readings: Option<Readings>,
     cx: Vec<Option<f64>>,
     cy: Vec<Option<f64>>,
     /// Direction of the force on the follower, degrees from +x.
@@ -52,6 +50,15 @@ pub struct Motion {
     qx: Vec<Option<f64>>,
     qy: Vec<Option<f64>>,
     qa: Vec<Option<f64>>,
+}
+
+/// What is read off beside the picture and moves nothing in it.
+#[derive(Default, Serialize)]
+struct Readings {
+    torque: Vec<Option<f64>>,
+    gap: Vec<Option<f64>>,
+    rho: Vec<Option<f64>>,
+    phi: Vec<Option<f64>>,
 }
 
 /// The unit of θ on the page, as (factor from SI, its name): travel for a cam that slides.
@@ -152,10 +159,7 @@ pub fn motion(synthesis: &Design, running: Option<&Running>) -> Motion {
         digits: [1, 1],
         s: Vec::new(),
         f: Vec::new(),
-        t: Vec::new(),
-        gap: Vec::new(),
-        rho: Vec::new(),
-        phi: Vec::new(),
+        readings: Some(Readings::default()),
         cx: Vec::new(),
         cy: Vec::new(),
         push: Vec::new(),
@@ -214,6 +218,12 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
+    /// The same for a picture beside which nothing is read off.
+    pub fn without_readings(mut self) -> Motion {
+        self.readings = None;
+        self
+    }
+
     fn take(&mut self, cam: &Cam, theta: f64, at: Svaj, row: &Row, factor: f64) {
         let p = cam.point(theta);
         let in_space = |p: [f64; 2]| match cam.follower {
@@ -239,11 +249,13 @@ impl Motion {
         let touching = |x: f64| if flying { None } else { rounded(x) };
         self.s.push(rounded(factor * row.lift));
         self.f.push(to(row.contact_force, 1e7));
-        self.t.push(to(row.torque, 1e9));
-        self.gap.push(rounded(factor * row.gap));
-        self.rho
-            .push(if straight { None } else { touching(MM * p.rho) });
-        self.phi.push(touching(p.pressure_angle.to_degrees()));
+        if let Some(read) = &mut self.readings {
+            read.torque.push(to(row.torque, 1e9));
+            read.gap.push(rounded(factor * row.gap));
+            let rho = if straight { None } else { touching(MM * p.rho) };
+            read.rho.push(rho);
+            read.phi.push(touching(p.pressure_angle.to_degrees()));
+        }
         self.cx.push(touching(MM * cx));
         self.cy.push(touching(MM * cy));
         let lean = motion[1].atan2(motion[0]) + p.pressure_angle;

@@ -68,10 +68,10 @@
     text("now-angle", shown, 1, data.angle_unit);
     text("now-lift", value(data.s, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
     text("now-force", f, data.digits[0], " " + data.force_unit);
-    text("now-torque", value(data.t, u), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
-    text("now-gap", value(data.gap, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
-    text("now-phi", value(data.phi, u), 2, "\u00b0");
-    text("now-rho", value(data.rho, u), 2, " mm");
+    text("now-torque", value(data.readings.torque, u), data.digits[1], data.slide && data.angle_unit !== "\u00b0" ? " N" : " N\u00b7m");
+    text("now-gap", value(data.readings.gap, u), 3, (data.unit === "\u00b0" ? "" : " ") + data.unit);
+    text("now-phi", value(data.readings.phi, u), 2, "\u00b0");
+    text("now-rho", value(data.readings.rho, u), 2, " mm");
     angle.value = shown;
     cursors.forEach(function (c) {
       var part = (c.turns === 1 ? here : u / turns);

@@ -1,8 +1,8 @@
 //! Parts of the report for pages of another make: figures, tables, the cam in motion.
 
 use serde::Serialize;
-use serde_json::Value;
 
+pub use super::motion::Motion;
 use super::{animation, cards_of, motion, tables};
 use crate::Timing;
 use crate::words::Words;
@@ -66,8 +66,8 @@ pub fn drawing(design: &Design, language: Language) -> String {
 }
 
 /// Where those parts stand at equal steps of one turn, with the values there; mm, N, degrees.
-pub fn motion(design: &Design) -> Value {
-    serde_json::to_value(motion::motion(design, None)).unwrap_or_default()
+pub fn motion(design: &Design) -> Motion {
+    motion::motion(design, None).without_readings()
 }
 
 /// A value of a limit in the unit people use.

@@ -8,7 +8,7 @@ export const page = Math.random().toString(36).slice(2);
 let number = 0;
 let running = null;
 let waiting = null;
-const handlers = { show: () => {}, fault: () => {}, working: () => {} };
+const handlers = { show: () => {}, fault: () => {}, working: () => {}, colour: () => "none" };
 
 export function on(more) {
   Object.assign(handlers, more);
@@ -31,7 +31,7 @@ async function run(since) {
   running = control;
   handlers.working(true, since);
   try {
-    const question = { scene: state.scene, changes: state.changes, page, number: mine };
+    const question = { scene: state.scene, changes: state.changes, page, number: mine, colour: handlers.colour() };
     const answer = await post("design", question, control.signal);
     if (mine === number && !answer.superseded) {
       const more = waiting !== null;

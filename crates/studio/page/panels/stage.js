@@ -15,7 +15,8 @@ let pinned = [];
 let strokes = [];
 let size = [0, 0];
 
-export function load() {
+// `ask` asks for the design anew: the values of a colour come with it.
+export function load(ask) {
   new ResizeObserver(([{ contentRect }]) => {
     size = [contentRect.width, contentRect.height];
     draw($("stage").querySelector("svg"));
@@ -23,7 +24,7 @@ export function load() {
   for (const id of ["circles", "pitch", "normal", "osculating", "places"]) {
     $(`show-${id}`).addEventListener("change", () => { decorate(); follow(); });
   }
-  $("colour").addEventListener("change", decorate);
+  $("colour").addEventListener("change", ask);
   clock.onAngle(follow);
   onLanguage(choices);
   choices();
@@ -91,6 +92,11 @@ function draw(picture) {
   }
 }
 
+// By what the contour is to be coloured.
+export function chosen() {
+  return $("colour").value;
+}
+
 // The next drawing chooses its own frame.
 export function anew() {
   renewed = true;
@@ -150,7 +156,9 @@ function colour() {
   legend.hidden = name === "none";
   if (name === "none") return;
   const contour = answer.curves.contour;
-  const values = contour[name];
+  // The values of a colour chosen just now are on their way.
+  if (contour.colour !== name) return;
+  const { values } = contour;
   const known = values.filter((v) => v !== null);
   if (known.length === 0) {
     legend.append(t("studio-colour-undefined"));

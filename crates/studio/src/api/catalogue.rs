@@ -39,6 +39,7 @@ pub fn start(studio: &Studio) -> Value {
         "scenes": scenes.collect::<Vec<_>>(),
         "quantities": super::variation::QUANTITIES.map(|q| q.0),
         "trades": super::variation::TRADES,
+        "longest_s": crate::turns::LONGEST.as_secs(),
     })
 }
 
@@ -76,7 +77,7 @@ fn outline(studio: &Studio, name: &str) -> Option<String> {
 
 /// The drawing of the animation as a picture of its own: every part in its place at the start, in plain colours.
 fn at_rest(design: &Design) -> String {
-    let motion = parts::motion(design);
+    let motion = serde_json::to_value(parts::motion(design)).unwrap_or_default();
     let first = |list: &str| motion[list][0].as_f64().unwrap_or(0.0);
     let turned = motion["start"].as_f64().unwrap_or(0.0);
     let stand = |id: &str, [x, y, angle]: [&str; 3]| {

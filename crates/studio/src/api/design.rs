@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use toml::Table;
 
 use super::table;
-use crate::curves::{Curves, curves};
+use crate::curves::{Colour, Curves, curves};
 use crate::edit::{Edit, apply};
 use crate::fault::StudioError;
 use crate::form::{Field, fields};
@@ -24,7 +24,7 @@ use gaitcam::synth::{Design, Relaxation, relaxed_with, synthesise_with};
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
 use gaitcam_output::files::{self, Group};
-use gaitcam_output::report::parts::{self, Figure, Tables};
+use gaitcam_output::report::parts::{self, Figure, Motion, Tables};
 
 /// A scene with changes.
 #[derive(Debug, Deserialize)]
@@ -41,6 +41,9 @@ pub struct Ask {
     /// Its questions counted: one that is overtaken need not be answered.
     #[serde(default)]
     pub number: u64,
+    /// By what the contour is coloured.
+    #[serde(default)]
+    pub colour: Colour,
 }
 
 /// Everything that the page shows of a design.
@@ -64,7 +67,7 @@ pub struct Answer {
     numbers: Value,
     continuity: Continuity,
     drawing: String,
-    motion: Value,
+    motion: Motion,
     /// Names of the files that it has, by group.
     exports: Vec<(&'static str, Vec<&'static str>)>,
     /// Radius of the cutter that its path is made for at first.
@@ -143,7 +146,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
     }
     let language = words::current();
     let id = studio.keep(Arc::clone(&kept));
-    let mut answer = answer(&kept, id, language);
+    let mut answer = answer(&kept, id, ask.colour, language);
     answer.number = ask.number;
     answer.server_ms = 1e3 * start.elapsed().as_secs_f64();
     Ok(Heard::Answer(Box::new(answer)))
@@ -174,7 +177,7 @@ fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     }))
 }
 
-fn answer(kept: &Kept, id: String, language: Language) -> Answer {
+fn answer(kept: &Kept, id: String, colour: Colour, language: Language) -> Answer {
     let (design, scene) = (&kept.design, &kept.scene);
     let name = |typed: &str| parts::name(typed, language);
     let conflict = design.infeasible.as_ref().map_or(&[][..], |i| &i.conflict);
@@ -185,7 +188,7 @@ fn answer(kept: &Kept, id: String, language: Language) -> Answer {
             active.push(name);
         }
     }
-    let curves = curves(design);
+    let curves = curves(design, colour);
     let limits = curves.places.iter().map(|p| p.limit.clone());
     let names = limits.map(|l| (l.clone(), name(&l))).collect();
     Answer {

@@ -104,6 +104,22 @@ class Studio(unittest.TestCase):
             self.assertEqual(page.value("limits.stroke"), value)
         self.quiet(page)
 
+    def test_the_contour_is_coloured_by_each_quantity(self):
+        page = self.page()
+        page.page.click("#play")
+        ends = {}
+        for colour in ["curvature", "force", "hertz", "pressure_angle"]:
+            page.does(lambda: page.page.select_option("#colour", colour))
+            self.assertGreater(page.page.locator("#stage .coloured").count(), 100, colour)
+            ends[colour] = page.page.inner_text("#legend")
+        # The ends of the legend are those of the diagrams and of the tables: 506.4 … 1059 N; a flat face has no angle.
+        self.assertRegex(ends["force"], r"^506\s+N\s+1059\s+N$")
+        self.assertRegex(ends["pressure_angle"], r"^0\s*°\s*0\s*°$")
+        page.does(lambda: page.page.select_option("#colour", "none"))
+        self.assertEqual(page.page.locator("#stage .coloured").count(), 0)
+        self.assertTrue(page.page.locator("#legend").is_hidden())
+        self.quiet(page)
+
     def test_the_language_changes_at_once_everywhere(self):
         page = self.page()
         self.assertEqual(page.page.get_attribute("html", "lang"), "en")
