@@ -1,5 +1,6 @@
 //! Cams against the papers' numbers, closed forms and finite differences.
 
+use super::{oscillating, roller};
 use gaitcam::cam::{
     Cam, Closure, Conjugate, Follower, SizeLimits, smallest_base_radius, smallest_for,
     smallest_prime_circle,
@@ -8,14 +9,6 @@ use gaitcam::law::{Condition, Extent, Law, Rise, Segment, hermite_birkhoff, prog
 use gaitcam::poly::PiecewisePoly;
 use gaitcam_test_support::{near, turn};
 use std::f64::consts::{PI, TAU};
-
-fn roller(prime_radius: f64, offset: f64, roller_radius: f64) -> Follower {
-    Follower::RollerTranslating {
-        prime_radius,
-        offset,
-        roller_radius,
-    }
-}
 
 /// theory §2: the paper's law with its dwell, inches.
 fn heel_tester() -> Law {
@@ -363,38 +356,4 @@ fn mistakes_of_other_programs_stay_out() {
             );
         }
     }
-}
-
-fn oscillating() -> Vec<Cam> {
-    let law = turn(&[
-        ("cycloidal", 0.15, 90.0),
-        ("dwell", 0.0, 90.0),
-        ("3-4-5", -0.15, 110.0),
-        ("dwell", 0.0, 70.0),
-    ]);
-    let mut out = Vec::new();
-    for pivot_distance in [0.1, -0.1] {
-        for follower in [
-            Follower::RollerOscillating {
-                pivot_distance,
-                arm: 0.08,
-                prime_radius: 0.05,
-                roller_radius: 0.01,
-            },
-            Follower::MushroomOscillating {
-                pivot_distance,
-                arm: 0.12,
-                prime_radius: 0.09,
-                arc_radius: 0.03,
-            },
-            Follower::FlatOscillating {
-                pivot_distance,
-                face_offset: 0.006,
-                base_radius: 0.04,
-            },
-        ] {
-            out.push(Cam::new(law.clone(), follower).unwrap());
-        }
-    }
-    out
 }

@@ -1,0 +1,170 @@
+//! What a programme is refused for: its lengths, its neighbours, jumps at its joints, a dip below the base circle.
+
+use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
+use crate::error::{JoinCure, LawError, Result};
+use crate::law::{Joint, Rise, Svaj};
+use crate::quantity::Quantity;
+
+/// The sum of the lengths, which must fill the extent to rounding.
+pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
+    if segments.is_empty() {
+        return Err(LawError::NoSegment.into());
+    }
+    let length = extent.length();
+    if !(length.is_finite() && length > 0.0) {
+        return Err(LawError::Extent { length }.into());
+    }
+    for (i, s) in segments.iter().enumerate() {
+        let segment = name(segments, i);
+        if !s.lift.is_finite() || !s.angle.is_finite() {
+            return Err(LawError::SegmentNotFinite { segment }.into());
+        }
+        if s.angle <= 0.0 {
+            let length = extent.quantity(s.angle);
+            return Err(LawError::SegmentLength { segment, length }.into());
+        }
+        if s.motion == Rise::Dwell && s.lift != 0.0 {
+            let lift = Quantity::length(s.lift);
+            return Err(LawError::DwellLift { segment, lift }.into());
+        }
+    }
+    let total: f64 = segments.iter().map(|s| s.angle).sum();
+    let missing = length - total;
+    if missing.abs() > ROUNDING * length {
+        let (covered, wanted) = (extent.quantity(total), extent.quantity(length));
+        let fault = if missing > 0.0 {
+            LawError::Uncovered {
+                covered,
+                wanted,
+                missing: extent.quantity(missing),
+            }
+        } else {
+            LawError::Overfull {
+                covered,
+                wanted,
+                excess: extent.quantity(-missing),
+            }
+        };
+        return Err(fault.into());
+    }
+    Ok(total)
+}
+
+/// Two general polynomials side by side leave each other no end values.
+pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
+    let n = segments.len();
+    for i in 0..n {
+        let next = (i + 1) % n;
+        if next == 0 && !extent.is_closed() {
+            break;
+        }
+        let general = |k: usize| segments[k].motion.general_degree().is_some();
+        if general(i) && general(next) {
+            let (first, second) = (name(segments, i), name(segments, next));
+            return Err(LawError::GeneralNeighbours { first, second }.into());
+        }
+    }
+    Ok(())
+}
+
+/// No jump of lift or velocity.
+pub fn joints(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
+    let (lift, velocity) = (draft.law.bound(0), draft.law.bound(1));
+    for joint in draft.law.joints() {
+        let Some(second) = draft.starting(joint.at) else {
+            continue;
+        };
+        let n = segments.len();
+        let (first, second) = ((second + n - 2) % n, second - 1);
+        let (before, after) = (name(segments, first), name(segments, second));
+        let at = extent.quantity(joint.at);
+        if joint.jump.s.abs() > JUMP * lift {
+            return Err(LawError::LiftJump {
+                before,
+                after,
+                at,
+                jump: Quantity::length(joint.jump.s),
+            }
+            .into());
+        }
+        if joint.jump.v.abs() > JUMP * velocity {
+            return Err(LawError::VelocityJump {
+                before,
+                after,
+                at,
+                jump: extent.velocity(joint.jump.v),
+                from: extent.velocity(draft.before(&joint).v),
+                to: extent.velocity(draft.after(&joint).v),
+                cure: cure(draft, segments, &joint, first, second, extent),
+            }
+            .into());
+        }
+    }
+    Ok(())
+}
+
+impl Draft {
+    fn after(&self, joint: &Joint) -> Svaj {
+        self.law.svaj(joint.at)
+    }
+
+    fn before(&self, joint: &Joint) -> Svaj {
+        let after = self.after(joint);
+        Svaj {
+            s: after.s - joint.jump.s,
+            v: after.v - joint.jump.v,
+            a: after.a - joint.jump.a,
+            j: after.j - joint.jump.j,
+        }
+    }
+}
+
+/// What would make two segments meet in velocity.
+fn cure(
+    draft: &Draft,
+    segments: &[Segment],
+    joint: &Joint,
+    before: usize,
+    after: usize,
+    extent: Extent,
+) -> JoinCure {
+    let (vb, va) = (draft.before(joint).v, draft.after(joint).v);
+    if vb * va > 0.0 {
+        // A motion's end velocity is inverse to its length.
+        let other = segments[after].angle * va / vb;
+        return JoinCure::LetCover {
+            segment: name(segments, after),
+            length: extent.quantity(other),
+        };
+    }
+    let moving = if va == 0.0 { before } else { after };
+    JoinCure::PutBetween {
+        segment: name(segments, moving),
+    }
+}
+
+/// The lift never falls below 0.
+pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Result<()> {
+    let (low, high) = draft.law.extremes(0);
+    if low.value >= -JUMP * (high.value - low.value) {
+        return Ok(());
+    }
+    // The first dip is the one to blame; later segments may only stay down there.
+    let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
+    let first = depth
+        .peaks_above(
+            JUMP * (high.value - low.value),
+            f64::NEG_INFINITY,
+            f64::INFINITY,
+        )
+        .first()
+        .copied();
+    let (at, by) = first.map_or((low.at, -low.value), |peak| (peak.at, peak.value));
+    let i = draft.holding(at) - 1;
+    Err(LawError::BelowBaseCircle {
+        segment: name(segments, i),
+        depth: Quantity::length(by),
+        at: extent.quantity(at),
+    }
+    .into())
+}
