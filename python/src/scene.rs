@@ -52,10 +52,12 @@ impl Scene {
         if !open {
             return Err(raised(py, fault));
         }
-        let scene = scene::read_keys(&table).raise(py)?;
+        let whole = gaitcam_files::scene::with_motions(&table, &folder).raise(py)?;
+        let scene = scene::read_keys(&whole).raise(py)?;
         let input = Input {
             scene,
             table,
+            whole,
             folder,
             file,
         };
@@ -182,7 +184,7 @@ impl Scene {
         py: Python<'py>,
     ) -> Reduced<'py, (String, Option<PathBuf>, Option<PathBuf>)> {
         let restore = py.get_type::<Scene>().getattr("from_toml")?;
-        let table = toml::to_string(&self.input.table).unwrap_or_default();
+        let table = toml::to_string(&self.input.whole).unwrap_or_default();
         let absolute = |path: &Path| std::path::absolute(path).ok();
         let folder = absolute(&self.input.folder);
         let file = self.input.file.as_deref().and_then(absolute);

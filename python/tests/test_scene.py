@@ -119,3 +119,29 @@ def test_missing_files_and_broken_text_name_the_file_and_the_line(tmp_path: Path
 def test_the_key_table_is_that_of_the_command():
     stroke = next(k for k in gaitcam.keys() if k["key"] == "limits.stroke")
     assert stroke["section"] == "limits" and stroke["doc"]["es"]
+
+
+def test_a_motion_is_read_from_a_file_and_goes_with_the_scene(tmp_path: Path, monkeypatch):
+    rows = ["angle_deg,lift_mm"] + [f"{5 * i},{10 * (x := i / 24) ** 3 * (10 - 15 * x + 6 * x * x)}" for i in range(25)]
+    (tmp_path / "lift.csv").write_text("\n".join(rows))
+    (tmp_path / "scene.toml").write_text(
+        """
+        drive = {kind = "fixed-axis", speed = "60 rpm"}
+        cam = {follower = "flat-translating", base_radius = "60 mm"}
+        [law]
+        family = "program"
+        segment = [{motion = "table lift.csv"}, {motion = "3-4-5", lift = "-10 mm", angle = "240 deg"}]
+        """
+    )
+    scene = gaitcam.Scene.load(tmp_path / "scene.toml")
+    monkeypatch.chdir(tmp_path.parent)
+    pickled = pickle.dumps(scene)
+    exact = scene.set({"law.segment.1.motion": "3-4-5", "law.segment.1.lift": "10 mm", "law.segment.1.angle": "120 deg"})
+    stroke = [gaitcam.synth(s).summary["cam"]["rho_min_m"] for s in (scene, exact)]
+    assert stroke[0] == pytest.approx(stroke[1], abs=1e-9)
+    # Neither the pickle nor the text needs the file.
+    (tmp_path / "lift.csv").unlink()
+    assert pickle.loads(pickled) == scene
+    assert gaitcam.Scene.from_toml(scene.to_toml()) == scene
+    with pytest.raises(gaitcam.InputError, match="lift.csv"):
+        gaitcam.Scene.load(tmp_path / "scene.toml")

@@ -1,4 +1,4 @@
-//! Faults in reading scenes and recordings from files and in putting results into folders.
+//! Faults in reading scenes, recordings and tables of motion from files and in putting results into folders.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -20,18 +20,64 @@ use super::{Error, ErrorKind};
 #[non_exhaustive]
 #[allow(missing_docs)] // the messages of wording/en/file.ftl say what each field is
 pub enum FileError {
-    CannotRead { fault: String },
-    CannotPlace { fault: String },
+    CannotRead {
+        fault: String,
+    },
+    CannotPlace {
+        fault: String,
+    },
     Folder,
     Device,
-    TooLarge { mib: u64 },
+    TooLarge {
+        mib: u64,
+    },
     NotUtf8,
-    NotToml { fault: String },
-    NotJson { fault: String },
+    NotToml {
+        fault: String,
+    },
+    NotJson {
+        fault: String,
+    },
     NoSceneInSummary,
-    Replaced { file: String },
-    AnotherSweep { differences: String },
-    NotSweepFolder { file: String },
+    Replaced {
+        file: String,
+    },
+    AnotherSweep {
+        differences: String,
+    },
+    NotSweepFolder {
+        file: String,
+    },
+    MotionColumn {
+        column: String,
+        example: String,
+        columns: String,
+    },
+    MotionUnit {
+        column: String,
+        example: String,
+    },
+    MotionControlAngle {
+        column: String,
+    },
+    MotionValue {
+        column: String,
+        typed: String,
+    },
+    MotionOrder {
+        column: String,
+        x: f64,
+        before: f64,
+    },
+    MotionManyRows {
+        most: usize,
+    },
+    MotionDiffers {
+        column: String,
+        covered: f64,
+        key: String,
+        typed: String,
+    },
 }
 
 impl From<FileError> for Error {

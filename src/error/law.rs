@@ -133,6 +133,10 @@ pub enum LawError {
     MotionNeedsPoints {
         motion: String,
     },
+    MotionFile {
+        motion: String,
+        file: String,
+    },
     GeneralDegree {
         degree: usize,
     },

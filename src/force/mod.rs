@@ -33,6 +33,7 @@ pub use note::{
     Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
 };
 pub use plausibility::implausible;
+pub(crate) use read::{Cell, NumberTable};
 pub use read::{metadata_name, of_arrays, one_cycle, read};
 pub use recording::{Channel, Foot, ForceUnit, Idle, ReadOptions, Recording, Row, Strike};
 pub use report::{

@@ -183,8 +183,13 @@ impl Rise {
     /// both ends), `spline 0 0 0 1 1 1` (control points).
     ///
     /// # Errors
-    /// An unknown name, with the nearest known one; parameters that are no numbers, too many or out of range.
+    /// An unknown name, with the nearest known one; parameters that are no numbers, too many or out of range; a file
+    /// in place of numbers, which [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
+        if let Some((motion, file)) = Rise::named_file(text) {
+            let (motion, file) = (motion.to_string(), file.to_string());
+            return Err(LawError::MotionFile { motion, file }.into());
+        }
         let mut words = text
             .split(|c: char| c.is_whitespace() || c == ',')
             .filter(|w| !w.is_empty());

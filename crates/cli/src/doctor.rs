@@ -23,6 +23,7 @@ use crate::input::searching::TimeLimit;
 use crate::input::{self, SceneArgs};
 use gaitcam_files::Input;
 use gaitcam_files::read::read_bytes;
+use gaitcam_files::scene::with_motions;
 use gaitcam_files::target::{content, find, metadata};
 
 const EXAMPLES: &str = "Examples:
@@ -85,7 +86,8 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
         "toml",
         &json!({"file": file, "keys": leaves(&table)}),
     ));
-    let (scene, faults) = read_what_is_right(&table);
+    let whole = with_motions(&table, &folder)?;
+    let (scene, faults) = read_what_is_right(&whole);
     for fault in &faults {
         bad(&fault.sentence(language::current()));
     }
@@ -97,6 +99,7 @@ fn examine_scene(args: &DoctorArgs) -> Result<u8> {
     let input = Input {
         scene,
         table,
+        whole,
         folder,
         file: None,
     };

@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use gaitcam::error::{Error, FileError, Placed, Result};
+use gaitcam::scene::LARGEST_MOTION;
 
 /// Largest scene file, bytes.
 const LARGEST_SCENE: u64 = 64 << 20;
@@ -14,6 +15,11 @@ const LARGEST_FILE: u64 = 64 << 30;
 /// A whole file: a recording, a table, a summary.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     read_at_most(path, LARGEST_FILE)
+}
+
+/// A whole file of a motion.
+pub fn read_motion(path: &Path) -> Result<Vec<u8>> {
+    read_at_most(path, LARGEST_MOTION)
 }
 
 /// The text of a scene or of a list of values.

@@ -19,6 +19,8 @@ pub struct Input {
     pub scene: Scene,
     /// Its table as it was written and changed.
     pub table: Table,
+    /// The same with the rows of every motion in place of the file that it names.
+    pub whole: Table,
     /// The folder that its paths are relative to.
     pub folder: PathBuf,
     /// The file that it was read from.
@@ -31,10 +33,13 @@ impl Input {
     /// # Errors
     /// Keys and values that are wrong, with the file where there is one.
     pub fn new(table: Table, folder: PathBuf, file: Option<PathBuf>) -> Result<Input> {
-        let scene = scene::read(&table).map_err(|e| name_file(file.as_deref(), e))?;
+        let named = |e| name_file(file.as_deref(), e);
+        let whole = with_motions(&table, &folder).map_err(named)?;
+        let scene = scene::read(&whole).map_err(named)?;
         Ok(Input {
             scene,
             table,
+            whole,
             folder,
             file,
         })
@@ -48,10 +53,10 @@ impl Input {
         Input::new(table(path)?, folder_of(path), Some(path.to_path_buf()))
     }
 
-    /// The scene as it was settled, changes included, so that it means the same from any folder: paths
-    /// are absolute.
+    /// The scene as it was settled, changes included, so that it means the same from any folder: the path of a
+    /// recording is absolute, the rows of motions stand in place of their files.
     pub fn resolved(&self) -> Table {
-        let mut table = self.table.clone();
+        let mut table = self.whole.clone();
         let file = self
             .recording()
             .and_then(|path| fs::canonicalize(path).ok());
@@ -73,9 +78,18 @@ impl Input {
         }
     }
 
+    /// The files that its motions name.
+    pub fn motions(&self) -> Vec<PathBuf> {
+        let files = scene::motion_files(&self.table);
+        files
+            .iter()
+            .map(|f| target::find(&self.folder, f))
+            .collect()
+    }
+
     /// What the title block of a drawing says of the scene.
     pub fn title(&self) -> Title {
-        let text = toml::to_string(&self.table).unwrap_or_default();
+        let text = toml::to_string(&self.whole).unwrap_or_default();
         let usual = Title::default();
         Title {
             revision: Some(revision(&text)),
@@ -91,6 +105,19 @@ impl Input {
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         target::target(&self.scene, &self.folder)
     }
+}
+
+/// The table of a scene with the rows of every motion in place of the file that it names; paths are relative to
+/// `folder` first.
+///
+/// # Errors
+/// Files that cannot be read or hold no motion.
+pub fn with_motions(table: &Table, folder: &Path) -> Result<Table> {
+    scene::with_motions(table, &mut |file| {
+        let path = target::find(folder, file);
+        let bytes = read::read_motion(&path)?;
+        Ok((path, bytes))
+    })
 }
 
 /// Day on which a file was last changed, counted from 1970-01-01 (UTC).

@@ -55,11 +55,14 @@ const MENDINGS: usize = 12;
 /// Decimals of an angle in degrees that rebalancing writes.
 const PLACES: f64 = 1e6;
 
+/// Reads a scene, the files of its motions included.
+pub type Read<'a> = dyn Fn(&Table) -> Result<Scene> + 'a;
+
 /// Makes a change.
 ///
 /// # Errors
 /// Paths through values, entries that are not there.
-pub fn apply(table: &mut Table, edit: &Edit) -> Result<()> {
+pub fn apply(table: &mut Table, edit: &Edit, read: &Read) -> Result<()> {
     match edit {
         Edit::Set { key, value } if value.trim().is_empty() => {
             remove(table, key);
@@ -69,7 +72,7 @@ pub fn apply(table: &mut Table, edit: &Edit) -> Result<()> {
             set(table, key, value)?;
             let chooses = keys::find(key).is_some_and(|k| matches!(k.kind, Kind::Choice(_)));
             if chooses {
-                mend(table);
+                mend(table, read);
             }
             Ok(())
         }
@@ -199,9 +202,9 @@ fn first(list: &str) -> Value {
 }
 
 /// Gives the keys that a choice needs and takes out those that it does not have, one after another.
-fn mend(table: &mut Table) {
+fn mend(table: &mut Table, read: &Read) {
     for _ in 0..MENDINGS {
-        let Err(fault) = scene::read(table) else {
+        let Err(fault) = read(table) else {
             return;
         };
         let (Place::Key(path), ErrorKind::Scene(kind)) = (&fault.place, &fault.kind) else {
@@ -287,7 +290,7 @@ mod tests {
     fn changed(text: &str, edits: &[Edit]) -> Table {
         let mut table = table(text);
         for edit in edits {
-            apply(&mut table, edit).unwrap();
+            apply(&mut table, edit, &scene::read).unwrap();
         }
         table
     }
@@ -380,7 +383,8 @@ mod tests {
                 &Edit::Remove {
                     list: list(),
                     number: 99
-                }
+                },
+                &scene::read
             )
             .is_err()
         );
@@ -390,7 +394,8 @@ mod tests {
                 &Edit::Insert {
                     list: "law.nothing".to_string(),
                     number: 1
-                }
+                },
+                &scene::read
             )
             .is_err()
         );

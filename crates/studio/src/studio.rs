@@ -1,5 +1,6 @@
 //! What a running studio holds: its guard, its folder, the last designs.
 
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -11,8 +12,9 @@ use crate::lock;
 use crate::recent::Recent;
 use crate::sources::Sources;
 use crate::turns::Turns;
+use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
-use gaitcam::scene::Scene;
+use gaitcam::scene::{self, Scene};
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
@@ -32,6 +34,8 @@ pub struct Start {
 pub struct Kept {
     /// The scene's table.
     pub table: Table,
+    /// The same with the rows of every motion in place of the file that it names.
+    pub whole: Table,
     /// The scene.
     pub scene: Scene,
     /// The wanted force.
@@ -80,6 +84,20 @@ impl Studio {
         let id = self.next.fetch_add(1, Ordering::Relaxed).to_string();
         lock(&self.designs).put(id.clone(), kept);
         id
+    }
+
+    /// The scene of a table with the rows of every motion in place of the file of the folder that it names, and that
+    /// table.
+    ///
+    /// # Errors
+    /// Files that the folder does not give or that hold no motion; faults of the scene.
+    pub fn scene(&self, table: &Table) -> Result<(Scene, Table)> {
+        let mut read = |file: &Path| {
+            let bytes = self.sources.bytes(&self.folder, file)?;
+            Ok((file.to_path_buf(), bytes.to_vec()))
+        };
+        let whole = scene::with_motions(table, &mut read)?;
+        Ok((scene::read(&whole)?, whole))
     }
 
     /// A design that was kept.

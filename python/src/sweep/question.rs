@@ -342,6 +342,6 @@ fn method_of(name: &str) -> Option<Method> {
 fn named(scene: &Scene) -> NamedScene {
     NamedScene {
         name: scene.input.scene.name.clone(),
-        table: scene.input.table.clone(),
+        table: scene.input.whole.clone(),
     }
 }

@@ -13,7 +13,8 @@ const MARGIN: f64 = 0.12;
 
 /// Force at a place between samples, by a straight line.
 pub(super) fn at(force: &[f64], place: f64) -> f64 {
-    let i = (place.max(0.0) as usize).min(force.len().saturating_sub(2));
+    // Over i64: the processor has no conversion to unsigned numbers.
+    let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
     let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
         return force.first().copied().unwrap_or(0.0);
     };

@@ -11,6 +11,7 @@ mod critical_points;
 mod cycle_file;
 mod keys;
 mod number;
+mod number_table;
 mod raw;
 mod text;
 mod timebase;
@@ -25,6 +26,7 @@ use super::recording::{ReadOptions, Recording};
 use crate::error::{FileKind, Placed, ReadError, Result};
 
 pub use arrays::of_arrays;
+pub(crate) use number_table::{Cell, NumberTable};
 pub use text::metadata_name;
 
 /// Reads a recording of vertical force.

@@ -4,7 +4,6 @@ use super::super::{Condition, Law, hermite_birkhoff};
 use super::Rise;
 use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, SplineSpace};
-use nalgebra::{DMatrix, DVector};
 
 /// Degree of the spline through a table: continuous to the fourth derivative.
 const TABLE_DEGREE: usize = 5;
@@ -13,6 +12,19 @@ const TABLE_DEGREE: usize = 5;
 const SPLINE_DEGREE: usize = 5;
 
 impl Rise {
+    /// The word and the file of a motion whose numbers stand in a file: `table lift.csv`, `spline control.csv`.
+    /// `None` where numbers follow the word, or nothing.
+    pub(crate) fn named_file(text: &str) -> Option<(&'static str, &str)> {
+        let apart = |c: char| c.is_whitespace() || c == ',';
+        let (word, file) = text.trim().split_once(apart)?;
+        let word = ["table", "spline"]
+            .into_iter()
+            .find(|w| w.eq_ignore_ascii_case(word))?;
+        let file = file.trim();
+        let first = file.split(apart).find(|w| !w.is_empty())?;
+        first.parse::<f64>().is_err().then_some((word, file))
+    }
+
     /// The law of `table` or `spline` with its numbers, as a scene has them; `None` for another word.
     pub(super) fn own(word: &str, numbers: &[f64]) -> Option<Result<Rise>> {
         match word {
@@ -154,21 +166,57 @@ fn through(points: &[(f64, f64)], rest: bool) -> Option<PiecewisePoly> {
     breaks.extend(inner.iter().map(|p| p.0));
     breaks.push(1.0);
     let space = SplineSpace::clamped(TABLE_DEGREE, &breaks, &vec![1; inner.len()]);
-    let mut matrix = DMatrix::zeros(unknowns, unknowns);
-    let mut wanted = DVector::zeros(unknowns);
-    let rows = points
+    // By their place from end to end: the matrix is banded and totally positive, so elimination needs no pivots.
+    let end = |at: f64| end_conditions.iter().filter(move |c| c.0 == at);
+    let lift = |p: &(f64, f64)| (p.0, 0, p.1);
+    let rows = points[..1]
         .iter()
-        .map(|&(x, s)| (x, 0, s))
-        .chain(end_conditions.iter().map(|&(x, order)| (x, order, 0.0)));
-    for (row, (x, order, value)) in rows.enumerate() {
+        .map(lift)
+        .chain(end(0.0).map(|&(x, order)| (x, order, 0.0)))
+        .chain(points[1..n - 1].iter().map(lift))
+        .chain(end(1.0).rev().map(|&(x, order)| (x, order, 0.0)))
+        .chain(points[n - 1..].iter().map(lift));
+    let rows = rows.map(|(x, order, value)| {
         let (span, u) = space.locate(x);
         let mut weights = [0.0; 3];
         weights[order] = 1.0;
-        for (i, w) in space.row(span, u, &weights).iter().enumerate() {
-            matrix[(row, space.index(span, i))] += w;
+        let mut row = [0.0; TABLE_DEGREE + 1];
+        row.copy_from_slice(&space.row(span, u, &weights));
+        (space.index(span, 0), row, value)
+    });
+    let c = solve_band(rows.collect())?;
+    Some(space.spline(&c))
+}
+
+/// One equation: its first unknown, the factors from there on, the right side.
+type BandRow = (usize, [f64; TABLE_DEGREE + 1], f64);
+
+/// Solves banded equations, one per unknown in ascending order, by elimination without pivots; `None` where one
+/// vanishes.
+fn solve_band(mut rows: Vec<BandRow>) -> Option<Vec<f64>> {
+    const WIDTH: usize = TABLE_DEGREE + 1;
+    let n = rows.len();
+    for k in 0..n {
+        let (first, row, right) = rows[k];
+        let pivot = *k.checked_sub(first).and_then(|i| row.get(i))?;
+        if !(pivot.is_finite() && pivot != 0.0) {
+            return None;
         }
-        wanted[row] = value;
+        for (start, below, other) in rows[k + 1..].iter_mut().take_while(|r| r.0 <= k) {
+            let factor = below[k - *start] / pivot;
+            for column in k..first + WIDTH {
+                below[column - *start] -= factor * row[column - first];
+            }
+            *other -= factor * right;
+        }
     }
-    let c = matrix.lu().solve(&wanted)?;
-    Some(space.spline(c.as_slice()))
+    let mut solution = vec![0.0; n];
+    for k in (0..n).rev() {
+        let (first, row, right) = rows[k];
+        let known: f64 = (k + 1..n.min(first + WIDTH))
+            .map(|column| row[column - first] * solution[column])
+            .sum();
+        solution[k] = (right - known) / row[k - first];
+    }
+    Some(solution)
 }

@@ -56,7 +56,9 @@ law-unknown-motion = unknown motion `{ $motion }`
        *[other] did you mean `{ $nearest }`?
     }
 law-motion-needs-points = the motion `{ $motion }` needs points
-    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the control points of a spline of degree 5, motion = "spline 0 0 0 1 1 1"
+    .help = write pairs x s of parts of angle and lift, motion = "table 0 0 0.5 0.3 1 1", or the control points of a spline of degree 5, motion = "spline 0 0 0 1 1 1"; or name a CSV file, motion = "table lift.csv"
+law-motion-file = the motion `{ $motion }` names the file { $file }, which cannot be read here
+    .help = write a file into the scene file or after --set; a sweep over motions takes rows written out, motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = a general polynomial of degree { $degree } cannot split its conditions evenly between both ends
     .help = use degree 5 (joins s, v, a) or 7 (also j)
 law-scca-shares = the shares b = { $b }, c = { $c }, d = { $d } of an SCCA law do not add to 1

@@ -56,7 +56,9 @@ law-unknown-motion = movimiento desconocido `{ $motion }`
        *[other] ¿quiso decir `{ $nearest }`?
     }
 law-motion-needs-points = el movimiento `{ $motion }` necesita puntos
-    .help = escriba parejas x s de partes del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o los puntos de control de un spline de grado 5, motion = "spline 0 0 0 1 1 1"
+    .help = escriba parejas x s de partes del ángulo y de la elevación, motion = "table 0 0 0.5 0.3 1 1", o los puntos de control de un spline de grado 5, motion = "spline 0 0 0 1 1 1"; o nombre un archivo CSV, motion = "table lift.csv"
+law-motion-file = el movimiento `{ $motion }` nombra el archivo { $file }, que aquí no se puede leer
+    .help = indique un archivo en la escena o tras --set; un barrido de movimientos toma filas escritas, motion = "table 0 0 0.5 0.3 1 1"
 law-general-degree = un polinomio general de grado { $degree } no puede repartir por igual sus condiciones entre ambos extremos
     .help = use grado 5 (une s, v, a) o 7 (también j)
 law-scca-shares = las fracciones b = { $b }, c = { $c }, d = { $d } de una ley SCCA no suman 1

@@ -259,3 +259,112 @@ fn contact_is_judged_where_only_force_keeps_it() {
         }
     }
 }
+
+#[test]
+fn an_acceleration_that_jumps_is_for_slow_machines_under_every_follower() {
+    for cam in [FLAT, ROLLER, KNIFE, MUSHROOM, ARM, KNIFE_ARM, PAIR, BARREL] {
+        let smooth = design(&programme("3-4-5", cam, 8.0), cam, 60.0, &[]).unwrap();
+        assert_eq!(smooth.verdict, Verdict::Acceptable, "{cam}");
+        let jerky = design(&programme("parabolic", cam, 8.0), cam, 60.0, &[]).unwrap();
+        assert_eq!(jerky.verdict, Verdict::NotForHighSpeed, "{cam}");
+        assert!(has(&jerky, "reason-acceleration-jumps"), "{cam}");
+    }
+}
+
+#[test]
+fn a_written_pressure_angle_takes_the_place_of_both_bounds() {
+    for (cam, size) in [(ROLLER, 30.0), (ARM, 25.0), (PAIR, 30.0), (BARREL, 30.0)] {
+        let law = programme("3-4-5", cam, size);
+        // Small enough a cam for more than the usual angle, and for less than it.
+        for base_mm in [30.0, 60.0, 100.0] {
+            let Some(free) = design(&law, cam, base_mm, &["limits.pressure_angle=none"]) else {
+                continue;
+            };
+            // Of the groove as well where there is one.
+            let own = free.pressure_angle_extremes();
+            let second = free.conjugate.as_ref().map(|pair| &pair.second);
+            let second = second.map(|cam| cam.pressure_angle_extremes());
+            let largest = std::iter::once(own)
+                .chain(second)
+                .map(|(low, high)| high.value.max(-low.value).to_degrees())
+                .fold(0.0, f64::max);
+            for (share, broken) in [(1.001, false), (0.999, true)] {
+                let limit = format!("limits.pressure_angle={} deg", share * largest);
+                let built = design(&law, cam, base_mm, &[&limit]).unwrap();
+                assert_eq!(
+                    has(&built, "reason-pressure-angle"),
+                    broken,
+                    "{cam} {base_mm}"
+                );
+                assert!(
+                    !has(&built, "reason-large-pressure-angle"),
+                    "{cam} {base_mm}"
+                );
+                let verdict = if broken {
+                    Verdict::Unacceptable
+                } else {
+                    free.verdict
+                };
+                assert_eq!(
+                    built.verdict, verdict,
+                    "{cam} {base_mm}: {:?}",
+                    built.reasons
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_force_is_judged_by_its_error_and_its_mean_under_every_follower() {
+    let target = gaitcam::force::model("young", Some(1.85), 700.0, gaitcam::force::Feet::Both);
+    let target = target.unwrap();
+    let walk = |changes: &[&str]| {
+        let scene = gaitcam_test_support::scene(scene::DEFAULT, changes).unwrap();
+        synthesise(&scene, Some(&target)).unwrap()
+    };
+    for follower in [
+        &["cam.follower=flat-translating"][..],
+        &["cam.follower=roller-translating", "cam.roller_radius=10 mm"],
+        &["cam.follower=mushroom-translating", "cam.arc_radius=30 mm"],
+        &[
+            "cam.follower=roller-translating",
+            "cam.roller_radius=10 mm",
+            "cam.conjugate.distance=250 mm",
+        ],
+        &[
+            "cam.follower=barrel",
+            "cam.roller_radius=10 mm",
+            "cam.depth=10 mm",
+        ],
+    ] {
+        let with = |more: &[&str]| {
+            let size = [
+                "cam.base_radius=80 mm",
+                "law.spans=16",
+                "limits.stroke=35 mm",
+            ];
+            walk(&[follower, &size, more].concat())
+        };
+        let percent = with(&[]).force.rms_error_percent_of_mean;
+        assert!(percent > 0.5);
+        for (share, verdict) in [(1.001, Verdict::Acceptable), (0.999, Verdict::Unacceptable)] {
+            let built = with(&[&format!("accuracy.rms={} %", share * percent)]);
+            assert_eq!(built.verdict, verdict, "{follower:?}: {:?}", built.reasons);
+            assert_eq!(has(&built, "reason-force-error"), share < 1.0);
+        }
+        for (mass, wrong) in [("71.5 kg", true), ("71.38 kg", false)] {
+            let built = with(&["accuracy.rms=20 %", &format!("drive.mass={mass}")]);
+            assert_eq!(
+                has(&built, "reason-mean-force"),
+                wrong,
+                "{follower:?} {mass}"
+            );
+            assert_eq!(
+                built.verdict == Verdict::Unacceptable,
+                wrong,
+                "{follower:?}"
+            );
+        }
+    }
+}

@@ -52,7 +52,7 @@ pub fn plan(args: &SweepArgs) -> Result<Sweep> {
         })?;
         scenes.push(NamedScene {
             name: file.map_or(input.scene.name.clone(), |f| f.display().to_string()),
-            table: input.table,
+            table: input.whole,
         });
         folders.push(input.folder);
     }

@@ -8,6 +8,7 @@ mod gait;
 mod input_and_output;
 mod inspect;
 mod main_job;
+mod motion_file;
 mod polish;
 mod refused;
 mod support;

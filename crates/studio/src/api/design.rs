@@ -19,7 +19,7 @@ use gaitcam::cam::Continuity;
 use gaitcam::error::Result;
 use gaitcam::halt::Halt;
 use gaitcam::problem::Shared;
-use gaitcam::scene::{self, Scene, keys};
+use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::{Design, Relaxation, relaxed_with, synthesise_with};
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
@@ -138,7 +138,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
     };
     let mut table = table(&ask.scene)?;
     for edit in &ask.changes {
-        apply(&mut table, edit)?;
+        apply(&mut table, edit, &|table| Ok(studio.scene(table)?.0))?;
     }
     let kept = made(studio, &table, turn.asked().halt())?;
     if asked.is_overtaken() {
@@ -158,7 +158,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
 /// Faults of the scene and of its force.
 fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     let start = Instant::now();
-    let scene = scene::read(table)?;
+    let (scene, whole) = studio.scene(table)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let solving = Instant::now();
     let shared = Shared::until(halt);
@@ -170,6 +170,7 @@ fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     let table = table.clone();
     Ok(Arc::new(Kept {
         table,
+        whole,
         scene,
         target,
         design,

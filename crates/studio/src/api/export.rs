@@ -60,11 +60,11 @@ fn contents(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8
     let language = words::current();
     let text = |text: String| Some(Ok(text.into_bytes()));
     match name {
-        "scene.toml" => return text(toml::to_string(&kept.table).unwrap_or_default()),
+        "scene.toml" => return text(toml::to_string(&kept.whole).unwrap_or_default()),
         "report.html" => return text(output::report::html(design, kept.time, language)),
         "summary.json" => {
             let mut summary = output::json::summary(design, kept.time);
-            summary["scene"] = serde_json::to_value(&kept.table).unwrap_or_default();
+            summary["scene"] = serde_json::to_value(&kept.whole).unwrap_or_default();
             return text(serde_json::to_string_pretty(&summary).unwrap_or_default());
         }
         _ if files::of(design).all(|file| file.name != name) => return None,
@@ -125,12 +125,11 @@ fn wall(design: &Design, wall: Wall) -> Option<Result<Vec<u8>>> {
 
 /// The drawing, its revision that of the scene.
 fn drawing(kept: &Kept) -> Vec<u8> {
-    let scene = toml::to_string(&kept.table).unwrap_or_default();
+    let scene = toml::to_string(&kept.whole).unwrap_or_default();
     let usual = output::drawing::Title::default();
-    let accuracy = gaitcam::scene::read(&kept.table).ok().and_then(|s| s.rms);
     let title = output::drawing::Title {
         revision: Some(output::drawing::revision(&scene)),
-        accuracy: accuracy.unwrap_or(usual.accuracy),
+        accuracy: kept.scene.rms.unwrap_or(usual.accuracy),
         ..usual
     };
     output::drawing::pdf(&kept.design, &title, words::current())

@@ -10,8 +10,8 @@ use crate::words;
 use gaitcam::cam::Unit;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
+use gaitcam::scene::Scene;
 use gaitcam::scene::keys::{KEYS, Key};
-use gaitcam::scene::{self, Scene};
 use gaitcam::synth::{Against, Design, Figures, synthesise, trade};
 use gaitcam::units::Dimension;
 use gaitcam::wording::{number, quantity};
@@ -52,7 +52,7 @@ pub struct Vary {
 /// Faults of the scene as it stands.
 pub fn sensitivity(studio: &Studio, vary: &Vary) -> Result<Value> {
     let table = table(&vary.scene)?;
-    let scene = scene::read(&table)?;
+    let (scene, _) = studio.scene(&table)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let of = |design: &Design| value(design, &vary.quantity);
     let middle = of(&synthesise(&scene, target.as_ref())?);
@@ -168,7 +168,7 @@ pub struct Trade {
 /// Scenes without a force; quantities that cannot be traded.
 pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
     let against = Against::from_pair(&format!("force_error:{}", asked.against))?;
-    let scene = scene::read(&table(&asked.scene)?)?;
+    let (scene, _) = studio.scene(&table(&asked.scene)?)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let front = trade(&scene, target.as_ref(), against, POINTS)?;
     let dimension = match against {

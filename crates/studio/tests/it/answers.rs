@@ -205,3 +205,47 @@ fn sensitivities_and_fronts_are_answered_for_the_default_scene() {
     let points = front["points"].as_array().unwrap();
     assert!(points.len() > 3, "{front}");
 }
+
+#[test]
+fn a_motion_is_read_from_a_file_of_the_folder_and_from_nowhere_else() {
+    let studio = Running::new();
+    let rows = "angle_deg,lift_mm\n0,0\n60,5\n120,10\n";
+    std::fs::write(studio.inside().join("lift.csv"), rows).unwrap();
+    std::fs::write(studio.folder.path().join("secret.csv"), rows).unwrap();
+    let scene = |motion: &str| {
+        format!(
+            "[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[law]\nfamily = \"program\"\n\
+             [[law.segment]]\nmotion = \"{motion}\"\n\
+             [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-10 mm\"\nangle = \"240 deg\"\n\
+             [cam]\nfollower = \"flat-translating\"\nbase_radius = \"60 mm\"\n"
+        )
+    };
+    let file = design(&studio, &json!({"scene": scene("table lift.csv")}));
+    assert!(file["error"].is_null(), "{file}");
+    let sizes = "table 0 0 0.5 0.5 1 1\"\nlift = \"10 mm\"\nangle = \"120 deg";
+    let inline = design(&studio, &json!({"scene": scene(sizes)}));
+    assert_eq!(file["figures"], inline["figures"]);
+    assert_eq!(file["curves"], inline["curves"]);
+    // The page keeps the name of the file, also over a choice that needs more keys.
+    assert_eq!(
+        file["fields"]["law.segment.1.motion"]["text"],
+        "table lift.csv"
+    );
+    let changes = json!([{"set": {"key": "cam.follower", "value": "roller-translating"}}]);
+    let roller = design(
+        &studio,
+        &json!({"scene": file["scene"], "changes": changes}),
+    );
+    assert!(roller["error"].is_null(), "{roller}");
+    assert_eq!(
+        roller["fields"]["law.segment.1.motion"]["text"],
+        "table lift.csv"
+    );
+    for outside in ["../secret.csv", "/etc/passwd"] {
+        let answer = design(
+            &studio,
+            &json!({"scene": scene(&format!("table {outside}"))}),
+        );
+        assert_eq!(answer["error"]["code"], "studio-outside", "{answer}");
+    }
+}

@@ -17,7 +17,6 @@ use std::path::Path;
 
 use choose::{Plan, plan};
 use format::format;
-use layout::Fields;
 use raw::Raw;
 use table::{Numbers, skip};
 use times::{time_base, time_unit};
@@ -33,7 +32,7 @@ use crate::force::note::Note;
 use crate::force::recording::{ForceUnit, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
-pub(super) use layout::{Layout, Lines, Position, detect, plain, text};
+pub(super) use layout::{Fields, Layout, Lines, Position, detect, plain, text};
 pub use stance_table::metadata_name;
 pub(super) use table::{Table, next_table, numbers};
 

@@ -26,17 +26,11 @@ pub(super) fn plain_row(
     while next < wanted.len() {
         let first = *rest.get(at)?;
         at += usize::from(first == b'-' || first == b'+');
-        let start = at;
-        let mut mantissa = 0u64;
-        digits(rest, &mut at, &mut mantissa);
-        let (mut count, mut behind) = (at - start, 0);
-        if rest.get(at) == Some(&mark) {
-            at += 1;
-            let start = at;
-            digits(rest, &mut at, &mut mantissa);
-            behind = at - start;
-            count += behind;
-        }
+        let Digits {
+            mantissa,
+            count,
+            behind,
+        } = digits(rest, &mut at, mark);
         let end = *rest.get(at)?;
         if count == 0 || count > DIGITS || mantissa > EXACT {
             return None;
@@ -64,17 +58,98 @@ pub(super) fn plain_row(
     Some(at + end + 1)
 }
 
-/// Adds the digits at a place to a number, and passes over them.
+/// The digits of a number without sign.
+struct Digits {
+    /// All of them as one whole number.
+    mantissa: u64,
+    /// How many.
+    count: usize,
+    /// How many of them stand behind the decimal mark.
+    behind: usize,
+}
+
+/// Reads digits with at most one decimal mark, and passes over them: the first eight bytes at once, what is left one
+/// by one.
 #[inline]
-fn digits(rest: &[u8], at: &mut usize, mantissa: &mut u64) {
-    while let Some(c) = rest.get(*at) {
-        let digit = c.wrapping_sub(b'0');
-        if digit > 9 {
-            return;
+fn digits(rest: &[u8], at: &mut usize, mark: u8) -> Digits {
+    let start = *at;
+    let mut found = Digits {
+        mantissa: 0,
+        count: 0,
+        behind: 0,
+    };
+    let mut marked = false;
+    if let Some(block) = rest.get(start..).and_then(|r| r.first_chunk::<8>()) {
+        let (value, taken, before) = eight(u64::from_le_bytes(*block), mark);
+        marked = before < taken;
+        found.mantissa = value;
+        found.count = taken - usize::from(marked);
+        found.behind = found.count - before;
+        *at += taken;
+        // Whatever follows fewer than eight bytes is no digit, and no first mark.
+        if taken < 8 {
+            return found;
         }
-        *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+    }
+    while let Some(&c) = rest.get(*at) {
+        let digit = c.wrapping_sub(b'0');
+        if digit <= 9 {
+            let more = found.mantissa.wrapping_mul(10);
+            found.mantissa = more.wrapping_add(u64::from(digit));
+            found.count += 1;
+            found.behind += usize::from(marked);
+        } else if c == mark && !marked {
+            marked = true;
+        } else {
+            break;
+        }
         *at += 1;
     }
+    found
+}
+
+/// The number that eight bytes (the first lowest) begin with: its digits as a whole number, the bytes that it takes,
+/// the digits before the mark. Without a mark all bytes taken are digits before it.
+#[inline]
+fn eight(bytes: u64, mark: u8) -> (u64, usize, usize) {
+    let others = no_digits(bytes);
+    let before = others.trailing_zeros() as usize / 8;
+    if before == 8 {
+        return (joined(bytes), 8, 8);
+    }
+    let place = 8 * before;
+    let (digits, taken, count) = if (bytes >> place) as u8 == mark {
+        // The mark is left out; what stood behind it moves up.
+        let low = (1u64 << place) - 1;
+        let rest = others & !(0xFF << place);
+        let taken = rest.trailing_zeros() as usize / 8;
+        ((bytes & low) | ((bytes >> 8) & !low), taken, taken - 1)
+    } else {
+        (bytes, before, before)
+    };
+    if count == 0 {
+        return (0, taken, before);
+    }
+    (joined(digits << (8 * (8 - count))), taken, before)
+}
+
+/// Bits in every byte that is no digit, none in the others.
+#[inline]
+fn no_digits(bytes: u64) -> u64 {
+    const EACH: u64 = 0x0101_0101_0101_0101;
+    let high = (bytes & (0xF0 * EACH)) ^ (0x30 * EACH);
+    // Adding 6 carries into the upper half of the byte where the lower half is above 9.
+    let low = ((bytes & (0x0F * EACH)) + 0x06 * EACH) & (0xF0 * EACH);
+    high | low
+}
+
+/// Eight digits, the first lowest and those missing in front 0, as a whole number: pairs, then fours, then all.
+#[inline]
+fn joined(digits: u64) -> u64 {
+    let digits = digits & 0x0F0F_0F0F_0F0F_0F0F;
+    let pairs = (digits.wrapping_mul(10 * 256 + 1) >> 8) & 0x00FF_00FF_00FF_00FF;
+    let fours = (pairs.wrapping_mul(100 * 65_536 + 1) >> 16) & 0x0000_FFFF_0000_FFFF;
+    fours.wrapping_mul(10_000 * (1 << 32) + 1) >> 32
 }
 
 #[cfg(test)]
@@ -82,6 +157,76 @@ mod tests {
     use super::super::layout::Fields;
     use super::*;
     use crate::force::read::number::value;
+
+    #[test]
+    fn eight_bytes_at_once_are_the_digits_one_by_one() {
+        let mut cases = 0;
+        for whole in [
+            "",
+            "0",
+            "7",
+            "42",
+            "745",
+            "1234",
+            "86399",
+            "123456",
+            "9999999",
+            "00000000",
+            "123456789",
+        ] {
+            for part in [
+                "",
+                ".",
+                ".0",
+                ".5",
+                ".46",
+                ".999",
+                ".1234567",
+                ".12345678901",
+                "..5",
+                ".5.5",
+            ] {
+                for end in [
+                    "\n",
+                    ",1\n",
+                    ",",
+                    "",
+                    "e5\n",
+                    "/",
+                    ":",
+                    "\u{ff}\u{ff}",
+                    "-1,2,3,4,5\n",
+                ] {
+                    let text = format!("{whole}{part}{end}");
+                    let slow: Vec<u8> = text
+                        .bytes()
+                        .scan(false, |marked, c| {
+                            let first =
+                                c == b'.' && !std::mem::replace(marked, *marked || c == b'.');
+                            (c.is_ascii_digit() || first).then_some(c)
+                        })
+                        .collect();
+                    let digits_only = slow.iter().filter(|c| c.is_ascii_digit());
+                    let mantissa = digits_only
+                        .clone()
+                        .fold(0u64, |m, c| 10 * m + u64::from(c - b'0'));
+                    let behind = slow
+                        .iter()
+                        .position(|&c| c == b'.')
+                        .map_or(0, |p| slow.len() - p - 1);
+                    let mut at = 0;
+                    let found = super::digits(text.as_bytes(), &mut at, b'.');
+                    assert_eq!(
+                        (found.mantissa, found.count, found.behind, at),
+                        (mantissa, digits_only.count(), behind, slow.len()),
+                        "{text:?}"
+                    );
+                    cases += 1;
+                }
+            }
+        }
+        assert_eq!(cases, 11 * 10 * 9);
+    }
 
     #[test]
     fn every_row_is_read_as_field_by_field_or_left_to_it() {

@@ -1,0 +1,279 @@
+//! Motions whose numbers stand in a file: `motion = "table lift.csv"`, `motion = "spline control.csv"`.
+//!
+//! The library reads no files. Whoever does puts the rows in place of the file before the scene is read: a motion
+//! means the same in a file as written out.
+
+use std::path::{Path, PathBuf};
+
+use toml::{Table, Value};
+
+use crate::error::{Error, FileError, Placed, Result};
+use crate::force::{Cell, NumberTable};
+use crate::law::Rise;
+use crate::units::{Dimension, parse};
+
+/// Largest file of a motion, bytes.
+pub const LARGEST_MOTION: u64 = 64 << 20;
+/// Most rows of a motion, as many as a law may have spans.
+const MOST_ROWS: usize = 10_000;
+/// How far the angle and the lift that a segment states may be from those of its file, as a share.
+const AGREEMENT: f64 = 1e-6;
+
+/// What a column is called.
+const ANGLE: [&str; 4] = ["angle", "theta", "ángulo", "angulo"];
+const TRAVEL: [&str; 3] = ["length", "travel", "recorrido"];
+const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento"];
+
+/// The files that motions of a scene name, as they name them.
+///
+/// ```
+/// let scene: toml::Table = "[[law.segment]]\nmotion = \"table lift.csv\"".parse()?;
+/// assert_eq!(gaitcam::scene::motion_files(&scene), [std::path::PathBuf::from("lift.csv")]);
+/// # Ok::<(), toml::de::Error>(())
+/// ```
+pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
+    let named = |segment: &Value| {
+        let motion = segment.get("motion")?.as_str()?;
+        Rise::named_file(motion).map(|named| PathBuf::from(named.1))
+    };
+    segments(scene).iter().filter_map(named).collect()
+}
+
+/// The scene with the rows of every file that a motion names in its place; a segment that leaves out its angle or
+/// its lift takes it from the file.
+///
+/// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with
+/// its unit (`angle_deg`, `lift [mm]`); control points of a spline have the column `lift` alone. `read` gives the path
+/// for messages and the content of a file.
+///
+/// # Errors
+/// What `read` refuses; columns, units and rows that are wrong, each with its line; an angle or a lift of the
+/// segment that is not the file's.
+///
+/// ```
+/// use gaitcam::scene;
+///
+/// let text = "[cam]\nbase_radius = \"20 mm\"\n[law]\nfamily = \"program\"\n[[law.segment]]\nmotion = \"table up.csv\"\n\
+///             [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-5 mm\"\nangle = \"270 deg\"";
+/// let rows = b"angle_deg,lift_mm\n0,0\n30,1\n60,4\n90,5\n";
+/// let whole = scene::with_motions(&text.parse()?, &mut |path| Ok((path.to_path_buf(), rows.to_vec())))?;
+/// let scene = scene::read(&whole)?;
+/// assert!((scene.law.segments[0].lift - 0.005).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn with_motions(
+    scene: &Table,
+    read: &mut dyn FnMut(&Path) -> Result<(PathBuf, Vec<u8>)>,
+) -> Result<Table> {
+    let mut scene = scene.clone();
+    let law = scene.get_mut("law").and_then(|law| law.get_mut("segment"));
+    let Some(list) = law.and_then(Value::as_array_mut) else {
+        return Ok(scene);
+    };
+    for (i, segment) in list.iter_mut().enumerate() {
+        let Some(segment) = segment.as_table_mut() else {
+            continue;
+        };
+        let motion = segment.get("motion").and_then(Value::as_str);
+        let Some((word, file)) = motion.and_then(Rise::named_file) else {
+            continue;
+        };
+        let (word, key) = (word.to_string(), format!("law.segment.{}", i + 1));
+        let (path, bytes) =
+            read(Path::new(file)).map_err(|e| e.at_key(&format!("{key}.motion")))?;
+        if bytes.len() as u64 > LARGEST_MOTION {
+            let mib = LARGEST_MOTION >> 20;
+            return Err(FileError::TooLarge { mib }.in_file(&path));
+        }
+        let rows = Rows::read(&path, &bytes, &word)?;
+        rows.put(segment, &key, &path)?;
+        let motion = format!("{word}{}", rows.written());
+        // Whatever is wrong with the rows as a motion is wrong with the file.
+        Rise::from_name(&motion).map_err(|e| e.in_file(&path))?;
+        segment.insert("motion".to_string(), Value::String(motion));
+    }
+    Ok(scene)
+}
+
+fn segments(scene: &Table) -> &[Value] {
+    let list = scene.get("law").and_then(|law| law.get("segment"));
+    list.and_then(Value::as_array).map_or(&[], Vec::as_slice)
+}
+
+/// A column with what turns its numbers into SI.
+struct Column {
+    place: usize,
+    /// As the header has it.
+    name: String,
+    dimension: Dimension,
+    factor: f64,
+}
+
+impl Column {
+    /// The column of one of these names; its unit is of the first of these dimensions that has it.
+    fn find(
+        path: &Path,
+        table: &NumberTable,
+        names: &[&str],
+        dimensions: &[Dimension],
+    ) -> Result<Option<Column>> {
+        let found = (0..table.names().len()).find_map(|place| {
+            let (name, unit) = table.name_and_unit(place);
+            names.contains(&name.as_str()).then_some((place, unit))
+        });
+        let Some((place, unit)) = found else {
+            return Ok(None);
+        };
+        let name = table.names()[place].trim().to_string();
+        let factor =
+            |d: &Dimension| Some((*d, parse(&format!("1 {}", unit.as_deref()?), *d).ok()?));
+        let Some((dimension, factor)) = dimensions.iter().find_map(factor) else {
+            let wanted = dimensions.iter().map(|d| d.si()).collect::<Vec<_>>();
+            let (column, example) = (name, format!("{}_{}", names[0], wanted[0]));
+            let fault = FileError::MotionUnit { column, example };
+            return Err(fault.at_line(path, table.header_line()));
+        };
+        Ok(Some(Column {
+            place,
+            name,
+            dimension,
+            factor,
+        }))
+    }
+
+    /// The number of a row, in SI.
+    fn number(&self, path: &Path, line: usize, row: &[Cell]) -> Result<f64> {
+        let cell = row.get(self.place);
+        let fault = || {
+            let typed = cell.map_or(String::new(), |c| c.text.clone());
+            let column = self.name.clone();
+            FileError::MotionValue { column, typed }.at_line(path, line)
+        };
+        let number = cell.and_then(|c| c.number).ok_or_else(fault)?;
+        Ok(number * self.factor)
+    }
+}
+
+/// The numbers of a motion, SI.
+struct Rows {
+    angle: Option<(Column, Vec<f64>)>,
+    lift: (Column, Vec<f64>),
+}
+
+impl Rows {
+    fn read(path: &Path, bytes: &[u8], word: &str) -> Result<Rows> {
+        let table = NumberTable::find(path, bytes)?;
+        let missing = |column: &str, example: &str| {
+            let fault = FileError::MotionColumn {
+                column: column.to_string(),
+                example: example.to_string(),
+                columns: table.names().join(", "),
+            };
+            fault.at_line(path, table.header_line())
+        };
+        let lift = Column::find(path, &table, &LIFT, &[Dimension::Length, Dimension::Angle])?
+            .ok_or_else(|| missing("lift", "lift_mm"))?;
+        let turned = Column::find(path, &table, &ANGLE, &[Dimension::Angle])?;
+        let angle = match turned {
+            Some(angle) => Some(angle),
+            None => Column::find(path, &table, &TRAVEL, &[Dimension::Length])?,
+        };
+        let angle = match (word, angle) {
+            ("spline", Some(angle)) => {
+                let column = angle.name;
+                let fault = FileError::MotionControlAngle { column };
+                return Err(fault.at_line(path, table.header_line()));
+            }
+            ("spline", None) => None,
+            (_, angle) => Some(angle.ok_or_else(|| missing("angle", "angle_deg"))?),
+        };
+        let (mut angles, mut lifts): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+        for (line, row) in table.rows() {
+            if lifts.len() == MOST_ROWS {
+                return Err(FileError::MotionManyRows { most: MOST_ROWS }.at_line(path, line));
+            }
+            if let Some(angle) = &angle {
+                let x = angle.number(path, line, &row)?;
+                if angles.last().is_some_and(|&before| x <= before) {
+                    let typed = |x: f64| x / angle.factor;
+                    let fault = FileError::MotionOrder {
+                        column: angle.name.clone(),
+                        x: typed(x),
+                        before: typed(angles[angles.len() - 1]),
+                    };
+                    return Err(fault.at_line(path, line));
+                }
+                angles.push(x);
+            }
+            lifts.push(lift.number(path, line, &row)?);
+        }
+        Ok(Rows {
+            angle: angle.map(|column| (column, angles)),
+            lift: (lift, lifts),
+        })
+    }
+
+    /// The numbers behind the word, as a scene has them.
+    fn written(&self) -> String {
+        let mut text = String::new();
+        for (i, s) in self.lift.1.iter().enumerate() {
+            if let Some((_, angles)) = &self.angle {
+                text.push_str(&format!(" {}", angles[i]));
+            }
+            text.push_str(&format!(" {s}"));
+        }
+        text
+    }
+
+    /// Gives the segment the angle and the lift of the file, or checks those that it has.
+    fn put(&self, segment: &mut Table, key: &str, path: &Path) -> Result<()> {
+        let ends = |values: &[f64]| Some(values.last()? - values.first()?);
+        if let Some((column, angles)) = &self.angle
+            && let Some(covered) = ends(angles)
+        {
+            let name = match column.dimension {
+                Dimension::Length => "length",
+                _ => "angle",
+            };
+            agree(segment, key, name, column, covered, path)?;
+        }
+        match ends(&self.lift.1) {
+            Some(lift) => agree(segment, key, "lift", &self.lift.0, lift, path),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Puts a value into a segment that has none; the one it has must be this.
+fn agree(
+    segment: &mut Table,
+    key: &str,
+    name: &str,
+    column: &Column,
+    value: f64,
+    path: &Path,
+) -> Result<()> {
+    let unit = column.dimension.si();
+    let Some(given) = segment.get(name) else {
+        segment.insert(name.to_string(), Value::String(format!("{value} {unit}")));
+        return Ok(());
+    };
+    let key = format!("{key}.{name}");
+    let typed = match given {
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    };
+    let stated = parse(&typed, column.dimension).map_err(|e: Error| e.at_key(&key))?;
+    if (stated - value).abs() <= AGREEMENT * value.abs() {
+        return Ok(());
+    }
+    // Twelve digits hide the rounding of the quotient.
+    let short = |x: f64| format!("{x:.11e}").parse().unwrap_or(x);
+    let fault = FileError::MotionDiffers {
+        column: column.name.clone(),
+        covered: short(value / column.factor),
+        key,
+        typed,
+    };
+    Err(fault.in_file(path))
+}
