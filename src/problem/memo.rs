@@ -1,5 +1,6 @@
 //! What is already found for one force and one law.
 
+use std::any::Any;
 use std::sync::{Arc, Mutex};
 
 use super::target::Target;
@@ -7,19 +8,17 @@ use crate::drive::Drive;
 use crate::halt::Halt;
 use crate::scene::DriveSpec;
 
-/// The settled force and the numbers of spans found for one wanted force and the same demands on the law.
+/// What was found for one wanted force and the same demands on the law: the settled force, numbers of spans, objectives,
+/// the figures of laws.
 ///
-/// Limits and sizes enter neither, so problems that differ in them alone share what was found: clones of a problem
+/// Limits enter none of it, so problems that differ in them alone share what was found: clones of a problem
 /// do by themselves, rows of a sweep by [`synthesise_with`](crate::synth::synthesise_with). To be shared only between
 /// problems of the same force, settled alike, and the same demands on the law.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Memo(Arc<Known>);
+pub(crate) struct Memo(Arc<Mutex<Vec<Box<dyn Any + Send>>>>);
 
-#[derive(Debug, Default)]
-struct Known {
-    spans: Mutex<Vec<(SpanKey, usize)>>,
-    targets: Mutex<Vec<(TargetKey, Settled)>>,
-}
+/// Findings of one kind, each beside all that it depends on.
+type Findings<K, V> = Vec<(K, V)>;
 
 /// Entries kept of each kind: rows of one force and law differ in drive and accuracy, in turn.
 const KEPT: usize = 64;
@@ -84,41 +83,49 @@ impl Shared {
 }
 
 impl Memo {
-    /// The number of spans for a key, found by `search` where it is not known.
-    pub(crate) fn fewest_spans<E>(
+    /// What belongs to a key, sought where it is not known. The key holds all that it depends on beside force and demands;
+    /// each kind of finding has a key of its own type.
+    ///
+    /// # Errors
+    /// Those of the search.
+    pub(crate) fn found<K, V, E>(
         &self,
-        key: SpanKey,
-        search: impl FnOnce() -> Result<usize, E>,
-    ) -> Result<usize, E> {
-        found(&self.0.spans, key, search)
-    }
-
-    /// Machine and target for a key, settled by `settle` where they are not known.
-    pub(super) fn settled<E>(
-        &self,
-        key: TargetKey,
-        settle: impl FnOnce() -> Result<Settled, E>,
-    ) -> Result<Settled, E> {
-        found(&self.0.targets, key, settle)
-    }
-}
-
-fn found<K: PartialEq, V: Clone, E>(
-    list: &Mutex<Vec<(K, V)>>,
-    key: K,
-    search: impl FnOnce() -> Result<V, E>,
-) -> Result<V, E> {
-    if let Ok(list) = list.lock()
-        && let Some((_, value)) = list.iter().rev().find(|(known, _)| *known == key)
+        key: K,
+        search: impl FnOnce() -> Result<V, E>,
+    ) -> Result<V, E>
+    where
+        K: PartialEq + Send + 'static,
+        V: Clone + Send + 'static,
     {
-        return Ok(value.clone());
-    }
-    let value = search()?;
-    if let Ok(mut list) = list.lock() {
-        if list.len() >= KEPT {
-            list.clear();
+        let known = |list: &mut Findings<K, V>| {
+            let same = list.iter().rev().find(|(known, _)| *known == key);
+            same.map(|(_, value)| value.clone())
+        };
+        if let Some(value) = self.on_findings(known).flatten() {
+            return Ok(value);
         }
-        list.push((key, value.clone()));
+        let value = search()?;
+        self.on_findings(|list| {
+            if list.len() >= KEPT {
+                list.clear();
+            }
+            list.push((key, value.clone()));
+        });
+        Ok(value)
     }
-    Ok(value)
+
+    /// Looks at the findings of one kind; `None` after a panic of another thread.
+    fn on_findings<K, V, R>(&self, look: impl FnOnce(&mut Findings<K, V>) -> R) -> Option<R>
+    where
+        K: Send + 'static,
+        V: Send + 'static,
+    {
+        let mut kinds = self.0.lock().ok()?;
+        let at = kinds.iter().position(|kind| kind.is::<Findings<K, V>>());
+        let at = at.unwrap_or_else(|| {
+            kinds.push(Box::new(Findings::<K, V>::new()));
+            kinds.len() - 1
+        });
+        kinds[at].downcast_mut().map(look)
+    }
 }

@@ -17,7 +17,7 @@ pub(crate) use machine::drive_of;
 pub(crate) use memo::Memo;
 pub use memo::Shared;
 pub(crate) use memo::SpanKey;
-use memo::TargetKey;
+use memo::{Settled, TargetKey};
 pub use notes::Note;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
@@ -199,7 +199,7 @@ impl Problem {
             drive: self.given.drive.clone(),
             phase,
         };
-        let (drive, target) = self.memo.settled(key, || {
+        let (drive, target) = self.memo.found::<_, Settled, _>(key, || {
             let force = match &self.given.force {
                 Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
                 other => other.clone(),

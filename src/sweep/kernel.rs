@@ -308,7 +308,7 @@ impl<'a> Kernel<'a> {
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
-            Ok(design) => Row::of(&design),
+            Ok(design) => Row::known(&design, &wanted.memo),
             Err(e) => Row::error(e.to_string()),
         }
     }

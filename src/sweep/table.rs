@@ -127,7 +127,8 @@ fn number(out: &mut String, x: f64) {
 }
 
 fn quoted(out: &mut String, text: &str) {
-    if text.contains([',', '"', '\n', '\r']) {
+    let ends = |b: u8| matches!(b, b',' | b'"' | b'\n' | b'\r');
+    if text.bytes().any(ends) {
         out.push('"');
         out.push_str(&text.replace('"', "\"\""));
         out.push('"');

@@ -1,5 +1,7 @@
 //! A set of Fluent messages of one language.
 
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 use std::sync::{RwLock, RwLockReadGuard};
 
 use fluent_bundle::concurrent::FluentBundle;
@@ -46,6 +48,29 @@ const AS_TYPED: &[&str] = &[
     "word",
 ];
 
+/// Bytes of a message, about: for the room that is made at first.
+const MESSAGE: usize = 64;
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): keys are short and the program's own.
+struct Fnv(u64);
+
+impl Default for Fnv {
+    fn default() -> Fnv {
+        Fnv(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Hasher for Fnv {
+    fn write(&mut self, bytes: &[u8]) {
+        let next = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        self.0 = bytes.iter().fold(self.0, next);
+    }
+
+    fn finish(&self) -> u64 {
+        self.0
+    }
+}
+
 /// Messages of one language.
 ///
 /// ```
@@ -67,8 +92,8 @@ pub struct Catalogue {
     /// Messages that were asked for: to read all of them takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     keys: Vec<&'static str>,
-    /// Key and Fluent text of every message, by key.
-    texts: Vec<(&'static str, &'static str)>,
+    /// The Fluent text of every message.
+    texts: HashMap<&'static str, &'static str, BuildHasherDefault<Fnv>>,
 }
 
 type Messages<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
@@ -85,11 +110,16 @@ impl Catalogue {
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
         // Sentences are of one direction: marks that isolate arguments would only disturb terminals.
         bundle.set_use_isolating(false);
-        let mut texts: Vec<_> = files.iter().flat_map(|file| messages(file)).collect();
-        let keys = texts.iter().map(|text| text.0).collect();
-        texts.sort_unstable_by_key(|text| text.0);
-        if let Some(twice) = texts.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            panic!("a message stands twice: {}", twice[0].0);
+        let bytes: usize = files.iter().map(|file| file.len()).sum();
+        let about = bytes / MESSAGE;
+        let mut keys = Vec::with_capacity(about);
+        let mut texts = HashMap::with_capacity_and_hasher(about, BuildHasherDefault::default());
+        for (key, text) in files.iter().flat_map(|file| messages(file)) {
+            assert!(
+                texts.insert(key, text).is_none(),
+                "a message stands twice: {key}"
+            );
+            keys.push(key);
         }
         Catalogue {
             language,
@@ -101,8 +131,7 @@ impl Catalogue {
 
     /// The Fluent text of a message.
     fn text_of(&self, key: &str) -> Option<&'static str> {
-        let at = self.texts.binary_search_by(|text| text.0.cmp(key)).ok()?;
-        Some(self.texts[at].1)
+        self.texts.get(key).copied()
     }
 
     /// The messages read so far, with this one and those it refers to; `None` where there is none of this key.
@@ -287,16 +316,18 @@ fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static 
             rest = after_line(rest).unwrap_or("");
         }
         let text = &whole[..whole.len() - rest.len()];
-        match text.split_once(" =") {
-            Some((key, _)) => Some((key, text)),
-            None => panic!("no Fluent message: {text}"),
-        }
+        let key = &text[..memchr::memchr(b' ', text.as_bytes()).unwrap_or(text.len())];
+        assert!(
+            text[key.len()..].starts_with(" ="),
+            "no Fluent message: {text}"
+        );
+        Some((key, text))
     })
 }
 
 /// What follows a text's first line; `None` where there is no other.
 fn after_line(text: &'static str) -> Option<&'static str> {
-    text.split_once('\n').map(|(_, rest)| rest)
+    memchr::memchr(b'\n', text.as_bytes()).map(|end| &text[end + 1..])
 }
 
 /// Keys that a message's text may refer to.

@@ -82,7 +82,7 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     language::settle(&arguments);
-    let parsed = help::command(language::current())
+    let parsed = help::parser(language::current())
         .try_get_matches_from(&arguments)
         .and_then(|found| Cli::from_arg_matches(&found));
     let cli = match parsed {

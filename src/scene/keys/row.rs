@@ -81,7 +81,8 @@ impl Key {
 
     /// The list whose entries have this key: `law.segment`.
     pub fn list(&self) -> Option<&'static str> {
-        self.path.split_once(".N.").map(|p| p.0)
+        let at = self.path.as_bytes().windows(3).position(|w| w == b".N.")?;
+        Some(&self.path[..at])
     }
 
     /// The path with the number of an entry, counted from 0, as users write it.

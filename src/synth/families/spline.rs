@@ -108,7 +108,7 @@ fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
         drive: problem.drive,
         degree: problem.degree(),
     };
-    let spans = (problem.memo).fewest_spans(key, || fewest_without_limits(problem, wanted))?;
+    let spans = (problem.memo).found(key, || fewest_without_limits(problem, wanted))?;
     while_worthwhile(problem, spans, wanted)
 }
 

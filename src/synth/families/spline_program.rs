@@ -1,6 +1,7 @@
 //! The spline program before any limit: demands, and what is minimised.
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
+use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 use crate::scene::{Minimise, Weigh};
@@ -14,12 +15,35 @@ const MOST_DEMANDS: usize = 2000;
 /// Jerk, in typical lifts per rad³, whose mean square weighs as much as one typical lift of radius when
 /// size is minimised: large enough to leave the size alone, small enough to keep the law smooth.
 const SIZE_JERK: f64 = 1e3;
+/// Objectives over more spans than this are not kept: they take much memory, and more time to solve than to make.
+const MOST_KEPT_SPANS: usize = 128;
+
+/// What an objective depends on beside force and demands.
+#[derive(Clone, Copy, PartialEq)]
+struct ObjectiveKey {
+    spans: usize,
+    degree: usize,
+    minimise: Minimise,
+    phase: f64,
+    drive: Drive,
+}
+
+/// What is minimised, over its functions.
+#[derive(Clone)]
+struct Objective {
+    basis: Basis,
+    whole: Quadratic,
+    /// The force distance alone.
+    force: Quadratic,
+}
 
 /// The program without limits, and the force distance alone.
 pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Quadratic)> {
-    let degree = problem.degree();
-    let corners = if problem.law.polydyne { degree - 1 } else { 2 };
-    let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
+    let Objective {
+        basis,
+        whole,
+        force,
+    } = known_objective(problem, spans)?;
     let mut equalities = point_demands(problem, &basis)?;
     equalities.extend(implied_by_limits(problem, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
@@ -27,33 +51,59 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
         let (given, most) = (equalities.len(), MOST_DEMANDS);
         return Err(SynthError::ManyDemands { given, most }.at_key("law"));
     }
+    let mut program = Program::new(basis, whole, equalities, problem.length);
+    program.halt = problem.halt.clone();
+    Ok((program, force))
+}
+
+/// The objective, of few spans as it was found before.
+fn known_objective(problem: &Problem, spans: usize) -> Result<Objective> {
+    if spans > MOST_KEPT_SPANS {
+        return objective(problem, spans);
+    }
+    let key = ObjectiveKey {
+        spans,
+        degree: problem.degree(),
+        minimise: problem.objective(),
+        phase: problem.phase,
+        drive: problem.drive,
+    };
+    problem.memo.found(key, || objective(problem, spans))
+}
+
+fn objective(problem: &Problem, spans: usize) -> Result<Objective> {
+    let degree = problem.degree();
+    let corners = if problem.law.polydyne { degree - 1 } else { 2 };
+    let basis = spline_basis(degree, spans, &problem.law.dwells, corners)?;
     let force = force_distance(problem, &basis);
-    let mut quadratic = match problem.objective() {
+    let mut whole = match problem.objective() {
         Minimise::ForceError => force.clone(),
         Minimise::Weighed(weigh) => weighed(problem, &basis, &force, weigh),
         _ => Quadratic::zero(&basis),
     };
     match problem.objective() {
-        Minimise::Energy(order) => quadratic.add_energy(&basis, order, 1.0),
+        Minimise::Energy(order) => whole.add_energy(&basis, order, 1.0),
         Minimise::Peak(_) | Minimise::PeakForceError | Minimise::Weighed(_) => {}
         Minimise::Size => {
             // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
             let unit = SIZE_JERK * problem.length;
-            quadratic.add_energy(&basis, 3, problem.length / (unit * unit));
+            whole.add_energy(&basis, 3, problem.length / (unit * unit));
         }
         Minimise::ForceError => {
-            let scale = quadratic.hessian.largest_diagonal();
+            let scale = whole.hessian.largest_diagonal();
             let mut jerk = Quadratic::zero(&basis);
             jerk.add_energy(&basis, 3, 1.0);
             let own = jerk.hessian.largest_diagonal();
             if own > 0.0 {
-                quadratic.add(&jerk, JERK_TERM * scale / own);
+                whole.add(&jerk, JERK_TERM * scale / own);
             }
         }
     }
-    let mut program = Program::new(basis, quadratic, equalities, problem.length);
-    program.halt = problem.halt.clone();
-    Ok((program, force))
+    Ok(Objective {
+        basis,
+        whole,
+        force,
+    })
 }
 
 /// The quadratic part of (e/e₁)² + R/R₁ + (j/j₁)²; `force` holds ½e².

@@ -1,8 +1,11 @@
 //! Smallest and largest contact force, the band about the target, and the accuracy.
 
+use std::convert::Infallible;
+
 use super::Finished;
 use super::row::{SLACK, row};
 use crate::cam::{Check, Criterion, LimitKind};
+use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
@@ -87,8 +90,26 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     out
 }
 
-/// Distance of the force of a law from the target, exact on the pieces of both.
+/// What the distance of a force from the target depends on beside the wanted force.
+#[derive(PartialEq)]
+struct ReportKey {
+    law: Law,
+    drive: Drive,
+    phase: f64,
+}
+
+/// Distance of the force of a law from the target, exact on the pieces of both; of a law that is known as it was found.
 pub fn report(problem: &Problem, law: &Law) -> ForceReport {
+    let key = ReportKey {
+        law: law.clone(),
+        drive: problem.drive,
+        phase: problem.phase,
+    };
+    let known = (problem.memo).found(key, || Ok::<_, Infallible>(measured(problem, law)));
+    known.unwrap_or_else(|never| match never {})
+}
+
+fn measured(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.drive.force_curve(law);
     let (low, high) = own.extremes();
     let (start, length) = law.extent();

@@ -34,18 +34,22 @@ pub trait Number:
 impl Number for f64 {
     const EPSILON: f64 = f64::EPSILON;
 
+    #[inline]
     fn of(value: f64) -> Self {
         value
     }
 
+    #[inline]
     fn rounded(self) -> f64 {
         self
     }
 
+    #[inline]
     fn root(self) -> Self {
         self.sqrt()
     }
 
+    #[inline]
     fn product(a: f64, b: f64) -> Self {
         a * b
     }

@@ -94,6 +94,11 @@ impl Limit {
         self.extra[LOWEST] != 0.0 || self.extra[FACE_END] != 0.0
     }
 
+    /// Highest derivative in its left side.
+    pub(super) fn highest_order(&self) -> usize {
+        self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
+    }
+
     /// The same limit asked for nowhere.
     fn idle(mut self) -> Self {
         self.extra = [0.0; EXTRAS];

@@ -47,12 +47,14 @@ impl Program {
         }
         let mut law: Option<Law> = None;
         let mut splines = None;
+        let highest = self.limits.iter().map(Limit::highest_order).max();
         for (index, limit) in self.limits.iter().enumerate() {
             let level = level(limit);
             if let (Basis::Spline { space, .. }, None) = (&self.basis, limit.shape)
                 && space.degree() < WIDEST
             {
-                let pieces = splines.get_or_insert_with(|| Pieces::new(space, x));
+                let pieces =
+                    splines.get_or_insert_with(|| Pieces::new(space, x, highest.unwrap_or(0)));
                 pieces.peaks_above(space, limit, level, |peak| visit(index, peak));
                 continue;
             }
@@ -121,9 +123,8 @@ impl Program {
                 continue;
             }
             ends_and_middles(&breaks, limit, |peak| {
-                let at = law.svaj_on(peak.piece, peak.u);
-                let w = limit.weights;
-                let value = w[0] * at.s + w[1] * at.v + w[2] * at.a + w[3] * at.j;
+                let [s, v, a, j, _] = limit.weights;
+                let value = law.weighed_on(peak.piece, peak.u, [s, v, a, j]);
                 if value > self.room(limit, x, &[0.0; EXTRAS]) {
                     rows.push(self.row(index, peak));
                 }
@@ -177,18 +178,24 @@ fn ends_and_middles(breaks: &[f64], limit: &Limit, mut visit: impl FnMut(Peak)) 
     }
 }
 
-/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span.
+/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that is asked for.
 struct Pieces {
     by_order: [Vec<f64>; 5],
 }
 
 impl Pieces {
-    fn new(space: &SplineSpace, x: &[f64]) -> Self {
+    fn new(space: &SplineSpace, x: &[f64], highest: usize) -> Self {
         let spans = space.spans();
         let degree = space.degree();
         let n = degree + 1;
-        let mut by_order: [Vec<f64>; 5] =
-            std::array::from_fn(|k| Vec::with_capacity(spans.len() * (n.saturating_sub(k)).max(1)));
+        let mut by_order: [Vec<f64>; 5] = std::array::from_fn(|k| {
+            let each = if k > highest {
+                0
+            } else {
+                n.saturating_sub(k).max(1)
+            };
+            Vec::with_capacity(spans.len() * each)
+        });
         let mut local = [0.0; WIDEST];
         let mut b = [0.0; WIDEST];
         for (i, span) in spans.iter().enumerate() {
@@ -201,7 +208,7 @@ impl Pieces {
                 *value = row.iter().zip(&local).map(|(e, c)| e * c).sum();
             }
             by_order[0].extend_from_slice(&b[..n]);
-            for (order, out) in by_order.iter_mut().enumerate().skip(1) {
+            for (order, out) in by_order.iter_mut().enumerate().take(highest + 1).skip(1) {
                 if order > degree {
                     out.push(0.0);
                     continue;

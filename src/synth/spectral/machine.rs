@@ -131,9 +131,8 @@ impl Load<'_> {
         let near = high - NEAR * (high - low);
         let n = grid.len();
         let mut most = high;
-        for (i, &here) in grid.iter().enumerate() {
-            let crest = here >= grid[(i + n - 1) % n] && here >= grid[(i + 1) % n];
-            if crest && here >= near {
+        for (i, &here) in grid.iter().enumerate().filter(|(_, here)| **here >= near) {
+            if here >= grid[(i + n - 1) % n] && here >= grid[(i + 1) % n] {
                 most = most.max(self.crest(std::f64::consts::TAU * i as f64 / n as f64, radius));
             }
         }

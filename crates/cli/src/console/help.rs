@@ -8,7 +8,16 @@ use gaitcam::wording::{Catalogue, Language};
 
 use crate::Cli;
 
-/// The command line as it explains itself in a language.
+/// The command line as it reads arguments and explains itself in a language. Of English what a run does not use is
+/// never built.
+pub fn parser(language: Language) -> Command {
+    match language {
+        Language::En => Cli::command().arg(lang()),
+        Language::Es => command(language),
+    }
+}
+
+/// The whole command line as it explains itself in a language.
 pub fn command(language: Language) -> Command {
     let mut command = Cli::command().arg(lang());
     // Flags and subcommands that clap adds itself are there only once it is built.

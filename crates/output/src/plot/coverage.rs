@@ -9,6 +9,14 @@ const CELL: usize = 16;
 /// Coverage below this is rounding.
 const NOTHING: f32 = 1e-3;
 
+/// How much of neighbouring pixels of a row is covered, 0 … 1.
+pub enum Covered<'a> {
+    /// So many pixels, all by the same part.
+    Evenly(usize, f32),
+    /// Each by its own.
+    Each(&'a [f32]),
+}
+
 /// The accumulation buffer of a page.
 pub struct Coverage {
     width: usize,
@@ -93,8 +101,9 @@ impl Coverage {
         }
     }
 
-    /// Gives every run of covered pixels (row, first, one past the last, coverage 0 … 1) and empties the page.
-    pub fn take(&mut self, mut run: impl FnMut(usize, usize, usize, f32)) {
+    /// Gives what is covered of the page, row by row and from the left (row, first pixel, what is covered), and empties
+    /// the page.
+    pub fn take(&mut self, mut give: impl FnMut(usize, usize, Covered)) {
         for row in self.rows[0]..self.rows[1] {
             let sums = &mut self.sums[row * self.stride..(row + 1) * self.stride];
             let marks = &mut self.touched[row * self.words..(row + 1) * self.words];
@@ -104,20 +113,27 @@ impl Coverage {
                 while bits != 0 {
                     let cell = CELL * (64 * w + bits.trailing_zeros() as usize);
                     bits &= bits - 1;
-                    if sum.abs() > NOTHING && x < cell {
-                        run(row, x, cell.min(self.width), sum.abs().min(1.0));
+                    let even = cell.min(self.width).saturating_sub(x);
+                    if even > 0 && sum.abs() > NOTHING {
+                        give(row, x, Covered::Evenly(even, sum.abs().min(1.0)));
                     }
-                    for (k, value) in sums[cell..cell + CELL].iter_mut().enumerate() {
+                    let mut parts = [0.0; CELL];
+                    for (part, value) in parts.iter_mut().zip(&mut sums[cell..cell + CELL]) {
                         sum += std::mem::take(value);
-                        if sum.abs() > NOTHING && cell + k < self.width {
-                            run(row, cell + k, cell + k + 1, sum.abs().min(1.0));
+                        if sum.abs() > NOTHING {
+                            *part = sum.abs().min(1.0);
                         }
+                    }
+                    let pixels = self.width.saturating_sub(cell).min(CELL);
+                    if pixels > 0 {
+                        give(row, cell, Covered::Each(&parts[..pixels]));
                     }
                     x = cell + CELL;
                 }
             }
-            if sum.abs() > NOTHING && x < self.width {
-                run(row, x, self.width, sum.abs().min(1.0));
+            let even = self.width.saturating_sub(x);
+            if even > 0 && sum.abs() > NOTHING {
+                give(row, x, Covered::Evenly(even, sum.abs().min(1.0)));
             }
         }
         self.rows = [self.height, 0];

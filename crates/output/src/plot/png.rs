@@ -43,7 +43,8 @@ fn zlib(stride: usize, data: &[u8]) -> Vec<u8> {
         ..Bits::default()
     };
     // One block, the last, with fixed codes.
-    bits.put(0b011, 3);
+    bits.put(Code::raw(0b011, 3));
+    let (left_code, above_code) = (distance(3), distance(stride as u32));
     let mut i = 0;
     while i < data.len() {
         let at = |distance: usize| match i.checked_sub(distance) {
@@ -52,36 +53,121 @@ fn zlib(stride: usize, data: &[u8]) -> Vec<u8> {
         };
         let left = at(3);
         let above = if left < LONGEST { at(stride) } else { 0 };
-        if above.max(left) >= SHORTEST {
-            let distance = if left >= above { 3 } else { stride };
-            bits.matched(above.max(left), distance);
-            i += above.max(left);
+        let length = above.max(left);
+        if length >= SHORTEST {
+            let code = if left >= above { left_code } else { above_code };
+            bits.put(LENGTHS[length].then(code));
+            i += length;
         } else {
-            bits.literal(data[i]);
+            bits.put(LITERALS[usize::from(data[i])]);
             i += 1;
         }
     }
     // The end of the block.
-    bits.code(0, 7);
+    bits.put(Code::huffman(0, 7));
     let mut out = bits.finish();
     out.extend(simd_adler32::adler32(&data).to_be_bytes());
     out
 }
 
 /// How many bytes from `i` on equal those from `j` on, up to the longest match.
+#[inline]
 fn run(data: &[u8], i: usize, j: usize) -> usize {
     let most = LONGEST.min(data.len() - i);
     let (here, there) = (&data[i..i + most], &data[j..j + most]);
+    let (blocks, others) = (here.as_chunks::<32>().0, there.as_chunks::<32>().0);
+    let equal = blocks.iter().zip(others).take_while(|(a, b)| a == b);
+    let whole = 32 * equal.count();
+    let (here, there) = (&here[whole..], &there[whole..]);
     let (eights, rest) = here.as_chunks::<8>();
     let (others, other_rest) = there.as_chunks::<8>();
     for (n, (a, b)) in eights.iter().zip(others).enumerate() {
         let differ = u64::from_le_bytes(*a) ^ u64::from_le_bytes(*b);
         if differ != 0 {
-            return 8 * n + (differ.trailing_zeros() / 8) as usize;
+            return whole + 8 * n + (differ.trailing_zeros() / 8) as usize;
         }
     }
     let equal = rest.iter().zip(other_rest).take_while(|(a, b)| a == b);
-    8 * eights.len() + equal.count()
+    whole + 8 * eights.len() + equal.count()
+}
+
+/// Bits that are written together, the first of them lowest.
+#[derive(Clone, Copy)]
+struct Code {
+    bits: u32,
+    count: u32,
+}
+
+impl Code {
+    const fn raw(bits: u32, count: u32) -> Code {
+        Code { bits, count }
+    }
+
+    /// Huffman codes are written from their highest bit on.
+    const fn huffman(code: u32, count: u32) -> Code {
+        Code::raw(code.reverse_bits() >> (32 - count), count)
+    }
+
+    const fn then(self, next: Code) -> Code {
+        Code::raw(self.bits | next.bits << self.count, self.count + next.count)
+    }
+}
+
+/// Codes of single bytes.
+static LITERALS: [Code; 256] = {
+    let mut all = [Code::raw(0, 0); 256];
+    let mut byte = 0;
+    while byte < 256 {
+        all[byte as usize] = match byte {
+            0..144 => Code::huffman(0x30 + byte, 8),
+            _ => Code::huffman(0x190 + byte - 144, 9),
+        };
+        byte += 1;
+    }
+    all
+};
+
+/// Codes of the lengths of matches.
+static LENGTHS: [Code; LONGEST + 1] = {
+    let mut all = [Code::raw(0, 0); LONGEST + 1];
+    let mut length = SHORTEST;
+    while length <= LONGEST {
+        all[length] = match_length(length as u32);
+        length += 1;
+    }
+    all
+};
+
+/// Length symbols 257 … 284 in groups of four per extra bit, 285 for the longest.
+const fn match_length(length: u32) -> Code {
+    let (symbol, extra) = match length {
+        258 => (285, Code::raw(0, 0)),
+        3..11 => (254 + length, Code::raw(0, 0)),
+        _ => {
+            let bits = (length - 3).ilog2() - 2;
+            let extra = (length - 3) & ((1 << bits) - 1);
+            (
+                257 + 4 * bits + ((length - 3) >> bits),
+                Code::raw(extra, bits),
+            )
+        }
+    };
+    let symbol = match symbol {
+        257..280 => Code::huffman(symbol - 256, 7),
+        _ => Code::huffman(0xc0 + symbol - 280, 8),
+    };
+    symbol.then(extra)
+}
+
+/// Distance symbols in groups of two per extra bit.
+const fn distance(distance: u32) -> Code {
+    let d = distance - 1;
+    if d < 4 {
+        return Code::huffman(d, 5);
+    }
+    let bits = d.ilog2() - 1;
+    let symbol = Code::huffman(2 * bits + (d >> bits), 5);
+    symbol.then(Code::raw(d & ((1 << bits) - 1), bits))
 }
 
 /// Bits from the lowest of each byte on.
@@ -93,55 +179,15 @@ struct Bits {
 }
 
 impl Bits {
-    fn put(&mut self, value: u32, count: u32) {
-        self.held |= u64::from(value) << self.count;
-        self.count += count;
+    #[inline]
+    fn put(&mut self, code: Code) {
+        self.held |= u64::from(code.bits) << self.count;
+        self.count += code.count;
         if self.count >= 32 {
             self.out.extend((self.held as u32).to_le_bytes());
             self.held >>= 32;
             self.count -= 32;
         }
-    }
-
-    /// Huffman codes are written from their highest bit on.
-    fn code(&mut self, code: u32, length: u32) {
-        self.put(code.reverse_bits() >> (32 - length), length);
-    }
-
-    fn literal(&mut self, byte: u8) {
-        match u32::from(byte) {
-            b @ 0..144 => self.code(0x30 + b, 8),
-            b => self.code(0x190 + b - 144, 9),
-        }
-    }
-
-    fn matched(&mut self, length: usize, distance: usize) {
-        // Length symbols 257 … 284 in groups of four per extra bit, 285 for the longest.
-        let (symbol, extra, bits) = match length as u32 {
-            258 => (285, 0, 0),
-            l @ 3..11 => (254 + l, 0, 0),
-            l => {
-                let bits = (l - 3).ilog2() - 2;
-                (
-                    257 + 4 * bits + ((l - 3) >> bits),
-                    (l - 3) & ((1 << bits) - 1),
-                    bits,
-                )
-            }
-        };
-        match symbol {
-            257..280 => self.code(symbol - 256, 7),
-            _ => self.code(0xc0 + symbol - 280, 8),
-        }
-        self.put(extra, bits);
-        // Distance symbols in groups of two per extra bit.
-        let d = distance as u32 - 1;
-        if d < 4 {
-            return self.code(d, 5);
-        }
-        let bits = d.ilog2() - 1;
-        self.code(2 * bits + (d >> bits), 5);
-        self.put(d & ((1 << bits) - 1), bits);
     }
 
     fn finish(mut self) -> Vec<u8> {

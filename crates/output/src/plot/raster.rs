@@ -1,10 +1,11 @@
 //! Shapes to pixels: exact area coverage.
 
+use std::cell::Cell;
 use std::sync::LazyLock;
 
 use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
 
-use super::coverage::Coverage;
+use super::coverage::{Coverage, Covered};
 use super::png::stride;
 use super::sheet::{Ink, Shape};
 use crate::plot::picture::Picture;
@@ -26,13 +27,25 @@ static FONTS: LazyLock<Fonts> = LazyLock::new(|| Fonts {
     bold: FontRef::try_from_slice(dejavu::sans::bold()).ok(),
 });
 
+thread_local! {
+    /// The page of the picture before: pictures of one size follow each other, and fresh memory costs more than drawing.
+    static PAGE: Cell<Option<Page>> = const { Cell::new(None) };
+}
+
 /// The picture as an 8-bit RGB PNG.
 pub fn png(picture: &Picture) -> Vec<u8> {
-    let mut page = Page::new(picture.width as usize, picture.height as usize);
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let before = PAGE.take();
+    let mut page = match before.filter(|page| (page.width, page.height) == (width, height)) {
+        Some(page) => page.emptied(),
+        None => Page::new(width, height),
+    };
     for shape in &picture.shapes {
         page.draw(shape);
     }
-    super::png::encode(page.width, page.height, &page.rows)
+    let file = super::png::encode(width, height, &page.rows);
+    PAGE.set(Some(page));
+    file
 }
 
 /// Width of a text in ems, regular weight.
@@ -56,17 +69,21 @@ struct Page {
 
 impl Page {
     fn new(width: usize, height: usize) -> Self {
-        let stride = stride(width);
-        let mut rows = vec![255; stride * height];
-        rows.iter_mut()
-            .step_by(stride)
-            .for_each(|filter| *filter = 0);
-        Page {
+        let page = Page {
             width,
             height,
-            rows,
+            rows: vec![0; stride(width) * height],
             coverage: Coverage::new(width, height),
-        }
+        };
+        page.emptied()
+    }
+
+    /// The same page with nothing on it.
+    fn emptied(mut self) -> Self {
+        self.rows.fill(255);
+        let filters = self.rows.iter_mut().step_by(stride(self.width));
+        filters.for_each(|filter| *filter = 0);
+        self
     }
 
     fn draw(&mut self, shape: &Shape) {
@@ -125,16 +142,26 @@ impl Page {
             }
         }
         let (stride, rows) = (stride(self.width), &mut self.rows);
-        self.coverage.take(|row, first, end, c| {
-            let alpha = ink.alpha as f32 * c;
-            let pixels = &mut rows[row * stride + 1..][3 * first..3 * end];
-            // Most pixels lie on what their neighbour lies on.
-            let (mut under, mut over) = ([0; 3], mixed([0; 3], ink.rgb, alpha));
-            for pixel in pixels.as_chunks_mut::<3>().0 {
-                if *pixel != under {
-                    (under, over) = (*pixel, mixed(*pixel, ink.rgb, alpha));
+        self.coverage.take(|row, first, covered| {
+            let pixels = &mut rows[row * stride + 1..][3 * first..];
+            let pixels = pixels.as_chunks_mut::<3>().0;
+            match covered {
+                Covered::Evenly(count, c) => {
+                    let alpha = ink.alpha as f32 * c;
+                    // Most pixels lie on what their neighbour lies on.
+                    let (mut under, mut over) = ([0; 3], mixed([0; 3], ink.rgb, alpha));
+                    for pixel in &mut pixels[..count] {
+                        if *pixel != under {
+                            (under, over) = (*pixel, mixed(*pixel, ink.rgb, alpha));
+                        }
+                        *pixel = over;
+                    }
                 }
-                *pixel = over;
+                Covered::Each(parts) => {
+                    for (pixel, &c) in pixels.iter_mut().zip(parts).filter(|(_, c)| **c > 0.0) {
+                        *pixel = mixed(*pixel, ink.rgb, ink.alpha as f32 * c);
+                    }
+                }
             }
         });
     }
