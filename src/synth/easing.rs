@@ -7,6 +7,10 @@ use crate::scene::Minimise;
 /// What easing each active limit by 1 % would do to the objective, to first order; the limits that are
 /// numbers of the scene, largest gain first.
 pub fn easings(program: &Program, solution: &Solution, minimised: Minimise) -> Vec<Easing> {
+    // A size that is given becomes no smaller, whatever a limit allows.
+    if minimised == Minimise::Size && (1..EXTRAS).all(|k| program.cost[k] == 0.0) {
+        return Vec::new();
+    }
     sensitivities(program, solution)
         .into_iter()
         .map(|s| {

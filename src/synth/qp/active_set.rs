@@ -9,6 +9,7 @@
 use super::band::ArrowFactor;
 use super::basis::{Entries, apply};
 use super::equality::Unlimited;
+use super::frame::{Apart, Frame, square};
 use super::local_reduction;
 use super::program::{EXTRAS, Program, Row, Solution};
 use super::settings::ActiveSetSettings;
@@ -118,9 +119,7 @@ pub struct ActiveSet<'a> {
     /// Coefficients.
     pub x: Vec<f64>,
     members: Vec<Member>,
-    q: Vec<Vec<f64>>,
-    /// Columns of the upper triangle.
-    r: Vec<Vec<f64>>,
+    frame: Frame,
     steps: usize,
     pin: Option<(usize, f64)>,
     pinned_at: f64,
@@ -148,8 +147,7 @@ impl<'a> ActiveSet<'a> {
             free: unlimited.pull.clone(),
             x: unlimited.x.clone(),
             members: Vec::new(),
-            q: Vec::new(),
-            r: Vec::new(),
+            frame: Frame::default(),
             steps: 0,
             pin: unlimited.pin,
             pinned_at: 0.0,
@@ -158,9 +156,9 @@ impl<'a> ActiveSet<'a> {
         set.move_pin(level);
         for demand in &program.equalities {
             let z = set.whitened(&demand.entries);
-            let (d, rest, left) = set.split(&z);
-            if left > set.settings.dependent * square(&z) {
-                set.push(d, rest, left, None, demand.value, 0.0);
+            let apart = set.frame.split(&z);
+            if apart.left > set.settings.dependent * square(&z) {
+                set.push(apart, None, demand.value, 0.0);
             }
         }
         set
@@ -175,104 +173,24 @@ impl<'a> ActiveSet<'a> {
         z
     }
 
-    /// Coordinates in Q, the rest outside its span, and the rest's squared length.
-    fn split(&self, z: &[f64]) -> (Vec<f64>, Vec<f64>, f64) {
-        let mut rest = z.to_vec();
-        let mut d = vec![0.0; self.q.len()];
-        let mut left = square(&rest);
-        // Where most of z cancels, a second pass restores orthogonality to rounding.
-        for _ in 0..2 {
-            let before = left;
-            for (q, d) in self.q.iter().zip(&mut d) {
-                let part = dot(q, &rest);
-                *d += part;
-                for (r, q) in rest.iter_mut().zip(q) {
-                    *r -= part * q;
-                }
-            }
-            left = square(&rest);
-            if left > 0.25 * before {
-                break;
-            }
-        }
-        (d, rest, left)
-    }
-
-    fn push(
-        &mut self,
-        mut d: Vec<f64>,
-        mut rest: Vec<f64>,
-        left: f64,
-        row: Option<usize>,
-        bound: f64,
-        push: f64,
-    ) {
-        let length = left.sqrt();
-        rest.iter_mut().for_each(|x| *x /= length);
-        d.push(length);
-        self.q.push(rest);
-        self.r.push(d);
+    fn push(&mut self, apart: Apart, row: Option<usize>, bound: f64, push: f64) {
+        self.frame.push(apart);
         self.members.push(Member { row, bound, push });
     }
 
-    /// R⁻¹d.
-    fn back_substituted(&self, d: &[f64]) -> Vec<f64> {
-        let mut out = d.to_vec();
-        for i in (0..out.len()).rev() {
-            out[i] /= self.r[i][i];
-            let value = out[i];
-            for (x, r) in out[..i].iter_mut().zip(&self.r[i]) {
-                *x -= r * value;
-            }
-        }
-        out
-    }
-
-    /// Takes member `j` out of Q and R.
+    /// Takes member `j` out.
     fn remove(&mut self, j: usize) {
         self.members.remove(j);
-        self.r.remove(j);
-        let k = self.members.len();
-        for i in j..k {
-            let (a, b) = (self.r[i][i], self.r[i][i + 1]);
-            let length = a.hypot(b);
-            let (c, s) = (a / length, b / length);
-            for column in &mut self.r[i..] {
-                let (p, q) = (column[i], column[i + 1]);
-                column[i] = c * p + s * q;
-                column[i + 1] = c * q - s * p;
-            }
-            self.r[i].truncate(i + 1);
-            let (left, right) = self.q.split_at_mut(i + 1);
-            for (p, q) in left[i].iter_mut().zip(&mut right[0]) {
-                let (a, b) = (*p, *q);
-                *p = c * a + s * b;
-                *q = c * b - s * a;
-            }
-        }
-        self.q.pop();
+        self.frame.remove(j);
     }
 
     /// The point nearest to y₀ on all members' planes, and their multipliers.
     pub fn refresh(&mut self) {
-        let mut away: Vec<f64> = self.q.iter().map(|q| dot(q, &self.free)).collect();
-        let mut on_planes: Vec<f64> = Vec::with_capacity(away.len());
-        for (member, column) in self.members.iter().zip(&self.r) {
-            let i = on_planes.len();
-            on_planes.push((member.bound - dot(&column[..i], &on_planes)) / column[i]);
-        }
-        for (a, b) in away.iter_mut().zip(&on_planes) {
-            *a -= b;
-        }
-        let mut y = self.free.clone();
-        for (q, part) in self.q.iter().zip(&away) {
-            for (y, q) in y.iter_mut().zip(q) {
-                *y -= part * q;
-            }
-        }
+        let bounds: Vec<f64> = self.members.iter().map(|m| m.bound).collect();
+        let (mut y, away) = self.frame.nearest(&self.free, &bounds);
         self.factor.backward(&mut y);
         self.x = y;
-        let pushes = self.back_substituted(&away);
+        let pushes = self.frame.back_substituted(&away);
         for (member, push) in self.members.iter_mut().zip(pushes) {
             member.push = push;
         }
@@ -369,8 +287,8 @@ impl<'a> ActiveSet<'a> {
             if self.steps > self.settings.steps_per_unknown * self.x.len() {
                 return Err(Stuck);
             }
-            let (d, rest, left) = self.split(&z);
-            let shift = self.back_substituted(&d);
+            let apart = self.frame.split(&z);
+            let shift = self.frame.back_substituted(&apart.along);
             let mut blocking: Option<(usize, f64)> = None;
             for (j, (member, shift)) in self.members.iter().zip(&shift).enumerate() {
                 if member.row.is_some() && *shift > 0.0 {
@@ -381,7 +299,7 @@ impl<'a> ActiveSet<'a> {
                 }
             }
             let gap = apply(&row.entries, &self.x) - row.bound;
-            let full = (left > self.settings.dependent * length).then_some(gap / left);
+            let full = (apart.left > self.settings.dependent * length).then_some(gap / apart.left);
             let (step, leaves) = match (full, blocking) {
                 (Some(full), Some((j, most))) if most < full => (most, Some(j)),
                 (Some(full), _) => (full, None),
@@ -393,7 +311,7 @@ impl<'a> ActiveSet<'a> {
             }
             push += step;
             if full.is_some() {
-                let mut direction = rest.clone();
+                let mut direction = apart.rest.clone();
                 self.factor.backward(&mut direction);
                 for (x, p) in self.x.iter_mut().zip(&direction) {
                     *x -= step * p;
@@ -402,7 +320,7 @@ impl<'a> ActiveSet<'a> {
             match leaves {
                 Some(j) => self.remove(j),
                 None => {
-                    self.push(d, rest, left, Some(index), row.bound, push);
+                    self.push(apart, Some(index), row.bound, push);
                     return Ok(());
                 }
             }
@@ -412,10 +330,10 @@ impl<'a> ActiveSet<'a> {
     /// Adds a row as active; false when it depends on those that are.
     pub fn hold(&mut self, index: usize, row: &Row) -> bool {
         let z = self.whitened(&row.entries);
-        let (d, rest, left) = self.split(&z);
-        let independent = left > self.settings.dependent * square(&z);
+        let apart = self.frame.split(&z);
+        let independent = apart.left > self.settings.dependent * square(&z);
         if independent {
-            self.push(d, rest, left, Some(index), row.bound, row.multiplier);
+            self.push(apart, Some(index), row.bound, row.multiplier);
         }
         independent
     }
@@ -454,25 +372,6 @@ impl<'a> ActiveSet<'a> {
             rounds,
         }
     }
-}
-
-/// Inner product in four sums, which a processor adds side by side.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let n = a.len().min(b.len());
-    let (fours_a, rest_a) = a[..n].as_chunks::<4>();
-    let (fours_b, rest_b) = b[..n].as_chunks::<4>();
-    let mut sums = [0.0; 4];
-    for (a, b) in fours_a.iter().zip(fours_b) {
-        for k in 0..4 {
-            sums[k] += a[k] * b[k];
-        }
-    }
-    let tail: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
-    sums[0] + sums[1] + (sums[2] + sums[3]) + tail
-}
-
-fn square(a: &[f64]) -> f64 {
-    dot(a, a)
 }
 
 /// Value of a row and what rounding may have made of it.

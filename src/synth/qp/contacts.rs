@@ -8,78 +8,159 @@
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for law and variables at once (theory as in `local_reduction`). ε and δ hold steps, not results: a proximal
+//! for law and variables at once (theory as in `local_reduction`). Where contacts alone do not say which rows hold
+//! (twins on an arc that lies on its bound, more places than unknowns) a step is a small program of its own, and places
+//! that it breaks join its rows. ε and δ hold steps, not results: a proximal
 //! method of multipliers for what objective and contacts leave open.
+
+mod step;
+
+use step::Local;
 
 use super::basis::{Basis, apply};
 use super::certificate::certificate;
 use super::clarabel::row_unit;
 use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
 use crate::poly::{Peak, PiecewisePoly};
-use nalgebra::{DMatrix, DVector};
 
-/// A gap and a stationarity below this end the search.
-const PROVED: f64 = 1e-8;
+/// A gap and a stationarity below this end the search …
+const CLEAN: f64 = 1e-8;
+/// … and these will do where rounding leaves no better.
+const PROVED: f64 = 1e-6;
+/// Rounds in which places that a step breaks join it.
+const JOINS: usize = 8;
+/// … where no row of the limit stands nearer than this part of a piece.
+const APART: f64 = 0.25;
+/// Excess, as a part of a limit's size, from which on a place joins.
+const RESOLVED: f64 = 1e-10;
+/// A row moves to a place where its limit's left side is higher by more than this part of its size.
+const STAYS: f64 = 1e-12;
+/// More rows than this for every unknown are no contacts.
+const CROWD: usize = 24;
+/// Steps without a better proof that end the search.
+const PATIENCE: usize = 4;
 
 struct Contacts<'a> {
     program: &'a Program,
     /// Second derivatives of the bounds' shapes.
     bends: Vec<PiecewisePoly>,
+    /// Which of the variables beside the law take part.
     free: Vec<usize>,
     degree: usize,
 }
 
-/// The optimum near a solution whose limits are all but kept; `None` where the search does not reach it.
-pub fn settled(program: &Program, start: &Solution) -> Option<Solution> {
-    let Basis::Spline { space, .. } = &program.basis else {
-        return None;
-    };
-    let present = program.present();
-    let settings = &program.settings.contacts;
-    let unknowns = program.basis.columns() + program.equalities.len();
-    let too_large = 2 * unknowns > program.settings.exchange.polish_size;
-    if program.cone || program.lifted.is_some() || too_large {
-        return None;
-    }
-    let contacts = Contacts {
-        program,
-        bends: (program.shapes.iter())
-            .map(|s| s.derivative().derivative())
-            .collect(),
-        free: (0..EXTRAS).filter(|&k| present[k]).collect(),
-        degree: space.degree(),
-    };
-    let push = |r: &Row| r.multiplier * row_unit(&r.entries, program.length);
-    let largest = start.active.iter().map(push).fold(0.0, f64::max);
-    let mut current = start.clone();
-    (current.active).retain(|r| push(r) > settings.weakest * largest);
-    current.active = contacts.gathered(&current);
-    // No vertex has more contacts than unknowns; far more are an interior point's.
-    if current.active.len() > 2 * unknowns {
-        return None;
-    }
-    let mut solves = settings.solves;
-    for _ in 0..settings.steps {
-        let mut next = contacts.step(&current, &mut solves)?;
-        next.violation = program.violation(&next.x, &next.extra);
-        let most = settings.divergence * start.violation.max(settings.from);
-        if next.violation.is_nan() || next.violation > most {
-            return None;
-        }
-        next.active = contacts.gathered(&next);
-        if next.violation <= program.settings.tolerance {
-            let proof = certificate(program, &next);
-            if proof.relative_gap.max(proof.stationarity) <= PROVED {
-                return Some(next);
-            }
-        }
-        contacts.add_broken(&mut next);
-        current = next;
-    }
-    None
+/// How a step finds the rows that it holds.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    /// All contacts as equalities; those that would pull leave.
+    Equalities,
+    /// A program of its own over all places near their bound.
+    Program,
+    /// The same where rows on arcs that lie on their bound stay where they are.
+    Arcs,
 }
 
-impl Contacts<'_> {
+/// The optimum near a solution whose limits are all but kept; `None` where the search does not reach it.
+pub fn settled(program: &Program, start: &Solution) -> Option<Solution> {
+    Contacts::new(program)?.searched(start, Way::Equalities)
+}
+
+/// The same with a program in every step where contacts alone do not say which rows hold.
+pub fn proved(program: &Program, start: &Solution) -> Option<Solution> {
+    let contacts = Contacts::new(program)?;
+    contacts
+        .searched(start, Way::Equalities)
+        .or_else(|| contacts.searched(start, Way::Arcs))
+        .or_else(|| contacts.searched(start, Way::Program))
+}
+
+impl<'a> Contacts<'a> {
+    /// `None` for programs that are not small and smooth.
+    fn new(program: &'a Program) -> Option<Self> {
+        let Basis::Spline { space, .. } = &program.basis else {
+            return None;
+        };
+        let present = program.present();
+        let unknowns = program.basis.columns() + program.equalities.len();
+        let too_large = 2 * unknowns > program.settings.exchange.polish_size;
+        if program.cone || program.lifted.is_some() || too_large {
+            return None;
+        }
+        Some(Contacts {
+            program,
+            bends: (program.shapes.iter())
+                .map(|s| s.derivative().derivative())
+                .collect(),
+            free: (0..EXTRAS).filter(|&k| present[k]).collect(),
+            degree: space.degree(),
+        })
+    }
+
+    /// The start with its contacts as rows.
+    fn begun(&self, start: &Solution, way: Way) -> Solution {
+        let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
+        let largest = start.active.iter().map(push).fold(0.0, f64::max);
+        let weakest = self.program.settings.contacts.weakest;
+        let mut current = start.clone();
+        (current.active).retain(|r| push(r) > weakest * largest);
+        current.active = self.gathered(&current, way);
+        current
+    }
+
+    fn searched(&self, start: &Solution, way: Way) -> Option<Solution> {
+        let program = self.program;
+        let settings = &program.settings.contacts;
+        let mut current = self.begun(start, way);
+        // No vertex has more contacts than unknowns; far more are an interior point's.
+        let unknowns = program.basis.columns() + program.equalities.len();
+        if way == Way::Equalities && current.active.len() > 2 * unknowns {
+            return None;
+        }
+        let most = settings.divergence * start.violation.max(settings.from);
+        let mut best: Option<(f64, Solution)> = None;
+        let (mut since, mut solves) = (0, settings.solves);
+        for _ in 0..settings.steps {
+            if program.halt.is_asked() {
+                break;
+            }
+            let next = match way {
+                Way::Equalities => self.held_step(&current, &mut solves),
+                Way::Program | Way::Arcs => self.program_step(&current),
+            };
+            let Some(mut next) = next.filter(|n| n.violation <= most) else {
+                break;
+            };
+            // A row moved to where its contact went takes a part of the gradient along, unless it all but stands there.
+            let gathered = Solution {
+                active: self.gathered(&next, way),
+                ..next.clone()
+            };
+            since += 1;
+            if next.violation <= program.settings.tolerance {
+                for candidate in [&gathered, &next] {
+                    let proof = certificate(program, candidate);
+                    let doubt = proof.relative_gap.max(proof.stationarity);
+                    if best.as_ref().is_none_or(|b| doubt < 0.5 * b.0) {
+                        best = Some((doubt, candidate.clone()));
+                        since = 0;
+                    }
+                }
+                if best.as_ref().is_some_and(|b| b.0 <= CLEAN) {
+                    break;
+                }
+            }
+            if since > PATIENCE {
+                break;
+            }
+            next = gathered;
+            if way == Way::Equalities {
+                self.add_broken(&mut next);
+            }
+            current = next;
+        }
+        best.filter(|b| b.0 <= PROVED).map(|b| b.1)
+    }
+
     /// Whether a limit is constant on every piece: it touches along pieces, not at places.
     fn is_flat(&self, limit: &Limit) -> bool {
         let order = limit.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
@@ -87,15 +168,9 @@ impl Contacts<'_> {
     }
 
     /// Active rows brought to the local maxima beside them; rows that share one are one contact.
-    fn gathered(&self, solution: &Solution) -> Vec<Row> {
+    fn gathered(&self, solution: &Solution, way: Way) -> Vec<Row> {
         let program = self.program;
-        let below = program.settings.local_reduction.below;
-        let mut peaks: Vec<(usize, Peak)> = Vec::new();
-        let near = |l: &Limit| {
-            let room = program.room(l, &solution.x, &solution.extra);
-            room - below * l.size(room)
-        };
-        program.each_peak_above(&solution.x, near, |index, peak| peaks.push((index, peak)));
+        let peaks = self.peaks_near(solution);
         let mut out: Vec<Row> = Vec::new();
         for row in &solution.active {
             let width = program.width(row.peak.piece);
@@ -105,7 +180,14 @@ impl Contacts<'_> {
                 let mine = peaks.iter().filter(|p| p.0 == limit && away(&p.1) < width);
                 mine.min_by(|a, b| away(&a.1).total_cmp(&away(&b.1)))
             });
-            let moved = nearest.map_or_else(
+            // A row on an arc that lies on its bound stays.
+            let value = row.bound - self.slack(row, solution);
+            let higher = nearest.filter(|(index, peak)| {
+                let taken = program.room(&program.limits[*index], &solution.x, &solution.extra);
+                let size = self.size(&program.limits[*index], solution);
+                way != Way::Arcs || peak.value - taken > value - row.bound + STAYS * size
+            });
+            let moved = higher.map_or_else(
                 || row.clone(),
                 |&(limit, peak)| Row {
                     multiplier: row.multiplier,
@@ -131,16 +213,6 @@ impl Contacts<'_> {
         }
     }
 
-    /// Places that a step broke.
-    fn add_broken(&self, solution: &mut Solution) {
-        for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
-            let row = self.program.row(limit, peak);
-            if !solution.active.iter().any(|r| self.is_same(r, &row)) {
-                solution.active.push(row);
-            }
-        }
-    }
-
     /// −c″ at a contact inside its piece.
     fn sharpness(&self, x: &[f64], row: &Row) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
@@ -162,111 +234,146 @@ impl Contacts<'_> {
             .filter(|falls| falls * width * width > flat)
     }
 
-    /// One step; rows whose multiplier turns negative leave, the most negative first.
-    fn step(&self, from: &Solution, solves: &mut usize) -> Option<Solution> {
-        let mut rows = from.active.clone();
-        loop {
-            *solves = solves.checked_sub(1)?;
-            let next = self.equality_step(from, &rows)?;
-            let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
-            let largest = next
-                .active
-                .iter()
-                .map(|r| push(r).abs())
-                .fold(0.0, f64::max);
-            let (weakest, least) =
-                (next.active.iter().map(push).enumerate()).min_by(|a, b| a.1.total_cmp(&b.1))?;
-            if least >= -self.program.settings.local_reduction.negative_multiplier * largest {
-                let mut next = next;
-                next.active.retain(|r| r.multiplier > 0.0);
-                return Some(next);
-            }
-            rows.remove(weakest);
+    /// Size against which a distance to a bound counts; that of a peak which is minimised is the peak.
+    fn size(&self, limit: &Limit, at: &Solution) -> f64 {
+        let room = limit.room(&at.extra);
+        if limit.is_peak() && at.extra[PEAK] != 0.0 {
+            at.extra[PEAK].abs().min(limit.size(room))
+        } else {
+            limit.size(room)
         }
     }
 
-    /// The step with all rows held as equalities.
-    fn equality_step(&self, from: &Solution, rows: &[Row]) -> Option<Solution> {
+    fn slack(&self, row: &Row, at: &Solution) -> f64 {
+        let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * at.extra[k]).sum();
+        row.bound - taken - apply(&row.entries, &at.x)
+    }
+
+    /// Local maxima that come near their bound.
+    fn peaks_near(&self, at: &Solution) -> Vec<(usize, Peak)> {
+        let below = self.program.settings.local_reduction.below;
+        self.peaks_above(at, |size| -below * size)
+    }
+
+    /// Local maxima whose excess of their bound is above what is given for its size.
+    fn peaks_above(&self, at: &Solution, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
+        let mut peaks = Vec::new();
+        let level = |l: &Limit| self.program.room(l, &at.x, &at.extra) + excess(self.size(l, at));
+        self.program
+            .each_peak_above(&at.x, level, |index, peak| peaks.push((index, peak)));
+        peaks
+    }
+
+    /// A peak that is minimised is what the law makes of it.
+    fn raise_peak(&self, solution: &mut Solution) {
         let program = self.program;
-        let (n, length) = (program.basis.columns(), program.length);
-        let objective = program.multiplier_unit(from.extra[PEAK]);
-        let unit = |k: usize| match from.extra[PEAK].abs() {
-            peak if k == PEAK && peak > 0.0 => peak,
-            _ => length,
-        };
-        let columns = n + self.free.len();
-        let ties = program.equalities.len() + rows.len();
-        let mut kkt = DMatrix::<f64>::zeros(columns + ties, columns + ties);
-        let mut rhs = DVector::<f64>::zeros(columns + ties);
-        let mut stiff = program.hessian.clone();
-        for row in rows.iter().filter(|r| r.multiplier > 0.0) {
-            let Some(falls) = self.sharpness(&from.x, row) else {
-                continue;
-            };
-            let w = row.weights;
-            let once = [0.0, w[0], w[1], w[2], w[3]];
-            let slope = program.basis.row_on(row.peak.piece, row.peak.u, &once);
-            for (p, &(i, a)) in slope.iter().enumerate() {
-                for &(j, b) in &slope[..=p] {
-                    stiff.add(i, j, row.multiplier / falls * a * b);
+        let mut most = 0.0_f64;
+        for (index, peak) in self.peaks_above(solution, |_| 0.0) {
+            let limit = &program.limits[index];
+            if limit.is_peak() {
+                let excess = peak.value - program.room(limit, &solution.x, &solution.extra);
+                most = most.max(excess / limit.extra[PEAK].abs());
+            }
+        }
+        solution.extra[PEAK] += most;
+    }
+
+    /// Rows of a step: the contacts, and what else is near its bound.
+    fn candidates(&self, from: &Solution) -> Vec<Row> {
+        let program = self.program;
+        let mut rows = from.active.clone();
+        for (index, peak) in self.peaks_near(from) {
+            let row = program.row(index, peak);
+            if !rows.iter().any(|r| self.is_same(r, &row)) {
+                rows.push(row);
+            }
+        }
+        for row in &program.fixed {
+            let known = |r: &Row| r.limit.is_none() && r.peak == row.peak && r.name == row.name;
+            if !rows.iter().any(known) {
+                rows.push(row.clone());
+            }
+        }
+        // A limit on a size alone is one row, which no place of the law calls in.
+        for (index, limit) in program.limits.iter().enumerate() {
+            let alone = limit.weights == [0.0; 5] && limit.extra != [0.0; EXTRAS];
+            if alone && !rows.iter().any(|r| r.limit == Some(index)) {
+                let first = Peak {
+                    piece: 0,
+                    u: 0.0,
+                    at: 0.0,
+                    value: 0.0,
+                };
+                rows.push(program.row(index, first));
+            }
+        }
+        rows
+    }
+
+    /// Places that a step broke.
+    fn add_broken(&self, solution: &mut Solution) {
+        for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
+            let row = self.program.row(limit, peak);
+            if !solution.active.iter().any(|r| self.is_same(r, &row)) {
+                solution.active.push(row);
+            }
+        }
+    }
+
+    /// A step on the contacts; rows whose multiplier turns negative leave, the most negative first.
+    fn held_step(&self, from: &Solution, solves: &mut usize) -> Option<Solution> {
+        let local = Local::new(self, from);
+        let mut rows = from.active.clone();
+        loop {
+            *solves = solves.checked_sub(1)?;
+            let mut next = local.held(&rows)?;
+            let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
+            let pushes = || next.active.iter().map(push);
+            let largest = pushes().fold(0.0, |m: f64, p| m.max(p.abs()));
+            let weakest = pushes().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+            let negative = self.program.settings.local_reduction.negative_multiplier;
+            match weakest {
+                Some((row, least)) if least < -negative * largest => drop(rows.remove(row)),
+                _ => {
+                    next.active.retain(|r| r.multiplier > 0.0);
+                    next.violation = self.program.violation(&next.x, &next.extra);
+                    return Some(next);
                 }
             }
         }
-        for (i, j, value) in stiff.lower_entries() {
-            kkt[(i, j)] = value * length * length / objective;
-            kkt[(j, i)] = kkt[(i, j)];
-        }
-        let held = program.settings.contacts.held;
-        (0..columns).for_each(|i| kkt[(i, i)] += held);
-        let hx = program.hessian.times(&from.x[..n]);
-        for i in 0..n {
-            rhs[i] = -(hx[i] + program.gradient[i]) * length / objective;
-        }
-        for (c, &k) in self.free.iter().enumerate() {
-            rhs[n + c] = -program.cost[k] * unit(k) / objective;
-        }
-        let demands = program
-            .equalities
-            .iter()
-            .map(|e| (&e.entries, [0.0; EXTRAS], e.value));
-        let contacts = rows.iter().map(|r| (&r.entries, r.extra, r.bound));
-        let mut units = Vec::with_capacity(ties);
-        for (r, (entries, extra, bound)) in demands.chain(contacts).enumerate() {
-            let scale = row_unit(entries, length);
-            let mut put = |column: usize, value: f64| {
-                kkt[(columns + r, column)] += value / scale;
-                kkt[(column, columns + r)] += value / scale;
-            };
-            entries.iter().for_each(|&(i, v)| put(i, v * length));
-            for (c, &k) in self.free.iter().enumerate() {
-                put(n + c, extra[k] * unit(k));
-            }
-            let taken: f64 = (0..EXTRAS).map(|k| extra[k] * from.extra[k]).sum();
-            rhs[columns + r] = (bound - taken - apply(entries, &from.x)) / scale;
-            if let Some(row) = r.checked_sub(program.equalities.len()).map(|r| &rows[r]) {
-                let light = program.settings.contacts.light;
-                kkt[(columns + r, columns + r)] = -light;
-                rhs[columns + r] -= light * row.multiplier * scale / objective;
-            }
-            units.push(scale);
-        }
-        let lu = kkt.clone().lu();
-        let mut y = lu.solve(&rhs)?;
-        y += lu.solve(&(&rhs - &kkt * &y))?;
-        if !y.iter().all(|v| v.is_finite()) {
+    }
+
+    /// The program about a solution, its limits as rows at the contacts; places that the step breaks join.
+    fn program_step(&self, from: &Solution) -> Option<Solution> {
+        let program = self.program;
+        let local = Local::new(self, from);
+        let mut rows = self.candidates(from);
+        if rows.len() > CROWD * program.basis.columns() {
             return None;
         }
-        let mut next = from.clone();
-        (0..n).for_each(|i| next.x[i] += y[i] * length);
-        for (c, &k) in self.free.iter().enumerate() {
-            next.extra[k] += y[n + c] * unit(k);
+        let mut last = None;
+        for _ in 0..JOINS {
+            let mut next = local.solved(&rows)?;
+            let count = rows.len();
+            for (limit, peak) in self.peaks_above(&next, |size| RESOLVED * size) {
+                let row = program.row(limit, peak);
+                let width = program.width(peak.piece);
+                let kinked = program.limits[limit].shape.is_some();
+                let near = |r: &Row| {
+                    let apart = (r.peak.at - peak.at).abs();
+                    r.limit == Some(limit) && !kinked && apart < APART * width
+                };
+                if !rows.iter().any(|r| near(r) || self.is_same(r, &row)) {
+                    rows.push(row);
+                }
+            }
+            self.raise_peak(&mut next);
+            next.violation = program.violation(&next.x, &next.extra);
+            last = Some(next);
+            if rows.len() == count {
+                break;
+            }
         }
-        next.active = rows.to_vec();
-        let first = program.equalities.len();
-        for (r, row) in next.active.iter_mut().enumerate() {
-            row.multiplier = y[columns + first + r] * objective / units[first + r];
-        }
-        next.iterations += 1;
-        Some(next)
+        last
     }
 }

@@ -19,12 +19,14 @@
 //! | `equality` | the optimum under equalities alone |
 //! | `separation` | exact points at which a law violates its limits |
 //! | `active_set` | dual active-set method on the banded factor |
+//! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
 //! | `interior` | the interior-point method on the program's own band, for many spans |
 //! | `double` | numbers of twice the digits |
 //! | `clarabel` | the interior-point method for few spans, and the last word where the other settles nothing |
-//! | `contacts` | Newton's method on the contacts, for programs with variables beside the law |
+//! | `contacts` | Newton's method on the contacts, where variables stand beside the law or a proof is open |
+//! | `quadratic_step` | its steps: small dense programs |
 //! | `polish` | active rows solved as equalities, for the last digits |
 //! | `nearest` | the last digits where limits leave a hair |
 //! | `settings` | every tuning constant with its reason |
@@ -40,6 +42,7 @@ mod demand;
 mod double;
 mod equality;
 mod exchange;
+mod frame;
 mod interior;
 mod lifted;
 mod local_reduction;
@@ -47,6 +50,7 @@ mod nearest;
 mod objective;
 mod polish;
 mod program;
+mod quadratic_step;
 mod separation;
 mod settings;
 #[cfg(test)]

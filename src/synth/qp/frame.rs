@@ -1,0 +1,135 @@
+//! Planes as an orthonormal basis Q and a triangle R, Z = QR: one comes or goes in O(n·planes) operations.
+
+/// The planes of an active set, by their normals.
+#[derive(Default)]
+pub struct Frame {
+    q: Vec<Vec<f64>>,
+    /// Columns of the upper triangle.
+    r: Vec<Vec<f64>>,
+}
+
+/// A normal as the frame sees it.
+pub struct Apart {
+    /// Coordinates in Q.
+    pub along: Vec<f64>,
+    /// What is outside its span.
+    pub rest: Vec<f64>,
+    /// Square length of that.
+    pub left: f64,
+}
+
+impl Frame {
+    /// Takes a normal apart.
+    pub fn split(&self, z: &[f64]) -> Apart {
+        let mut rest = z.to_vec();
+        let mut along = vec![0.0; self.q.len()];
+        let mut left = square(&rest);
+        // Where most of z cancels, a second pass restores orthogonality to rounding.
+        for _ in 0..2 {
+            let before = left;
+            for (q, d) in self.q.iter().zip(&mut along) {
+                let part = dot(q, &rest);
+                *d += part;
+                for (r, q) in rest.iter_mut().zip(q) {
+                    *r -= part * q;
+                }
+            }
+            left = square(&rest);
+            if left > 0.25 * before {
+                break;
+            }
+        }
+        Apart { along, rest, left }
+    }
+
+    /// Adds a plane.
+    pub fn push(&mut self, apart: Apart) {
+        let Apart {
+            mut along,
+            mut rest,
+            left,
+        } = apart;
+        let length = left.sqrt();
+        rest.iter_mut().for_each(|x| *x /= length);
+        along.push(length);
+        self.q.push(rest);
+        self.r.push(along);
+    }
+
+    /// Takes plane `j` out of Q and R.
+    pub fn remove(&mut self, j: usize) {
+        self.r.remove(j);
+        let k = self.r.len();
+        for i in j..k {
+            let (a, b) = (self.r[i][i], self.r[i][i + 1]);
+            let length = a.hypot(b);
+            let (c, s) = (a / length, b / length);
+            for column in &mut self.r[i..] {
+                let (p, q) = (column[i], column[i + 1]);
+                column[i] = c * p + s * q;
+                column[i + 1] = c * q - s * p;
+            }
+            self.r[i].truncate(i + 1);
+            let (left, right) = self.q.split_at_mut(i + 1);
+            for (p, q) in left[i].iter_mut().zip(&mut right[0]) {
+                let (a, b) = (*p, *q);
+                *p = c * a + s * b;
+                *q = c * b - s * a;
+            }
+        }
+        self.q.pop();
+    }
+
+    /// R⁻¹d.
+    pub fn back_substituted(&self, d: &[f64]) -> Vec<f64> {
+        let mut out = d.to_vec();
+        for i in (0..out.len()).rev() {
+            out[i] /= self.r[i][i];
+            let value = out[i];
+            for (x, r) in out[..i].iter_mut().zip(&self.r[i]) {
+                *x -= r * value;
+            }
+        }
+        out
+    }
+
+    /// The point nearest to `free` on all planes, and the way there along Q; R⁻¹ of that are the multipliers.
+    pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let mut away: Vec<f64> = self.q.iter().map(|q| dot(q, free)).collect();
+        let mut on_planes: Vec<f64> = Vec::with_capacity(away.len());
+        for (bound, column) in bounds.iter().zip(&self.r) {
+            let i = on_planes.len();
+            on_planes.push((bound - dot(&column[..i], &on_planes)) / column[i]);
+        }
+        for (a, b) in away.iter_mut().zip(&on_planes) {
+            *a -= b;
+        }
+        let mut y = free.to_vec();
+        for (q, part) in self.q.iter().zip(&away) {
+            for (y, q) in y.iter_mut().zip(q) {
+                *y -= part * q;
+            }
+        }
+        (y, away)
+    }
+}
+
+/// Inner product in four sums, which a processor adds side by side.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let n = a.len().min(b.len());
+    let (fours_a, rest_a) = a[..n].as_chunks::<4>();
+    let (fours_b, rest_b) = b[..n].as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for (a, b) in fours_a.iter().zip(fours_b) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    let tail: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
+    sums[0] + sums[1] + (sums[2] + sums[3]) + tail
+}
+
+/// Square length.
+pub fn square(a: &[f64]) -> f64 {
+    dot(a, a)
+}
