@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Builds the wheel, installs it in a fresh environment and runs the tests of the Python package.
 #
-#   python/run.sh            everything but the engines and the measurements
-#   python/run.sh engines    Ray and Dask on clusters of this machine
+#   python/run.sh            everything but the measurements; Ray and Dask where GAITCAM_ENGINES=1
+#   python/run.sh engines    Ray and Dask alone, on clusters of this machine
 #   python/run.sh overhead   times against the library
 #
 # The release build of the workspace is used as far as it goes, so that the library is compiled once.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 part=${1:-tests}
+engines=${GAITCAM_ENGINES:-0}
+[ "$part" = engines ] && engines=1
 target=${CARGO_TARGET_DIR:-$PWD/target}
 environment=$target/python-$part
 python=${PYTHON:-python3}
@@ -19,10 +21,10 @@ pip() { "$environment/bin/python" -m pip --disable-pip-version-check --quiet "$@
 pip install 'maturin>=1.9.4,<2' pytest hypothesis numpy pyarrow pandas
 case $part in
   tests) pip install polars mypy matplotlib scipy nbformat nbclient ipykernel ;;
-  engines) pip install 'ray[data]' distributed ;;
-  overhead) ;;
+  engines | overhead) ;;
   *) echo "python/run.sh [tests|engines|overhead]" >&2; exit 2 ;;
 esac
+if [ "$engines" = 1 ]; then pip install 'ray[data]' distributed; fi
 
 (cd python && CARGO_TARGET_DIR=$target "$environment/bin/maturin" build --release --quiet --interpreter "$environment/bin/python" \
   --out "$environment/wheels")
@@ -33,8 +35,9 @@ cd "$environment"
 tests=(-m pytest "$OLDPWD/python/tests" -c "$OLDPWD/python/pyproject.toml" -p no:cacheprovider --durations=5)
 case $part in
   tests) bin/python "${tests[@]}" ;;
-  engines) bin/python "${tests[@]}" -m engines -s ;;
+  engines) ;;
   overhead)
     (cd "$OLDPWD" && cargo build --release --quiet --example overhead)
     GAITCAM_OVERHEAD=$target/release/examples/overhead bin/python "${tests[@]}" -m overhead ;;
 esac
+if [ "$engines" = 1 ]; then bin/python "${tests[@]}" -m engines -s; fi

@@ -143,6 +143,9 @@ class Design:
         png: bool = True,
         solid: bool = False,
         tool: float | str | None = None,
+        wire: float | str | None = None,
+        dxf: Literal["arcs", "splines"] = "arcs",
+        cut_only: bool = False,
         lang: _Language = "en",
     ) -> PathLike[str]: ...
     def files(
@@ -152,6 +155,9 @@ class Design:
         png: bool = False,
         solid: bool = False,
         tool: float | str | None = None,
+        wire: float | str | None = None,
+        dxf: Literal["arcs", "splines"] = "arcs",
+        cut_only: bool = False,
         lang: _Language = "en",
     ) -> dict[str, bytes]: ...
     def _repr_html_(self) -> str: ...

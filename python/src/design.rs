@@ -3,19 +3,19 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use gaitcam::error::{Placed, Result};
+use gaitcam::error::Result;
 use gaitcam::problem::Shared;
 use gaitcam::scene;
 use gaitcam::synth::{relaxed_with, synthesise_with};
-use gaitcam::units::{Dimension, parse};
 use gaitcam_files::design::{self, Contents, ROWS, check_inputs_stay, finish};
 use gaitcam_files::{Input, Memory, ResultFolder, Sink};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
+use crate::asked::{Asked, language, rows};
 use crate::convert::{self, Reduced};
-use crate::error::{Raise, argument};
+use crate::error::Raise;
 use crate::force::{FILE, Force, Origin};
 use crate::interrupt::{self, Interrupt};
 use crate::law::Law;
@@ -24,8 +24,6 @@ use crate::table::Table;
 
 /// Time limit of a search where nobody gives one, s.
 pub const TIME_LIMIT_S: f64 = 60.0;
-/// Fewest rows that show a cam.
-const FEWEST_ROWS: usize = 16;
 
 /// A finished design: law, cam, checks and verdict.
 #[pyclass(frozen, module = "gaitcam")]
@@ -126,7 +124,7 @@ fn with_force(input: &Input, force: &Force) -> Result<Input> {
         "period",
         "span",
     ];
-    let mut table = input.table.clone();
+    let mut table = input.whole.clone();
     let own = table.get("gait").and_then(toml::Value::as_table).cloned();
     let mut gait = own.unwrap_or_default();
     for key in OF_SOURCE {
@@ -137,32 +135,13 @@ fn with_force(input: &Input, force: &Force) -> Result<Input> {
     let scene = scene::read(&table)?;
     Ok(Input {
         scene,
+        whole: table.clone(),
         table,
         ..input.clone()
     })
 }
 
 impl Design {
-    fn contents(
-        &self,
-        py: Python<'_>,
-        points: usize,
-        png: bool,
-        solid: bool,
-        tool: Option<&Bound<'_, PyAny>>,
-        lang: &str,
-    ) -> PyResult<Contents> {
-        Ok(Contents {
-            points: rows(py, points)?,
-            png,
-            solid,
-            tool: tool.map(|t| length(t, "tool")).transpose()?,
-            language: language(py, lang)?,
-            title: self.input.title(),
-            ..Contents::default()
-        })
-    }
-
     fn has_cam(&self, py: Python<'_>) -> PyResult<()> {
         match &self.design.infeasible {
             Some(why) => Err(crate::error::NoSuchCam::new_err(why.sentence(Language::En))),
@@ -183,34 +162,6 @@ impl Design {
         }
         Ok(())
     }
-}
-
-fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
-    if points >= FEWEST_ROWS {
-        return Ok(points);
-    }
-    let what = format!("{points} rows do not show a cam; give at least {FEWEST_ROWS}");
-    Err(argument(py, "points", what))
-}
-
-/// A language by its tag.
-pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
-    Language::of_tag(tag).ok_or_else(|| {
-        argument(
-            py,
-            "lang",
-            format!("{tag:?} is no language; give \"en\" or \"es\""),
-        )
-    })
-}
-
-/// A length: a number in m, or text with its unit.
-fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
-    if let Ok(text) = given.extract::<String>() {
-        let value = parse(&text, Dimension::Length);
-        return value.map_err(|e| e.at_key(name)).raise(given.py());
-    }
-    given.extract()
 }
 
 #[pymethods]
@@ -298,9 +249,16 @@ impl Design {
     ///     Solids (STEP, STL, 3MF), arcs (DXF) and a workbook (XLSX) too.
     /// tool : float (m) or str ("3 mm"), optional
     ///     Radius of a cutter whose path is written too.
+    /// wire : float (m) or str ("0.14 mm"), optional
+    ///     Half the diameter of a wire and its spark gap: its path is written too.
+    /// dxf : str
+    ///     Edges of profile.dxf as "arcs" (R12) or "splines" (R2000).
+    /// cut_only : bool
+    ///     Only the layers that are cut in profile.dxf.
     /// lang : str
     ///     Language of report and pictures, "en" or "es".
-    #[pyo3(signature = (folder, *, points = ROWS, png = true, solid = false, tool = None, lang = "en"))]
+    #[pyo3(signature = (folder, *, points = ROWS, png = true, solid = false, tool = None, wire = None, dxf = "arcs",
+                        cut_only = false, lang = "en"))]
     #[allow(clippy::too_many_arguments)] // keywords of one call
     fn save(
         &self,
@@ -310,9 +268,22 @@ impl Design {
         png: bool,
         solid: bool,
         tool: Option<&Bound<'_, PyAny>>,
+        wire: Option<&Bound<'_, PyAny>>,
+        dxf: &str,
+        cut_only: bool,
         lang: &str,
     ) -> PyResult<PathBuf> {
-        let contents = self.contents(py, points, png, solid, tool, lang)?;
+        let asked = Asked {
+            points,
+            png,
+            solid,
+            tool,
+            wire,
+            dxf,
+            cut_only,
+            lang,
+        };
+        let contents = asked.contents(py, self.input.title())?;
         let written = py.detach(|| {
             check_inputs_stay(&folder, &self.input)?;
             let place = ResultFolder::open(&folder)?;
@@ -325,7 +296,9 @@ impl Design {
     }
 
     /// The files that :meth:`save` writes, in memory: a dictionary from names to bytes.
-    #[pyo3(signature = (*, points = ROWS, png = false, solid = false, tool = None, lang = "en"))]
+    #[pyo3(signature = (*, points = ROWS, png = false, solid = false, tool = None, wire = None, dxf = "arcs",
+                        cut_only = false, lang = "en"))]
+    #[allow(clippy::too_many_arguments)] // keywords of one call
     fn files<'py>(
         &self,
         py: Python<'py>,
@@ -333,9 +306,22 @@ impl Design {
         png: bool,
         solid: bool,
         tool: Option<&Bound<'_, PyAny>>,
+        wire: Option<&Bound<'_, PyAny>>,
+        dxf: &str,
+        cut_only: bool,
         lang: &str,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let contents = self.contents(py, points, png, solid, tool, lang)?;
+        let asked = Asked {
+            points,
+            png,
+            solid,
+            tool,
+            wire,
+            dxf,
+            cut_only,
+            lang,
+        };
+        let contents = asked.contents(py, self.input.title())?;
         let files = py.detach(|| {
             let memory = Memory::default();
             self.write(&memory, contents)?;

@@ -2,6 +2,7 @@
 //! `gaitcam-output`, where the command finds it too.
 
 mod arrow;
+mod asked;
 mod convert;
 mod design;
 mod error;

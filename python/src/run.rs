@@ -100,10 +100,7 @@ impl Run {
     /// Why that model.
     #[pyo3(signature = (lang = "en"))]
     fn why(&self, py: Python<'_>, lang: &str) -> PyResult<String> {
-        Ok(self
-            .outcome
-            .why
-            .sentence(crate::design::language(py, lang)?))
+        Ok(self.outcome.why.sentence(crate::asked::language(py, lang)?))
     }
 
     /// The class of the cam after this run.

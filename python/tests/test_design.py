@@ -146,6 +146,23 @@ def test_another_machine_runs_the_same_cam(design):
     assert fault.value.key == "model"
 
 
+def test_the_path_of_a_wire_and_splines_come_as_the_command_writes_them(design, tmp_path: Path):
+    usual, asked = design.files(), design.files(wire="0.14 mm", dxf="splines", cut_only=True)
+    assert asked.keys() - usual.keys() == {"wire.nc"}
+    assert asked["wire.nc"] == design.files(wire=0.14e-3)["wire.nc"] != design.files(wire="0.2 mm")["wire.nc"]
+    assert b"SPLINE" in asked["profile.dxf"] and b"AC1015" in asked["profile.dxf"]
+    assert b"SPLINE" not in usual["profile.dxf"]
+    def layers(dxf: bytes) -> set[bytes]:
+        lines = [line.strip() for line in dxf.split(b"\n")]
+        entities = lines[lines.index(b"ENTITIES"):]
+        return {name for code, name in zip(entities[1::2], entities[2::2]) if code == b"8"}
+    assert any(name.startswith(b"REF_") for name in layers(usual["profile.dxf"]))
+    assert all(name.startswith(b"CUT_") for name in layers(asked["profile.dxf"]))
+    folder = design.save(tmp_path, png=False, wire="0.14 mm", dxf="splines", cut_only=True)
+    for name in ("wire.nc", "profile.dxf"):
+        assert Path(folder, name).read_bytes() == asked[name]
+
+
 @pytest.mark.parametrize("call", [
     lambda d, s: gaitcam.synth("footbridge"),
     lambda d, s: gaitcam.synth(s, force=F),
@@ -165,6 +182,8 @@ def test_arguments_of_the_wrong_type_are_type_errors(design, footbridge, call):
     (lambda d, s: d.files(points=3), "points"),
     (lambda d, s: d.files(lang="fr"), "lang"),
     (lambda d, s: d.files(tool="3 kg"), "tool"),
+    (lambda d, s: d.files(wire="3 kg"), "wire"),
+    (lambda d, s: d.files(dxf="circles"), "dxf"),
     (lambda d, s: d.tables(2), "points"),
 ])
 def test_arguments_of_the_wrong_value_are_named(design, footbridge, call, key):

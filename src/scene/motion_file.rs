@@ -53,7 +53,7 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
 /// ```
 /// use gaitcam::scene;
 ///
-/// let text = "[cam]\nbase_radius = \"20 mm\"\n[law]\nfamily = \"program\"\n[[law.segment]]\nmotion = \"table up.csv\"\n\
+/// let text = "[drive]\nkind = \"fixed-axis\"\nspeed = \"60 rpm\"\n[cam]\nbase_radius = \"20 mm\"\n[law]\nfamily = \"program\"\n[[law.segment]]\nmotion = \"table up.csv\"\n\
 ///             [[law.segment]]\nmotion = \"cycloidal\"\nlift = \"-5 mm\"\nangle = \"270 deg\"";
 /// let rows = b"angle_deg,lift_mm\n0,0\n30,1\n60,4\n90,5\n";
 /// let whole = scene::with_motions(&text.parse()?, &mut |path| Ok((path.to_path_buf(), rows.to_vec())))?;

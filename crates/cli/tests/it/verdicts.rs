@@ -102,6 +102,17 @@ fn a_mean_force_that_is_not_the_weight_comes_first_on_the_console() {
 }
 
 #[test]
+fn a_recording_whose_force_is_missed_is_no_acceptable_cam() {
+    let walk = "gait.file=data/recordings/made_walk.csv";
+    let scene = "scenes/measured_walk.toml";
+    let (exit, json) = summary(scene, &[walk, "drive.mass=1 kg"]);
+    assert_eq!((exit, code(&json, 0)), (3, "reason-mean-force"));
+    assert!(json["force"]["rms_error_percent_of_mean"].as_f64().unwrap() > 90.0);
+    let (exit, json) = summary(scene, &[walk]);
+    assert_eq!((exit, json["verdict"].as_str()), (0, Some("acceptable")));
+}
+
+#[test]
 fn a_force_that_pulls_is_unacceptable_in_the_design_and_in_its_run() {
     let weak = [
         "drive.mass=0.5 kg",

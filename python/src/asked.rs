@@ -1,0 +1,95 @@
+//! What a caller asks the files of a design to be.
+
+use gaitcam::error::Placed;
+use gaitcam::units::{Dimension, parse};
+use gaitcam_files::design::Contents;
+use gaitcam_output::Language;
+use gaitcam_output::drawing::Title;
+use gaitcam_output::dxf::{Content, Curves};
+use pyo3::prelude::*;
+
+use crate::error::{Raise, argument};
+
+/// Fewest rows that show a cam.
+const FEWEST_ROWS: usize = 16;
+
+/// What a caller asks the files of a design to be.
+pub struct Asked<'a> {
+    /// Rows of the tables.
+    pub points: usize,
+    /// Pictures as PNG too.
+    pub png: bool,
+    /// Solids, arcs and a workbook too.
+    pub solid: bool,
+    /// Radius of a cutter whose path is written, m or text with its unit.
+    pub tool: Option<&'a Bound<'a, PyAny>>,
+    /// Half a wire's diameter and its spark gap, m or text with its unit.
+    pub wire: Option<&'a Bound<'a, PyAny>>,
+    /// Edges of profile.dxf: `arcs` or `splines`.
+    pub dxf: &'a str,
+    /// Only the layers that are cut.
+    pub cut_only: bool,
+    /// Language of report and pictures.
+    pub lang: &'a str,
+}
+
+impl Asked<'_> {
+    /// The same as the functions take it that write files.
+    pub fn contents(&self, py: Python<'_>, title: Title) -> PyResult<Contents> {
+        Ok(Contents {
+            points: rows(py, self.points)?,
+            png: self.png,
+            solid: self.solid,
+            tool: self.tool.map(|t| length(t, "tool")).transpose()?,
+            wire: self.wire.map(|w| length(w, "wire")).transpose()?,
+            curves: curves(py, self.dxf)?,
+            drawn: match self.cut_only {
+                true => Content::CutOnly,
+                false => Content::All,
+            },
+            language: language(py, self.lang)?,
+            title,
+        })
+    }
+}
+
+/// A number of rows that shows a cam.
+pub fn rows(py: Python<'_>, points: usize) -> PyResult<usize> {
+    if points >= FEWEST_ROWS {
+        return Ok(points);
+    }
+    let what = format!("{points} rows do not show a cam; give at least {FEWEST_ROWS}");
+    Err(argument(py, "points", what))
+}
+
+/// The edges of profile.dxf by the word that the command has for them.
+fn curves(py: Python<'_>, word: &str) -> PyResult<Curves> {
+    match word {
+        "arcs" => Ok(Curves::Arcs),
+        "splines" => Ok(Curves::Splines),
+        _ => {
+            let what = format!("{word:?} is no kind of edge; give \"arcs\" or \"splines\"");
+            Err(argument(py, "dxf", what))
+        }
+    }
+}
+
+/// A language by its tag.
+pub fn language(py: Python<'_>, tag: &str) -> PyResult<Language> {
+    Language::of_tag(tag).ok_or_else(|| {
+        argument(
+            py,
+            "lang",
+            format!("{tag:?} is no language; give \"en\" or \"es\""),
+        )
+    })
+}
+
+/// A length: a number in m, or text with its unit.
+fn length(given: &Bound<'_, PyAny>, name: &str) -> PyResult<f64> {
+    if let Ok(text) = given.extract::<String>() {
+        let value = parse(&text, Dimension::Length);
+        return value.map_err(|e| e.at_key(name)).raise(given.py());
+    }
+    given.extract()
+}
