@@ -12,6 +12,9 @@ use crate::force::{Cell, NumberTable};
 use crate::law::Rise;
 use crate::units::{Dimension, parse};
 
+/// A file's path for messages, and its bytes.
+type Content = (PathBuf, Vec<u8>);
+
 /// Largest file of a motion, bytes.
 pub const LARGEST_MOTION: u64 = 64 << 20;
 /// Most rows of a motion, as many as a law may have spans.
@@ -63,7 +66,7 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
 /// ```
 pub fn with_motions(
     scene: &Table,
-    read: &mut dyn FnMut(&Path) -> Result<(PathBuf, Vec<u8>)>,
+    read: &mut dyn FnMut(&Path) -> Result<Content>,
 ) -> Result<Table> {
     let mut scene = scene.clone();
     let law = scene.get_mut("law").and_then(|law| law.get_mut("segment"));

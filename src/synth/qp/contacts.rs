@@ -244,6 +244,21 @@ impl<'a> Contacts<'a> {
         }
     }
 
+    /// Largest excess of all limits, those included that no place of the law calls in: rows that are always held, and
+    /// limits on a size alone.
+    fn violation(&self, at: &Solution) -> f64 {
+        let program = self.program;
+        let over = |row: &Row| -self.slack(row, at) / row_unit(&row.entries, program.length);
+        let of_rows = program.fixed.iter().map(over);
+        let alone = program.limits.iter().filter(|l| is_on_size_alone(l));
+        let of_sizes = alone.map(|limit| {
+            let room = limit.room(&at.extra);
+            -room / limit.size(room)
+        });
+        let known = program.violation(&at.x, &at.extra);
+        of_rows.chain(of_sizes).fold(known, f64::max)
+    }
+
     fn slack(&self, row: &Row, at: &Solution) -> f64 {
         let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * at.extra[k]).sum();
         row.bound - taken - apply(&row.entries, &at.x)
@@ -296,8 +311,7 @@ impl<'a> Contacts<'a> {
         }
         // A limit on a size alone is one row, which no place of the law calls in.
         for (index, limit) in program.limits.iter().enumerate() {
-            let alone = limit.weights == [0.0; 5] && limit.extra != [0.0; EXTRAS];
-            if alone && !rows.iter().any(|r| r.limit == Some(index)) {
+            if is_on_size_alone(limit) && !rows.iter().any(|r| r.limit == Some(index)) {
                 let first = Peak {
                     piece: 0,
                     u: 0.0,
@@ -336,7 +350,7 @@ impl<'a> Contacts<'a> {
                 Some((row, least)) if least < -negative * largest => drop(rows.remove(row)),
                 _ => {
                     next.active.retain(|r| r.multiplier > 0.0);
-                    next.violation = self.program.violation(&next.x, &next.extra);
+                    next.violation = self.violation(&next);
                     return Some(next);
                 }
             }
@@ -368,7 +382,7 @@ impl<'a> Contacts<'a> {
                 }
             }
             self.raise_peak(&mut next);
-            next.violation = program.violation(&next.x, &next.extra);
+            next.violation = self.violation(&next);
             last = Some(next);
             if rows.len() == count {
                 break;
@@ -376,4 +390,9 @@ impl<'a> Contacts<'a> {
         }
         last
     }
+}
+
+/// Whether a limit is one on a variable beside the law.
+fn is_on_size_alone(limit: &Limit) -> bool {
+    limit.weights == [0.0; 5] && limit.extra != [0.0; EXTRAS]
 }

@@ -78,8 +78,9 @@ fn the_report_of_a_run_moves_the_follower_as_it_ran() {
     let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
     let turns = data["turns"].as_u64().unwrap() as usize;
     assert_eq!(turns, outcome.period_turns.min(4));
-    let list = |name: &str| data[name].as_array().unwrap().clone();
-    let (gap, contact, force) = (list("gap"), list("cx"), list("f"));
+    let list = |list: &Value| list.as_array().unwrap().clone();
+    let gap = list(&data["readings"]["gap"]);
+    let (contact, force) = (list(&data["cx"]), list(&data["f"]));
     assert_eq!(gap.len(), 480 * turns + 1);
     let flying = gap.iter().filter(|g| g.as_f64().unwrap() > 1e-3).count();
     assert!(flying > 20);
