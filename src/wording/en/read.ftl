@@ -1,7 +1,7 @@
 # Files of force: what is wrong with them.
 
 read-empty = the file is empty
-    .help = give a recording of vertical force
+    .help = give a file with a header and rows of numbers
 read-foreign = { $kind ->
         [zip] this is an Excel workbook or another zipped file
         [old-office] this is an old Excel or Word file

@@ -1,7 +1,7 @@
 # Archivos de fuerza: qué hay de incorrecto en ellos.
 
 read-empty = el archivo está vacío
-    .help = use un registro de fuerza vertical
+    .help = use un archivo con un encabezado y filas de números
 read-foreign = { $kind ->
         [zip] es un libro de Excel u otro archivo comprimido zip
         [old-office] es un archivo antiguo de Excel o Word
