@@ -5,7 +5,7 @@ use std::net::{Shutdown, TcpStream};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use super::{Head, Method, Request, Response, Service, Status};
+use super::{Head, Method, Request, Response, Service, Status, socket};
 
 /// Largest head, bytes.
 const HEAD: usize = 16 << 10;
@@ -34,6 +34,11 @@ fn one(stream: &mut TcpStream, buffer: &mut Vec<u8>, service: &impl Service) -> 
     if let Err(refusal) = service.admit(&head) {
         return refuse(stream, &refusal);
     }
+    if let Some(key) = head.socket() {
+        let key = key.to_string();
+        socket::serve(stream, std::mem::take(buffer), head, &key, service)?;
+        return Ok(false);
+    }
     if head.length > service.most(&head) {
         return refuse(stream, &Response::refusal(Status::TooLarge));
     }
@@ -50,11 +55,16 @@ fn one(stream: &mut TcpStream, buffer: &mut Vec<u8>, service: &impl Service) -> 
         head,
         body: std::mem::replace(buffer, rest),
     };
-    let answer = catch_unwind(AssertUnwindSafe(|| service.answer(&request)));
-    let answer = answer.unwrap_or_else(|_| Response::refusal(Status::Internal));
+    let answer = answered(service, &request);
     let head = &request.head;
     answer.write(stream, head.closes, head.method != Method::Head)?;
     Ok(!head.closes)
+}
+
+/// The answer to a request; a fault of the program costs this answer and nothing else.
+pub fn answered(service: &impl Service, request: &Request) -> Response {
+    let answer = catch_unwind(AssertUnwindSafe(|| service.answer(request)));
+    answer.unwrap_or_else(|_| Response::refusal(Status::Internal))
 }
 
 type Found = Result<(Head, usize), Response>;

@@ -1,12 +1,15 @@
 //! HTTP/1.1 for one person on one machine: `httparse` reads the heads, one thread serves a connection.
 //!
 //! A server of its own because limits and time-outs must hold before a body is read: the ready-made small servers have
-//! neither. No chunked bodies, no compression, no ranges.
+//! neither. No chunked bodies, no compression, no ranges. A WebSocket at the address of a question takes the bodies of
+//! questions one after another and sends back the bodies of their answers.
 
 mod connection;
+mod frame;
 mod head;
 mod response;
 mod server;
+mod socket;
 
 pub use head::{Head, Method};
 pub use response::{Response, Status};

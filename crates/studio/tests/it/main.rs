@@ -3,4 +3,5 @@
 mod answers;
 mod client;
 mod security;
+mod socket;
 mod words;
