@@ -9,8 +9,8 @@ use super::recover::Cycle;
 use super::run::Run;
 use crate::cam::Measures;
 use crate::error::Result;
+use crate::poly::amplitudes;
 use crate::quantity::{Dimension, Quantity};
-use realfft::RealFftPlanner;
 
 /// Force margin, as part of the mean, below which the contact itself is run.
 pub const MARGIN: f64 = 0.05;
@@ -149,22 +149,12 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
         return (f64::INFINITY, Vibration::NoMass);
     };
     let zeta = train.damping / (2.0 * p.drive.mass * natural);
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(forces.len());
-    let mut spectrum = forward.make_output_vec();
-    if forward
-        .process(&mut forces.to_vec(), &mut spectrum)
-        .is_err()
-    {
-        return (f64::INFINITY, Vibration::NoSpectrum);
-    }
-    let scale = 2.0 / forces.len() as f64;
     let mut sum = 0.0;
-    for (n, c) in spectrum.iter().enumerate().skip(1) {
+    for (n, (a, b)) in amplitudes(forces).into_iter().enumerate().skip(1) {
         let r = n as f64 * p.drive.speed / natural;
         // H − 1 = r²/(1 − r² + 2iζr).
         let extra = r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
-        sum += 0.5 * (scale * c.norm() * extra).powi(2);
+        sum += 0.5 * (a.hypot(b) * extra).powi(2);
     }
     // An undamped resonance gives an infinite sum: the flexible run then names it.
     let part = sum.sqrt() / mean.abs();

@@ -163,7 +163,6 @@ pub enum ForceMargin {
 pub enum Vibration {
     /// Springs in series without mass: nothing vibrates, but the lift is shared.
     NoMass,
-    NoSpectrum,
     Harmonics {
         frequency: Quantity,
         ratio: f64,

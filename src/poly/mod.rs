@@ -15,7 +15,8 @@ mod trigonometric;
 #[doc(hidden)]
 pub use bspline::{Span, SplineSpace};
 pub(crate) use cells::Cells;
-pub(crate) use fourier::{amplitudes, sums};
+pub use fourier::amplitudes;
+pub(crate) use fourier::sums;
 #[doc(hidden)]
 pub use gauss::gauss_legendre;
 pub(crate) use piecewise::Peak;

@@ -4,12 +4,34 @@ use std::borrow::Cow;
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
-    DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+    DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverError, SolverStatus,
+    SupportedConeT,
 };
 
 use super::basis::Entries;
 use super::lifted::Lifted;
 use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
+
+/// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
+/// runs a solver of its own compiles it whole, so all ask here.
+///
+/// # Errors
+/// Where sizes do not agree.
+pub fn prepared(
+    p: &CscMatrix<f64>,
+    q: &[f64],
+    a: &CscMatrix<f64>,
+    b: &[f64],
+    cones: &[SupportedConeT<f64>],
+    settings: DefaultSettings<f64>,
+) -> Result<DefaultSolver<f64>, SolverError> {
+    DefaultSolver::new(p, q, a, b, cones, settings)
+}
+
+/// Solves what is prepared; the answer is the solver's `solution`.
+pub fn run(solver: &mut DefaultSolver<f64>) {
+    solver.solve();
+}
 
 /// What the interior-point method returns, in the program's own units.
 pub struct Point {
@@ -99,11 +121,10 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         .max_threads(1)
         .build()
         .map_err(|_| Stop::Refused)?;
-    let mut solver =
-        DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(|_| Stop::Refused)?;
+    let mut solver = prepared(&p, &q, &a, &b, &cones, settings).map_err(|_| Stop::Refused)?;
     let halt = program.halt.clone();
     solver.set_termination_callback(move |_| halt.is_asked());
-    solver.solve();
+    run(&mut solver);
     let answer = &solver.solution;
     accepted(answer.status)?;
     if answer.x.iter().any(|v| !v.is_finite()) {

@@ -58,6 +58,7 @@ mod tests;
 
 pub use basis::{Basis, Entries, apply};
 pub use certificate::{Certificate, Sensitivity, certificate, sensitivities};
+pub use clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use demand::{Demand, Given};
 pub use equality::solve as solve_equalities;
 pub use objective::Quadratic;

@@ -55,7 +55,6 @@ model-no-force = nothing presses the follower on the cam: the drive has neither 
 model-inertia-only = no mean load presses the follower on the cam, inertia gives { $low } … { $high }; { $liftoff }
 model-smallest-force = the minimum contact load { $force } is { $part } of the mean; { $liftoff }
 model-no-mass = the fluid column yields without vibration
-model-no-spectrum = the force has no spectrum
 model-harmonics = the first natural frequency is { $frequency }, { $ratio } times the shaft frequency; vibration would change the force by { $part } of the mean (RMS)
 
 # What to know of a run.

@@ -61,7 +61,6 @@ model-no-force = nada aprieta el seguidor contra la leva: el accionamiento no ti
 model-inertia-only = ninguna carga media aprieta el seguidor contra la leva, la inercia da { $low } … { $high }; { $liftoff }
 model-smallest-force = la carga de contacto mínima { $force } es el { $part } de la media; { $liftoff }
 model-no-mass = la columna de fluido cede sin vibrar
-model-no-spectrum = la fuerza no tiene espectro
 model-harmonics = la primera frecuencia natural es { $frequency }, { $ratio } veces la frecuencia del eje; la vibración cambiaría la fuerza un { $part } de la media (RMS)
 
 # Qué conviene saber de una simulación.

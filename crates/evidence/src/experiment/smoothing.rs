@@ -1,7 +1,8 @@
 //! The smoothest periodic curve near given values: the fewest harmonics that stay within a tolerance.
 
-use realfft::RealFftPlanner;
 use std::f64::consts::TAU;
+
+use gaitcam::poly::amplitudes;
 
 /// A truncated Fourier series, c₀ + Σ (cₙ cos nθ + sₙ sin nθ).
 pub struct Series {
@@ -30,17 +31,8 @@ impl Series {
 /// The fewest leading harmonics (at most `most`) that stay within `tolerance` of every value.
 pub fn fewest_harmonics(values: &[f64], tolerance: f64, most: usize) -> Option<Series> {
     let n = values.len();
-    let mut planner = RealFftPlanner::<f64>::new();
-    let forward = planner.plan_fft_forward(n);
-    let mut input = values.to_vec();
-    let mut spectrum = forward.make_output_vec();
-    forward.process(&mut input, &mut spectrum).ok()?;
-    let scale = 2.0 / n as f64;
-    let all: Vec<(f64, f64)> = spectrum[1..]
-        .iter()
-        .map(|c| (scale * c.re, -scale * c.im))
-        .collect();
-    let mean = spectrum[0].re / n as f64;
+    let all = amplitudes(values);
+    let (mean, all) = (all[0].0, &all[1..]);
     let series = |k: usize| Series {
         mean,
         terms: all[..k].to_vec(),

@@ -2,13 +2,12 @@
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
-    DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverStatus, SupportedConeT,
+    DefaultSettings, DefaultSettingsBuilder, DefaultSolver, SolverStatus, SupportedConeT,
 };
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
 use gaitcam::error::Result;
-use gaitcam::synth::qp::{Basis, Entries};
-use gaitcam::synth::qp::{Failure, Stop};
+use gaitcam::synth::qp::{Basis, Entries, Failure, Stop, clarabel_prepared, clarabel_run};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {
@@ -205,7 +204,7 @@ impl Conic {
         let q = self.linear(&self.gradient);
         let fault = |e: String| crate::fault(format!("the solver refused: {e}"));
         let settings = chosen(settings).map_err(fault)?;
-        let solver = DefaultSolver::new(&p, &q, &a, &b, &self.cones, settings)
+        let solver = clarabel_prepared(&p, &q, &a, &b, &self.cones, settings)
             .map_err(|e| fault(e.to_string()))?;
         Ok(Prepared {
             solver,
@@ -255,7 +254,7 @@ impl Prepared {
     ///
     /// Fails when the limits leave nothing or the solver gives up.
     pub fn solve(&mut self) -> Result<Answer> {
-        self.solver.solve();
+        clarabel_run(&mut self.solver);
         let answer = &self.solver.solution;
         match answer.status {
             SolverStatus::Solved
