@@ -8,12 +8,14 @@ const LEFT = 46;
 const RIGHT = 8;
 const TOP = 6;
 
-// Round numbers between two ends, about `count` of them.
+// Round numbers between two ends, about `count` of them and two at least.
 function ticks(low, high, count) {
   const raw = (high - low) / Math.max(count, 1);
   if (!(raw > 0) || !Number.isFinite(raw)) return [];
   const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 2.5, 5, 10].map((k) => k * power).find((s) => s >= raw * 0.999);
+  const sizes = [0.25, 0.5, 1, 2, 2.5, 5, 10].map((k) => k * power);
+  const lie = (size) => Math.floor(high / size + 1e-9) - Math.ceil(low / size - 1e-9) + 1;
+  const step = sizes.findLast((s, k) => lie(s) >= 2 && (k === 0 || sizes[k - 1] < raw * 0.999)) ?? sizes[0];
   const out = [];
   for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + 1e-9 * step; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
   return out;
