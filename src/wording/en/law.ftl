@@ -67,21 +67,21 @@ law-eccentric-ratio = an eccentric of ratio { $ratio } does not enclose its shaf
     .help = the ratio (disc radius + roller radius)/eccentricity must be more than 1, for example 3
 law-table-pairs = a table of { $numbers } numbers: they are not pairs
     .help = write x and s in turn, for example motion = "table 0 0 0.5 0.3 1 1"
-law-table-rows = table { $table }: { $rows } rows are too few
+law-table-rows = { $table }: { $rows } rows are too few
     .help = give at least two rows of x and s
-law-table-not-finite = table { $table }: row { $row } is not a finite number
+law-table-not-finite = { $table }: row { $row } is not a finite number
     .help = give x and s in numbers
-law-table-order = table { $table }: row { $row } has x = { $x } after { $before }
+law-table-order = { $table }: row { $row } has x = { $x } after { $before }
     .help = x must increase from row to row
-law-table-level = table { $table }: it ends at its initial lift
+law-table-level = { $table }: it ends at its initial lift
     .help = a motion goes from one lift to another: split the table at its highest point
-law-table-spacing = table { $table }: the spacing of its rows is too uneven for a spline
+law-table-spacing = { $table }: the spacing of its rows is too uneven for a spline
     .help = space them more evenly
-law-spline-degree = spline { $spline }: degree { $degree } is out of range
+law-spline-degree = { $spline }: degree { $degree } is out of range
     .help = use 3 to 7
-law-spline-points = spline { $spline }: { $points } control points are too few for degree { $degree }
+law-spline-points = { $spline }: { $points } control points are too few for degree { $degree }
     .help = give at least { $least }
-law-spline-level = spline { $spline }: initial and final lift do not differ
+law-spline-level = { $spline }: initial and final lift do not differ
     .help = the first and last control points must be finite and different
 
 # What may stand beside the end of a law.

@@ -67,21 +67,21 @@ law-eccentric-ratio = una excéntrica de razón { $ratio } no contiene su eje
     .help = la razón (radio del disco + radio del rodillo)/excentricidad debe ser mayor que 1, por ejemplo 3
 law-table-pairs = una tabla de { $numbers } números: no son parejas
     .help = escriba x y s por turno, por ejemplo motion = "table 0 0 0.5 0.3 1 1"
-law-table-rows = tabla { $table }: { $rows } filas son muy pocas
+law-table-rows = { $table }: { $rows } filas son muy pocas
     .help = dé al menos dos filas de x y s
-law-table-not-finite = tabla { $table }: la fila { $row } no es un número finito
+law-table-not-finite = { $table }: la fila { $row } no es un número finito
     .help = dé x y s en números
-law-table-order = tabla { $table }: la fila { $row } tiene x = { $x } después de { $before }
+law-table-order = { $table }: la fila { $row } tiene x = { $x } después de { $before }
     .help = x debe aumentar de fila en fila
-law-table-level = tabla { $table }: termina en su elevación inicial
+law-table-level = { $table }: termina en su elevación inicial
     .help = un movimiento va de una elevación a otra: divida la tabla por su punto más alto
-law-table-spacing = tabla { $table }: las filas están demasiado desigualmente espaciadas para un spline
+law-table-spacing = { $table }: las filas están demasiado desigualmente espaciadas para un spline
     .help = espácielas con más regularidad
-law-spline-degree = spline { $spline }: el grado { $degree } está fuera del intervalo
+law-spline-degree = { $spline }: el grado { $degree } está fuera del intervalo
     .help = use de 3 a 7
-law-spline-points = spline { $spline }: { $points } puntos de control son muy pocos para el grado { $degree }
+law-spline-points = { $spline }: { $points } puntos de control son muy pocos para el grado { $degree }
     .help = dé al menos { $least }
-law-spline-level = spline { $spline }: las elevaciones inicial y final no difieren
+law-spline-level = { $spline }: las elevaciones inicial y final no difieren
     .help = el primer y el último punto de control deben ser finitos y distintos
 
 # Lo que puede estar junto al extremo de una ley.
