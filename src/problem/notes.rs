@@ -80,6 +80,14 @@ pub enum Note {
     NoBaseCircle,
     /// The wall between the bore and the base circle is thinner than that of a usual hub.
     ThinWall { wall: Quantity, usual: Quantity },
+    /// No shaft that carries the torque fits into the base circle.
+    ThinShaft {
+        /// Diameter of the base circle.
+        circle: Quantity,
+        /// Diameter of the thinnest shaft.
+        shaft: Quantity,
+        torque: Quantity,
+    },
     /// The size keeps the usual pressure angle.
     UsualPressureAngle { angle: Quantity },
     /// The cam is cut for a follower that gives.

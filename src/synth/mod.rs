@@ -232,6 +232,7 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         reasons.extend(infeasible.reasons.iter().cloned());
     }
     let mut notes = notes(&problem, &found, &cam, end.as_ref());
+    notes.extend(sizing::thin_shaft(&problem, &cam, pressing));
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }

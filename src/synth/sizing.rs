@@ -1,15 +1,19 @@
 //! From a law to its cam: the size that the scene fixes, or the smallest that meets the limits.
 
+use std::f64::consts::PI;
+
 use super::limits::{self, NEARLY_RIGHT};
 use crate::cam::{
-    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Rollers, SizeLimits,
+    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Measures, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
 };
 use crate::error::{Error, Place, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
-use crate::units::Quantity;
+use crate::quantity::{Dimension, Quantity};
 
+/// Shear stress that a shaft of mild steel is designed for, Pa.
+const SHEAR: f64 = 40e6;
 /// Relative accuracy of a prime radius found by bisection.
 const BISECTION: f64 = 1e-12;
 /// A prime circle this many times the first guess without success is no cam.
@@ -171,6 +175,25 @@ pub fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     (turns && wall > 0.0 && wall < usual).then(|| Note::ThinWall {
         wall: Quantity::length(wall),
         usual: Quantity::length(usual),
+    })
+}
+
+/// A shaft of steel that carries the cam's torque is thicker than its base circle. Where a bore is given the size has
+/// room for it already.
+pub fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
+    let circle = 2.0 * cam.follower.base_radius();
+    let open = problem.cam.bore.is_none() && !matches!(problem.size(), Size::Given { .. });
+    let turns = cam.follower.measures() != Measures::Straight;
+    if !open || !turns || circle <= 0.0 {
+        return None;
+    }
+    let torque = limits::largest(&limits::torque_curve(&problem.drive, pressing, &cam.law)).value;
+    // τ = 16 T/(π d³).
+    let shaft = (16.0 * torque / (PI * SHEAR)).cbrt();
+    (circle < shaft).then(|| Note::ThinShaft {
+        circle: Quantity::length(circle),
+        shaft: Quantity::length(shaft),
+        torque: Quantity::new(torque, Dimension::Torque),
     })
 }
 

@@ -45,6 +45,7 @@ design-phase = The turn of the cam starts at { $phase } of the force cycle, the 
 design-out-of-time = The search was ended at its time limit: the result is the best found until then, and relaxations that are not listed were not tried. Allow more with --time-limit.
 design-noise = The number of { $size } is limited to a force error of { $error } RMS, one fifth of the step-to-step standard deviation of the recording; more would fit its noise. Set accuracy.rms to change this.
 design-thin-wall = The wall between the bore and the base circle is { $wall }; a hub usually has a quarter of its bore, { $usual }. Set a larger cam.base_radius or a smaller cam.bore.
+design-thin-shaft = The base circle, { $circle } across, is thinner than the thinnest steel shaft for the torque of { $torque }, { $shaft } at 40 MPa of shear. Set cam.bore to the shaft's diameter, and the size leaves room for it.
 design-no-base-circle = The smallest base radius is zero, so the profile passes through the shaft axis. Set cam.bore or cam.base_radius.
 design-usual-pressure-angle = No limit on the pressure angle is given: the cam is sized for at most { $angle }, the usual value. Set limits.pressure_angle to change it.
 design-polydyne = The cam is polydyne: at { $speed } the output end of a follower of stiffness { $stiffness } follows the law. Lift, velocity, acceleration, jerk and their limits are those of the cam; the force is that of the output end.

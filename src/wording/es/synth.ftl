@@ -45,6 +45,7 @@ design-phase = La vuelta de la leva empieza en { $phase } del ciclo de fuerza, l
 design-out-of-time = La búsqueda terminó en su límite de tiempo: el resultado es el mejor hallado hasta entonces, y las relajaciones que no figuran no se probaron. Permita más con --time-limit.
 design-noise = El número de { $size } se limita a un error de fuerza de { $error } RMS, la quinta parte de la desviación típica entre pasos del registro; más ajustarían su ruido. Fije accuracy.rms para cambiarlo.
 design-thin-wall = La pared entre el agujero y el círculo base es de { $wall }; un cubo suele tener la cuarta parte de su agujero, { $usual }. Fije un cam.base_radius mayor o un cam.bore menor.
+design-thin-shaft = El círculo base, de { $circle } de diámetro, es menor que el eje de acero más delgado para el par de { $torque }, { $shaft } con 40 MPa de cizalladura. Fije cam.bore con el diámetro del eje, y el tamaño le dejará sitio.
 design-no-base-circle = El menor radio base es cero, de modo que el perfil pasa por el eje. Fije cam.bore o cam.base_radius.
 design-usual-pressure-angle = No se da límite para el ángulo de presión: la leva se dimensiona para { $angle } como máximo, el valor habitual. Fije limits.pressure_angle para cambiarlo.
 design-polydyne = La leva es polidina: a { $speed } el extremo de salida de un seguidor de rigidez { $stiffness } sigue la ley. Elevación, velocidad, aceleración, sobreaceleración y sus límites son los de la leva; la fuerza es la del extremo de salida.
