@@ -226,13 +226,17 @@ impl Search<'_> {
                 }
             })
             .reduce(|a, b| if number.grows() { a.max(b) } else { a.min(b) });
-        let mut works = free;
-        if let Some(needed) = needed.map(|n| number.rounded(n))
-            && self.tried(number, needed).is_some()
-        {
-            works = needed;
+        let (mut works, mut fails) = (free, from);
+        // At its own edge a design may fail that passes with a little room.
+        for room in needed.map_or(&[][..], |_| &EDGES) {
+            let needed = needed.unwrap_or(free);
+            let value = number.rounded(needed + room * needed.abs() * number.sign());
+            if self.tried(number, value).is_some() {
+                works = value;
+                break;
+            }
+            fails = value;
         }
-        let mut fails = from;
         let size = from.abs().max(1e-3 * works.abs());
         while !self.problem.halt.is_asked()
             && (works - fails).abs() > self.precision * works.abs().max(size)
