@@ -105,13 +105,32 @@ impl Memo {
             return Ok(value);
         }
         let value = search()?;
+        self.keep(key, value.clone());
+        Ok(value)
+    }
+
+    /// Whether a finding of the key's kind says so.
+    pub(crate) fn any<K, V>(&self, says: impl Fn(&K, &V) -> bool) -> bool
+    where
+        K: Send + 'static,
+        V: Send + 'static,
+    {
+        let look = |list: &mut Findings<K, V>| list.iter().any(|(key, value)| says(key, value));
+        self.on_findings(look).unwrap_or(false)
+    }
+
+    /// Keeps a finding.
+    pub(crate) fn keep<K, V>(&self, key: K, value: V)
+    where
+        K: Send + 'static,
+        V: Send + 'static,
+    {
         self.on_findings(|list| {
             if list.len() >= KEPT {
                 list.clear();
             }
-            list.push((key, value.clone()));
+            list.push((key, value));
         });
-        Ok(value)
     }
 
     /// Looks at the findings of one kind; `None` after a panic of another thread.

@@ -1,5 +1,6 @@
 //! From a problem to a law: one file per family, and `choose` for problems that leave the family open.
 
+mod accuracy_bound;
 mod choose;
 mod coarse_start;
 mod demands;

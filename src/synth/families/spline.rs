@@ -1,10 +1,10 @@
 //! The spline family: least squares in force space under demands and limits.
 
-use super::coarse_start;
 use super::spline_program::unlimited_program;
 use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
+use super::{accuracy_bound, coarse_start};
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
@@ -32,9 +32,6 @@ const WORTHWHILE: f64 = 0.02;
 /// Fewer spans than this say nothing of what more would bring: with limits that bind the error is no steady function of
 /// so few, and there may be no law at all.
 const TELLING: usize = 12;
-
-/// A lower bound of the error beyond what is allowed by this part of it is no rounding.
-const SURELY: f64 = 1e-6;
 
 /// A law of the family, as solved.
 struct Fitted {
@@ -186,11 +183,14 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
             nonconvex,
         }))
     };
+    if accuracy_bound::refuses(problem, &program) {
+        return Err(stuck(program, Failure::Infeasible, None));
+    }
     let touched = match touching::solve(problem, program) {
         Ok(touched) => touched,
         Err(refused) => return Err(stuck(refused.program, refused.failure, None)),
     };
-    if misses_surely(problem, &touched) {
+    if accuracy_bound::is_missed(problem, &touched) {
         return Err(stuck(touched.program, Failure::Infeasible, None));
     }
     let mut fitted = Fitted {
@@ -212,17 +212,6 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
             Err(stuck(fitted.touched.program, failure, Some(limits)))
         }
     }
-}
-
-/// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use.
-fn misses_surely(problem: &Problem, touched: &Touched) -> bool {
-    // More spans may reach it, where their number is open.
-    let judged = problem.only_passing && problem.law.spans.is_some();
-    if !judged || problem.objective() != Minimise::ForceError || problem.is_weighed() {
-        return false;
-    }
-    let least = (2.0 * touched.least()).max(0.0).sqrt();
-    (problem.allowed_error()).is_some_and(|allowed| least > (1.0 + SURELY) * allowed)
 }
 
 /// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.
@@ -268,7 +257,10 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
 }
 
 /// The program with every limit that is convex, and the force distance alone.
-fn limited_program(problem: &Problem, spans: usize) -> crate::error::Result<(Program, Quadratic)> {
+pub fn limited_program(
+    problem: &Problem,
+    spans: usize,
+) -> crate::error::Result<(Program, Quadratic)> {
     let (mut program, force) = unlimited_program(problem, spans)?;
     let mut rows = limits::rows(problem);
     if problem.law.monotone {

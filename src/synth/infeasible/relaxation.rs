@@ -20,8 +20,10 @@ use crate::units::Quantity;
 /// The value is found to this part of it; costly designs to `COARSE`.
 const FINE: f64 = 2e-5;
 const COARSE: f64 = 1e-3;
-/// Parts by which a value from the convex program is enlarged until a design passes with it.
-const ROOMS: [f64; 3] = [0.0, 1e-4, 1e-3];
+/// Part by which a value from the convex program is enlarged for a design to pass with it …
+const ROOM: f64 = 1e-3;
+/// … and smaller ones, tried first to last where it does.
+const LESS_ROOM: [f64; 2] = [0.0, 1e-4];
 /// … and a value from the search.
 const EDGES: [f64; 4] = [0.0, 1e-4, 1e-3, 1e-2];
 /// A change by more than this factor, or by this share, makes another scene.
@@ -196,20 +198,27 @@ impl Search<'_> {
         passing(number.with(self.problem, value))
     }
 
-    /// The value nearest to `from` with which the design passes, rounded to the weak side.
-    fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
-        // Next to the edge of what exists a program is hard to solve: a little room helps.
-        for room in hint.map_or(&[][..], |_| &ROOMS) {
-            let hint = hint.unwrap_or(from);
-            let to = number.rounded(hint + room * hint.abs() * number.sign());
+    /// The value of the convex program, or a little more, where the design passes with it and not with less.
+    fn near(&self, number: Relaxable, hint: f64) -> Option<f64> {
+        let eased = |room: f64| number.rounded(hint + room * hint.abs() * number.sign());
+        // Next to the edge of what exists a program is hard to solve: where a little room does not help, nothing does.
+        let weakest = eased(ROOM);
+        self.tried(number, weakest)?;
+        for room in LESS_ROOM {
+            let to = eased(room);
             if self.tried(number, to).is_none() {
                 continue;
             }
             let back = to - BACK * to.abs() * number.sign();
-            if *room > 0.0 || self.tried(number, back).is_none() {
-                return Some(to);
-            }
-            break;
+            return (room > 0.0 || self.tried(number, back).is_none()).then_some(to);
+        }
+        Some(weakest)
+    }
+
+    /// The value nearest to `from` with which the design passes, rounded to the weak side.
+    fn smallest(&self, number: Relaxable, from: f64, hint: Option<f64>) -> Option<f64> {
+        if let Some(to) = hint.and_then(|hint| self.near(number, hint)) {
+            return Some(to);
         }
         let free = number.away(from, self.force);
         let design = self.tried(number, free)?;
@@ -226,13 +235,17 @@ impl Search<'_> {
                 }
             })
             .reduce(|a, b| if number.grows() { a.max(b) } else { a.min(b) });
-        let mut works = free;
-        if let Some(needed) = needed.map(|n| number.rounded(n))
-            && self.tried(number, needed).is_some()
-        {
-            works = needed;
+        let (mut works, mut fails) = (free, from);
+        // At its own edge a design may fail that passes with a little room.
+        for room in needed.map_or(&[][..], |_| &EDGES) {
+            let needed = needed.unwrap_or(free);
+            let value = number.rounded(needed + room * needed.abs() * number.sign());
+            if self.tried(number, value).is_some() {
+                works = value;
+                break;
+            }
+            fails = value;
         }
-        let mut fails = from;
         let size = from.abs().max(1e-3 * works.abs());
         while !self.problem.halt.is_asked()
             && (works - fails).abs() > self.precision * works.abs().max(size)

@@ -22,7 +22,7 @@
 //! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
-//! | `interior` | the interior-point method on the program's own band, for many spans |
+//! | `interior` | the interior-point method on the program's own band, for many spans and between the steps of a sequence |
 //! | `double` | numbers of twice the digits |
 //! | `clarabel` | the interior-point method for few spans, and the last word where the other settles nothing |
 //! | `contacts` | Newton's method on the contacts, where variables stand beside the law or a proof is open |

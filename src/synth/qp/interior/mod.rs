@@ -4,7 +4,8 @@
 //! what is factorised in every iteration is H + Σ (zᵢ/sᵢ) aᵢaᵢᵀ, which is as banded as H: cost in proportion to the spans.
 //! The objective counts from the optimum without limits, so that the gap is a part of what the limits cost. In the
 //! coefficients of a lift of many spans the matrix has a condition of N⁴ and more (theory §9): they are solved in numbers
-//! of twice the digits. Few spans are left to the caller.
+//! of twice the digits. Of few spans only the programs between the steps of a sequence are solved here, with usual
+//! digits: nobody asks for their last ones.
 //!
 //! What has no such band, and what the method does not settle, is left to the caller.
 
@@ -13,9 +14,11 @@ mod demands;
 mod scaled;
 mod steps;
 
+use super::basis::Basis;
 use super::clarabel::Point;
 use super::double::{Double, Number};
 use super::program::{Failure, Program, Row};
+use super::settings::TOLERANCE;
 use scaled::Scaled;
 
 /// More demands than this are no small dense system.
@@ -42,8 +45,19 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
             rows,
             Scaled::<Double>::of_many_spans(program, lifted, rows, margin),
         ),
+        None if is_between_steps(program) => answered(
+            program,
+            rows,
+            Scaled::<f64>::of_few_spans(program, rows, margin),
+        ),
         _ => Err(Left::Open),
     }
+}
+
+/// Whether a spline's program is one of a sequence, but not its last.
+fn is_between_steps(program: &Program) -> bool {
+    let spline = matches!(program.basis, Basis::Spline { .. });
+    spline && !program.fixed.is_empty() && program.settings.tolerance > TOLERANCE
 }
 
 fn answered<T: Number>(
@@ -55,4 +69,78 @@ fn answered<T: Number>(
     let settings = &program.settings.interior_point;
     let found = steps::solve(&scaled.system, settings, &program.halt)?;
     Ok(scaled.point(program, rows, found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::criterion::Criterion;
+    use crate::poly::{Peak, SplineSpace};
+    use crate::synth::qp::clarabel;
+    use crate::synth::qp::objective::{Quadratic, pointwise};
+    use crate::synth::qp::program::{Limit, OFFSET, RADIUS, RISE};
+    use std::f64::consts::TAU;
+
+    fn place(piece: usize) -> Peak {
+        Peak {
+            piece,
+            u: 0.5,
+            at: 0.0,
+            value: 0.0,
+        }
+    }
+
+    /// The smallest ‖(D, e)‖ with D ≥ 2v − s at the middle of every piece and e ≥ 0.3, weighed against a distance.
+    fn of_a_sequence() -> (Program, Vec<Row>) {
+        let basis = Basis::Spline {
+            space: SplineSpace::periodic_uniform(5, 40, TAU),
+            closed: true,
+        };
+        let mut distance = Quadratic::zero(&basis);
+        distance.add_distance(&basis, &[2.0, -0.3, 1.0], 7, pointwise(f64::cos), None);
+        let mut program = Program::new(basis, distance, Vec::new(), 1.0);
+        let mut limit = Limit::new(Criterion::Peak, [-1.0, 2.0, 0.0, 0.0, 0.0], 0.0, 1.0);
+        limit.extra[RISE] = -1.0;
+        program.limits.push(limit);
+        program.cost[RADIUS] = 0.5;
+        program.cone = true;
+        program.settings.tolerance = 1e-6;
+        let mut offset = program.row(0, place(0));
+        offset.limit = None;
+        offset.weights = [0.0; 5];
+        offset.entries.clear();
+        offset.extra = [0.0; 6];
+        offset.extra[OFFSET] = -1.0;
+        offset.bound = -0.3;
+        program.fixed.push(offset.clone());
+        let mut rows: Vec<Row> = (0..40).map(|piece| program.row(0, place(piece))).collect();
+        rows.push(offset);
+        (program, rows)
+    }
+
+    #[test]
+    fn a_program_between_two_steps_has_the_optimum_that_another_method_finds() {
+        let (program, mut rows) = of_a_sequence();
+        let own = solve(&program, &mut rows, 0.0).ok().unwrap();
+        let pushes: Vec<f64> = rows.iter().map(|r| r.multiplier).collect();
+        let other = clarabel::solve(&program, &mut rows, 0.0).unwrap();
+        let value = |p: &Point| program.objective(&p.x) + 0.5 * p.extra[RADIUS];
+        assert!((value(&own) - value(&other)).abs() < 1e-8);
+        // Coefficients and multipliers differ by no more than the root of what the values may.
+        for (a, b) in own.x.iter().zip(&other.x) {
+            assert!((a - b).abs() < 1e-4, "{a} {b}");
+        }
+        for (push, row) in pushes.iter().zip(&rows) {
+            assert!((push - row.multiplier).abs() < 1e-4);
+        }
+        let [radius, rise, offset] = [RADIUS, RISE, OFFSET].map(|k| own.extra[k]);
+        assert!((radius - rise.hypot(offset)).abs() < 1e-7 && (offset - 0.3).abs() < 1e-7);
+    }
+
+    #[test]
+    fn the_last_program_of_a_sequence_is_left_to_the_other_method() {
+        let (mut program, mut rows) = of_a_sequence();
+        program.settings.tolerance = TOLERANCE;
+        assert!(matches!(solve(&program, &mut rows, 0.0), Err(Left::Open)));
+    }
 }

@@ -73,6 +73,26 @@ impl Scaled<Double> {
     }
 }
 
+impl Scaled<f64> {
+    /// Matrix and rows as the program has them.
+    pub fn of_few_spans(program: &Program, rows: &[Row], margin: f64) -> Option<Self> {
+        let start = start(program);
+        let mut pull = program.hessian.times(&start);
+        for (p, g) in pull.iter_mut().zip(&program.gradient) {
+            *p += g;
+        }
+        let parts = Parts {
+            hessian: program.hessian.clone(),
+            pull,
+            demands: (program.equalities.iter())
+                .map(|e| e.entries.clone())
+                .collect(),
+            rows: rows.iter().map(|r| r.entries.clone()).collect(),
+        };
+        Self::of(program, rows, margin, start, parts)
+    }
+}
+
 impl<T: Number> Scaled<T> {
     fn of(
         program: &Program,

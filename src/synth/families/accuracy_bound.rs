@@ -1,0 +1,142 @@
+//! Lower bounds of the force error that refuse a design before it is solved.
+//!
+//! The multipliers of a convex program prove that no law which keeps the limits they stand on comes nearer to the force
+//! (theory §8). The proof holds as it is for every program with the same objective, the same demands and those limits,
+//! whatever else it asks for: where a limit that has no part in it is relaxed, the answer is known.
+
+use super::touching::{self, Touched};
+use crate::problem::Problem;
+use crate::scene::Minimise;
+use crate::synth::qp::{self, Program, Solution};
+
+/// A lower bound of the error beyond what is allowed by this part of it is no rounding.
+const SURELY: f64 = 1e-6;
+/// Stationarity that multipliers must have for a proof.
+const STATIONARY: f64 = 1e-6;
+
+/// A program whose optimum misses the accuracy, with that optimum.
+#[derive(Clone)]
+struct Proof {
+    program: Program,
+    solution: Solution,
+}
+
+/// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use. Remembered for the
+/// problems that follow.
+pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
+    let Some(allowed) = judged(problem) else {
+        return false;
+    };
+    let missed = is_beyond(touched.least(), allowed);
+    // A touching angle is proved over all angles by other means.
+    if missed && touched.at.is_none() {
+        let (program, solution) = (touched.program.clone(), touched.solution.clone());
+        problem.memo.keep((), Proof { program, solution });
+    }
+    missed
+}
+
+/// Whether an earlier proof holds for this program too.
+pub fn refuses(problem: &Problem, program: &Program) -> bool {
+    let Some(allowed) = judged(problem) else {
+        return false;
+    };
+    problem.memo.any(|(): &(), proof: &Proof| {
+        is_alike(&proof.program, program)
+            && least(proof, program).is_some_and(|least| is_beyond(least, allowed))
+    })
+}
+
+/// The error allowed, where a design that misses it is of no use. More spans may reach it where their number is open.
+fn judged(problem: &Problem) -> Option<f64> {
+    let judged = problem.only_passing && problem.law.spans.is_some();
+    if !judged || problem.objective() != Minimise::ForceError || problem.is_weighed() {
+        return None;
+    }
+    problem.allowed_error()
+}
+
+fn is_beyond(least: f64, allowed: f64) -> bool {
+    (2.0 * least).max(0.0).sqrt() > (1.0 + SURELY) * allowed
+}
+
+/// What the multipliers on limits that both programs have prove of the objective.
+fn least(proof: &Proof, program: &Program) -> Option<f64> {
+    let Proof {
+        program: solved,
+        solution,
+    } = proof;
+    let mut shared = solution.clone();
+    shared.active.retain(|row| {
+        let limit = row.limit.map(|i| &solved.limits[i]);
+        limit.is_some_and(|limit| program.limits.contains(limit))
+    });
+    let bound = qp::certificate(solved, &shared);
+    (bound.stationarity <= STATIONARY)
+        .then(|| touching::value(solved, solution) - bound.duality_gap)
+}
+
+/// Whether two programs differ in their limits alone.
+fn is_alike(a: &Program, b: &Program) -> bool {
+    a.basis.breaks() == b.basis.breaks()
+        && a.hessian.lower_entries() == b.hessian.lower_entries()
+        && a.gradient == b.gradient
+        && a.constant == b.constant
+        && a.equalities == b.equalities
+        && a.shapes == b.shapes
+        && a.touching == b.touching
+        && a.fixed.is_empty()
+        && b.fixed.is_empty()
+        && a.cost == b.cost
+        && a.cone == b.cone
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{built_in, keys};
+    use crate::synth::families::spline;
+
+    /// A footbridge whose stroke leaves no room for the force, as the search for relaxations asks for it.
+    fn cramped() -> Problem {
+        let scene = built_in("footbridge").unwrap().scene().unwrap();
+        let with = [
+            ("law.family", "spline"),
+            ("law.spans", "24"),
+            ("limits.stroke", "20 mm"),
+            ("limits.jerk", "9000 m/s^3"),
+        ];
+        let scene = (with.iter()).fold(scene, |s, (key, value)| s.with(key, value).unwrap());
+        let force = scene.model_force().unwrap();
+        let mut problem = Problem::settle(&scene, force.as_ref()).unwrap();
+        problem.only_passing = true;
+        problem
+    }
+
+    fn relaxed(problem: &Problem, path: &str, value: f64) -> Problem {
+        let key = keys::relaxable().find(|key| key.path == path).unwrap();
+        problem.with(key, value)
+    }
+
+    fn known(problem: &Problem) -> bool {
+        let (program, _) = spline::limited_program(problem, 24).unwrap();
+        refuses(problem, &program)
+    }
+
+    #[test]
+    fn a_missed_accuracy_is_known_where_a_limit_without_a_multiplier_is_relaxed_and_only_there() {
+        let problem = cramped();
+        assert!(
+            !known(&problem),
+            "nothing is known before the first program"
+        );
+        assert!(spline::found(&problem).is_err());
+        assert!(known(&problem));
+        assert!(known(&relaxed(&problem, "limits.jerk", 1e6)));
+        // The same without what is known, by its own program.
+        assert!(spline::found(&relaxed(&cramped(), "limits.jerk", 1e6)).is_err());
+        let wide = relaxed(&problem, "limits.stroke", 1.0);
+        assert!(!known(&wide));
+        assert!(spline::found(&wide).is_ok());
+    }
+}
