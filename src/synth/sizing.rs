@@ -178,13 +178,11 @@ pub fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     })
 }
 
-/// A shaft of steel that carries the cam's torque is thicker than its base circle. Where a bore is given the size has
-/// room for it already.
+/// A shaft of steel that carries the cam's torque is thicker than its base circle. A bore that is given is checked itself.
 pub fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
-    let open = problem.cam.bore.is_none() && !matches!(problem.size(), Size::Given { .. });
     let turns = cam.follower.measures() != Measures::Straight;
-    if !open || !turns || circle <= 0.0 {
+    if problem.cam.bore.is_some() || !turns || circle <= 0.0 {
         return None;
     }
     let torque = limits::largest(&limits::torque_curve(&problem.drive, pressing, &cam.law)).value;

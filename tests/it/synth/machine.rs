@@ -4,6 +4,7 @@ use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::flexible::residual_vibration;
 use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::law::Law;
+use gaitcam::problem::Note;
 use gaitcam::scene;
 use gaitcam::synth::{Design, MachineReport};
 use std::f64::consts::TAU;
@@ -298,4 +299,47 @@ fn a_flat_face_presses_where_force_over_radius_is_highest() {
         told >= pressed && told < pressed * (1.0 + 1e-7),
         "{told} {pressed}"
     );
+}
+
+const ECCENTRIC: &str = r#"
+    name = "eccentric"
+    [drive]
+    kind = "fixed-axis"
+    mass = "2 kg"
+    stiffness = "1 N/mm"
+    preload = "100 N"
+    speed = "10 rad/s"
+    [law]
+    family = "program"
+    [[law.segment]]
+    motion = "simple-harmonic"
+    lift = "20 mm"
+    angle = "180 deg"
+    [[law.segment]]
+    motion = "simple-harmonic"
+    lift = "-20 mm"
+    angle = "180 deg"
+    [cam]
+    follower = "roller-translating"
+    roller_radius = "10 mm"
+"#;
+
+#[test]
+fn a_base_circle_too_thin_for_its_shaft_is_told_and_one_with_room_is_not() {
+    // A shaft that carries T at a shear stress of 40 MPa: T = π d³ τ/16.
+    let torque = peak_torque(&design(ECCENTRIC, &["cam.prime_radius=20 mm"]));
+    let shaft = (16.0 * torque / (std::f64::consts::PI * 40e6)).cbrt();
+    for (share, told) in [(1e-3, true), (0.99, true), (1.01, false), (10.0, false)] {
+        let prime = 10e-3 + 0.5 * share * shaft;
+        let design = design(ECCENTRIC, &[&format!("cam.prime_radius={prime} m")]);
+        let found = design.notes.iter().find_map(|note| match note {
+            Note::ThinShaft { circle, shaft, .. } => Some((circle.value, shaft.value)),
+            _ => None,
+        });
+        assert_eq!(found.is_some(), told, "{share}");
+        if let Some((across, least)) = found {
+            assert!((across / (share * shaft) - 1.0).abs() < 1e-9);
+            assert!((least / shaft - 1.0).abs() < 1e-6);
+        }
+    }
 }
