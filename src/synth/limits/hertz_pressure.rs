@@ -64,7 +64,7 @@ impl Press<'_> {
 
     /// Whether the force would pull anywhere.
     fn pulls(&self) -> bool {
-        self.drive.force_curve(self.law).extremes().0.value < 0.0
+        self.drive.force_extremes(self.law).0.value < 0.0
     }
 
     fn factor(&self) -> f64 {
