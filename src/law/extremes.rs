@@ -1,17 +1,24 @@
-//! Extremes of a law and of what is linear in it, each sought once.
+//! Extremes of a law and of what is linear in it, and its jumps, each sought once.
 
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use super::Law;
+use super::joint::{self, Joint};
 use crate::poly::Extreme;
 
 /// Smallest and largest value.
 type Extremes = (Extreme, Extreme);
 
-/// The extremes that were found, by the weights of s, v, a, j. Clones of a law share them; laws are equal whatever was
-/// asked of them.
+/// What was found of a law. Its clones share it; laws are equal whatever was asked of them.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Known(Arc<Mutex<Vec<([f64; 4], Extremes)>>>);
+pub(super) struct Known(Arc<Findings>);
+
+#[derive(Debug, Default)]
+struct Findings {
+    /// By the weights of s, v, a, j.
+    extremes: Mutex<Vec<([f64; 4], Extremes)>>,
+    joints: OnceLock<Vec<Joint>>,
+}
 
 impl PartialEq for Known {
     fn eq(&self, _: &Known) -> bool {
@@ -26,19 +33,22 @@ impl Known {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
             all.copied().collect()
         };
-        let list = self.0.lock().map(|list| same(&list));
-        Known(Arc::new(Mutex::new(list.unwrap_or_default())))
+        let list = self.0.extremes.lock().map(|list| same(&list));
+        Known(Arc::new(Findings {
+            extremes: Mutex::new(list.unwrap_or_default()),
+            joints: self.0.joints.clone(),
+        }))
     }
 
     /// As they were found before; sought where they were not.
     fn found(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
-        let known = self.0.lock().ok().and_then(|list| {
+        let known = self.0.extremes.lock().ok().and_then(|list| {
             let same = list.iter().find(|(known, _)| *known == weights);
             same.map(|(_, extremes)| *extremes)
         });
         known.unwrap_or_else(|| {
             let extremes = search();
-            if let Ok(mut list) = self.0.lock() {
+            if let Ok(mut list) = self.0.extremes.lock() {
                 list.push((weights, extremes));
             }
             extremes
@@ -80,6 +90,12 @@ impl Law {
     fn found_extremes(&self, weights: [f64; 4]) -> Extremes {
         let search = || self.combination(weights, 0.0).extremes();
         self.known.found(weights, search)
+    }
+
+    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
+    pub fn joints(&self) -> Vec<Joint> {
+        let joints = &self.known.0.joints;
+        joints.get_or_init(|| joint::joints(self)).clone()
     }
 
     /// Stroke: largest lift less smallest.

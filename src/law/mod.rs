@@ -301,11 +301,6 @@ impl Law {
             .collect();
         Law::with_waves(poly, waves, self.closed)
     }
-
-    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
-    pub fn joints(&self) -> Vec<Joint> {
-        joint::joints(self)
-    }
 }
 
 fn scale_by_binomials(p: &PiecewisePoly) -> Vec<f64> {
