@@ -1,7 +1,7 @@
 //! How lift becomes force: F(θ) = F₀ + k·s + c·ω·v + m·ω²·a (theory §1), ω constant.
 
 use crate::law::{Law, Svaj};
-use crate::poly::PiecewisePoly;
+use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
 /// Which machine stands between the cam and the force.
@@ -146,6 +146,11 @@ impl Drive {
         law.combination(self.weights(), self.rest_force)
     }
 
+    /// Smallest and largest force over the whole law, N.
+    pub fn force_extremes(&self, law: &Law) -> (Extreme, Extreme) {
+        law.extremes_of(self.weights(), self.rest_force)
+    }
+
     /// Complex gain of harmonic n: force amplitude per lift amplitude, (real, imaginary) =
     /// (k − m n²ω², c n ω) (theory §1).
     pub fn gain(&self, harmonic: usize) -> (f64, f64) {
@@ -164,7 +169,7 @@ mod tests {
         // theory §3: e = 0.01 m, M = 1 kg, 111 rpm ≈ 11.624 rad/s.
         let drive = Drive::moving_axis(1.0, G, 11.624);
         let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
-        let (low, high) = drive.force_curve(&law).extremes();
+        let (low, high) = drive.force_extremes(&law);
         assert!((low.value - 8.4588).abs() < 5e-5 && (high.value - 11.1612).abs() < 5e-5);
     }
 

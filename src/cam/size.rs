@@ -27,7 +27,7 @@ pub struct PrimeCircle {
 /// Smallest base radius of a flat-faced cam whose radius of curvature is nowhere below `rho_min`, m:
 /// Rb = ρ_min − min(s + a), not below zero.
 pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
-    let (low, _) = law.combination([1.0, 0.0, 1.0, 0.0], 0.0).extremes();
+    let (low, _) = law.extremes_of([1.0, 0.0, 1.0, 0.0], 0.0);
     (rho_min - low.value).max(0.0)
 }
 
@@ -39,16 +39,8 @@ pub fn smallest_base_radius(law: &Law, rho_min: f64) -> f64 {
 /// only D is free.
 pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64>) -> PrimeCircle {
     let (t1, t2) = (rise.tan(), fall.tan());
-    let p1 = law
-        .combination([-t1, 1.0, 0.0, 0.0], 0.0)
-        .extremes()
-        .1
-        .value;
-    let p2 = law
-        .combination([-t2, -1.0, 0.0, 0.0], 0.0)
-        .extremes()
-        .1
-        .value;
+    let p1 = law.extremes_of([-t1, 1.0, 0.0, 0.0], 0.0).1.value;
+    let p2 = law.extremes_of([-t2, -1.0, 0.0, 0.0], 0.0).1.value;
     if let Some(e) = offset {
         let d = ((p1 - e) / t1).max((p2 + e) / t2).max(0.0);
         return PrimeCircle {

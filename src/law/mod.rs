@@ -1,6 +1,7 @@
 //! Laws of motion: lift s over the cam angle θ with exact derivatives v = ds/dθ, a, j.
 
 mod envelope;
+mod extremes;
 mod hermite;
 mod joint;
 mod pieces;
@@ -19,7 +20,8 @@ pub(crate) use walk::Turns;
 pub use walk::{BATCH, Batch, Walk};
 pub use wave::Wave;
 
-use crate::poly::{Extreme, PiecewisePoly, bernstein};
+use crate::poly::{PiecewisePoly, bernstein};
+use extremes::Known;
 use serde::Serialize;
 
 /// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
@@ -71,6 +73,8 @@ pub struct Law {
     /// Bernstein coefficients of s, v, a, j times their binomials: the form that evaluates fastest.
     #[serde(skip)]
     scaled: [Vec<f64>; 4],
+    #[serde(skip)]
+    known: Known,
 }
 
 impl Law {
@@ -94,6 +98,7 @@ impl Law {
             waves,
             closed,
             scaled,
+            known: Known::default(),
         }
     }
 
@@ -253,14 +258,6 @@ impl Law {
         PiecewisePoly::combine(&terms, constant)
     }
 
-    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), true ones of
-    /// the continuous law, one-sided values at breaks included.
-    pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
-        let mut weights = [0.0; 4];
-        weights[order] = 1.0;
-        self.combination(weights, 0.0).extremes()
-    }
-
     /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes: no search.
     /// It exceeds the true maximum by a small factor at most, so it serves as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
@@ -278,17 +275,14 @@ impl Law {
             .fold(0.0, f64::max)
     }
 
-    /// Stroke: largest lift less smallest.
-    pub fn stroke(&self) -> f64 {
-        let (low, high) = self.extremes(0);
-        high.value - low.value
-    }
-
     /// The law raised by `ds` everywhere.
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);
-        Law::with_waves(poly, self.waves.clone(), self.closed)
+        Law {
+            known: self.known.on_any_level(),
+            ..Law::with_waves(poly, self.waves.clone(), self.closed)
+        }
     }
 
     /// The law with its lift multiplied by `factor`.
@@ -306,11 +300,6 @@ impl Law {
             .map(|p| p.iter().map(scale).collect())
             .collect();
         Law::with_waves(poly, waves, self.closed)
-    }
-
-    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
-    pub fn joints(&self) -> Vec<Joint> {
-        joint::joints(self)
     }
 }
 

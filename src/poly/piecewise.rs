@@ -315,6 +315,9 @@ impl PiecewisePoly {
     /// The same function with its pieces cut at further breaks inside the range.
     #[must_use]
     pub fn cut_at(&self, further: &[f64]) -> Self {
+        if further == self.breaks {
+            return self.clone();
+        }
         let mut breaks = vec![self.breaks[0]];
         let mut coef = Vec::new();
         let mut k = further.partition_point(|&x| x <= self.breaks[0]);

@@ -313,11 +313,7 @@ impl Problem {
     fn typical_lift(&self) -> f64 {
         let [k, c, m, _] = self.drive.weights();
         let from_force = self.target.as_ref().map_or(0.0, |target| {
-            let largest = target
-                .curve
-                .force_n
-                .iter()
-                .fold(0.0_f64, |x, f| x.max((f - self.drive.rest_force).abs()));
+            let largest = target.farthest_from(self.drive.rest_force);
             let gain = k + c + m;
             if gain > 0.0 { largest / gain } else { 0.0 }
         });

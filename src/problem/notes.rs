@@ -155,9 +155,9 @@ impl Problem {
                 error: Quantity::force((mean - weight).abs()),
             });
         }
-        let falls = |f: &&f64| **f < FREE_FALL * mean;
-        let share = curve.force_n.iter().filter(falls).count() as f64 / curve.force_n.len() as f64;
-        if share > 0.0 {
+        if target.range_n()[0] < FREE_FALL * mean {
+            let falling = curve.force_n.iter().filter(|f| **f < FREE_FALL * mean);
+            let share = falling.count() as f64 / curve.force_n.len() as f64;
             let seconds = share * TAU / speed;
             notes.push(Note::FreeFall {
                 share: Quantity::share(share),
@@ -165,8 +165,7 @@ impl Problem {
                 lift: Quantity::length(weight / mass * seconds * seconds / 8.0),
             });
         }
-        let apart = curve.force_n.iter().map(|f| (f - mean).abs());
-        let hardest = apart.fold(0.0, f64::max) / mass;
+        let hardest = target.farthest_from(mean) / mass;
         let period = TAU / speed;
         let largest_stroke = hardest * period * period / 16.0;
         notes.push(Note::LargestStroke {

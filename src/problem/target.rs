@@ -29,6 +29,8 @@ pub struct Target {
     /// Its cubics between the samples, N.
     cells: Arc<Cells>,
     mean_n: f64,
+    /// Smallest and largest sample, N.
+    range_n: [f64; 2],
     /// Its nearest polynomials on the pieces of splines that were asked for.
     nearest: Arc<Mutex<Vec<Nearest>>>,
     spectrum: Arc<OnceLock<Vec<(f64, f64)>>>,
@@ -55,6 +57,7 @@ impl Target {
         Target {
             cells: Arc::new(Cells::new(curve.cubics(), TAU)),
             mean_n: curve.mean_n(),
+            range_n: range(&curve.force_n),
             curve: Arc::new(curve),
             nearest: Arc::default(),
             spectrum: Arc::default(),
@@ -65,6 +68,17 @@ impl Target {
     /// Mean force, N.
     pub fn mean_n(&self) -> f64 {
         self.mean_n
+    }
+
+    /// Smallest and largest sample of the force, N.
+    pub fn range_n(&self) -> [f64; 2] {
+        self.range_n
+    }
+
+    /// Largest distance of a sample from a force, N.
+    pub fn farthest_from(&self, force: f64) -> f64 {
+        let [least, most] = self.range_n;
+        (most - force).max(force - least).max(0.0)
     }
 
     /// The force as cubics between its samples, N.
@@ -119,6 +133,14 @@ impl Target {
         }
         values
     }
+}
+
+fn range(forces: &[f64]) -> [f64; 2] {
+    let all = forces.iter().copied();
+    [
+        all.clone().fold(f64::INFINITY, f64::min),
+        all.fold(f64::NEG_INFINITY, f64::max),
+    ]
 }
 
 /// Weight of the force error at a phase of the cycle; where ranges overlap the last one counts.

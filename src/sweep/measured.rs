@@ -106,7 +106,7 @@ impl MadeCam {
 
 fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
     let drive = &design.drive;
-    let (low, high) = drive.force_curve(pressing).extremes();
+    let (low, high) = drive.force_extremes(pressing);
     let (least, most) = pressing.extremes(2);
     let error = |target: &crate::force::ForceCurve| {
         let (mut square, mut largest) = (0.0, 0.0_f64);

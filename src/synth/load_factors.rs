@@ -59,7 +59,11 @@ impl Design {
         let achieved = self.drive.force_curve(self.pressing());
         let angles = || (0..SAMPLES).map(|i| TAU * i as f64 / SAMPLES as f64);
         let of = |samples: Vec<f64>| amplitudes(&samples);
-        let wanted = of(angles().map(|t| target.at(t)).collect());
+        let wanted = if target.force_n.len() == SAMPLES {
+            amplitudes(&target.force_n)
+        } else {
+            of(angles().map(|t| target.at(t)).collect())
+        };
         let given = of(angles().map(|t| achieved.eval(t)).collect());
         let turns_per_s = self.drive.speed.abs() / TAU;
         let steps = steps_per_turn(&wanted);

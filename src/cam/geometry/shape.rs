@@ -28,10 +28,9 @@ impl Cam {
         let geometry = Geometry::new(&self.follower);
         let (low, high) = match geometry {
             // tan φ = v/scale is linear in the law: exact roots.
-            Geometry::Unrolled { scale, .. } => self
-                .law
-                .combination([0.0, 1.0 / scale, 0.0, 0.0], 0.0)
-                .extremes(),
+            Geometry::Unrolled { scale, .. } => {
+                self.law.extremes_of([0.0, 1.0 / scale, 0.0, 0.0], 0.0)
+            }
             _ => self.extremes_of(|at| geometry.contact(at).tan_pressure),
         };
         let angle = |e: Extreme| Extreme {
@@ -54,8 +53,8 @@ impl Cam {
         };
         match self.follower {
             Follower::FlatTranslating { base_radius } => {
-                let rho = self.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
-                return flat(rho.extremes().0);
+                let weights = [1.0, 0.0, 1.0, 0.0];
+                return flat(self.law.extremes_of(weights, base_radius).0);
             }
             Follower::FlatOscillating { .. } => {
                 return flat(self.extremes_of(|at| geometry.contact(at).rho).0);

@@ -6,7 +6,6 @@
 pub mod hertz;
 pub mod touch;
 
-use super::piecewise_force::combination;
 use super::surface::NO_PULL;
 use crate::cam::Follower;
 use crate::drive::Drive;
@@ -65,7 +64,7 @@ pub fn reach(follower: &Follower) -> f64 {
 pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Option<PiecewisePoly> {
     let force = drive.force_curve(law);
     let rub = friction * drive.speed.signum();
-    if rub != 0.0 && force.extremes().0.value < 0.0 {
+    if rub != 0.0 && drive.force_extremes(law).0.value < 0.0 {
         return None;
     }
     let arm = law.combination([rub, 1.0, 0.0, 0.0], rub * reach);
@@ -80,7 +79,7 @@ pub fn torque_curve(law: &Law, drive: &Drive, friction: f64, reach: f64) -> Opti
 pub fn liftoff_speed(law: &Law, drive: &Drive) -> Option<f64> {
     lowest_liftoff(
         drive,
-        |weights, constant| combination(law, weights, constant).extremes(),
+        |[s, v, a], constant| law.extremes_of([s, v, a, 0.0], constant),
         |extreme, size| one_sided(law, extreme, size),
     )
 }
@@ -176,7 +175,7 @@ pub fn least_preload(law: &Law, drive: &Drive, margin: f64) -> f64 {
         rest_force: 0.0,
         ..*drive
     };
-    (margin - free.force_curve(law).extremes().0.value).max(0.0)
+    (margin - free.force_extremes(law).0.value).max(0.0)
 }
 
 #[cfg(test)]

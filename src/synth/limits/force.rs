@@ -111,7 +111,7 @@ pub fn report(problem: &Problem, law: &Law) -> ForceReport {
 
 fn measured(problem: &Problem, law: &Law) -> ForceReport {
     let own = problem.drive.force_curve(law);
-    let (low, high) = own.extremes();
+    let (low, high) = problem.drive.force_extremes(law);
     let (start, length) = law.extent();
     let mut report = ForceReport {
         mean_n: own.integral() / length,
@@ -136,7 +136,7 @@ const TOUCHES: f64 = 1e-7;
 /// Smallest and largest force of the design; contact is kept, asked for or not.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
-    let (low, high) = design.problem.drive.force_curve(design.pressing).extremes();
+    let (low, high) = design.problem.drive.force_extremes(design.pressing);
     let mut out = Vec::new();
     if let Some(limit) = limits.force_min {
         let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);

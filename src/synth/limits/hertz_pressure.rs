@@ -64,7 +64,7 @@ impl Press<'_> {
 
     /// Whether the force would pull anywhere.
     fn pulls(&self) -> bool {
-        self.drive.force_curve(self.law).extremes().0.value < 0.0
+        self.drive.force_extremes(self.law).0.value < 0.0
     }
 
     fn factor(&self) -> f64 {
@@ -105,11 +105,13 @@ impl Press<'_> {
         let radius = cam.law.combination([1.0, 0.0, 1.0, 0.0], base_radius);
         let radius = radius.cut_at(force.breaks());
         let force = force.cut_at(radius.breaks());
-        let mut at = force.extremes().1.at;
-        let mut most = quotient(&force, &radius, at);
+        let degree = force.degree().max(radius.degree());
+        let alike = |p: PiecewisePoly| p.map(degree, |b, _| b.to_vec());
+        let (force, radius) = (alike(force), alike(radius));
+        let (mut at, mut most) = highest_at_ends(&force, &radius);
+        let mut left: Vec<usize> = (0..force.pieces()).collect();
         for _ in 0..ROUNDS {
-            let gain = PiecewisePoly::combine(&[(1.0, &force), (-most, &radius)], 0.0);
-            let next = gain.extremes().1.at;
+            let next = most_gained(&force, &radius, most, &mut left).unwrap_or(at);
             let higher = quotient(&force, &radius, next);
             if higher <= most * (1.0 + SETTLED) {
                 break;
@@ -185,6 +187,47 @@ fn groove_contact(
     };
     let roller = groove.roller_radius();
     (force * length, 1.0 / (roller * (1.0 - roller * bulge)))
+}
+
+/// The highest F/ρ at an end of a piece, and where: near enough to the highest of all that few pieces stay in question.
+fn highest_at_ends(force: &PiecewisePoly, radius: &PiecewisePoly) -> (f64, f64) {
+    let mut highest = (force.breaks()[0], f64::NEG_INFINITY);
+    for (piece, ends) in force.breaks().windows(2).enumerate() {
+        let (f, r) = (force.piece(piece), radius.piece(piece));
+        let last = f.len() - 1;
+        for (at, quotient) in [(ends[0], f[0] / r[0]), (ends[1], f[last] / r[last])] {
+            if quotient > highest.1 {
+                highest = (at, quotient);
+            }
+        }
+    }
+    highest
+}
+
+/// Where F − λρ is highest, if above 0, on the pieces that are left; those on which it is nowhere are taken out: no higher
+/// λ has its place there, since ρ is positive.
+fn most_gained(
+    force: &PiecewisePoly,
+    radius: &PiecewisePoly,
+    quotient: f64,
+    left: &mut Vec<usize>,
+) -> Option<f64> {
+    let (mut highest, mut place) = (0.0, None);
+    let mut gain = Vec::with_capacity(force.degree() + 1);
+    left.retain(|&piece| {
+        let both = force.piece(piece).iter().zip(radius.piece(piece));
+        gain.clear();
+        gain.extend(both.map(|(f, r)| f - quotient * r));
+        let (start, end) = (force.breaks()[piece], force.breaks()[piece + 1]);
+        bernstein::peaks_above(&gain, highest, |u, value| {
+            if value > highest {
+                highest = value;
+                place = Some(start + u * (end - start));
+            }
+        });
+        bernstein::hull(&gain).1 > 0.0
+    });
+    place
 }
 
 /// The higher of F/ρ on both sides of a place.

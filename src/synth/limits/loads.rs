@@ -298,7 +298,7 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
 /// that presses on any cam.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
     let (most, roller) = (problem.limits.hertz_pressure?, problem.cam.roller_radius);
-    let force = problem.drive.force_curve(pressing).extremes().1.value;
+    let force = problem.drive.force_extremes(pressing).1.value;
     let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)
 }

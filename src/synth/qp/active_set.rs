@@ -44,11 +44,10 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
                 .filter(|b| b.violation < settings.resolved_at_last)
                 .ok_or(rows);
         }
-        let broken = program.broken(&set.x, &none);
-        if broken.is_empty() {
-            return Ok(set.solution(program, &rows, round));
-        }
         let candidate = set.solution(program, &rows, round);
+        if candidate.violation <= program.settings.tolerance {
+            return Ok(candidate);
+        }
         if candidate.violation < settings.local_reduction_from
             && attempts < settings.local_reductions
         {
@@ -72,7 +71,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
                 return best.ok_or(rows);
             }
         }
-        add_rows(program, &mut rows, broken, &mut set);
+        add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
     }
     Err(rows)
 }

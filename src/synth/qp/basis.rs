@@ -61,6 +61,15 @@ impl Basis {
         }
     }
 
+    /// Smallest lift of the law with the given coefficients.
+    pub fn lowest(&self, x: &[f64]) -> f64 {
+        let (low, _) = match self {
+            Basis::Spline { space, .. } => space.spline(&x[..space.dimension()]).extremes(),
+            Basis::Harmonic { .. } => self.law(x).extremes(0),
+        };
+        low.value
+    }
+
     /// Breaks of the pieces the basis is smooth on, rad.
     pub fn breaks(&self) -> Vec<f64> {
         match self {

@@ -155,8 +155,9 @@ impl Program {
     /// The optimum without limits as the answer, where it breaks none.
     fn without_rows(&self, x: &[f64]) -> Option<Solution> {
         let extra = [0.0; EXTRAS];
+        let violation = self.violation(x, &extra);
         let kept = self.fixed.iter().all(|r| apply(&r.entries, x) <= r.bound)
-            && self.broken(x, &extra).is_empty();
+            && violation <= self.settings.tolerance;
         kept.then(|| Solution {
             x: x.to_vec(),
             extra,
@@ -164,7 +165,7 @@ impl Program {
             used_rows: false,
             iterations: 0,
             rounds: 0,
-            violation: self.violation(x, &extra),
+            violation,
         })
     }
 

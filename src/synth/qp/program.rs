@@ -464,7 +464,7 @@ impl Program {
         if !self.level_is_open() {
             return x;
         }
-        let lowest = self.basis.law(&x).extremes(0).0.value;
+        let lowest = self.basis.lowest(&x);
         self.basis.raised(x, -lowest)
     }
 

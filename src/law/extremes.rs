@@ -1,0 +1,142 @@
+//! Extremes of a law and of what is linear in it, and its jumps, each sought once.
+
+use std::sync::{Arc, Mutex, OnceLock};
+
+use super::Law;
+use super::joint::{self, Joint};
+use crate::poly::Extreme;
+
+/// Smallest and largest value.
+type Extremes = (Extreme, Extreme);
+
+/// What was found of a law. Its clones share it; laws are equal whatever was asked of them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Known(Arc<Findings>);
+
+#[derive(Debug, Default)]
+struct Findings {
+    /// By the weights of s, v, a, j.
+    extremes: Mutex<Vec<([f64; 4], Extremes)>>,
+    joints: OnceLock<Vec<Joint>>,
+}
+
+impl PartialEq for Known {
+    fn eq(&self, _: &Known) -> bool {
+        true
+    }
+}
+
+impl Known {
+    /// Of the same law on another level: what does not count the lift is the same.
+    pub(super) fn on_any_level(&self) -> Known {
+        let same = |list: &Vec<([f64; 4], Extremes)>| {
+            let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
+            all.copied().collect()
+        };
+        let list = self.0.extremes.lock().map(|list| same(&list));
+        Known(Arc::new(Findings {
+            extremes: Mutex::new(list.unwrap_or_default()),
+            joints: self.0.joints.clone(),
+        }))
+    }
+
+    /// As they were found before; sought where they were not.
+    fn found(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
+        let known = self.0.extremes.lock().ok().and_then(|list| {
+            let same = list.iter().find(|(known, _)| *known == weights);
+            same.map(|(_, extremes)| *extremes)
+        });
+        known.unwrap_or_else(|| {
+            let extremes = search();
+            if let Ok(mut list) = self.0.extremes.lock() {
+                list.push((weights, extremes));
+            }
+            extremes
+        })
+    }
+}
+
+/// The extremes of `factor` times what has these, plus a constant.
+fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
+    let there = |e: Extreme| Extreme {
+        at: e.at,
+        value: factor * e.value + constant,
+    };
+    if factor < 0.0 {
+        (there(high), there(low))
+    } else {
+        (there(low), there(high))
+    }
+}
+
+impl Law {
+    /// Smallest and largest value of the derivative of given order (0 = lift … 3 = jerk), true ones of
+    /// the continuous law, one-sided values at breaks included.
+    pub fn extremes(&self, order: usize) -> (Extreme, Extreme) {
+        let mut weights = [0.0; 4];
+        weights[order] = 1.0;
+        self.found_extremes(weights)
+    }
+
+    /// Smallest and largest value of w₀s + w₁v + w₂a + w₃j + constant on the continuous law.
+    pub(crate) fn extremes_of(&self, weights: [f64; 4], constant: f64) -> (Extreme, Extreme) {
+        let mut counted = (0..4).filter(|k| weights[*k] != 0.0);
+        match (counted.next(), counted.next()) {
+            (Some(order), None) => changed(self.extremes(order), weights[order], constant),
+            _ => changed(self.found_extremes(weights), 1.0, constant),
+        }
+    }
+
+    fn found_extremes(&self, weights: [f64; 4]) -> Extremes {
+        let search = || self.combination(weights, 0.0).extremes();
+        self.known.found(weights, search)
+    }
+
+    /// Jumps of s, v, a and j at every break, the wrap of a closed law included.
+    pub fn joints(&self) -> Vec<Joint> {
+        let joints = &self.known.0.joints;
+        joints.get_or_init(|| joint::joints(self)).clone()
+    }
+
+    /// Stroke: largest lift less smallest.
+    pub fn stroke(&self) -> f64 {
+        let (low, high) = self.extremes(0);
+        high.value - low.value
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s = cos θ + 0.2 sin 2θ.
+    fn law() -> Law {
+        Law::harmonic(0.0, &[(1.0, 0.0), (0.0, 0.2)])
+    }
+
+    #[test]
+    fn extremes_are_those_of_the_curve_whatever_was_asked_before() {
+        let asked = [
+            ([0.0, 0.0, 1.0, 0.0], 0.0),
+            ([0.0, 0.0, -3.0, 0.0], 7.0),
+            ([1.0, 0.0, 1.0, 0.0], 2.0),
+            ([1.0, 0.0, 1.0, 0.0], -2.0),
+            ([0.5, -1.0, 0.0, 0.1], 0.3),
+            ([0.0; 4], 1.5),
+        ];
+        let (one, raised) = (law(), law().raised(0.4));
+        for law in [&one, &raised, &one.raised(0.4)] {
+            for (weights, constant) in asked {
+                let curve = law.combination(weights, constant).extremes();
+                let found = law.extremes_of(weights, constant);
+                for (a, b) in [(curve.0, found.0), (curve.1, found.1)] {
+                    assert!((a.value - b.value).abs() < 1e-13, "{weights:?}");
+                    assert!(
+                        (law.combination(weights, constant).eval(b.at) - b.value).abs() < 1e-13
+                    );
+                }
+            }
+        }
+        assert_eq!(one, law());
+    }
+}
