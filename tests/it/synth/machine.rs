@@ -306,7 +306,7 @@ const ECCENTRIC: &str = r#"
     [drive]
     kind = "fixed-axis"
     mass = "2 kg"
-    stiffness = "1 N/mm"
+    spring_rate = "1 N/mm"
     preload = "100 N"
     speed = "10 rad/s"
     [law]

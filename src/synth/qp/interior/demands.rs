@@ -1,6 +1,6 @@
 //! The demands in a step: a small dense system E K⁻¹ Eᵀ beside the banded factor of K.
 
-use super::steps::Line;
+use super::system::Line;
 use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
 use crate::synth::qp::double::Number;
 

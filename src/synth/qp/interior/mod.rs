@@ -13,6 +13,7 @@ mod cone;
 mod demands;
 mod scaled;
 mod steps;
+mod system;
 
 use super::basis::Basis;
 use super::clarabel::Point;

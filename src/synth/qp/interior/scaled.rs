@@ -1,7 +1,7 @@
 //! A program in the units of the solver: lengths in typical lifts, rows and objective near one, counted from the
 //! optimum without limits.
 
-use super::steps::{Found, Line, System};
+use super::system::{Found, Line, System};
 use crate::synth::qp::band::ArrowMatrix;
 use crate::synth::qp::basis::Basis;
 use crate::synth::qp::clarabel::{Columns, Point, row_unit};
