@@ -82,6 +82,8 @@ export async function talk(path, question, signal) {
 function said(socket, text, signal) {
   return new Promise((resolve, reject) => {
     signal.throwIfAborted();
+    // Between two questions nobody listens for the end.
+    if (socket.readyState !== WebSocket.OPEN) throw new Error("the line is cut");
     signal.onabort = () => {
       hangUp();
       reject(signal.reason);
