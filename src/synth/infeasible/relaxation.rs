@@ -5,8 +5,6 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
-use rayon::prelude::*;
-
 use super::reasons::{changes, smallest_relaxations};
 use super::relaxable::{Relaxable, relaxables};
 use crate::cam::{Criterion, Verdict};
@@ -91,20 +89,20 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             _ => COARSE,
         },
     };
-    // No number's search needs another's.
-    let relaxation = |&(number, from): &(Relaxable, f64)| {
+    let mut found: Vec<Relaxation> = Vec::new();
+    for &(number, from) in &numbers {
         if problem.halt.is_asked() {
-            return None;
+            break;
         }
         let hint = known
             .iter()
             .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
         let own = search.own_accuracy(number, &design);
-        let to = own.or_else(|| search.smallest(number, from, hint))?;
-        Some(told(number, from, to))
-    };
-    let found: Vec<Relaxation> = numbers.par_iter().filter_map(relaxation).collect();
+        if let Some(to) = own.or_else(|| search.smallest(number, from, hint)) {
+            found.push(told(number, from, to));
+        }
+    }
     let measures = problem.cam.measures();
     let (cures, together) = if found.is_empty() && !problem.halt.is_asked() {
         search.several(&numbers, &design.reasons)
@@ -335,25 +333,22 @@ impl Search<'_> {
             Err(_) => return (vec![Reason::NoRelaxation], Vec::new()),
         }
         // Those out of reach even where nothing else is asked.
-        let out_of_reach = |at: usize| {
-            let (number, from) = numbers[at];
+        let mut hopeless = Vec::new();
+        for (at, &(number, from)) in numbers.iter().enumerate() {
             let mut others = free.clone();
             others[at].1 = from;
             let alone = changed(self.problem, &others);
             if self.problem.halt.is_asked() || passing(alone.clone()).is_some() {
-                return None;
+                continue;
             }
             let search = Search {
                 problem: &alone,
                 ..*self
             };
-            let to = search.smallest(number, from, None)?;
-            Some((number, from, to))
-        };
-        let hopeless: Vec<(Relaxable, f64, f64)> = (0..numbers.len())
-            .into_par_iter()
-            .filter_map(out_of_reach)
-            .collect();
+            if let Some(to) = search.smallest(number, from, None) {
+                hopeless.push((number, from, to));
+            }
+        }
         if hopeless.is_empty() {
             return (vec![Reason::NoRelaxation], Vec::new());
         }
