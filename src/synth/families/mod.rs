@@ -98,8 +98,8 @@ pub fn on_base_circle(problem: &Problem, law: Law) -> Law {
         let lowest = law.extremes(0).0.value;
         Ok::<_, Infallible>(law.raised(-lowest))
     };
-    let known = (problem.memo).found(Unraised(law.clone()), raised);
-    known.unwrap_or_else(|never| match never {})
+    let Ok(known) = (problem.memo).found(Unraised(law.clone()), raised);
+    known
 }
 
 /// A law that is to stand on its base circle: where limits leave it alone, many problems have the same.

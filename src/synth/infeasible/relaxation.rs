@@ -237,8 +237,7 @@ impl Search<'_> {
             .reduce(|a, b| if number.grows() { a.max(b) } else { a.min(b) });
         let (mut works, mut fails) = (free, from);
         // At its own edge a design may fail that passes with a little room.
-        for room in needed.map_or(&[][..], |_| &EDGES) {
-            let needed = needed.unwrap_or(free);
+        for (needed, room) in needed.iter().flat_map(|n| EDGES.map(|room| (n, room))) {
             let value = number.rounded(needed + room * needed.abs() * number.sign());
             if self.tried(number, value).is_some() {
                 works = value;

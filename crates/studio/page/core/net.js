@@ -10,7 +10,7 @@ export class Fault extends Error {
 let language = "en";
 export function speak(tag) {
   language = tag;
-  hangUp();
+  disconnect();
 }
 
 function address(path) {
@@ -21,10 +21,10 @@ function address(path) {
 
 async function read(response) {
   if (!response.ok && response.status !== 400) throw new Fault({ code: "http", status: response.status, message: "" });
-  return heard(await response.json());
+  return checked(await response.json());
 }
 
-function heard(value) {
+function checked(value) {
   if (value && value.error) throw new Fault(value.error);
   return value;
 }
@@ -48,51 +48,51 @@ export async function post(path, question, signal) {
 }
 
 // The open WebSocket, or its promise. It carries one question at a time.
-let line = null;
+let connection = null;
 
-function hangUp() {
-  line?.then((socket) => socket.close(), () => {});
-  line = null;
+function disconnect() {
+  connection?.then((socket) => socket.close(), () => {});
+  connection = null;
 }
 
-function dial(path) {
+function connect(path) {
   return new Promise((resolve, reject) => {
     const url = address(path);
     url.protocol = "ws:";
     const socket = new WebSocket(url);
     socket.onopen = () => resolve(socket);
-    socket.onclose = () => reject(new Error("no line"));
+    socket.onclose = () => reject(new Error("no connection"));
   });
 }
 
-// What post does, over a WebSocket that stays open: an answer comes ten milliseconds sooner. Where the line is cut the
+// What post does, over a WebSocket that stays open: an answer comes ten milliseconds sooner. Where it has ended the
 // question is asked once more as a request, which also says what is wrong.
-export async function talk(path, question, signal) {
+export async function askOverSocket(path, question, signal) {
   try {
-    line ??= dial(path);
-    return heard(JSON.parse(await said(await line, JSON.stringify(question), signal)));
+    connection ??= connect(path);
+    return checked(JSON.parse(await exchange(await connection, JSON.stringify(question), signal)));
   } catch (error) {
     if (error.name === "AbortError" || error instanceof Fault) throw error;
-    hangUp();
+    disconnect();
     return post(path, question, signal);
   }
 }
 
-// Says one thing and hears one. Who no longer listens hangs up, so that a late answer meets nobody.
-function said(socket, text, signal) {
+// Sends one message and waits for the next. Who no longer waits disconnects, so that a late answer is nobody's.
+function exchange(socket, text, signal) {
   return new Promise((resolve, reject) => {
     signal.throwIfAborted();
-    // Between two questions nobody listens for the end.
-    if (socket.readyState !== WebSocket.OPEN) throw new Error("the line is cut");
+    // Between two questions nobody waits for the end.
+    if (socket.readyState !== WebSocket.OPEN) throw new Error("the connection has ended");
     signal.onabort = () => {
-      hangUp();
+      disconnect();
       reject(signal.reason);
     };
     socket.onmessage = (message) => {
       signal.onabort = null;
       resolve(message.data);
     };
-    socket.onclose = () => reject(new Error("the line is cut"));
+    socket.onclose = () => reject(new Error("the connection has ended"));
     socket.send(text);
   });
 }

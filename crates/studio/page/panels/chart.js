@@ -14,8 +14,8 @@ function ticks(low, high, count) {
   if (!(raw > 0) || !Number.isFinite(raw)) return [];
   const power = 10 ** Math.floor(Math.log10(raw));
   const sizes = [0.25, 0.5, 1, 2, 2.5, 5, 10].map((k) => k * power);
-  const lie = (size) => Math.floor(high / size + 1e-9) - Math.ceil(low / size - 1e-9) + 1;
-  const step = sizes.findLast((s, k) => lie(s) >= 2 && (k === 0 || sizes[k - 1] < raw * 0.999)) ?? sizes[0];
+  const inside = (size) => Math.floor(high / size + 1e-9) - Math.ceil(low / size - 1e-9) + 1;
+  const step = sizes.findLast((s, k) => inside(s) >= 2 && (k === 0 || sizes[k - 1] < raw * 0.999)) ?? sizes[0];
   const out = [];
   for (let x = Math.ceil(low / step - 1e-9) * step; x <= high + 1e-9 * step; x += step) out.push(Math.abs(x) < step * 1e-9 ? 0 : x);
   return out;

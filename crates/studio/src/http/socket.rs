@@ -1,6 +1,5 @@
 //! A WebSocket (RFC 6455) at the address of a question: every text is the body of a question to that address, and its
-//! answer's body comes back as a text. A browser spends ten milliseconds less on a message than on a request, which is
-//! what a hand on a slider feels.
+//! answer's body comes back as a text. A browser spends ten milliseconds less on a message than on a request.
 
 use std::io::{self, Read, Write};
 use std::net::TcpStream;
@@ -15,7 +14,7 @@ use super::{Head, Request, Service, Status};
 /// What section 1.3 of the standard adds to a client's key.
 const SUFFIX: &str = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
 
-/// Serves the conversation on a connection whose head asked for it with `key`, until one side ends it. `buffer` holds
+/// Serves the WebSocket on a connection whose head asked for it with `key`, until one side ends it. `buffer` holds
 /// what has come after the head.
 pub fn serve(
     stream: &mut TcpStream,
@@ -24,7 +23,7 @@ pub fn serve(
     key: &str,
     service: &impl Service,
 ) -> io::Result<()> {
-    stream.write_all(welcome(key).as_bytes())?;
+    stream.write_all(handshake(key).as_bytes())?;
     // A page may be left open over night.
     stream.set_read_timeout(None)?;
     let mut request = Request {
@@ -46,7 +45,7 @@ pub fn serve(
 }
 
 /// The answer that makes a connection a WebSocket.
-fn welcome(key: &str) -> String {
+fn handshake(key: &str) -> String {
     let mut digest = Sha1::new();
     digest.update(key.as_bytes());
     digest.update(SUFFIX.as_bytes());
@@ -118,7 +117,7 @@ mod tests {
 
     #[test]
     fn the_key_of_the_standards_example_is_accepted_as_it_says() {
-        let answer = welcome("dGhlIHNhbXBsZSBub25jZQ==");
+        let answer = handshake("dGhlIHNhbXBsZSBub25jZQ==");
         assert!(answer.contains("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n"));
     }
 }

@@ -13,7 +13,7 @@ from studio import BINARY, ROOT, Browser, Server
 
 # Scenes that need a recording of their own show what is missing instead of a cam.
 WITHOUT_RECORDING = "measured_walk"
-# Thirteen convex programs, each of the number of spans that is asked (see the test of long searches).
+# A sequence of convex programs, each with as many spans as are asked (see the test of long searches).
 LONG = "heel_tester_fitted"
 SIZES = [(400, 860), (1280, 800), (1400, 900), (2560, 1300)]
 PICTURES = ROOT / "target" / "studio-pictures"

@@ -14,7 +14,7 @@ struct Socket(TcpStream);
 
 impl Socket {
     /// Asks for a WebSocket and gives it with the first line of the answer.
-    fn dial(studio: &Running, target: &str, more: &str) -> (Socket, String) {
+    fn connect(studio: &Running, target: &str, more: &str) -> (Socket, String) {
         let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).unwrap();
         let patience = Some(Duration::from_secs(30));
         stream.set_read_timeout(patience).unwrap();
@@ -36,12 +36,12 @@ impl Socket {
 
     fn open(studio: &Running) -> Socket {
         let target = format!("/{}/design?language=en", studio.token);
-        let (socket, line) = Socket::dial(studio, &target, "");
+        let (socket, line) = Socket::connect(studio, &target, "");
         assert_eq!(line, "HTTP/1.1 101 Switching Protocols");
         socket
     }
 
-    fn says(&mut self, first: u8, data: &[u8]) {
+    fn sends(&mut self, first: u8, data: &[u8]) {
         let mask = [0x12, 0x34, 0x56, 0x78];
         let mut bytes = vec![first, 0x80 | 127];
         bytes.extend((data.len() as u64).to_be_bytes());
@@ -54,7 +54,7 @@ impl Socket {
     }
 
     /// The next frame: its first byte and its contents.
-    fn hears(&mut self) -> (u8, Vec<u8>) {
+    fn receives(&mut self) -> (u8, Vec<u8>) {
         let mut head = [0; 2];
         self.0.read_exact(&mut head).unwrap();
         let wide = match head[1] {
@@ -72,8 +72,8 @@ impl Socket {
     }
 
     fn asks(&mut self, question: &Value) -> Value {
-        self.says(0x81, question.to_string().as_bytes());
-        let (first, data) = self.hears();
+        self.sends(0x81, question.to_string().as_bytes());
+        let (first, data) = self.receives();
         assert_eq!(first, 0x81);
         serde_json::from_slice(&data).unwrap()
     }
@@ -115,12 +115,12 @@ fn a_question_may_come_in_pieces_with_a_ping_between() {
     let text = json!({"scene": DEFAULT}).to_string();
     let (first, rest) = text.as_bytes().split_at(100);
     let (second, third) = rest.split_at(rest.len() / 2);
-    socket.says(0x01, first);
-    socket.says(0x89, b"there?");
-    assert_eq!(socket.hears(), (0x8a, b"there?".to_vec()));
-    socket.says(0x00, second);
-    socket.says(0x80, third);
-    let (_, data) = socket.hears();
+    socket.sends(0x01, first);
+    socket.sends(0x89, b"there?");
+    assert_eq!(socket.receives(), (0x8a, b"there?".to_vec()));
+    socket.sends(0x00, second);
+    socket.sends(0x80, third);
+    let (_, data) = socket.receives();
     let answer: Value = serde_json::from_slice(&data).unwrap();
     assert_eq!(answer["verdict"], "acceptable");
 }
@@ -144,24 +144,24 @@ fn what_is_no_question_ends_the_conversation_with_its_reason() {
             socket.0.write_all(&[0x81, 0x80 | 127]).unwrap();
             socket.0.write_all(&length).unwrap();
         } else {
-            socket.says(first, data);
+            socket.sends(first, data);
         }
-        assert_eq!(socket.hears(), (0x88, code.to_be_bytes().to_vec()));
+        assert_eq!(socket.receives(), (0x88, code.to_be_bytes().to_vec()));
         let mut rest = Vec::new();
         assert_eq!(socket.0.read_to_end(&mut rest).unwrap_or(0), 0);
     }
     let mut socket = Socket::open(&studio);
     socket.0.write_all(b"\x81\x05Hello").unwrap();
     assert_eq!(
-        socket.hears(),
+        socket.receives(),
         (0x88, vec![0x03, 0xea]),
         "a client must mask"
     );
     // Where no question lives there is no answer to give.
     let target = format!("/{}/nothing", studio.token);
-    let (mut nowhere, _) = Socket::dial(&studio, &target, "");
-    nowhere.says(0x81, b"{}");
-    assert_eq!(nowhere.hears().0, 0x88);
+    let (mut nowhere, _) = Socket::connect(&studio, &target, "");
+    nowhere.sends(0x81, b"{}");
+    assert_eq!(nowhere.receives().0, 0x88);
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn only_the_page_itself_may_open_one() {
         (&own, "Origin: http://evil.example\r\n"),
         (&own, "Origin: null\r\n"),
     ] {
-        let (_, line) = Socket::dial(&studio, target, more);
+        let (_, line) = Socket::connect(&studio, target, more);
         assert_eq!(line, "HTTP/1.1 403 Forbidden", "{target} {more}");
     }
 }
