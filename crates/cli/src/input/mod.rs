@@ -44,7 +44,8 @@ pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
         Some(path) if path == Path::new("-") => {
             (parse(&read_standard_input()?, None)?, here(), None)
         }
-        Some(path) => match built_in(path).filter(|_| !path.exists()) {
+        Some(path) if path.exists() => (table(path)?, folder_of(path), Some(path.clone())),
+        Some(path) => match built_in(path) {
             Some(text) => (parse(text, Some(path))?, here(), Some(path.clone())),
             None => (table(path)?, folder_of(path), Some(path.clone())),
         },

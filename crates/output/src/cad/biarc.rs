@@ -80,13 +80,18 @@ fn follow(
     out: &mut Arcs,
 ) -> Option<()> {
     let biarc = Biarc::between(from, to);
+    let circles = biarc.circles();
+    // The largest distance; of an interval that strays too far, where it first does.
     let stray = |count: usize| {
-        (1..count)
-            .map(|k| {
-                let theta = from.theta + (to.theta - from.theta) * k as f64 / count as f64;
-                biarc.distance(edge.at(theta).p)
-            })
-            .fold(0.0, f64::max)
+        let mut most: f64 = 0.0;
+        for k in 1..count {
+            let theta = from.theta + (to.theta - from.theta) * k as f64 / count as f64;
+            most = most.max(biarc.distance(edge.at(theta).p, circles));
+            if most > tolerance {
+                break;
+            }
+        }
+        most
     };
     let fits = stray(TRIED) <= tolerance;
     let proved = if fits { stray(PROVED) } else { f64::INFINITY };
@@ -135,29 +140,37 @@ impl Biarc {
         }
     }
 
+    /// The circles of its arcs.
+    fn circles(&self) -> [Option<Circle>; 2] {
+        [0, 1].map(|k| circle(self.points[k], self.points[k + 1], self.bulges[k]))
+    }
+
     /// Distance of a point near the biarc from it.
-    fn distance(&self, q: [f64; 2]) -> f64 {
+    fn distance(&self, q: [f64; 2], circles: [Option<Circle>; 2]) -> f64 {
         let joint = self.points[1];
         let k = usize::from(dot([q[0] - joint[0], q[1] - joint[1]], self.tangent) > 0.0);
-        from_arc(q, self.points[k], self.points[k + 1], self.bulges[k])
+        match circles[k] {
+            Some((centre, radius)) => ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).abs(),
+            None => from_chord(q, self.points[k], self.points[k + 1]),
+        }
     }
 }
 
-/// Distance of `q` from the circle through `a` and `b` with the given bulge (a line where it is flat).
-fn from_arc(q: [f64; 2], a: [f64; 2], b: [f64; 2], bulge: f64) -> f64 {
+/// Distance of `q` from the line through `a` and `b`.
+fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let c = [b[0] - a[0], b[1] - a[1]];
     let length = c[0].hypot(c[1]);
     if length == 0.0 {
         return (q[0] - a[0]).hypot(q[1] - a[1]);
     }
-    let Some((centre, radius)) = circle(a, b, bulge) else {
-        return (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs();
-    };
-    ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).abs()
+    (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs()
 }
 
+/// Centre and radius.
+pub(super) type Circle = ([f64; 2], f64);
+
 /// Centre and radius of the arc from `a` to `b`; `None` where it is flat.
-pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<([f64; 2], f64)> {
+pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
     let c = [b[0] - a[0], b[1] - a[1]];
     let length = c[0].hypot(c[1]);
     if length == 0.0 || bulge.abs() < FLAT {

@@ -6,8 +6,8 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use crate::number::number;
 use crate::plot::palette;
-use crate::plot::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
+use crate::plot::text::text_width;
 
 /// Where a diagram stands on its sheet, points.
 #[derive(Debug, Clone, Copy)]

@@ -17,9 +17,11 @@ pub enum Covered<'a> {
     Each(&'a [f32]),
 }
 
-/// The accumulation buffer of a page.
+/// The accumulation buffer of some rows of a page.
 pub struct Coverage {
     width: usize,
+    /// The first of the rows.
+    top: usize,
     height: usize,
     /// Values per row: the pixels and what edges leave beyond the last, in whole cells.
     stride: usize,
@@ -32,11 +34,13 @@ pub struct Coverage {
 }
 
 impl Coverage {
+    /// A buffer for so many rows at most.
     pub fn new(width: usize, height: usize) -> Self {
         let cells = (width + 2).div_ceil(CELL);
         let words = cells.div_ceil(64);
         Coverage {
             width,
+            top: 0,
             height,
             stride: cells * CELL,
             sums: vec![0.0; cells * CELL * height],
@@ -46,10 +50,18 @@ impl Coverage {
         }
     }
 
-    /// Adds one edge of a polygon; what lies off the page counts at its border.
+    /// Takes the rows from `top` on next, no more than there is room for.
+    pub fn begin(&mut self, top: usize, height: usize) {
+        (self.top, self.height) = (top, height);
+        self.rows = [height, 0];
+    }
+
+    /// Adds one edge of a polygon; what lies beside the page counts at its border.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2]) {
         let down = from[1] < to[1];
+        let first_row = self.top as f64;
         let [p, q] = if down { [from, to] } else { [to, from] };
+        let [p, q] = [p, q].map(|[x, y]| [x, y - first_row]);
         let (top, bottom) = (p[1].max(0.0), q[1].min(self.height as f64));
         if top >= bottom {
             return;
@@ -101,8 +113,8 @@ impl Coverage {
         }
     }
 
-    /// Gives what is covered of the page, row by row and from the left (row, first pixel, what is covered), and empties
-    /// the page.
+    /// Gives what is covered of the rows, one by one and from the left (row from the first of them, first pixel, what is
+    /// covered), and empties them.
     pub fn take(&mut self, mut give: impl FnMut(usize, usize, Covered)) {
         for row in self.rows[0]..self.rows[1] {
             let sums = &mut self.sums[row * self.stride..(row + 1) * self.stride];

@@ -5,7 +5,7 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::axes::{Frame, Panel, dashes, ticks};
 use super::palette::{INK, QUIET};
-use super::raster::text_width;
+use super::text::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;

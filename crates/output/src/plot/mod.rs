@@ -3,8 +3,10 @@
 pub mod axes;
 mod coverage;
 pub mod layout;
+mod outline;
 pub mod palette;
 pub mod picture;
 mod png;
-pub mod raster;
+mod raster;
 pub mod sheet;
+pub mod text;

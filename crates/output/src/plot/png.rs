@@ -3,6 +3,8 @@
 //! A drawing repeats the pixel to the left or the one above almost everywhere. So the compressor looks at
 //! these two places only and writes DEFLATE (RFC 1951) with the fixed Huffman codes: one pass, no search.
 
+use simd_adler32::Adler32;
+
 /// Longest match of DEFLATE.
 const LONGEST: usize = 258;
 /// Shortest match of DEFLATE.
@@ -15,16 +17,79 @@ pub fn stride(width: usize) -> usize {
     3 * width + 1
 }
 
-/// The file; `rows` has [`stride`] bytes per row.
-pub fn encode(width: usize, height: usize, rows: &[u8]) -> Vec<u8> {
-    let mut out = b"\x89PNG\r\n\x1a\n".to_vec();
-    let mut head = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();
-    // Eight bits, RGB, the only compression and filter methods, no interlace.
-    head.extend([8, 2, 0, 0, 0]);
-    chunk(&mut out, b"IHDR", &head);
-    chunk(&mut out, b"IDAT", &zlib(stride(width), rows));
-    chunk(&mut out, b"IEND", &[]);
-    out
+/// Some rows of [`stride`] bytes each.
+pub struct Rows<'a> {
+    pub bytes: &'a [u8],
+    /// How many of the bytes were written before: matches may reach back to them.
+    pub known: usize,
+}
+
+/// A file that gets its rows from the top.
+pub struct Encoder {
+    /// Everything before the pixels.
+    head: Vec<u8>,
+    stride: usize,
+    bits: Bits,
+    sum: Adler32,
+}
+
+impl Encoder {
+    pub fn new(width: usize, height: usize) -> Encoder {
+        let mut head = b"\x89PNG\r\n\x1a\n".to_vec();
+        let mut size = [(width as u32).to_be_bytes(), (height as u32).to_be_bytes()].concat();
+        // Eight bits, RGB, the only compression and filter methods, no interlace.
+        size.extend([8, 2, 0, 0, 0]);
+        chunk(&mut head, b"IHDR", &size);
+        // A zlib stream (RFC 1950) of one block, the last, with fixed codes.
+        let mut bits = Bits {
+            out: vec![0x78, 0x01],
+            ..Bits::default()
+        };
+        bits.put(Code::raw(0b011, 3));
+        Encoder {
+            head,
+            stride: stride(width),
+            bits,
+            sum: Adler32::new(),
+        }
+    }
+
+    /// Adds the rows that follow.
+    pub fn rows(&mut self, rows: Rows) {
+        let data = rows.bytes;
+        self.sum.write(&data[rows.known..]);
+        let (left_code, above_code) = (distance(3), distance(self.stride as u32));
+        let mut i = rows.known;
+        while i < data.len() {
+            let at = |distance: usize| match i.checked_sub(distance) {
+                Some(j) if data[j] == data[i] && distance <= WINDOW => run(data, i, j),
+                _ => 0,
+            };
+            let left = at(3);
+            let above = if left < LONGEST { at(self.stride) } else { 0 };
+            let length = above.max(left);
+            if length >= SHORTEST {
+                let code = if left >= above { left_code } else { above_code };
+                self.bits.put(LENGTHS[length].then(code));
+                i += length;
+            } else {
+                self.bits.put(LITERALS[usize::from(data[i])]);
+                i += 1;
+            }
+        }
+    }
+
+    /// The file.
+    pub fn finish(mut self) -> Vec<u8> {
+        // The end of the block.
+        self.bits.put(Code::huffman(0, 7));
+        let mut pixels = self.bits.finish();
+        pixels.extend(self.sum.finish().to_be_bytes());
+        let mut out = self.head;
+        chunk(&mut out, b"IDAT", &pixels);
+        chunk(&mut out, b"IEND", &[]);
+        out
+    }
 }
 
 fn chunk(out: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
@@ -34,40 +99,6 @@ fn chunk(out: &mut Vec<u8>, kind: &[u8; 4], data: &[u8]) {
     out.extend(data);
     let sum = crc32fast::hash(&out[start..]);
     out.extend(sum.to_be_bytes());
-}
-
-/// The rows as a zlib stream (RFC 1950).
-fn zlib(stride: usize, data: &[u8]) -> Vec<u8> {
-    let mut bits = Bits {
-        out: vec![0x78, 0x01],
-        ..Bits::default()
-    };
-    // One block, the last, with fixed codes.
-    bits.put(Code::raw(0b011, 3));
-    let (left_code, above_code) = (distance(3), distance(stride as u32));
-    let mut i = 0;
-    while i < data.len() {
-        let at = |distance: usize| match i.checked_sub(distance) {
-            Some(j) if data[j] == data[i] && distance <= WINDOW => run(data, i, j),
-            _ => 0,
-        };
-        let left = at(3);
-        let above = if left < LONGEST { at(stride) } else { 0 };
-        let length = above.max(left);
-        if length >= SHORTEST {
-            let code = if left >= above { left_code } else { above_code };
-            bits.put(LENGTHS[length].then(code));
-            i += length;
-        } else {
-            bits.put(LITERALS[usize::from(data[i])]);
-            i += 1;
-        }
-    }
-    // The end of the block.
-    bits.put(Code::huffman(0, 7));
-    let mut out = bits.finish();
-    out.extend(simd_adler32::adler32(&data).to_be_bytes());
-    out
 }
 
 /// How many bytes from `i` on equal those from `j` on, up to the longest match.

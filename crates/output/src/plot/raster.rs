@@ -1,112 +1,77 @@
-//! Shapes to pixels: exact area coverage.
-
-use std::cell::Cell;
-use std::sync::LazyLock;
-
-use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
+//! Shapes to pixels: exact area coverage, in bands from the top, so that what is drawn on stays in the
+//! processor's cache.
 
 use super::coverage::{Coverage, Covered};
-use super::png::stride;
+use super::outline::{disc, outline, straightened};
+use super::png::{Encoder, Rows, stride};
 use super::sheet::{Ink, Shape};
+use super::text::{Letter, Line};
 use crate::plot::picture::Picture;
 
-/// Corners of a round dot or line end.
-const CORNERS: usize = 24;
-/// A point nearer than this to the straight way past it is not seen, pixels; places are known to a sixteenth.
-const UNSEEN: f64 = 0.06;
-/// Sine of the turn from which two segments get a round joint between them.
-const SHARP: f64 = 0.1;
-
-struct Fonts {
-    regular: Option<FontRef<'static>>,
-    bold: Option<FontRef<'static>>,
-}
-
-static FONTS: LazyLock<Fonts> = LazyLock::new(|| Fonts {
-    regular: FontRef::try_from_slice(dejavu::sans::regular()).ok(),
-    bold: FontRef::try_from_slice(dejavu::sans::bold()).ok(),
-});
-
-thread_local! {
-    /// The page of the picture before: pictures of one size follow each other, and fresh memory costs more than drawing.
-    static PAGE: Cell<Option<Page>> = const { Cell::new(None) };
-}
+/// Rows of a band.
+const BAND: usize = 64;
 
 /// The picture as an 8-bit RGB PNG.
 pub fn png(picture: &Picture) -> Vec<u8> {
     let (width, height) = (picture.width as usize, picture.height as usize);
-    let before = PAGE.take();
-    let mut page = match before.filter(|page| (page.width, page.height) == (width, height)) {
-        Some(page) => page.emptied(),
-        None => Page::new(width, height),
-    };
-    for shape in &picture.shapes {
-        page.draw(shape);
+    let layers: Vec<Layer> = picture.shapes.iter().map(Layer::of).collect();
+    let mut band = Band::new(width, BAND.min(height));
+    let mut file = Encoder::new(width, height);
+    for top in (0..height).step_by(BAND) {
+        band.begin(top, BAND.min(height - top));
+        for layer in &layers {
+            band.draw(layer);
+        }
+        file.rows(band.rows());
     }
-    let file = super::png::encode(width, height, &page.rows);
-    PAGE.set(Some(page));
-    file
+    file.finish()
 }
 
-/// Width of a text in ems, regular weight.
-pub fn text_width(text: &str) -> f64 {
-    let Some(font) = &FONTS.regular else {
-        return 0.0;
-    };
-    let em = f64::from(font.units_per_em().unwrap_or(2048.0));
-    text.chars()
-        .map(|c| f64::from(font.h_advance_unscaled(font.glyph_id(c))) / em)
-        .sum()
+/// A shape as what is filled.
+struct Layer {
+    ink: Ink,
+    content: Content,
+    /// Rows that it may touch: first, one past the last.
+    rows: [f64; 2],
 }
 
-struct Page {
-    width: usize,
-    height: usize,
-    /// Rows as PNG has them: a zero, then the pixels.
-    rows: Vec<u8>,
-    coverage: Coverage,
+enum Content {
+    /// The union of polygons of one orientation.
+    Polygons(Vec<Polygon>),
+    Letters(Vec<Letter>),
 }
 
-impl Page {
-    fn new(width: usize, height: usize) -> Self {
-        let page = Page {
-            width,
-            height,
-            rows: vec![0; stride(width) * height],
-            coverage: Coverage::new(width, height),
-        };
-        page.emptied()
-    }
+struct Polygon {
+    corners: Vec<[f64; 2]>,
+    rows: [f64; 2],
+}
 
-    /// The same page with nothing on it.
-    fn emptied(mut self) -> Self {
-        self.rows.fill(255);
-        let filters = self.rows.iter_mut().step_by(stride(self.width));
-        filters.for_each(|filter| *filter = 0);
-        self
-    }
+/// No rows.
+const NONE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
-    fn draw(&mut self, shape: &Shape) {
+fn both(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+impl Layer {
+    fn of(shape: &Shape) -> Layer {
         match shape {
             Shape::Line { points, ink, width } => {
-                self.fill(&outline(&straightened(points), *width), *ink);
+                Layer::filled(outline(&straightened(points), *width), *ink)
             }
-            Shape::Area { points, ink } => self.fill(&[straightened(points)], *ink),
+            Shape::Area { points, ink } => Layer::filled(vec![straightened(points)], *ink),
             Shape::Circle {
                 centre,
                 radius,
                 ink,
-                width: None,
-            } => self.fill(&[disc(*centre, *radius)], *ink),
-            Shape::Circle {
-                centre,
-                radius,
-                ink,
-                width: Some(w),
+                width,
             } => {
                 let mut ring = disc(*centre, *radius);
+                let Some(width) = width else {
+                    return Layer::filled(vec![ring], *ink);
+                };
                 ring.push(ring[0]);
-                self.fill(&outline(&ring, *w), *ink);
+                Layer::filled(outline(&ring, *width), *ink)
             }
             Shape::Text {
                 text,
@@ -116,32 +81,131 @@ impl Page {
                 anchor,
                 bold,
                 upwards,
-            } => {
-                let font = if *bold { &FONTS.bold } else { &FONTS.regular };
-                if let Some(font) = font {
-                    self.text(font, text, *at, *size, *ink, *anchor, *upwards);
+            } => Layer::written(
+                Letter::all(&Line {
+                    text,
+                    at: *at,
+                    size: *size,
+                    anchor: *anchor,
+                    bold: *bold,
+                    upwards: *upwards,
+                }),
+                *ink,
+            ),
+        }
+    }
+
+    fn filled(polygons: Vec<Vec<[f64; 2]>>, ink: Ink) -> Layer {
+        // NaN is no place, and infinity none on a page.
+        let placed = polygons.iter().flatten().flatten().all(|x| x.is_finite());
+        let polygons = if placed { polygons } else { Vec::new() };
+        let polygons: Vec<Polygon> = polygons
+            .into_iter()
+            .map(|corners| Polygon {
+                rows: corners.iter().fold(NONE, |r, p| both(r, [p[1]; 2])),
+                corners,
+            })
+            .collect();
+        Layer {
+            ink,
+            rows: polygons.iter().fold(NONE, |r, p| both(r, p.rows)),
+            content: Content::Polygons(polygons),
+        }
+    }
+
+    fn written(letters: Vec<Letter>, ink: Ink) -> Layer {
+        Layer {
+            ink,
+            rows: letters.iter().fold(NONE, |r, l| both(r, l.rows())),
+            content: Content::Letters(letters),
+        }
+    }
+}
+
+/// Some rows of the page.
+struct Band {
+    width: usize,
+    /// The band's first row on the page.
+    top: usize,
+    height: usize,
+    /// Rows as PNG has them, a zero, then the pixels; before them the last row of the band before.
+    rows: Vec<u8>,
+    coverage: Coverage,
+}
+
+impl Band {
+    fn new(width: usize, height: usize) -> Self {
+        Band {
+            width,
+            top: 0,
+            height: 0,
+            rows: vec![0; stride(width) * (height + 1)],
+            coverage: Coverage::new(width, height),
+        }
+    }
+
+    /// Empty rows from `top` on.
+    fn begin(&mut self, top: usize, height: usize) {
+        let stride = stride(self.width);
+        let last = self.height * stride;
+        self.rows.copy_within(last..last + stride, 0);
+        (self.top, self.height) = (top, height);
+        self.coverage.begin(top, height);
+        let rows = &mut self.rows[stride..][..height * stride];
+        rows.fill(255);
+        rows.iter_mut()
+            .step_by(stride)
+            .for_each(|filter| *filter = 0);
+    }
+
+    /// The rows, and before them, except in the first band, the one above.
+    fn rows(&self) -> Rows<'_> {
+        let stride = stride(self.width);
+        let first = if self.top == 0 { stride } else { 0 };
+        Rows {
+            bytes: &self.rows[first..(self.height + 1) * stride],
+            known: stride - first,
+        }
+    }
+
+    fn touches(&self, rows: [f64; 2]) -> bool {
+        let top = self.top as f64;
+        rows[0] < top + self.height as f64 && rows[1] > top
+    }
+
+    fn draw(&mut self, layer: &Layer) {
+        if !self.touches(layer.rows) {
+            return;
+        }
+        match &layer.content {
+            Content::Polygons(polygons) => self.fill(polygons, layer.ink),
+            Content::Letters(letters) => {
+                for letter in letters {
+                    if self.touches(letter.rows()) {
+                        letter.draw(|x, y, covered| self.blend(x, y, layer.ink, covered));
+                    }
                 }
             }
         }
     }
 
-    /// Fills the union of polygons of one orientation.
-    fn fill(&mut self, polygons: &[Vec<[f64; 2]>], ink: Ink) {
-        // NaN is no place, and infinity none on a page.
-        if !polygons.iter().flatten().flatten().all(|x| x.is_finite()) {
-            return;
-        }
+    /// Fills the union of the polygons.
+    fn fill(&mut self, polygons: &[Polygon], ink: Ink) {
         for polygon in polygons {
-            let Some(&last) = polygon.last() else {
+            if !self.touches(polygon.rows) {
+                continue;
+            }
+            let Some(&last) = polygon.corners.last() else {
                 continue;
             };
             let mut from = last;
-            for &to in polygon {
+            for &to in &polygon.corners {
                 self.coverage.edge(from, to);
                 from = to;
             }
         }
-        let (stride, rows) = (stride(self.width), &mut self.rows);
+        let stride = stride(self.width);
+        let rows = &mut self.rows[stride..];
         self.coverage.take(|row, first, covered| {
             let pixels = &mut rows[row * stride + 1..][3 * first..];
             let pixels = pixels.as_chunks_mut::<3>().0;
@@ -167,57 +231,14 @@ impl Page {
     }
 
     fn blend(&mut self, x: i64, y: i64, ink: Ink, coverage: f32) {
+        let y = y - self.top as i64;
         if x < 0 || y < 0 || x >= self.width as i64 || y >= self.height as i64 {
             return;
         }
-        let i = y as usize * stride(self.width) + 1 + 3 * x as usize;
+        let i = (y as usize + 1) * stride(self.width) + 1 + 3 * x as usize;
         let alpha = ink.alpha as f32 * coverage.min(1.0);
         for pixel in self.rows[i..i + 3].as_chunks_mut::<3>().0 {
             *pixel = mixed(*pixel, ink.rgb, alpha);
-        }
-    }
-
-    #[allow(clippy::too_many_arguments)] // the fields of one kind of shape
-    fn text(
-        &mut self,
-        font: &FontRef<'static>,
-        text: &str,
-        at: [f64; 2],
-        size: f64,
-        ink: Ink,
-        anchor: f64,
-        upwards: bool,
-    ) {
-        let em = font.units_per_em().unwrap_or(2048.0);
-        let scale = PxScale::from(size as f32 * font.height_unscaled() / em);
-        let scaled = font.as_scaled(scale);
-        let total: f32 = text
-            .chars()
-            .map(|c| scaled.h_advance(scaled.glyph_id(c)))
-            .sum();
-        let mut pen = -total * anchor as f32;
-        for c in text.chars() {
-            let id = scaled.glyph_id(c);
-            // Upright text is placed to a fraction of a pixel; turned text is turned pixel by pixel.
-            let place = if upwards {
-                point(pen, 0.0)
-            } else {
-                point(at[0] as f32 + pen, at[1] as f32)
-            };
-            if let Some(glyph) = font.outline_glyph(id.with_scale_and_position(scale, place)) {
-                let corner = glyph.px_bounds().min;
-                glyph.draw(|x, y, c| {
-                    let px = corner.x as i64 + i64::from(x);
-                    let py = corner.y as i64 + i64::from(y);
-                    if upwards {
-                        let (ax, ay) = (at[0].round() as i64, at[1].round() as i64);
-                        self.blend(ax + py, ay - px, ink, c);
-                    } else {
-                        self.blend(px, py, ink, c);
-                    }
-                });
-            }
-            pen += scaled.h_advance(id);
         }
     }
 }
@@ -227,142 +248,4 @@ fn mixed(under: [u8; 3], colour: [u8; 3], alpha: f32) -> [u8; 3] {
         let below = f32::from(under[k]);
         (below + alpha * (f32::from(colour[k]) - below) + 0.5) as u8
     })
-}
-
-fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
-    // Corners beyond the radius make up for what the sides cut off.
-    let corners = CORNERS.max((4.0 * radius) as usize);
-    let half = std::f64::consts::PI / corners as f64;
-    let r = radius * (half / half.sin()).sqrt();
-    (0..corners)
-        .map(|i| {
-            let (sin, cos) = (2.0 * half * i as f64).sin_cos();
-            [x + r * cos, y + r * sin]
-        })
-        .collect()
-}
-
-/// The line without the points that lie on the way from those before to those after: a curve has more of them than
-/// the page has pixels.
-fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
-    let Some((&first, rest)) = points.split_first() else {
-        return out;
-    };
-    out.push(first);
-    let (mut corner, mut last) = (first, first);
-    // Directions from the corner that pass all points since by, none being known at first.
-    let mut passing: Option<[[f64; 2]; 2]> = None;
-    for &point in rest {
-        let mut way = [point[0] - corner[0], point[1] - corner[1]];
-        let onward = (point[0] - last[0]) * (last[0] - corner[0])
-            + (point[1] - last[1]) * (last[1] - corner[1]);
-        let passes = passing.is_none_or(|[left, right]| {
-            cross(left, way) >= 0.0 && cross(way, right) >= 0.0 && onward >= 0.0
-        });
-        if !passes {
-            out.push(last);
-            (corner, passing) = (last, None);
-            way = [point[0] - corner[0], point[1] - corner[1]];
-        }
-        let square = way[0] * way[0] + way[1] * way[1];
-        if square > UNSEEN * UNSEEN {
-            let lean = UNSEEN / square.sqrt();
-            let left = [way[0] + lean * way[1], way[1] - lean * way[0]];
-            let right = [way[0] - lean * way[1], way[1] + lean * way[0]];
-            passing = Some(passing.map_or([left, right], |[l, r]| {
-                [
-                    if cross(l, left) > 0.0 { left } else { l },
-                    if cross(right, r) > 0.0 { right } else { r },
-                ]
-            }));
-        }
-        last = point;
-    }
-    out.push(last);
-    out
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-/// A line of given width as polygons of one orientation: a rectangle per segment, a disc per sharp corner.
-fn outline(points: &[[f64; 2]], width: f64) -> Vec<Vec<[f64; 2]>> {
-    let half = 0.5 * width;
-    let mut out = Vec::with_capacity(points.len());
-    let mut before: Option<[f64; 2]> = None;
-    for pair in points.windows(2) {
-        let (p, q) = (pair[0], pair[1]);
-        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        let length = dx.hypot(dy);
-        if length <= 0.0 {
-            continue;
-        }
-        let t = [dx / length, dy / length];
-        if let Some(b) = before {
-            let turn = b[0] * t[1] - b[1] * t[0];
-            if turn.abs() > SHARP || b[0] * t[0] + b[1] * t[1] < 0.0 {
-                out.push(disc(p, half));
-            }
-        }
-        before = Some(t);
-        let n = [-t[1] * half, t[0] * half];
-        // Counter-clockwise in the sense of `disc`: both have positive area in these coordinates.
-        out.push(vec![
-            [p[0] - n[0], p[1] - n[1]],
-            [q[0] - n[0], q[1] - n[1]],
-            [q[0] + n[0], q[1] + n[1]],
-            [p[0] + n[0], p[1] + n[1]],
-        ]);
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn off(points: &[[f64; 2]], at: [f64; 2]) -> f64 {
-        let to = |pair: &[[f64; 2]]| {
-            let way = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-            let here = [at[0] - pair[0][0], at[1] - pair[0][1]];
-            let square = way[0] * way[0] + way[1] * way[1];
-            let t = ((here[0] * way[0] + here[1] * way[1]) / square.max(1e-300)).clamp(0.0, 1.0);
-            (here[0] - t * way[0]).hypot(here[1] - t * way[1])
-        };
-        points.windows(2).map(to).fold(f64::INFINITY, f64::min)
-    }
-
-    #[test]
-    fn a_straightened_line_passes_every_point_by_less_than_is_seen() {
-        let wave = |i: i32| {
-            let x = f64::from(i) * 0.76;
-            [x, 200.0 + 150.0 * (0.02 * x).sin() + 3.0 * (0.1 * x).cos()]
-        };
-        let circle = |i: i32| {
-            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 1440.0).sin_cos();
-            [300.0 + 250.0 * cos, 300.0 + 250.0 * sin]
-        };
-        let there_and_back = |i: i32| [f64::from(i.min(1440 - i)), 5.0];
-        let shapes: [&dyn Fn(i32) -> [f64; 2]; 3] = [&wave, &circle, &there_and_back];
-        for shape in shapes {
-            let points: Vec<[f64; 2]> = (0..=1440).map(shape).collect();
-            let fewer = straightened(&points);
-            assert!(fewer.len() < points.len() / 2, "{}", fewer.len());
-            let most = points.iter().map(|p| off(&fewer, *p)).fold(0.0, f64::max);
-            assert!(most <= UNSEEN + 1e-9, "{most}");
-        }
-    }
-
-    #[test]
-    fn corners_and_ends_stay() {
-        let corner = [[0.0, 0.0], [5.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
-        let kept = vec![[0.0, 0.0], [10.0, 0.0], [10.0, 10.0]];
-        assert_eq!(straightened(&corner), kept);
-        let ring = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [0.0, 0.0]];
-        assert_eq!(straightened(&ring), ring.to_vec());
-        assert_eq!(straightened(&[]), Vec::<[f64; 2]>::new());
-        assert_eq!(straightened(&[[1.0, 2.0]]).len(), 2);
-    }
 }

@@ -4,8 +4,8 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use crate::plot::axes::Frame;
 use crate::plot::palette::{INK, QUIET, RED};
-use crate::plot::raster::text_width;
 use crate::plot::sheet::{Canvas, Lettering, write};
+use crate::plot::text::text_width;
 use crate::words::Words;
 use gaitcam::force::{Interpretation, Note};
 use gaitcam::wording::{catalogue, sentence};

@@ -8,8 +8,8 @@ use crate::number::number;
 use crate::plot::axes::{Frame, padded};
 use crate::plot::palette::{AXIS, BLUE, INK, QUIET, RED};
 use crate::plot::picture::Picture;
-use crate::plot::raster::text_width;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
+use crate::plot::text::text_width;
 
 /// One line per design over parallel axes, each from its smallest to its largest value; designs on the
 /// front in colour, the best in red.

@@ -1,0 +1,105 @@
+//! Letters of the two faces as outlines on a page.
+
+use std::sync::LazyLock;
+
+use ab_glyph::{Font, FontRef, OutlinedGlyph, PxScale, ScaleFont, point};
+
+struct Fonts {
+    regular: Option<FontRef<'static>>,
+    bold: Option<FontRef<'static>>,
+}
+
+static FONTS: LazyLock<Fonts> = LazyLock::new(|| Fonts {
+    regular: FontRef::try_from_slice(dejavu::sans::regular()).ok(),
+    bold: FontRef::try_from_slice(dejavu::sans::bold()).ok(),
+});
+
+/// Width of a text in ems, regular weight.
+pub fn text_width(text: &str) -> f64 {
+    let Some(font) = &FONTS.regular else {
+        return 0.0;
+    };
+    let em = f64::from(font.units_per_em().unwrap_or(2048.0));
+    text.chars()
+        .map(|c| f64::from(font.h_advance_unscaled(font.glyph_id(c))) / em)
+        .sum()
+}
+
+/// A line of text on a baseline.
+pub struct Line<'a> {
+    pub text: &'a str,
+    /// Where the baseline starts, is centred or ends, pixels.
+    pub at: [f64; 2],
+    /// Height of an em, pixels.
+    pub size: f64,
+    /// 0 for the start, ½ for the middle, 1 for the end.
+    pub anchor: f64,
+    pub bold: bool,
+    pub upwards: bool,
+}
+
+/// A letter in its place.
+pub struct Letter {
+    outline: OutlinedGlyph,
+    /// The pixel about which an upward letter is turned.
+    turned_about: Option<[i64; 2]>,
+}
+
+impl Letter {
+    /// The letters of a line; blanks have none.
+    pub fn all(line: &Line) -> Vec<Letter> {
+        let font = if line.bold {
+            &FONTS.bold
+        } else {
+            &FONTS.regular
+        };
+        let Some(font) = font else {
+            return Vec::new();
+        };
+        let em = font.units_per_em().unwrap_or(2048.0);
+        let scale = PxScale::from(line.size as f32 * font.height_unscaled() / em);
+        let scaled = font.as_scaled(scale);
+        let advance = |c: char| scaled.h_advance(scaled.glyph_id(c));
+        let total: f32 = line.text.chars().map(advance).sum();
+        // Upright text is placed to a fraction of a pixel; turned text is turned pixel by pixel.
+        let turned_about = line.upwards.then(|| line.at.map(|x| x.round() as i64));
+        let [left, baseline] = if line.upwards { [0.0; 2] } else { line.at };
+        let mut pen = -total * line.anchor as f32;
+        let mut letters = Vec::with_capacity(line.text.len());
+        for c in line.text.chars() {
+            let place = point(left as f32 + pen, baseline as f32);
+            let glyph = scaled.glyph_id(c).with_scale_and_position(scale, place);
+            letters.extend(font.outline_glyph(glyph).map(|outline| Letter {
+                outline,
+                turned_about,
+            }));
+            pen += advance(c);
+        }
+        letters
+    }
+
+    /// Rows that the letter may touch: first, one past the last.
+    pub fn rows(&self) -> [f64; 2] {
+        let bounds = self.outline.px_bounds();
+        match self.turned_about {
+            None => [f64::from(bounds.min.y), f64::from(bounds.max.y)],
+            Some([_, y]) => {
+                let row = |x: f32| y as f64 - f64::from(x);
+                [row(bounds.max.x), row(bounds.min.x) + 1.0]
+            }
+        }
+    }
+
+    /// Gives column, row and coverage of every pixel.
+    pub fn draw(&self, mut give: impl FnMut(i64, i64, f32)) {
+        let corner = self.outline.px_bounds().min;
+        self.outline.draw(|x, y, covered| {
+            let x = corner.x as i64 + i64::from(x);
+            let y = corner.y as i64 + i64::from(y);
+            match self.turned_about {
+                None => give(x, y, covered),
+                Some([ax, ay]) => give(ax + y, ay - x, covered),
+            }
+        });
+    }
+}
