@@ -3,8 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Problem;
-use crate::cam::FollowerKind;
 use crate::scene::{CamSpec, Minimise};
+
+/// Part of the range of prime radii, at either end, that no arm is used in.
+const STRETCHED: f64 = 1e-4;
 
 impl Problem {
     /// What is said of the size of the cam.
@@ -40,19 +42,46 @@ impl Problem {
         }
     }
 
-    /// Whether an objective or a limit prices the size; only sliding followers with a straight line of
-    /// action have it in the program.
+    /// Whether an objective or a limit prices the size.
     fn size_is_wanted(&self) -> bool {
-        let sized = [
-            FollowerKind::FlatTranslating,
-            FollowerKind::RollerTranslating,
-            FollowerKind::KnifeTranslating,
-        ];
-        match self.objective() {
+        let priced = match self.objective() {
             Minimise::Size => true,
             Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
-            _ => self.limits.prime_radius.is_some() && sized.contains(&self.cam.follower),
-        }
+            _ => self.limits.prime_radius.is_some(),
+        };
+        priced && self.cam.follower.has_size_beside_law()
+    }
+
+    /// Least and largest radius of the prime circle under a follower that swings, m: the pivot lies outside the circle, which
+    /// the follower reaches, and the limit holds.
+    pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
+        let swings = self.cam.follower.is_oscillating();
+        let pivot = self.cam.pivot_distance.filter(|_| swings)?;
+        let [least, most] = if self.cam.follower.is_flat() {
+            [0.0, pivot + self.cam.face_offset]
+        } else {
+            let arm = self.cam.arm?;
+            [(pivot - arm).abs(), pivot + arm]
+        };
+        let least = least.max(self.outside_bore() + self.cam.roller_radius);
+        let most = most.min(pivot);
+        // At the very ends an arm is stretched out: its angle there has no derivative by the radius.
+        let room = STRETCHED * (most - least);
+        let limit = self.limits.prime_radius.unwrap_or(f64::INFINITY);
+        Some([least + room, (most - room).min(limit)])
+    }
+
+    /// Offset of a follower's line, m; `None` where it is open. A mushroom's is 0 where nothing is said.
+    pub fn offset(&self) -> Option<f64> {
+        let usual = self.cam.follower.is_mushroom().then_some(0.0);
+        self.cam.offset.or(usual)
+    }
+
+    /// Length that a unit of the law stands for, m: the distance to the pivot where it is an angle.
+    pub fn lever(&self) -> f64 {
+        let swings = self.cam.follower.is_oscillating();
+        let pivot = self.cam.pivot_distance.filter(|_| swings);
+        pivot.map_or(1.0, f64::abs)
     }
 
     /// Smallest base radius that the bore leaves, m.

@@ -146,6 +146,7 @@ fn objective(scene: &Scene, typed: Typed) -> Verdict {
         return Err(("law.minimise", SceneError::MinimiseAndWeigh));
     }
     let no_force = scene.gait.is_none();
+    let sized = cam.follower.has_size_beside_law();
     match law.minimise {
         Some(Minimise::ForceError | Minimise::PeakForceError) if no_force => {
             return Err(("law.minimise", SceneError::NoForceToFollow));
@@ -154,11 +155,13 @@ fn objective(scene: &Scene, typed: Typed) -> Verdict {
             if weigh.force_error.is_some() && no_force {
                 return Err(("law.weigh.force_error", SceneError::NoForceToFollow));
             }
-            let sized = cam.follower.is_translating() && !cam.follower.is_mushroom();
             let free = cam.prime_radius.is_none() && cam.base_radius.is_none();
             if weigh.prime_radius.is_some() && !(sized && free) {
                 return Err(("law.weigh.prime_radius", SceneError::SizeNotFree));
             }
+        }
+        Some(Minimise::Size) if !sized => {
+            return Err(("law.minimise", SceneError::SizeNotFree));
         }
         _ => {}
     }

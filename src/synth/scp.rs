@@ -136,7 +136,7 @@ pub fn refine(
         current = trial;
         let there = sized(&current.extra).size();
         steps.push(Step {
-            prime_radius: there.rise.hypot(there.offset),
+            prime_radius: there.prime_radius(),
             merit: merit(&current),
             clearance: room,
             taken,
@@ -179,6 +179,7 @@ pub fn sized(
     limits.at_size(ProfileSize {
         rise: of(RISE, given.rise),
         offset: of(OFFSET, given.offset),
+        radius: of(RADIUS, given.radius),
         rho: given.rho,
     })
 }
@@ -186,14 +187,16 @@ pub fn sized(
 /// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.
 fn held(program: &Program, current: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     // A given size stays as it is.
-    let room = if program.present()[RISE] {
+    let present = program.present();
+    let size = limits.size();
+    let room = if present[RISE] || (present[RADIUS] && size.radius > 0.0) {
         ENLARGED
     } else {
         0.0
     };
-    let size = limits.size();
     let enlarged = limits.at_size(ProfileSize {
         rise: size.rise * (1.0 + room),
+        radius: size.radius * (1.0 + room),
         ..size
     });
     let gradient: Vec<f64> = program
@@ -291,6 +294,10 @@ fn linearised(
                 extra[OFFSET] = -s.by_offset;
                 bound -= s.by_offset * size.offset;
             }
+            if present[RADIUS] && s.by_radius != 0.0 {
+                extra[RADIUS] = -s.by_radius;
+                bound -= s.by_radius * size.radius;
+            }
             let weights = [-s.by_lift, -s.by_velocity, -s.by_acceleration, -s.by_jerk];
             let one = row(program, place, &weights, extra, bound, s.w);
             out.push(Row {
@@ -351,7 +358,7 @@ fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Soluti
     for (k, value) in extra.iter_mut().enumerate() {
         *value = mix(from.extra[k], to.extra[k]);
     }
-    if program.present()[RADIUS] {
+    if program.cone {
         extra[RADIUS] = extra[RISE].hypot(extra[OFFSET]);
     }
     debug_assert!(

@@ -101,7 +101,7 @@ pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     smallest_for(cam, &limits).ok()
 }
 
-/// Depth of a barrel's groove: a roller's diameter when nothing is said.
+/// Depth of a barrel's groove: a roller's diameter where nothing is said.
 fn depth(problem: &Problem) -> f64 {
     problem.cam.depth.unwrap_or(2.0 * problem.cam.roller_radius)
 }
@@ -291,9 +291,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
 
 /// A radius where nothing asks for one: a cam has some.
 fn next_to_nothing(problem: &Problem, law: &Law) -> f64 {
-    let swings = problem.cam.follower.is_oscillating();
-    let arm = problem.cam.pivot_distance.filter(|_| swings);
-    let travel = law.stroke() * arm.map_or(1.0, f64::abs);
+    let travel = law.stroke() * problem.lever();
     if travel > 0.0 {
         NOTHING * travel
     } else {

@@ -124,6 +124,15 @@ impl FollowerKind {
         )
     }
 
+    /// Whether law and size can be found as one program. A translating cam has no size; that of a barrel and of a mushroom on
+    /// an arm is found after the law.
+    pub fn has_size_beside_law(self) -> bool {
+        !matches!(
+            self,
+            FollowerKind::MushroomOscillating | FollowerKind::TranslatingCam | FollowerKind::Barrel
+        )
+    }
+
     /// What its law is measured in.
     pub fn measures(self) -> Measures {
         match self {

@@ -5,6 +5,7 @@ use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
 use super::{accuracy_bound, coarse_start};
+use crate::law::Law;
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
@@ -13,8 +14,8 @@ use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
 use crate::synth::parameters::Functions;
 use crate::synth::proof::Doubt;
-use crate::synth::qp::{Certificate, Failure, PEAK, Program, Quadratic, Stop};
-use crate::synth::{easing, limits, qp, scp};
+use crate::synth::qp::{Certificate, Failure, PEAK, Program, Quadratic, RADIUS, Stop};
+use crate::synth::{easing, limits, qp, scp, sizing};
 use crate::units::Quantity;
 
 /// Spans tried before "auto" gives up.
@@ -242,7 +243,10 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
 
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
 fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
-    let (program, solution) = fitted.touched.pinned(problem);
+    let (program, mut solution) = fitted.touched.pinned(problem);
+    if let Some(radius) = size_on_an_arm(problem, &program.basis.law(&solution.x)) {
+        solution.extra[RADIUS] = radius;
+    }
     let known = coarse_start::found(problem, &program, fitted.spans);
     let Some((refined, steps, ended)) = scp::refine(&program, &solution, known, limits) else {
         return false;
@@ -254,6 +258,15 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     fitted.touched = Touched::known(program, refined);
     fitted.sequence = Some((steps, ended));
     true
+}
+
+/// Where the size under a follower that swings is sought: what the law needs by itself, as far as it is allowed.
+fn size_on_an_arm(problem: &Problem, law: &Law) -> Option<f64> {
+    let [least, most] = problem.reach_of_arm()?;
+    let most = most * (1.0 - 4.0 * scp::ENLARGED);
+    let own = sizing::cam(problem, law.clone(), law).ok();
+    let own = own.map_or(most, |cam| cam.follower.prime_radius());
+    (problem.size() == Size::Sought && least < most).then(|| own.clamp(least, most))
 }
 
 /// The program with every limit that is convex, and the force distance alone.

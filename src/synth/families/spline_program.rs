@@ -87,7 +87,8 @@ fn objective(problem: &Problem, spans: usize) -> Result<Objective> {
         Minimise::Size => {
             // ½ μ mean(j²) with μ such that a jerk of SIZE_JERK lengths costs as much as one length of radius.
             let unit = SIZE_JERK * problem.length;
-            whole.add_energy(&basis, 3, problem.length / (unit * unit));
+            let length = problem.length * problem.lever();
+            whole.add_energy(&basis, 3, length / (unit * unit));
         }
         Minimise::ForceError => {
             let scale = whole.hessian.largest_diagonal();

@@ -1,6 +1,7 @@
 //! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
 
 use super::nonconvex::{Profile, ProfileSize, Slack};
+use super::pressure_angle::NEARLY_RIGHT;
 use super::row::{self, GEOMETRY};
 use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind};
 use crate::law::Svaj;
@@ -60,27 +61,39 @@ pub fn nonconvex(problem: &Problem) -> Option<Profile> {
             (pitch > 0.0).then_some(Profile::Roller(ProfileSize {
                 rise,
                 offset,
+                radius: 0.0,
                 rho: pitch,
             }))
         }
         FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
-            let (pivot, arm, prime) = (cam.pivot_distance?, cam.arm?, problem.prime_radius()?);
-            let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
+            let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
+            let asked = [limits.pressure_angle_rise, limits.pressure_angle_fall];
+            let (prime, angles) = match problem.size() {
+                Size::Given { prime, .. } => (prime, asked),
+                Size::Sought => (
+                    problem.reach_of_arm()?[1],
+                    problem.sizing_pressure_angles().map(Some),
+                ),
+                Size::AfterLaw => return None,
+            };
             Some(Profile::Arm {
                 pivot,
                 arm,
-                rest: cos.clamp(-1.0, 1.0).acos(),
+                prime,
                 rho: pitch.max(SHARP * prime),
-                tan: [limits.pressure_angle_rise, limits.pressure_angle_fall]
-                    .map(|angle| angle.map(f64::tan)),
+                tan: angles.map(|angle| angle.map(|a| a.min(NEARLY_RIGHT).tan())),
             })
         }
         FollowerKind::FlatOscillating => {
-            let (pivot, base) = (cam.pivot_distance?, problem.base_radius()?);
+            let base = match problem.size() {
+                Size::Given { base, .. } => base,
+                Size::Sought => problem.reach_of_arm()?[1],
+                Size::AfterLaw => return None,
+            };
             Some(Profile::Face {
-                pivot,
+                pivot: cam.pivot_distance?,
                 offset: cam.face_offset,
-                rest: ((base - cam.face_offset) / pivot).clamp(-1.0, 1.0).asin(),
+                base,
                 rho,
             })
         }

@@ -33,6 +33,7 @@ fn loads() -> Loads {
 const SIZE: ProfileSize = ProfileSize {
     rise: 0.04,
     offset: 0.007,
+    radius: 0.0,
     rho: 0.012,
 };
 

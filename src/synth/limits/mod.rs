@@ -69,13 +69,15 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
         let above = kinematic::above_base_circle(problem);
         program.limits.extend(above);
     }
-    let sized = if problem.cam.follower == FollowerKind::FlatTranslating {
-        let mut rows = vec![curvature::row_with_size(problem)];
-        rows.extend(loads::row_with_size(problem));
-        on_the_cam(problem, rows)
-    } else {
-        on_the_cam(problem, pressure_angle::rows_with_size(problem))
-    };
+    let follower = problem.cam.follower;
+    let mut sized = Vec::new();
+    if follower == FollowerKind::FlatTranslating {
+        sized.push(curvature::row_with_size(problem));
+        sized.extend(loads::row_with_size(problem));
+    } else if !follower.is_oscillating() {
+        sized.extend(pressure_angle::rows_with_size(problem));
+    }
+    let sized = on_the_cam(problem, sized);
     program.limits.extend(sized);
     size::priced(problem, program);
 }

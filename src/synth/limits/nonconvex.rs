@@ -53,40 +53,42 @@ impl NonconvexLimits {
 pub enum Profile {
     /// A roller that slides along +y.
     Roller(ProfileSize),
-    /// A roller on an arm: pivot at distance c, arm A, ξ = rest + s.
+    /// A roller on an arm: pivot at distance c, arm A.
     Arm {
         /// c.
         pivot: f64,
         /// A.
         arm: f64,
-        /// ξ on the base circle, rad.
-        rest: f64,
+        /// Radius of the prime circle.
+        prime: f64,
         /// Smallest pitch radius allowed.
         rho: f64,
         /// Tangents of the pressure angles allowed on the rise and on the fall.
         tan: [Option<f64>; 2],
     },
-    /// A flat face that swings: c + face offset, ξ = rest + s.
+    /// A flat face that swings about a pivot at distance c.
     Face {
         /// c.
         pivot: f64,
         /// Distance of the face from the pivot.
         offset: f64,
-        /// ξ on the base circle, rad.
-        rest: f64,
+        /// Radius of the base circle.
+        base: f64,
         /// Smallest convex radius allowed.
         rho: f64,
     },
 }
 
-/// ProfileSize of a roller cam.
+/// What fixes the size of a cam, and the smallest radius allowed on it.
 #[derive(Debug, Clone, Copy)]
 pub struct ProfileSize {
-    /// D.
+    /// D of a roller that slides.
     pub rise: f64,
-    /// e.
+    /// e of the same.
     pub offset: f64,
-    /// Smallest pitch radius allowed: smallest convex radius of the cam plus the roller's.
+    /// Radius of the prime circle under a follower that swings.
+    pub radius: f64,
+    /// Smallest radius allowed; under a roller that of the pitch curve: the cam's plus the roller's.
     pub rho: f64,
 }
 
@@ -95,11 +97,17 @@ impl ProfileSize {
     pub const NONE: ProfileSize = ProfileSize {
         rise: 0.0,
         offset: 0.0,
+        radius: 0.0,
         rho: 0.0,
     };
+
+    /// Radius of the prime circle.
+    pub fn prime_radius(&self) -> f64 {
+        self.rise.hypot(self.offset) + self.radius
+    }
 }
 
-/// h and its derivatives by s, v, a, j, D, e.
+/// h and its derivatives by s, v, a, j, D, e, Rp.
 pub struct Slack {
     /// Name of the limit.
     pub name: Criterion,
@@ -114,6 +122,7 @@ pub struct Slack {
     pub by_jerk: f64,
     pub by_rise: f64,
     pub by_offset: f64,
+    pub by_radius: f64,
 }
 
 impl Slack {
@@ -130,6 +139,7 @@ impl Slack {
             by_jerk: 0.0,
             by_rise: 0.0,
             by_offset: 0.0,
+            by_radius: 0.0,
         }
     }
 }
@@ -142,24 +152,29 @@ impl Profile {
             Profile::Arm {
                 pivot,
                 arm,
-                rest,
+                prime,
                 rho,
                 tan,
             } => {
+                let (rest, by_radius) = arm_at_rest(pivot, arm, prime);
                 let mut out = vec![curvature::arm_slack(at, pivot, arm, rest, rho)];
                 for (tan, side) in tan.into_iter().zip([1.0, -1.0]) {
                     out.extend(
                         tan.map(|t| pressure_angle::arm_slack(at, pivot, arm, rest, t, side)),
                     );
                 }
-                out
+                with_size_at_rest(out, by_radius)
             }
             Profile::Face {
                 pivot,
                 offset,
-                rest,
+                base,
                 rho,
-            } => vec![curvature::face_slack(at, pivot, offset, rest, rho)],
+            } => {
+                let (rest, by_radius) = face_at_rest(pivot, offset, base);
+                let out = vec![curvature::face_slack(at, pivot, offset, rest, rho)];
+                with_size_at_rest(out, by_radius)
+            }
         }
     }
 
@@ -167,7 +182,16 @@ impl Profile {
     pub fn size(&self) -> ProfileSize {
         match *self {
             Profile::Roller(size) => size,
-            _ => ProfileSize::NONE,
+            Profile::Arm {
+                prime: radius, rho, ..
+            }
+            | Profile::Face {
+                base: radius, rho, ..
+            } => ProfileSize {
+                radius,
+                rho,
+                ..ProfileSize::NONE
+            },
         }
     }
 
@@ -190,12 +214,41 @@ impl Profile {
     }
 
     /// The same follower at another size.
-    pub fn at_size(&self, size: ProfileSize) -> Self {
-        match self {
-            Profile::Roller(_) => Profile::Roller(size),
-            other => *other,
+    pub fn at_size(mut self, size: ProfileSize) -> Self {
+        match &mut self {
+            Profile::Roller(own) => {
+                *own = ProfileSize {
+                    radius: 0.0,
+                    ..size
+                }
+            }
+            Profile::Arm { prime: radius, .. } | Profile::Face { base: radius, .. } => {
+                *radius = size.radius;
+            }
         }
+        self
     }
+}
+
+/// ξ of an arm on the prime circle, rad, and its derivative by the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
+fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
+    let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
+    let rest = cos.clamp(-1.0, 1.0).acos();
+    (rest, prime / (arm * pivot * rest.sin()))
+}
+
+/// ξ of a face on the base circle, rad, and its derivative by the circle's radius: Rb = c sin ξ + offset.
+fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
+    let rest = ((base - offset) / pivot).clamp(-1.0, 1.0).asin();
+    (rest, 1.0 / (pivot * rest.cos()))
+}
+
+/// A follower that swings knows its size by ξ = rest + s alone.
+fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
+    for slack in &mut slacks {
+        slack.by_radius = slack.by_lift * by_radius;
+    }
+    slacks
 }
 
 /// h/w over the law, for each of the limits.
@@ -262,19 +315,20 @@ mod tests {
             Profile::Roller(ProfileSize {
                 rise: 0.04,
                 offset: 0.007,
+                radius: 0.0,
                 rho: 0.02,
             }),
             Profile::Arm {
                 pivot: 0.1,
                 arm: 0.08,
-                rest: 0.6,
+                prime: 0.057,
                 rho: 0.02,
                 tan: [Some(0.6), Some(0.7)],
             },
             Profile::Face {
                 pivot: 0.1,
                 offset: 0.01,
-                rest: 0.5,
+                base: 0.058,
                 rho: 0.005,
             },
         ];
@@ -303,6 +357,19 @@ mod tests {
                     ];
                     let own = &follower.slacks(at)[k];
                     let stated = [own.by_lift, own.by_velocity, own.by_acceleration];
+                    let at_radius = |more: f64| {
+                        let size = follower.size();
+                        let radius = size.radius + more;
+                        let other = follower.at_size(ProfileSize { radius, ..size });
+                        other.slacks(at)[k].h
+                    };
+                    let by_radius = (at_radius(d) - at_radius(-d)) / (2.0 * d);
+                    let tolerance = 1e-6 * own.by_radius.abs().max(own.by_lift.abs());
+                    assert!(
+                        (by_radius - own.by_radius).abs() <= tolerance,
+                        "{follower:?} {k}: {by_radius} {}",
+                        own.by_radius
+                    );
                     let size = stated.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
                     for (f, s) in found.iter().zip(stated) {
                         assert!(
@@ -336,12 +403,11 @@ mod tests {
                 roller_radius: roller,
             },
         };
-        let rest = ((arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot)).acos();
         let (fall, rise) = cam.pressure_angle_extremes();
         let arms = |rho: f64, tan: [Option<f64>; 2]| Profile::Arm {
             pivot,
             arm,
-            rest,
+            prime,
             rho,
             tan,
         };
@@ -366,7 +432,7 @@ mod tests {
         let face = Profile::Face {
             pivot,
             offset,
-            rest: ((base - offset) / pivot).asin(),
+            base,
             rho: cam.curvature().convex.value,
         };
         let exact = clearance(&law, &alone(face));

@@ -47,11 +47,11 @@ pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
     let [rise, fall] = problem.sizing_pressure_angles();
     [(RISING, rise, 1.0), (FALLING, fall, -1.0)].map(|(name, angle, side)| {
         let t = angle.min(NEARLY_RIGHT).tan();
-        let bound = side * problem.cam.offset.unwrap_or(0.0);
+        let bound = side * problem.offset().unwrap_or(0.0);
         let weights = [-t, side, 0.0, 0.0, 0.0];
         let mut limit = row(name, weights, bound, problem.length, Meaning::Sized);
         limit.extra[RISE] = -t;
-        if problem.cam.offset.is_none() {
+        if problem.offset().is_none() {
             limit.extra[OFFSET] = -side;
         }
         limit

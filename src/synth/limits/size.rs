@@ -30,12 +30,18 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         _ => 0.0,
     };
     let limit = problem.limits.prime_radius;
-    if problem.cam.follower == FollowerKind::FlatTranslating {
+    if let Some([least, most]) = problem.reach_of_arm() {
+        // A limit of which the arm falls short is none.
+        let limit = limit.unwrap_or(f64::INFINITY).min(most);
+        program.limits.push(at_most(problem, limit, RADIUS));
+        program.limits.push(at_least(problem, least));
+        program.cost[RADIUS] = cost;
+    } else if problem.cam.follower == FollowerKind::FlatTranslating {
         program
             .limits
             .extend(limit.map(|r| at_most(problem, r, RADIUS)));
         program.cost[RADIUS] = cost;
-    } else if let Some(offset) = problem.cam.offset {
+    } else if let Some(offset) = problem.offset() {
         // With the offset given, the prime radius grows with D alone.
         let rise = |r: f64| (r * r - offset * offset).max(0.0).sqrt();
         program
@@ -63,11 +69,20 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
         LimitKind::PrimeRadius,
         [0.0; 5],
         radius * kept,
-        problem.length,
+        problem.length * problem.lever(),
     );
     limit.extra[variable] = 1.0;
     limit.domain = (0.0, 0.0);
     limit.meaning = same(1.0);
+    limit
+}
+
+/// The radius that a follower on an arm reaches at least.
+fn at_least(problem: &Problem, radius: f64) -> Limit {
+    let scale = problem.length * problem.lever();
+    let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], -radius, scale);
+    limit.extra[RADIUS] = -1.0;
+    limit.domain = (0.0, 0.0);
     limit
 }
 

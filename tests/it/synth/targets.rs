@@ -497,3 +497,70 @@ fn weighings_that_say_nothing_or_too_much_are_refused() {
         "size",
     );
 }
+
+/// A law that is found together with its cam's size fits a smaller cam than the size found after the law, and the
+/// objective and the limit on the size end at the same radius.
+#[test]
+fn law_and_size_under_a_follower_that_swings_are_found_together() {
+    let design = |follower: &str, minimise: &str, limit: Option<f64>| {
+        let most = limit.map_or(String::new(), |r| format!("prime_radius = \"{r} m\""));
+        let text = format!(
+            r#"
+            [drive]
+            kind = "fixed-axis"
+            speed = "10 rad/s"
+            [law]
+            family = "spline"
+            spans = 40
+            minimise = "{minimise}"
+            [[law.point]]
+            angle = "130 deg"
+            lift = "16 deg"
+            [[law.dwell]]
+            from = "260 deg"
+            to = "360 deg"
+            lift = "0 deg"
+            [cam]
+            pivot_distance = "80 mm"
+            {follower}
+            curvature = "8 mm"
+            {most}
+            "#
+        );
+        let table: toml::Table = text.parse().unwrap();
+        synthesise(&scene::read(&table).unwrap(), None).unwrap()
+    };
+    let arm = "follower = \"roller-oscillating\"\narm = \"65 mm\"\nroller_radius = \"8 mm\"\nbore = \"6 mm\"\n[limits]\npressure_angle = \"35 deg\"";
+    let face = "follower = \"flat-oscillating\"\nface_offset = \"5 mm\"\n[limits]";
+    for follower in [arm, face] {
+        let radius = |d: &Design| d.cam.follower.prime_radius();
+        let holds = |d: &Design| d.infeasible.is_none() && d.checks.iter().all(|c| c.pass);
+        let after = design(follower, "jerk", None);
+        let smallest = design(follower, "size", None);
+        assert!(holds(&smallest), "{:?}", smallest.checks);
+        let (least, usual) = (radius(&smallest), radius(&after));
+        assert!(least < 0.95 * usual, "{least} {usual}");
+        let between = design(follower, "jerk", Some(0.5 * (least + usual)));
+        assert!(holds(&between), "{:?}", between.checks);
+        assert!(radius(&between) <= 0.5 * (least + usual) * (1.0 + 1e-8));
+        assert!(mean_square_jerk(&between) > mean_square_jerk(&after));
+        assert!(mean_square_jerk(&between) < mean_square_jerk(&smallest));
+        assert!(holds(&design(follower, "jerk", Some(1.01 * least))));
+        assert!(!holds(&design(follower, "jerk", Some(0.97 * least))));
+    }
+}
+
+/// The size of a cam that is found after its law is no objective: the answer says so instead of another optimum.
+#[test]
+fn a_size_that_follows_the_law_is_no_objective() {
+    let barrel = "follower = \"barrel\"\nroller_radius = \"5 mm\"";
+    let mushroom = "follower = \"mushroom-oscillating\"\narc_radius = \"12 mm\"\npivot_distance = \"130 mm\"\narm = \"100 mm\"";
+    for (follower, lift) in [(barrel, "16 mm"), (mushroom, "5 deg")] {
+        let text = format!(
+            "[drive]\nkind = \"fixed-axis\"\nspeed = \"10 rad/s\"\n[law]\nfamily = \"spline\"\nminimise = \"size\"\n[[law.point]]\nangle = \"130 deg\"\nlift = \"{lift}\"\n[cam]\n{follower}\n"
+        );
+        let table: toml::Table = text.parse().unwrap();
+        let refused = scene::read(&table).unwrap_err().to_string();
+        assert!(refused.contains("law.minimise"), "{refused}");
+    }
+}
