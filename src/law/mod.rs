@@ -203,21 +203,6 @@ impl Law {
         out
     }
 
-    /// w₀s + w₁v + w₂a + w₃j on piece `i` at u ∈ [0, 1]; only what has a weight is evaluated.
-    pub(crate) fn weighed_on(&self, i: usize, u: f64, weights: [f64; 4]) -> f64 {
-        if !self.waves.is_empty() {
-            let Svaj { s, v, a, j } = self.svaj_on(i, u);
-            let [ws, wv, wa, wj] = weights;
-            return ws * s + wv * v + wa * a + wj * j;
-        }
-        let orders = weights.iter().zip(&self.scaled).enumerate();
-        let asked = orders.filter(|(_, (weight, _))| **weight != 0.0);
-        asked.fold(0.0, |sum, (order, (weight, scaled))| {
-            let m = self.poly.degree().saturating_sub(order);
-            sum + weight * horner_bernstein(&scaled[i * (m + 1)..(i + 1) * (m + 1)], u)
-        })
-    }
-
     /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial: exact for polynomial laws; sinusoids
     /// enter by Taylor polynomials on subdivided pieces, with remainders below rounding.
     ///

@@ -44,16 +44,21 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
                 .filter(|b| b.violation < settings.resolved_at_last)
                 .ok_or(rows);
         }
-        let candidate = set.solution(program, &rows, round);
+        let below = program.settings.local_reduction.below;
+        let peaks = program.peaks_near(&set.x, &none, below);
+        let violation = program.worst(&peaks, &set.x, &none);
+        let candidate = set.solution(set.pushing(|i| &rows[i]), violation, round);
         if candidate.violation <= program.settings.tolerance {
             return Ok(candidate);
         }
+        let broken = program.broken_among(&peaks, &set.x, &none);
         if candidate.violation < settings.local_reduction_from
             && attempts < settings.local_reductions
         {
             attempts += 1;
             let level = set.pinned_at;
-            if let Some(refined) = local_reduction::refine(program, unlimited, &candidate, level) {
+            let refined = local_reduction::refine(program, unlimited, &candidate, peaks, level);
+            if let Some(refined) = refined {
                 return Ok(refined);
             }
         }
@@ -71,7 +76,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
                 return best.ok_or(rows);
             }
         }
-        add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
+        add_rows(program, &mut rows, broken, &mut set);
     }
     Err(rows)
 }
@@ -347,24 +352,24 @@ impl<'a> ActiveSet<'a> {
         pushes().fold(f64::INFINITY, f64::min) / largest.max(f64::MIN_POSITIVE)
     }
 
-    /// The state as an answer.
-    pub fn solution(&self, program: &Program, rows: &[Row], rounds: usize) -> Solution {
-        let extra = [0.0; EXTRAS];
-        let active = self
-            .members
-            .iter()
-            .filter_map(|m| {
-                let row = &rows[m.row?];
-                (m.push > 0.0).then(|| Row {
-                    multiplier: m.push,
-                    ..row.clone()
-                })
+    /// The active rows that push, with their multipliers.
+    pub fn pushing<'r>(&self, row: impl Fn(usize) -> &'r Row) -> Vec<Row> {
+        let pushing = self.members.iter().filter(|m| m.push > 0.0);
+        let with_push = pushing.filter_map(|m| {
+            Some(Row {
+                multiplier: m.push,
+                ..row(m.row?).clone()
             })
-            .collect();
+        });
+        with_push.collect()
+    }
+
+    /// The state as an answer.
+    pub fn solution(&self, active: Vec<Row>, violation: f64, rounds: usize) -> Solution {
         Solution {
-            violation: program.violation(&self.x, &extra),
+            violation,
             x: self.x.clone(),
-            extra,
+            extra: [0.0; EXTRAS],
             active,
             used_rows: true,
             iterations: self.steps,

@@ -5,6 +5,9 @@
 
 use super::double::Number;
 
+/// Entries of a column in the band of quintics, which are the rule: loops of known length cost half.
+const QUINTIC: usize = 6;
+
 /// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
 /// rows for the last `border`.
 #[derive(Debug, Clone)]
@@ -12,13 +15,13 @@ pub struct ArrowMatrix<T = f64> {
     n: usize,
     band: usize,
     border: usize,
-    /// Lower band of the leading block: entry (i, i−k) at `core[i*(band+1) + k]`.
+    /// Lower band of the leading block by columns: entry (j + k, j) at `core[j*(band+1) + k]`.
     core: Vec<T>,
     /// Border rows, each of length n (its own block in the last columns, lower part used).
     rows: Vec<T>,
 }
 
-/// Factor L of an [`ArrowMatrix`], same layout.
+/// Factor L of an [`ArrowMatrix`], same layout, its diagonal inverted: a solution waits for no division.
 #[derive(Debug, Clone)]
 pub struct ArrowFactor<T = f64>(ArrowMatrix<T>);
 
@@ -59,13 +62,13 @@ impl<T: Number> ArrowMatrix<T> {
             *entry = *entry + value;
         } else {
             assert!(i - j <= self.band, "entry outside the band");
-            let entry = &mut self.core[i * (self.band + 1) + (i - j)];
+            let entry = &mut self.core[j * (self.band + 1) + (i - j)];
             *entry = *entry + value;
         }
     }
 
     /// Adds the symmetric block of band + 1 unknowns from `first` on, laid out as the band itself: entry
-    /// (k, l), l ≤ k, at `block[k*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
+    /// (k, l), l ≤ k, at `block[l*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
     /// band, as it must; otherwise nothing is added.
     pub fn add_block(&mut self, first: usize, block: &[T]) -> bool {
         let w = self.band + 1;
@@ -99,7 +102,7 @@ impl<T: Number> ArrowMatrix<T> {
         if i >= m {
             self.rows[(i - m) * self.n + j]
         } else if i - j <= self.band {
-            self.core[i * (self.band + 1) + (i - j)]
+            self.core[j * (self.band + 1) + (i - j)]
         } else {
             T::of(0.0)
         }
@@ -128,13 +131,18 @@ impl<T: Number> ArrowMatrix<T> {
     pub fn times(&self, x: &[T]) -> Vec<T> {
         let (m, w) = (self.n - self.border, self.band + 1);
         let mut y = vec![T::of(0.0); self.n];
-        for i in 0..m {
-            y[i] = y[i] + self.core[i * w] * x[i];
-            for k in 1..=self.band.min(i) {
-                let value = self.core[i * w + k];
-                y[i] = y[i] + value * x[i - k];
-                y[i - k] = y[i - k] + value * x[i];
+        for (i, column) in self.core.chunks_exact(w).enumerate() {
+            let own = x[i];
+            let (mut sum, below) = (column[0] * own, w.min(m - i));
+            for ((&value, &x), y) in column[1..below]
+                .iter()
+                .zip(&x[i + 1..])
+                .zip(&mut y[i + 1..])
+            {
+                sum = sum + value * x;
+                *y = *y + value * own;
             }
+            y[i] = y[i] + sum;
         }
         for i in m..self.n {
             let row = &self.rows[(i - m) * self.n..][..=i];
@@ -156,46 +164,20 @@ impl<T: Number> ArrowMatrix<T> {
     pub fn factor(mut self) -> Option<ArrowFactor<T>> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
-        // Column of the factor under the pivot, inside the band.
-        let mut column = vec![T::of(0.0); self.band];
-        for j in 0..m {
-            let pivot = positive_root(self.core[j * w])?;
-            self.core[j * w] = pivot;
-            let inverse = T::of(1.0) / pivot;
-            let below = self.band.min(m - 1 - j);
-            for p in 1..=below {
-                // Entry (j + p, j + q) stands at (j + p)·w + p − q: rows run backwards.
-                let row = &mut self.core[(j + p) * w..][..=p];
-                let l = row[p] * inverse;
-                row[p] = l;
-                column[p - 1] = l;
-                for (entry, &c) in row[..p].iter_mut().zip(column[..p].iter().rev()) {
-                    *entry = *entry - l * c;
-                }
-            }
-            for r in 0..self.border {
-                let (above, own) = self.rows.split_at_mut(r * n);
-                let l = own[j] * inverse;
-                own[j] = l;
-                for (entry, &c) in own[j + 1..].iter_mut().zip(&column[..below]) {
-                    *entry = *entry - l * c;
-                }
-                for (q, other) in above.chunks_exact(n).enumerate() {
-                    own[m + q] = own[m + q] - l * other[j];
-                }
-                own[m + r] = own[m + r] - l * l;
-            }
+        match w {
+            QUINTIC => factor_of_width(&mut self.core, QUINTIC)?,
+            _ => factor_of_width(&mut self.core, w)?,
         }
         for r in 0..self.border {
-            for q in 0..r {
-                let (above, own) = self.rows.split_at_mut(r * n);
-                let other = &above[q * n + m..][..=q];
-                let done = product(&own[m..m + q], other);
-                own[m + q] = (own[m + q] - done) / other[q];
+            let (above, own) = self.rows.split_at_mut(r * n);
+            let own = &mut own[..m + r + 1];
+            forward_in_band(&self.core, w, &mut own[..m], 0);
+            for (q, other) in above.chunks_exact(n).enumerate() {
+                let done = T::dot(&own[..m + q], &other[..m + q]);
+                own[m + q] = (own[m + q] - done) * other[m + q];
             }
-            let own = &mut self.rows[r * n + m..][..=r];
-            let square = product(&own[..r], &own[..r]);
-            own[r] = positive_root(own[r] - square)?;
+            let square = T::dot(&own[..m + r], &own[..m + r]);
+            own[m + r] = T::of(1.0) / positive_root(own[m + r] - square)?;
         }
         Some(ArrowFactor(self))
     }
@@ -207,10 +189,79 @@ fn positive_root<T: Number>(pivot: T) -> Option<T> {
     (value > 0.0 && value.is_finite()).then(|| pivot.root())
 }
 
-fn product<T: Number>(a: &[T], b: &[T]) -> T {
+/// Subtracts a multiple of another vector, as far as both go.
+#[inline(always)]
+fn take_off<T: Number>(from: &mut [T], other: &[T], part: T) {
+    for (x, &l) in from.iter_mut().zip(other) {
+        *x = *x - l * part;
+    }
+}
+
+/// Replaces b by L⁻¹b for the band alone; b is zero before `start`.
+fn forward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) {
+    match w {
+        QUINTIC => forward_of_width(core, QUINTIC, x, start),
+        _ => forward_of_width(core, w, x, start),
+    }
+}
+
+#[inline(always)]
+fn forward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) {
+    for (i, column) in core.chunks_exact(w).enumerate().skip(start) {
+        let value = x[i] * column[0];
+        x[i] = value;
+        let (column, below) = (&column[1..], &mut x[i + 1..]);
+        // Where the whole column lies inside, its length is known.
+        match below.get_mut(..w - 1) {
+            Some(below) => take_off(below, column, value),
+            None => take_off(below, column, value),
+        }
+    }
+}
+
+/// Replaces y by L⁻ᵀy for the band alone.
+fn backward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T]) {
+    match w {
+        QUINTIC => backward_of_width(core, QUINTIC, x),
+        _ => backward_of_width(core, w, x),
+    }
+}
+
+#[inline(always)]
+fn backward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T]) {
+    for (i, column) in core.chunks_exact(w).enumerate().rev() {
+        let (own, below) = x[i..].split_at_mut(1);
+        let done = match below.get(..w - 1) {
+            Some(below) => plain_dot(&column[1..], below),
+            None => plain_dot(&column[1..], below),
+        };
+        own[0] = (own[0] - done) * column[0];
+    }
+}
+
+/// Inner product as far as both go, for few terms.
+#[inline(always)]
+fn plain_dot<T: Number>(a: &[T], b: &[T]) -> T {
     a.iter()
         .zip(b)
         .fold(T::of(0.0), |sum, (&a, &b)| sum + a * b)
+}
+
+/// Cholesky factor of the band alone.
+#[inline(always)]
+fn factor_of_width<T: Number>(core: &mut [T], w: usize) -> Option<()> {
+    let m = core.len() / w;
+    for j in 0..m {
+        let (column, later) = core[j * w..].split_at_mut(w);
+        let inverse = T::of(1.0) / positive_root(column[0])?;
+        column[0] = inverse;
+        column[1..].iter_mut().for_each(|l| *l = *l * inverse);
+        // What stands below the matrix is zero.
+        for (p, own) in (1..w).zip(later.chunks_exact_mut(w)) {
+            take_off(&mut own[..w - p], &column[p..], column[p]);
+        }
+    }
+    Some(())
 }
 
 impl<T: Number> ArrowFactor<T> {
@@ -233,48 +284,27 @@ impl<T: Number> ArrowFactor<T> {
     /// Replaces b by L⁻¹b.
     pub fn forward(&self, x: &mut [T]) {
         let a = &self.0;
-        let (n, w) = (a.n, a.band + 1);
-        let m = n - a.border;
+        let m = a.n - a.border;
         // Rows of limits touch a few neighbours: what stands before the first stays zero.
-        let start = x.iter().position(|v| *v != T::of(0.0)).unwrap_or(n);
-        for i in start..m {
-            let first = i.saturating_sub(a.band).max(start);
-            // Entry (i, k) stands at i·w + i − k: reversed beside x[first..i].
-            let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
-            let known = x[first..i].iter().rev();
-            let sum = (row.iter().zip(known)).fold(T::of(0.0), |sum, (&l, &x)| sum + l * x);
-            x[i] = (x[i] - sum) / a.core[i * w];
-        }
+        let start = x.iter().position(|v| *v != T::of(0.0)).unwrap_or(a.n);
         let start = start.min(m);
-        for r in 0..a.border {
-            let row = &a.rows[r * n..(r + 1) * n];
-            let sum = product(&row[start..m + r], &x[start..m + r]);
-            x[m + r] = (x[m + r] - sum) / row[m + r];
+        forward_in_band(&a.core, a.band + 1, &mut x[..m], start);
+        for (i, row) in (m..).zip(a.rows.chunks_exact(a.n)) {
+            let done = T::dot(&row[start..i], &x[start..i]);
+            x[i] = (x[i] - done) * row[i];
         }
     }
 
     /// Replaces y by L⁻ᵀy.
     pub fn backward(&self, x: &mut [T]) {
         let a = &self.0;
-        let (n, w) = (a.n, a.band + 1);
-        let m = n - a.border;
-        for r in (0..a.border).rev() {
-            let row = &a.rows[r * n..(r + 1) * n];
-            let value = x[m + r] / row[m + r];
-            x[m + r] = value;
-            for (x, &l) in x[..m + r].iter_mut().zip(row) {
-                *x = *x - l * value;
-            }
-        }
-        for i in (0..m).rev() {
-            let value = x[i] / a.core[i * w];
+        let m = a.n - a.border;
+        for (i, row) in (m..a.n).zip(a.rows.chunks_exact(a.n)).rev() {
+            let value = x[i] * row[i];
             x[i] = value;
-            let first = i.saturating_sub(a.band);
-            let row = &a.core[i * w + 1..i * w + 1 + (i - first)];
-            for (x, &l) in x[first..i].iter_mut().rev().zip(row) {
-                *x = *x - l * value;
-            }
+            take_off(&mut x[..i], row, value);
         }
+        backward_in_band(&a.core, a.band + 1, &mut x[..m]);
     }
 }
 

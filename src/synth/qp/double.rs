@@ -3,6 +3,7 @@
 //! A value and what its rounding left over, about 32 digits together: sums after Knuth (two-sum), products after
 //! Dekker (1971) with the factors split, because not every processor multiplies and adds in one rounding.
 
+use super::frame;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What the banded factorisation asks of its numbers.
@@ -29,6 +30,12 @@ pub trait Number:
 
     /// The product of two numbers of usual digits.
     fn product(a: f64, b: f64) -> Self;
+
+    /// Inner product.
+    fn dot(a: &[Self], b: &[Self]) -> Self {
+        let products = a.iter().zip(b).map(|(&a, &b)| a * b);
+        products.fold(Self::of(0.0), |sum, product| sum + product)
+    }
 }
 
 impl Number for f64 {
@@ -52,6 +59,10 @@ impl Number for f64 {
     #[inline]
     fn product(a: f64, b: f64) -> Self {
         a * b
+    }
+
+    fn dot(a: &[f64], b: &[f64]) -> f64 {
+        frame::dot(a, b)
     }
 }
 

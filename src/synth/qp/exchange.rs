@@ -64,7 +64,9 @@ impl Program {
             return self.solve_by_interior_point();
         }
         let mut unlimited = equality::solve(self)?;
-        unlimited.x = self.on_base_circle(unlimited.x);
+        if unlimited.pin.is_some() {
+            unlimited.x = self.with_lowest_at_zero(unlimited.x);
+        }
         if let Some(solution) = self.without_rows(&unlimited.x) {
             return Ok(solution);
         }

@@ -3,7 +3,8 @@
 /// The planes of an active set, by their normals.
 #[derive(Default)]
 pub struct Frame {
-    q: Vec<Vec<f64>>,
+    /// Vectors of the basis, one after the other.
+    q: Vec<f64>,
     /// Columns of the upper triangle.
     r: Vec<Vec<f64>>,
 }
@@ -22,12 +23,13 @@ impl Frame {
     /// Takes a normal apart.
     pub fn split(&self, z: &[f64]) -> Apart {
         let mut rest = z.to_vec();
-        let mut along = vec![0.0; self.q.len()];
+        let mut along = Vec::with_capacity(self.r.len() + 1);
+        along.resize(self.r.len(), 0.0);
         let mut left = square(&rest);
         // Where most of z cancels, a second pass restores orthogonality to rounding.
         for _ in 0..2 {
             let before = left;
-            for (q, d) in self.q.iter().zip(&mut along) {
+            for (q, d) in self.q.chunks_exact(z.len()).zip(&mut along) {
                 let part = dot(q, &rest);
                 *d += part;
                 for (r, q) in rest.iter_mut().zip(q) {
@@ -52,12 +54,13 @@ impl Frame {
         let length = left.sqrt();
         rest.iter_mut().for_each(|x| *x /= length);
         along.push(length);
-        self.q.push(rest);
+        self.q.extend_from_slice(&rest);
         self.r.push(along);
     }
 
     /// Takes plane `j` out of Q and R.
     pub fn remove(&mut self, j: usize) {
+        let n = self.q.len() / self.r.len();
         self.r.remove(j);
         let k = self.r.len();
         for i in j..k {
@@ -70,14 +73,14 @@ impl Frame {
                 column[i + 1] = c * q - s * p;
             }
             self.r[i].truncate(i + 1);
-            let (left, right) = self.q.split_at_mut(i + 1);
-            for (p, q) in left[i].iter_mut().zip(&mut right[0]) {
+            let (left, right) = self.q[i * n..].split_at_mut(n);
+            for (p, q) in left.iter_mut().zip(right) {
                 let (a, b) = (*p, *q);
                 *p = c * a + s * b;
                 *q = c * b - s * a;
             }
         }
-        self.q.pop();
+        self.q.truncate(k * n);
     }
 
     /// R⁻¹d.
@@ -95,7 +98,8 @@ impl Frame {
 
     /// The point nearest to `free` on all planes, and the way there along Q; R⁻¹ of that are the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let mut away: Vec<f64> = self.q.iter().map(|q| dot(q, free)).collect();
+        let n = free.len();
+        let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();
         let mut on_planes: Vec<f64> = Vec::with_capacity(away.len());
         for (bound, column) in bounds.iter().zip(&self.r) {
             let i = on_planes.len();
@@ -105,7 +109,7 @@ impl Frame {
             *a -= b;
         }
         let mut y = free.to_vec();
-        for (q, part) in self.q.iter().zip(&away) {
+        for (q, part) in self.q.chunks_exact(n).zip(&away) {
             for (y, q) in y.iter_mut().zip(q) {
                 *y -= part * q;
             }

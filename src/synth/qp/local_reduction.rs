@@ -7,49 +7,64 @@
 //! square from step to step where an exchange of rows only quarters them.
 
 use super::active_set::ActiveSet;
+use super::band::ArrowMatrix;
 use super::basis::{Basis, apply};
 use super::equality::Unlimited;
 use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
 
-/// Improves a law whose contacts are nearly right; `level` is where an open level is pinned.
+/// A row of the law's contact with a limit.
+struct Contact {
+    row: Row,
+    /// −c″ there, where the limit's left side has a maximum inside a piece.
+    falls: Option<f64>,
+}
+
+/// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open
+/// level is pinned.
 ///
 /// Returns `None` where contacts are not of the simple kind or a limit is broken at a place that was none.
 pub fn refine(
     program: &Program,
     unlimited: &Unlimited,
     start: &Solution,
+    mut peaks: Vec<(usize, Peak)>,
     level: f64,
 ) -> Option<Solution> {
     let Basis::Spline { .. } = program.basis else {
         return None;
     };
     let settings = &program.settings.local_reduction;
-    let mut current = start.clone();
-    for _ in 0..settings.steps {
-        let rows = gathered(program, &current);
+    let none = [0.0; EXTRAS];
+    let mut contacts = gathered(program, &start.x, &start.active, &peaks);
+    for step in 1..=settings.steps {
         let mut hessian = unlimited.hessian.clone();
-        for row in &rows {
-            stiffen(program, &current.x, row, &mut hessian);
+        for contact in &contacts {
+            stiffen(program, contact, &mut hessian);
         }
         let factor = hessian.factor()?;
         let mut set = ActiveSet::about(program, unlimited, &factor, level);
-        if !(rows.iter().enumerate()).all(|(i, row)| set.hold(i, row)) {
+        let mut rows = contacts.iter().map(|c| &c.row).enumerate();
+        if !rows.all(|(i, row)| set.hold(i, row)) {
             return None;
         }
         set.refresh();
         if set.weakest() < -settings.negative_multiplier {
             return None;
         }
-        let mut next = set.solution(program, &rows, start.rounds);
-        next.iterations = current.iterations + 1;
-        current = next;
-        if current.violation <= program.settings.tolerance {
-            // A row moved to where its contact went takes the curvature's part of the gradient along.
-            current.active = gathered(program, &current);
-            return Some(current);
+        peaks = program.peaks_near(&set.x, &none, settings.below);
+        let violation = program.worst(&peaks, &set.x, &none);
+        let active = set.pushing(|i| &contacts[i].row);
+        // A row moved to where its contact went takes the curvature's part of the gradient along.
+        contacts = gathered(program, &set.x, &active, &peaks);
+        if violation <= program.settings.tolerance {
+            let active = contacts.into_iter().map(|c| c.row).collect();
+            return Some(Solution {
+                iterations: start.iterations + step,
+                ..set.solution(active, violation, start.rounds)
+            });
         }
-        if current.violation > settings.divergence * start.violation {
+        if violation > settings.divergence * start.violation {
             return None;
         }
     }
@@ -57,16 +72,9 @@ pub fn refine(
 }
 
 /// Active rows brought to the exact local maxima beside them; rows that share one are one contact.
-fn gathered(program: &Program, solution: &Solution) -> Vec<Row> {
-    let extra = [0.0; EXTRAS];
-    let mut peaks: Vec<(usize, Peak)> = Vec::new();
-    let near = |l: &Limit| {
-        let bound = program.room(l, &solution.x, &extra);
-        bound - program.settings.local_reduction.below * l.scale.max(bound.abs())
-    };
-    program.each_peak_above(&solution.x, near, |index, peak| peaks.push((index, peak)));
-    let mut out: Vec<Row> = Vec::new();
-    for row in &solution.active {
+fn gathered(program: &Program, x: &[f64], active: &[Row], peaks: &[(usize, Peak)]) -> Vec<Contact> {
+    let mut out: Vec<Contact> = Vec::with_capacity(active.len());
+    for row in active {
         let width = program.width(row.peak.piece);
         let nearest = row.limit.and_then(|limit| {
             peaks
@@ -77,25 +85,29 @@ fn gathered(program: &Program, solution: &Solution) -> Vec<Row> {
                     distance(&a.1).total_cmp(&distance(&b.1))
                 })
         });
+        let fallen = |peak: &Peak| sharpness(program, x, &program.limits[row.limit?], peak);
+        let falls = nearest.and_then(|(_, peak)| fallen(peak));
         let moved = match nearest {
-            // On an arc that lies on its bound there is no highest place: a row there stays.
-            Some(&(limit, peak))
-                if sharpness(program, &solution.x, &program.limits[limit], &peak).is_some() =>
-            {
-                Row {
+            Some(&(limit, peak)) if falls.is_some() => Contact {
+                row: Row {
                     multiplier: row.multiplier,
                     ..program.row(limit, peak)
-                }
-            }
-            _ => row.clone(),
+                },
+                falls,
+            },
+            // On an arc that lies on its bound there is no highest place: a row there stays.
+            _ => Contact {
+                row: row.clone(),
+                falls: fallen(&row.peak),
+            },
         };
-        let same = |r: &&mut Row| {
-            r.limit == moved.limit
-                && r.limit.is_some()
-                && (r.peak.at - moved.peak.at).abs() < 1e-9 * width
+        let same = |c: &&mut Contact| {
+            c.row.limit == moved.row.limit
+                && c.row.limit.is_some()
+                && (c.row.peak.at - moved.row.peak.at).abs() < 1e-9 * width
         };
         match out.iter_mut().find(same) {
-            Some(twin) => twin.multiplier += moved.multiplier,
+            Some(twin) => twin.row.multiplier += moved.row.multiplier,
             None => out.push(moved),
         }
     }
@@ -118,14 +130,11 @@ fn sharpness(program: &Program, x: &[f64], limit: &Limit, peak: &Peak) -> Option
 }
 
 /// Adds λ/(−c″) a′a′ᵀ for a contact inside its piece.
-fn stiffen(program: &Program, x: &[f64], row: &Row, hessian: &mut super::band::ArrowMatrix) {
-    let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
+fn stiffen(program: &Program, contact: &Contact, hessian: &mut ArrowMatrix) {
+    let (row, Some(falls)) = (&contact.row, contact.falls) else {
         return;
     };
-    let Some(falls) = sharpness(program, x, limit, &row.peak) else {
-        return;
-    };
-    let w = limit.weights;
+    let w = row.weights;
     let once = [0.0, w[0], w[1], w[2], w[3]];
     let slope = program.basis.row_on(row.peak.piece, row.peak.u, &once);
     let weight = row.multiplier / falls;

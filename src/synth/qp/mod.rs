@@ -17,6 +17,7 @@
 //! | `lifted` | the same over the derivatives' coefficients, for many spans |
 //! | `band` | Cholesky factor of a banded matrix with a border |
 //! | `equality` | the optimum under equalities alone |
+//! | `pieces` | derivatives in Bernstein form on all spans at once |
 //! | `separation` | exact points at which a law violates its limits |
 //! | `active_set` | dual active-set method on the banded factor |
 //! | `frame` | active planes as an orthonormal basis and a triangle |
@@ -48,6 +49,7 @@ mod lifted;
 mod local_reduction;
 mod nearest;
 mod objective;
+mod pieces;
 mod polish;
 mod program;
 mod quadratic_step;

@@ -103,7 +103,7 @@ impl Quadratic {
             for (l, &j) in index[..=k].iter().enumerate() {
                 // On few spans two functions of a span are one coefficient: both halves meet on the diagonal.
                 let twice = if i == j && k != l { 2.0 } else { 1.0 };
-                self.hessian.add(i, j, twice * table.gram[k * n + k - l]);
+                self.hessian.add(i, j, twice * table.gram[l * n + k - l]);
             }
         }
     }
@@ -197,7 +197,7 @@ struct Table {
     weighed: Vec<f64>,
     /// The nodes' weights.
     factors: Vec<f64>,
-    /// Products of the functions k and l ≤ k at k·n + k − l, as [`ArrowMatrix::add_block`] takes them.
+    /// Products of the functions k and l ≤ k at l·n + k − l, as [`ArrowMatrix::add_block`] takes them.
     gram: Vec<f64>,
     /// Products of the functions with what is wanted, negative.
     pull: Vec<f64>,
@@ -246,7 +246,7 @@ impl Table {
         self.gram.resize(n * n, 0.0);
         for (k, weighed) in self.weighed.chunks_exact(nodes).enumerate() {
             for (l, function) in self.values.chunks_exact(nodes).take(k + 1).enumerate() {
-                self.gram[k * n + k - l] = dot(weighed, function);
+                self.gram[l * n + k - l] = dot(weighed, function);
             }
         }
     }

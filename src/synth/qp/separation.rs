@@ -1,38 +1,56 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
-use super::basis::{Basis, Entries, add};
+use super::basis::{Basis, Entries, WIDEST, add};
+use super::pieces::{Curve, Pieces};
 use super::program::{EXTRAS, Limit, Meaning, Program, Row};
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
-/// Coefficients of one piece; more than the highest degree of a spline in a scene.
-const WIDEST: usize = 12;
-
 impl Program {
     /// Exact worst points at which a limit is exceeded by more than the tolerance.
     pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
-        let mut out = Vec::new();
-        let allowed = |limit: &Limit| {
-            let bound = self.room(limit, x, extra);
-            bound + self.settings.tolerance * limit.size(bound)
-        };
-        self.each_peak_above(x, allowed, |index, peak| out.push((index, peak)));
-        out
+        self.peaks_near(x, extra, -self.settings.tolerance)
     }
 
     /// Largest excess over any limit, relative to its scale; 0 when all hold.
     pub fn violation(&self, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
-        let mut worst = 0.0_f64;
-        self.each_peak_above(
-            x,
-            |limit| self.room(limit, x, extra),
-            |index, peak| {
-                let limit = &self.limits[index];
-                let bound = self.room(limit, x, extra);
-                worst = worst.max((peak.value - bound) / limit.size(bound));
-            },
-        );
-        worst
+        self.worst(&self.peaks_near(x, extra, 0.0), x, extra)
+    }
+
+    /// Local maxima of the limits' left sides that come as near to their bound as this part of its size.
+    pub fn peaks_near(&self, x: &[f64], extra: &[f64; EXTRAS], near: f64) -> Vec<(usize, Peak)> {
+        let mut out = Vec::new();
+        let level = |limit: &Limit| {
+            let bound = self.room(limit, x, extra);
+            bound - near * limit.size(bound)
+        };
+        self.each_peak_above(x, level, |index, peak| out.push((index, peak)));
+        out
+    }
+
+    /// Those of these maxima that exceed their limit by more than the tolerance.
+    pub fn broken_among(
+        &self,
+        peaks: &[(usize, Peak)],
+        x: &[f64],
+        extra: &[f64; EXTRAS],
+    ) -> Vec<(usize, Peak)> {
+        let broken = peaks.iter().filter(|(index, peak)| {
+            let limit = &self.limits[*index];
+            let bound = self.room(limit, x, extra);
+            peak.value > bound + self.settings.tolerance * limit.size(bound)
+        });
+        broken.copied().collect()
+    }
+
+    /// Largest excess of these maxima over their limits, relative to the limits' scale.
+    pub fn worst(&self, peaks: &[(usize, Peak)], x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+        let excess = peaks.iter().map(|(index, peak)| {
+            let limit = &self.limits[*index];
+            let bound = self.room(limit, x, extra);
+            (peak.value - bound) / limit.size(bound)
+        });
+        excess.fold(0.0, f64::max)
     }
 
     /// Visits every local maximum of every limit's left side above its level, limit by limit.
@@ -46,16 +64,12 @@ impl Program {
             return;
         }
         let mut law: Option<Law> = None;
-        let mut splines = None;
-        let highest = self.limits.iter().map(Limit::highest_order).max();
+        let (mut pieces, mut room) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {
             let level = level(limit);
-            if let (Basis::Spline { space, .. }, None) = (&self.basis, limit.shape)
-                && space.degree() < WIDEST
-            {
-                let pieces =
-                    splines.get_or_insert_with(|| Pieces::new(space, x, highest.unwrap_or(0)));
-                pieces.peaks_above(space, limit, level, |peak| visit(index, peak));
+            if let Some(space) = self.spline_of(limit) {
+                let pieces = pieces.get_or_insert_with(|| self.pieces(space, x));
+                pieces.peaks_above(space, limit, level, &mut room, |peak| visit(index, peak));
                 continue;
             }
             let law = law.get_or_insert_with(|| self.basis.law(x));
@@ -68,6 +82,21 @@ impl Program {
                 visit(index, peak);
             }
         }
+    }
+
+    /// The space whose pieces are a limit's left side to the last coefficient.
+    fn spline_of(&self, limit: &Limit) -> Option<&SplineSpace> {
+        match &self.basis {
+            Basis::Spline { space, .. } => {
+                (limit.shape.is_none() && space.degree() < WIDEST).then_some(space)
+            }
+            Basis::Harmonic { .. } => None,
+        }
+    }
+
+    fn pieces(&self, space: &SplineSpace, x: &[f64]) -> Pieces {
+        let highest = self.limits.iter().map(Limit::highest_order).max();
+        Pieces::new(space, x, highest.unwrap_or(0))
     }
 
     /// The row of a limit at a place.
@@ -116,17 +145,32 @@ impl Program {
     /// Ends and middles of pieces where the law without limits breaks one: many of them touch in the end,
     /// and rows are cheaper than rounds.
     pub fn add_neighbours(&self, rows: &mut Vec<Row>, x: &[f64]) {
-        let law = self.basis.law(x);
-        let breaks = self.basis.breaks();
+        let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {
-            if limit.shape.is_some() || matches!(self.basis, Basis::Harmonic { .. }) {
+            let Some(space) = self.spline_of(limit) else {
                 continue;
-            }
-            ends_and_middles(&breaks, limit, |peak| {
-                let [s, v, a, j, _] = limit.weights;
-                let value = law.weighed_on(peak.piece, peak.u, [s, v, a, j]);
-                if value > self.room(limit, x, &[0.0; EXTRAS]) {
-                    rows.push(self.row(index, peak));
+            };
+            let pieces = pieces.get_or_insert_with(|| self.pieces(space, x));
+            let room = self.room(limit, x, &[0.0; EXTRAS]);
+            pieces.each_above(space, limit, room, &mut curve, |curve, piece| {
+                let span = &space.spans()[piece];
+                let mut room_for_one = [0.0; WIDEST];
+                let b = curve.on(piece, &mut room_for_one);
+                for (u, value) in [
+                    (0.0, b[0]),
+                    (0.5, bernstein::eval(b, 0.5)),
+                    (1.0, b[b.len() - 1]),
+                ] {
+                    let at = span.start + u * span.width;
+                    if value > room && at >= limit.domain.0 && at <= limit.domain.1 {
+                        let peak = Peak {
+                            piece,
+                            u,
+                            at,
+                            value: 0.0,
+                        };
+                        rows.push(self.row(index, peak));
+                    }
                 }
             });
         }
@@ -175,148 +219,5 @@ fn ends_and_middles(breaks: &[f64], limit: &Limit, mut visit: impl FnMut(Peak)) 
                 });
             }
         }
-    }
-}
-
-/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that is asked for.
-struct Pieces {
-    by_order: [Vec<f64>; 5],
-}
-
-impl Pieces {
-    fn new(space: &SplineSpace, x: &[f64], highest: usize) -> Self {
-        let spans = space.spans();
-        let degree = space.degree();
-        let n = degree + 1;
-        let mut by_order: [Vec<f64>; 5] = std::array::from_fn(|k| {
-            let each = if k > highest {
-                0
-            } else {
-                n.saturating_sub(k).max(1)
-            };
-            Vec::with_capacity(spans.len() * each)
-        });
-        let mut local = [0.0; WIDEST];
-        let mut b = [0.0; WIDEST];
-        for (i, span) in spans.iter().enumerate() {
-            let e = space.extraction(i);
-            for (k, value) in local[..n].iter_mut().enumerate() {
-                *value = x[space.index(i, k)];
-            }
-            for (k, value) in b[..n].iter_mut().enumerate() {
-                let row = &e[k * n..(k + 1) * n];
-                *value = row.iter().zip(&local).map(|(e, c)| e * c).sum();
-            }
-            by_order[0].extend_from_slice(&b[..n]);
-            for (order, out) in by_order.iter_mut().enumerate().take(highest + 1).skip(1) {
-                if order > degree {
-                    out.push(0.0);
-                    continue;
-                }
-                let factor = (degree + 1 - order) as f64 / span.width;
-                for k in 0..n - order {
-                    b[k] = factor * (b[k + 1] - b[k]);
-                }
-                out.extend_from_slice(&b[..n - order]);
-            }
-        }
-        Pieces { by_order }
-    }
-
-    /// Visits the local maxima of a limit's left side above `level` within its domain.
-    fn peaks_above(
-        &self,
-        space: &SplineSpace,
-        limit: &Limit,
-        level: f64,
-        mut visit: impl FnMut(Peak),
-    ) {
-        let curve = self.left_side(space, limit);
-        let n = curve.len() / space.spans().len();
-        let on = |piece: usize| &curve[piece * n..(piece + 1) * n];
-        for (piece, span) in space.spans().iter().enumerate() {
-            let b = on(piece);
-            if b.iter().all(|b| *b <= level) {
-                continue;
-            }
-            let from = (limit.domain.0 - span.start) / span.width;
-            let to = (limit.domain.1 - span.start) / span.width;
-            if from >= 1.0 || to <= 0.0 {
-                continue;
-            }
-            let mut found = |u: f64, value: f64| {
-                visit(Peak {
-                    piece,
-                    u,
-                    at: span.start + u * span.width,
-                    value,
-                });
-            };
-            if from > 0.0 || to < 1.0 {
-                let (from, to) = (from.max(0.0), to.min(1.0));
-                let inside = bernstein::between(b, from, to);
-                bernstein::peaks_above(&inside, level, |u, value| {
-                    found(from + u * (to - from), value);
-                });
-                continue;
-            }
-            // Where the curve goes on over a break, its piece's end is a maximum only if the neighbour's is;
-            // of two such ends the left one counts.
-            let climbs_on = piece + 1 < space.spans().len() && n > 1 && {
-                let next = on(piece + 1);
-                // A crest on the break itself may seem to climb on, by rounding.
-                let flat = bernstein::rounding(next);
-                joins(b[n - 1], next[0], level) && next[1] > next[0] + flat
-            };
-            let came_down = piece > 0 && n > 1 && {
-                let last = on(piece - 1);
-                joins(last[n - 1], b[0], level)
-            };
-            bernstein::peaks_above(b, level, |u, value| {
-                if !(u == 1.0 && climbs_on || u == 0.0 && came_down) {
-                    found(u, value);
-                }
-            });
-        }
-    }
-
-    /// Bernstein coefficients of Σ wₖ s⁽ᵏ⁾ on every span, all of one degree.
-    fn left_side(&self, space: &SplineSpace, limit: &Limit) -> Vec<f64> {
-        let degree = space.degree();
-        let lowest = limit.weights.iter().position(|w| *w != 0.0).unwrap_or(0);
-        let n = (degree + 1).saturating_sub(lowest).max(1);
-        let mut sums = vec![0.0; n * space.spans().len()];
-        let mut lifted = [0.0; WIDEST];
-        for (order, &weight) in limit.weights.iter().enumerate().skip(lowest) {
-            if weight == 0.0 || order > degree {
-                continue;
-            }
-            let own = degree + 1 - order;
-            let pieces = self.by_order[order].chunks_exact(own);
-            for (sum, piece) in sums.chunks_exact_mut(n).zip(pieces) {
-                lifted[..own].copy_from_slice(piece);
-                for m in own..n {
-                    elevate(&mut lifted, m);
-                }
-                for (s, l) in sum.iter_mut().zip(&lifted) {
-                    *s += weight * l;
-                }
-            }
-        }
-        sums
-    }
-}
-
-/// Whether two values on both sides of a break are one to rounding.
-fn joins(left: f64, right: f64, level: f64) -> bool {
-    (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
-}
-
-/// Writes the `m` Bernstein coefficients at the front of `b` one degree higher.
-fn elevate(b: &mut [f64], m: usize) {
-    b[m] = b[m - 1];
-    for i in (1..m).rev() {
-        let t = i as f64 / m as f64;
-        b[i] = t * b[i - 1] + (1.0 - t) * b[i];
     }
 }

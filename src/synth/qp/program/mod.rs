@@ -257,9 +257,15 @@ impl Program {
 
     /// Where nothing fixes the level, the law with its lowest point at zero: a stroke counts from there.
     pub fn on_base_circle(&self, x: Vec<f64>) -> Vec<f64> {
-        if !self.level_is_open() {
-            return x;
+        if self.level_is_open() {
+            self.with_lowest_at_zero(x)
+        } else {
+            x
         }
+    }
+
+    /// The law raised until its lowest point is at zero.
+    pub(super) fn with_lowest_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         let lowest = self.basis.lowest(&x);
         self.basis.raised(x, -lowest)
     }

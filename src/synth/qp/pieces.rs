@@ -1,0 +1,323 @@
+//! The law's derivatives in Bernstein form on all spans at once, and the maxima of what limits ask of them.
+
+use super::basis::WIDEST;
+use super::program::Limit;
+use crate::poly::{Peak, Span, SplineSpace, bernstein};
+
+/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that is asked for.
+///
+/// Coefficient k of all spans stands in one row, so that everything that is done to each span is done to all at once.
+pub struct Pieces {
+    spans: usize,
+    degree: usize,
+    /// Rows of s, then of v and so on, one row less each time.
+    rows: Vec<f64>,
+}
+
+/// Bernstein coefficients of one function on every span, and the largest on each.
+#[derive(Default)]
+pub struct Curve {
+    spans: usize,
+    rows: Vec<f64>,
+    tops: Vec<f64>,
+}
+
+impl Pieces {
+    pub fn new(space: &SplineSpace, x: &[f64], highest: usize) -> Self {
+        let (spans, degree) = (space.spans().len(), space.degree());
+        let highest = highest.min(degree);
+        let before = |order: usize| spans * (0..order).map(|k| degree + 1 - k).sum::<usize>();
+        let mut rows = Vec::with_capacity(before(highest + 1));
+        rows.resize(before(1), 0.0);
+        fill_with_lift(space, x, &mut rows);
+        let rates: Vec<f64> = space.spans().iter().map(|s| 1.0 / s.width).collect();
+        for order in 1..=highest {
+            let factor = (degree + 1 - order) as f64;
+            for k in 0..=degree - order {
+                let (from, to) = (before(order - 1) + k * spans, rows.len());
+                rows.resize(to + spans, 0.0);
+                let (lower, own) = rows.split_at_mut(to);
+                let (left, right) = lower[from..from + 2 * spans].split_at(spans);
+                for (((d, left), right), rate) in own.iter_mut().zip(left).zip(right).zip(&rates) {
+                    *d = factor * rate * (right - left);
+                }
+            }
+        }
+        Pieces {
+            spans,
+            degree,
+            rows,
+        }
+    }
+
+    /// Smallest lift.
+    pub fn lowest(&self) -> f64 {
+        let lift = Curve {
+            spans: self.spans,
+            rows: self.of_order(0).to_vec(),
+            tops: Vec::new(),
+        };
+        let least = |of: &[f64]| of.iter().fold(f64::INFINITY, |m, b| m.min(*b));
+        let last = self.degree * self.spans;
+        let mut lowest = least(&lift.rows[..self.spans]).min(least(&lift.rows[last..]));
+        let (mut room, mut critical) = ([0.0; WIDEST], Vec::new());
+        for piece in 0..self.spans {
+            let b = lift.on(piece, &mut room);
+            if least(b) < lowest {
+                critical.clear();
+                bernstein::add_critical(b, &mut critical);
+                let inside = critical.iter().map(|u| bernstein::eval(b, *u));
+                lowest = inside.fold(lowest, f64::min);
+            }
+        }
+        lowest
+    }
+
+    /// Coefficients of one derivative.
+    fn of_order(&self, order: usize) -> &[f64] {
+        let before: usize = (0..order).map(|k| self.degree + 1 - k).sum();
+        &self.rows[before * self.spans..][..(self.degree + 1 - order) * self.spans]
+    }
+
+    /// Visits the local maxima of a limit's left side above `level` within its domain.
+    pub fn peaks_above(
+        &self,
+        space: &SplineSpace,
+        limit: &Limit,
+        level: f64,
+        room: &mut Curve,
+        mut visit: impl FnMut(Peak),
+    ) {
+        self.each_above(space, limit, level, room, |curve, piece| {
+            let span = &space.spans()[piece];
+            curve.peaks_above(piece, span, limit, level, |u, value| {
+                visit(Peak {
+                    piece,
+                    u,
+                    at: span.start + u * span.width,
+                    value,
+                });
+            });
+        });
+    }
+
+    /// Visits the pieces in a limit's domain on which its left side may exceed `level`.
+    pub fn each_above(
+        &self,
+        space: &SplineSpace,
+        limit: &Limit,
+        level: f64,
+        room: &mut Curve,
+        mut visit: impl FnMut(&Curve, usize),
+    ) {
+        self.left_side(limit, room);
+        for (piece, (span, top)) in space.spans().iter().zip(&room.tops).enumerate() {
+            let in_domain = span.start + span.width > limit.domain.0 && span.start < limit.domain.1;
+            if *top > level && in_domain {
+                visit(room, piece);
+            }
+        }
+    }
+
+    /// Bernstein coefficients of Σ wₖ s⁽ᵏ⁾ on every span, all of one degree.
+    fn left_side(&self, limit: &Limit, curve: &mut Curve) {
+        let lowest = limit.weights.iter().position(|w| *w != 0.0).unwrap_or(0);
+        let n = (self.degree + 1).saturating_sub(lowest).max(1);
+        let Curve { spans, rows, tops } = curve;
+        *spans = self.spans;
+        rows.clear();
+        rows.resize(n * self.spans, 0.0);
+        let mut lifted = Vec::new();
+        for (order, &weight) in limit.weights.iter().enumerate().skip(lowest) {
+            if weight == 0.0 || order > self.degree {
+                continue;
+            }
+            let mut own = self.of_order(order);
+            if own.len() < rows.len() {
+                lifted.clear();
+                lifted.extend_from_slice(own);
+                while lifted.len() < rows.len() {
+                    elevate(&mut lifted, self.spans);
+                }
+                own = &lifted;
+            }
+            for (sum, b) in rows.iter_mut().zip(own) {
+                *sum += weight * b;
+            }
+        }
+        let (first, others) = rows.split_at(self.spans);
+        tops.clear();
+        tops.extend_from_slice(first);
+        for row in others.chunks_exact(self.spans) {
+            for (top, b) in tops.iter_mut().zip(row) {
+                *top = if *b > *top { *b } else { *top };
+            }
+        }
+    }
+}
+
+impl Curve {
+    /// Coefficients on one piece.
+    pub fn on<'a>(&self, piece: usize, room: &'a mut [f64; WIDEST]) -> &'a [f64] {
+        let rows = self.rows.chunks_exact(self.spans);
+        let n = rows.len();
+        for (b, row) in room.iter_mut().zip(rows) {
+            *b = row[piece];
+        }
+        &room[..n]
+    }
+
+    /// Visits the local maxima on one piece above `level` within a limit's domain.
+    fn peaks_above(
+        &self,
+        piece: usize,
+        span: &Span,
+        limit: &Limit,
+        level: f64,
+        mut visit: impl FnMut(f64, f64),
+    ) {
+        let (mut own, mut beside) = ([0.0; WIDEST], [0.0; WIDEST]);
+        let b = self.on(piece, &mut own);
+        let from = (limit.domain.0 - span.start) / span.width;
+        let to = (limit.domain.1 - span.start) / span.width;
+        if from >= 1.0 || to <= 0.0 {
+            return;
+        }
+        if from > 0.0 || to < 1.0 {
+            let (from, to) = (from.max(0.0), to.min(1.0));
+            let inside = bernstein::between(b, from, to);
+            bernstein::peaks_above(&inside, level, |u, value| {
+                visit(from + u * (to - from), value);
+            });
+            return;
+        }
+        // Where the curve goes on over a break, its piece's end is a maximum only if the neighbour's is;
+        // of two such ends the left one counts.
+        let n = b.len();
+        let climbs_on = piece + 1 < self.spans && n > 1 && {
+            let next = self.on(piece + 1, &mut beside);
+            // A crest on the break itself may seem to climb on, by rounding.
+            let flat = bernstein::rounding(next);
+            joins(b[n - 1], next[0], level) && next[1] > next[0] + flat
+        };
+        let came_down = piece > 0 && n > 1 && {
+            let end = self.rows[(n - 1) * self.spans + piece - 1];
+            joins(end, b[0], level)
+        };
+        bernstein::peaks_above(b, level, |u, value| {
+            if !(u == 1.0 && climbs_on || u == 0.0 && came_down) {
+                visit(u, value);
+            }
+        });
+    }
+}
+
+/// Bernstein coefficients of a spline, a row of all spans for each.
+fn fill_with_lift(space: &SplineSpace, x: &[f64], rows: &mut [f64]) {
+    let (spans, n, turn) = (space.spans(), space.degree() + 1, space.dimension());
+    // Coefficients go on around the turn: a span's own stand side by side.
+    let mut around = Vec::with_capacity(turn + n);
+    around.extend_from_slice(&x[..turn]);
+    (1..n).for_each(|i| around.push(around[i - 1]));
+    let mut begin = 0;
+    while begin < spans.len() {
+        let first = space.index(begin, 0);
+        // Spans that look alike, each one coefficient further on.
+        let alike = (spans[begin..].iter().enumerate()).take_while(|(i, span)| {
+            span.matrix() == spans[begin].matrix()
+                && span.first == spans[begin].first + i
+                && first + i < turn
+        });
+        let run = alike.count();
+        let weights = space.extraction(begin).chunks_exact(n);
+        for (row, weights) in rows.chunks_exact_mut(spans.len()).zip(weights) {
+            let (row, own) = (&mut row[begin..begin + run], &around[first..]);
+            match n {
+                6 => products(row, own, &weights[..6]),
+                _ => products(row, own, weights),
+            }
+        }
+        begin += run;
+    }
+}
+
+/// Inner products of the weights with the coefficients from every place on.
+#[inline(always)]
+fn products(out: &mut [f64], coefficients: &[f64], weights: &[f64]) {
+    for (out, own) in out.iter_mut().zip(coefficients.windows(weights.len())) {
+        *out = weights.iter().zip(own).map(|(w, c)| w * c).sum();
+    }
+}
+
+/// Whether two values on both sides of a break are one to rounding.
+fn joins(left: f64, right: f64, level: f64) -> bool {
+    (left - right).abs() <= 1e-12 * left.abs().max(level.abs())
+}
+
+/// Writes rows of Bernstein coefficients one degree higher.
+fn elevate(rows: &mut Vec<f64>, spans: usize) {
+    let m = rows.len() / spans;
+    rows.extend_from_within((m - 1) * spans..);
+    for i in (1..m).rev() {
+        let t = i as f64 / m as f64;
+        let (before, own) = rows.split_at_mut(i * spans);
+        for (b, left) in own[..spans].iter_mut().zip(&before[(i - 1) * spans..]) {
+            *b = t * left + (1.0 - t) * *b;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::criterion::Criterion;
+    use crate::law::Law;
+
+    /// Uniform, with fewer spans than a span has B-splines, with breaks of any multiplicity, and open at both ends.
+    fn spaces() -> [SplineSpace; 4] {
+        let breaks = [0.0, 0.4, 1.3, 2.0, 2.2, 4.0];
+        [
+            SplineSpace::periodic_uniform(5, 9, 4.0),
+            SplineSpace::periodic_uniform(5, 3, 4.0),
+            SplineSpace::periodic(4, &breaks, &[1, 3, 1, 2, 2]),
+            SplineSpace::clamped(5, &breaks, &[1, 2, 1, 1]),
+        ]
+    }
+
+    #[test]
+    fn maxima_and_lowest_lift_are_those_of_the_piecewise_polynomial() {
+        for space in spaces() {
+            let x: Vec<f64> = (0..space.dimension())
+                .map(|i| ((i * i) % 7) as f64 - 2.0)
+                .collect();
+            let spline = space.spline(&x);
+            let pieces = Pieces::new(&space, &x, 3);
+            let lowest = spline.extremes().0.value;
+            assert!((pieces.lowest() - lowest).abs() < 1e-13);
+            let law = Law::from_poly(spline, false);
+            for [s, v, a, j] in [
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, -1.0],
+                [1.0, -0.5, 0.2, 0.0],
+            ] {
+                let curve = law.combination([s, v, a, j], 0.0);
+                let (low, high) = curve.extremes();
+                let limit = Limit {
+                    domain: (0.0, 4.0),
+                    ..Limit::new(Criterion::Peak, [s, v, a, j, 0.0], 0.0, 1.0)
+                };
+                let size = high.value.max(-low.value);
+                let mut most = f64::NEG_INFINITY;
+                let level = low.value - size;
+                pieces.peaks_above(&space, &limit, level, &mut Curve::default(), |peak| {
+                    most = most.max(peak.value);
+                    let [b, e] = [0, 1].map(|k| curve.breaks()[peak.piece + k]);
+                    assert!((b + peak.u * (e - b) - peak.at).abs() < 1e-12);
+                    let here = bernstein::eval(curve.piece(peak.piece), peak.u);
+                    assert!((here - peak.value).abs() < 1e-11 * size);
+                });
+                assert!((most - high.value).abs() < 1e-11 * size);
+            }
+        }
+    }
+}
