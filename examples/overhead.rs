@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         });
         let shared = Shared::default();
         if let Ok(design) = synthesise_with(&scene, target.as_ref(), &shared) {
-            let _ = relaxed_with(&scene, target.as_ref(), design, &shared.halt);
+            let _ = relaxed_with(&scene, target.as_ref(), design, &shared);
         }
     });
     let mut table: toml::Table = scene::DEFAULT.parse()?;

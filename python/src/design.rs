@@ -104,7 +104,7 @@ fn made(
     let begun = interrupt.elapsed_s();
     let design = synthesise_with(&input.scene, target, &shared)?;
     let solve_s = interrupt.elapsed_s() - begun;
-    let design = relaxed_with(&input.scene, target, design, &shared.halt);
+    let design = relaxed_with(&input.scene, target, design, &shared);
     Ok((design, solve_s))
 }
 

@@ -85,7 +85,7 @@ pub enum Ended {
     NoSolution,
     /// No part of the last step improves the objective.
     NoImprovement,
-    /// The last step improved the objective by too little.
+    /// Steps improve the objective by too little.
     SmallGain,
 }
 

@@ -26,7 +26,7 @@ use crate::poly::{Peak, PiecewisePoly};
 
 /// Steps before the sequence is called finished as it is.
 const MOST_STEPS: usize = 40;
-/// The merit must improve by this part, or the sequence ends.
+/// A step must promise to improve the merit by this part, and do so, or the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
 /// Tolerance of the limits between steps; the last law is solved to rounding.
 const STEP_TOLERANCE: f64 = 1e-6;
@@ -37,6 +37,10 @@ const ROWS_PER_PIECE: usize = 4;
 const FAR: f64 = 0.6;
 /// Low points of h/w below this become rows.
 const NEAR: f64 = 0.05;
+/// A place this near (in units of its piece) to another one is the same.
+const COINCIDENT: f64 = 1e-6;
+/// What the exchange of rows leaves further outside a limit than this is no solution.
+const BROKEN: f64 = 1e-4;
 /// Room kept in h, relative to w, so that the finished cam passes its own check.
 const ROOM: f64 = 1e-9;
 /// A start that misses by less than this, relative to w, is sought with more room.
@@ -93,11 +97,15 @@ pub fn refine(
         let mut next = program.clone();
         next.fixed = linearised(program, &current, &here, &present, 2.0 * ROOM);
         next.seeds = contacts(program, &current);
-        let Ok(target) = next.solve() else {
+        let Some(target) = solved(&next) else {
             ended = Ended::NoSolution;
             break;
         };
         let gained = |trial: &Solution| merit(&current) - merit(trial);
+        if gained(&target) <= IMPROVEMENT * merit(&current).abs() {
+            ended = Ended::SmallGain;
+            break;
+        }
         let whole = corrected(program, &target, &sized).filter(|(trial, _)| gained(trial) > 0.0);
         let mut taken = 1.0;
         // Where mending the whole step costs most of what it promised, a part of it may bring more.
@@ -158,6 +166,11 @@ pub fn refine(
     Some((current, steps, ended))
 }
 
+/// The solution of a program, where there is one.
+fn solved(program: &Program) -> Option<Solution> {
+    program.solve().ok().filter(|s| s.violation <= BROKEN)
+}
+
 /// A solution that holds the limits beside the program's own, from the program's `start`; `None` where
 /// none was found.
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
@@ -213,7 +226,7 @@ fn held(program: &Program, current: &Solution, limits: NonconvexLimits) -> Optio
         // Nearest to the law at hand, so that the linearised curvature stays true.
         last.gradient.clone_from(&gradient);
         last.lifted = None;
-        let mut exact = last.with_sizes_held(current, room).solve().ok()?;
+        let mut exact = solved(&last.with_sizes_held(current, room))?;
         let violation = exact.violation;
         let clear = clearance(&program.basis.law(&exact.x), &enlarged);
         if clear >= 0.0 {
@@ -269,6 +282,14 @@ fn linearised(
                 at: dip.at,
                 value: 0.0,
             });
+        }
+    }
+    // A low point wanders from one law to the next: rows on both sides of a contact close in on it like a secant.
+    let touched = current.active.iter().filter(|r| r.limit.is_none());
+    for peak in touched.map(|r| r.peak) {
+        let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
+        if !places.iter().any(near) {
+            places.push(peak);
         }
     }
     let size = limits.size();

@@ -230,7 +230,7 @@ fn examine_design(input: &Input, time: TimeLimit) -> Result<u8> {
     let shown = time.shown();
     let shared = Shared::until(time.of_design());
     let design = match synthesise_with(&input.scene, target.as_ref(), &shared) {
-        Ok(design) => relaxed_with(&input.scene, target.as_ref(), design, &shared.halt),
+        Ok(design) => relaxed_with(&input.scene, target.as_ref(), design, &shared),
         Err(fault) => {
             bad(&fault.sentence(language::current()));
             return Ok(BAD_INPUT);

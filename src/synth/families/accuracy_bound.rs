@@ -24,7 +24,9 @@ struct Proof {
 /// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use. Remembered for the
 /// problems that follow.
 pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
-    let Some(allowed) = judged(problem) else {
+    // A program of many spans costs far more than its proof, which the search for relaxations may use.
+    let is_of_use = problem.only_passing || touched.program.lifted.is_some();
+    let Some(allowed) = judged(problem).filter(|_| is_of_use) else {
         return false;
     };
     let missed = is_beyond(touched.least(), allowed);
@@ -33,12 +35,12 @@ pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
         let (program, solution) = (touched.program.clone(), touched.solution.clone());
         problem.memo.keep((), Proof { program, solution });
     }
-    missed
+    missed && problem.only_passing
 }
 
 /// Whether an earlier proof holds for this program too.
 pub fn refuses(problem: &Problem, program: &Program) -> bool {
-    let Some(allowed) = judged(problem) else {
+    let Some(allowed) = judged(problem).filter(|_| problem.only_passing) else {
         return false;
     };
     problem.memo.any(|(): &(), proof: &Proof| {
@@ -47,10 +49,12 @@ pub fn refuses(problem: &Problem, program: &Program) -> bool {
     })
 }
 
-/// The error allowed, where a design that misses it is of no use. More spans may reach it where their number is open.
+/// The error allowed, where it is what the program minimises. More spans may reach it where their number is open.
 fn judged(problem: &Problem) -> Option<f64> {
-    let judged = problem.only_passing && problem.law.spans.is_some();
-    if !judged || problem.objective() != Minimise::ForceError || problem.is_weighed() {
+    if problem.law.spans.is_none()
+        || problem.objective() != Minimise::ForceError
+        || problem.is_weighed()
+    {
         return None;
     }
     problem.allowed_error()

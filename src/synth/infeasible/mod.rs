@@ -4,6 +4,7 @@
 //! whole cam with a changed value of every limit in turn. A stop of the solver is no proof that limits leave
 //! nothing, and is reported as what it is.
 
+mod beside;
 mod iis;
 mod reasons;
 mod relaxable;

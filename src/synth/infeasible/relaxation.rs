@@ -5,13 +5,14 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
+use super::beside::beside;
 use super::reasons::{changes, smallest_relaxations};
 use super::relaxable::{Relaxable, relaxables};
-use crate::cam::{Criterion, Verdict};
+use crate::cam::{Criterion, LimitKind, Verdict};
 use crate::force::ForceCurve;
 use crate::halt::Halt;
-use crate::problem::{Note, Problem};
-use crate::scene::{Family, Scene};
+use crate::problem::{Note, Problem, Shared};
+use crate::scene::{Family, Minimise, Scene};
 use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
 use crate::synth::verdict::verdict;
@@ -36,15 +37,15 @@ const BACK: f64 = 1e-3;
 /// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
 /// A design that passes is returned as it came.
 pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Design) -> Design {
-    relaxed_with(scene, force, design, &Halt::never())
+    relaxed_with(scene, force, design, &Shared::default())
 }
 
-/// The same with an end to the search: what it has found by then is told.
+/// The same with what the design's own search has found, and an end to this one: what it has found by then is told.
 pub fn relaxed_with(
     scene: &Scene,
     force: Option<&ForceCurve>,
     design: Design,
-    halt: &Halt,
+    shared: &Shared,
 ) -> Design {
     // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
     let hopeless = design.reasons.iter().any(|reason| {
@@ -59,11 +60,8 @@ pub fn relaxed_with(
                 | Reason::LimitUnbounded { .. }
         )
     });
-    match Problem::settle(scene, force) {
-        Ok(mut problem) if !hopeless && !passes(&design) => {
-            problem.halt = halt.clone();
-            with_relaxations(&problem, design)
-        }
+    match Problem::settle_with(scene, force, shared) {
+        Ok(problem) if !hopeless && !passes(&design) => with_relaxations(&problem, design),
         _ => design,
     }
 }
@@ -89,20 +87,27 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             _ => COARSE,
         },
     };
-    let mut found: Vec<Relaxation> = Vec::new();
-    for &(number, from) in &numbers {
-        if problem.halt.is_asked() {
-            break;
+    let relaxation = |&(number, from): &(Relaxable, f64), halt: &Halt| {
+        if halt.is_asked() {
+            return None;
         }
         let hint = known
             .iter()
             .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
-        let own = search.own_accuracy(number, &design);
-        if let Some(to) = own.or_else(|| search.smallest(number, from, hint)) {
-            found.push(told(number, from, to));
-        }
-    }
+        let problem = until(problem, halt);
+        let search = Search {
+            problem: &problem,
+            ..search
+        };
+        let to = match search.own_accuracy(number, &design) {
+            Some(own) => own,
+            None => search.smallest(number, from, hint),
+        };
+        to.map(|to| told(number, from, to))
+    };
+    let tried = beside(&numbers, &problem.halt, relaxation);
+    let found: Vec<Relaxation> = tried.into_iter().flatten().collect();
     let measures = problem.cam.measures();
     let (cures, together) = if found.is_empty() && !problem.halt.is_asked() {
         search.several(&numbers, &design.reasons)
@@ -159,6 +164,13 @@ fn is_found(found: &[Relaxation], number: Relaxable) -> bool {
 
 fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
+}
+
+/// The problem with another end to its searches.
+fn until(problem: &Problem, halt: &Halt) -> Problem {
+    let mut problem = problem.clone();
+    problem.halt = halt.clone();
+    problem
 }
 
 /// The problem with these values.
@@ -245,6 +257,10 @@ impl Search<'_> {
             }
             fails = value;
         }
+        // No law needs less than one that was found to need the least.
+        if let Some(least) = needed.filter(|_| self.is_minimised(number)) {
+            fails = least;
+        }
         let size = from.abs().max(1e-3 * works.abs());
         while !self.problem.halt.is_asked()
             && (works - fails).abs() > self.precision * works.abs().max(size)
@@ -266,23 +282,32 @@ impl Search<'_> {
         EDGES
             .iter()
             .map(|room| number.rounded(works + room * works.abs() * number.sign()))
-            .find(|&to| self.tried(number, to).is_some())
+            .find(|&to| to == works || self.tried(number, to).is_some())
     }
 
-    /// The accuracy that a design has which misses nothing else. With spans given it has no other: what is asked of
-    /// the accuracy does not enter its law.
-    fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<f64> {
+    /// Whether the law is chosen to make it small.
+    fn is_minimised(&self, number: Relaxable) -> bool {
+        let is_size = number.key.limit == Some(LimitKind::PrimeRadius);
+        is_size && self.problem.objective() == Minimise::Size
+    }
+
+    /// With spans given what is asked of the accuracy does not enter the law: the accuracy that the design has, where
+    /// that is all it misses, and no other. The outer `None` where it is to be sought.
+    fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
-        if !number.is_accuracy() || !given || design.infeasible.is_some() {
+        if !number.is_accuracy() || !given {
             return None;
+        }
+        if design.infeasible.is_some() {
+            return Some(None);
         }
         let to = number.rounded(design.force.rms_error_n / self.force_mean());
         let eased = number.with(self.problem, to);
         let mut checks = design.checks.clone();
         checks.retain(|c| c.name != Criterion::RmsError);
         let (verdict, _) = verdict(&eased, &design.cam, &checks, &design.force);
-        (verdict != Verdict::Unacceptable).then_some(to)
+        Some((verdict != Verdict::Unacceptable).then_some(to))
     }
 
     fn force_mean(&self) -> f64 {
@@ -332,22 +357,25 @@ impl Search<'_> {
             Err(_) => return (vec![Reason::NoRelaxation], Vec::new()),
         }
         // Those out of reach even where nothing else is asked.
-        let mut hopeless = Vec::new();
-        for (at, &(number, from)) in numbers.iter().enumerate() {
-            let mut others = free.clone();
-            others[at].1 = from;
-            let alone = changed(self.problem, &others);
-            if self.problem.halt.is_asked() || passing(alone.clone()).is_some() {
-                continue;
+        let out_of_reach = |&(number, from): &(Relaxable, f64), halt: &Halt| {
+            let own = |&(other, far): &(Relaxable, f64)| {
+                let value = if other == number { from } else { far };
+                (other, value)
+            };
+            let others: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
+            let alone = until(&changed(self.problem, &others), halt);
+            if halt.is_asked() || passing(alone.clone()).is_some() {
+                return None;
             }
             let search = Search {
                 problem: &alone,
                 ..*self
             };
-            if let Some(to) = search.smallest(number, from, None) {
-                hopeless.push((number, from, to));
-            }
-        }
+            let to = search.smallest(number, from, None)?;
+            Some((number, from, to))
+        };
+        let tried = beside(numbers, &self.problem.halt, out_of_reach);
+        let hopeless: Vec<(Relaxable, f64, f64)> = tried.into_iter().flatten().collect();
         if hopeless.is_empty() {
             return (vec![Reason::NoRelaxation], Vec::new());
         }

@@ -1,6 +1,6 @@
 //! Whole steps of a sequence of convex programs, mended where they break what is not convex.
 
-use super::{NEARLY, ROOM, contacts, linearised};
+use super::{NEARLY, ROOM, contacts, linearised, solved};
 use crate::synth::limits::{NonconvexLimits, clearance};
 use crate::synth::qp::{EXTRAS, Program, Solution};
 
@@ -34,7 +34,7 @@ pub fn corrected(
         let mut next = program.clone();
         next.fixed = linearised(program, &end, &here, &present, kept);
         next.seeds = contacts(program, &end);
-        let solved = next.solve().ok()?;
+        let solved = solved(&next)?;
         end = Solution {
             iterations: end.iterations + solved.iterations,
             rounds: end.rounds + solved.rounds,

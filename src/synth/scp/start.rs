@@ -1,6 +1,6 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
-use super::{NEARLY, ROOM, SHORTEST, blend, contacts, each_place, linearised, row};
+use super::{NEARLY, ROOM, SHORTEST, blend, contacts, each_place, linearised, row, solved};
 use crate::cam::LimitKind;
 use crate::synth::limits::{NonconvexLimits, Profile, ProfileSize, clearance};
 use crate::synth::qp::{EXTRAS, Program, RISE, Row, Solution};
@@ -45,7 +45,7 @@ pub fn feasible(
             _ => linearised(program, &current, &here, &program.present(), room),
         };
         next.seeds = contacts(program, &current);
-        let solved = next.solve().ok()?;
+        let solved = solved(&next)?;
         current = Solution {
             iterations: current.iterations + solved.iterations,
             ..solved
@@ -91,7 +91,9 @@ pub fn climbed(
             let mut next = program.clone();
             next.fixed = linearised(program, &trial, &limits, &present, kept);
             next.seeds = contacts(program, &trial);
-            let Ok(solved) = next.solve() else { break };
+            let Some(solved) = solved(&next) else {
+                break;
+            };
             // Where the whole step overshoots, the part of it that comes nearest.
             let clear = |part: f64| {
                 let some = blend(&trial, &solved, part, program);

@@ -26,7 +26,7 @@ ended-out-of-time = the time limit
 ended-most-steps = maximum number of steps reached
 ended-no-solution = the linearised program is infeasible near the last law
 ended-no-improvement = no part of the last step improves the objective
-ended-small-gain = the last step improved the objective by less than one part in ten million
+ended-small-gain = steps improve the objective by less than one part in ten million
 
 # Why a law is not certified to be the optimum.
 doubt-limits = a limit is exceeded by more than the solver's tolerance

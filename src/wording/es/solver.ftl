@@ -26,7 +26,7 @@ ended-out-of-time = el límite de tiempo
 ended-most-steps = se alcanzó el número máximo de pasos
 ended-no-solution = el programa linealizado no tiene solución cerca de la última ley
 ended-no-improvement = ninguna fracción del último paso mejora el objetivo
-ended-small-gain = el último paso mejoró el objetivo en menos de una parte en diez millones
+ended-small-gain = los pasos mejoran el objetivo en menos de una parte en diez millones
 
 # Por qué no se certifica que la ley sea el óptimo.
 doubt-limits = un límite se supera en más de la tolerancia del método

@@ -5,6 +5,7 @@ mod coefficients;
 mod every_limit;
 mod families;
 mod guard;
+mod interruption;
 mod loads;
 mod machine;
 mod out_of_reach;

@@ -161,7 +161,7 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let shared = Shared::until(args.time.of_design());
     let design = synthesise_with(&input.scene, target.as_ref(), &shared)?;
     let solve_s = solving.elapsed().as_secs_f64();
-    let design = relaxed_with(&input.scene, target.as_ref(), design, &shared.halt);
+    let design = relaxed_with(&input.scene, target.as_ref(), design, &shared);
     drop(shown);
     let answer = Answer {
         target,

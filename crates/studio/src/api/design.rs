@@ -351,12 +351,12 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     let Some(turn) = studio.turns.take(&asked) else {
         return overtaken();
     };
-    let halt = turn.asked().halt();
+    let shared = Shared::until(turn.asked().halt());
     let tried = relaxed_with(
         &kept.scene,
         kept.target.as_ref(),
         kept.design.clone(),
-        &halt,
+        &shared,
     );
     if asked.is_overtaken() {
         return overtaken();

@@ -199,10 +199,15 @@ impl Program {
         held
     }
 
-    /// The same program with every stroke and face left free; `None` without such limits.
+    /// The same program with every stroke and face left free; `None` without such limits, and beside a program in
+    /// which one of them was active.
     pub fn without_windows(&self) -> Option<Program> {
         let mut windows = self.limits.iter().filter(|l| l.is_window()).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
+            return None;
+        }
+        let of_window = |r: &Row| r.limit.is_some_and(|i| self.limits[i].is_window());
+        if (self.seeds.iter()).any(|r| r.multiplier > 0.0 && of_window(r)) {
             return None;
         }
         let mut free = self.clone();

@@ -1,0 +1,96 @@
+//! Searches beside each other on all cores, while the thread that asked for them listens for their end.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use rayon::prelude::*;
+
+use crate::halt::Halt;
+
+/// Time between two looks at the caller's halt.
+const LOOK: Duration = Duration::from_millis(10);
+
+/// What `search` finds for every item, in the order of the items; what it finds depends on no other.
+///
+/// Searches ask a halt of their own. The caller's may know its answer on the caller's thread alone (Python hears
+/// signals on one), so that thread asks it and tells the others.
+pub fn beside<T: Sync, R: Send>(
+    items: &[T],
+    halt: &Halt,
+    search: impl Fn(&T, &Halt) -> R + Sync,
+) -> Vec<R> {
+    // On a thread of a pool the cores have work already.
+    if items.len() < 2 || rayon::current_thread_index().is_some() {
+        return items.iter().map(|item| search(item, halt)).collect();
+    }
+    let asked = Arc::new(AtomicBool::new(false));
+    let told = Arc::clone(&asked);
+    let own = Halt::when(move || told.load(Ordering::Relaxed));
+    let caller = thread::current();
+    let done = AtomicBool::new(false);
+    thread::scope(|scope| {
+        let work = scope.spawn(|| {
+            let found = items.par_iter().map(|item| search(item, &own)).collect();
+            done.store(true, Ordering::Release);
+            caller.unpark();
+            found
+        });
+        // A search that panics is never done.
+        while !done.load(Ordering::Acquire) && !work.is_finished() {
+            if halt.is_asked() {
+                asked.store(true, Ordering::Relaxed);
+            }
+            thread::park_timeout(LOOK);
+        }
+        work.join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_stand_in_the_order_of_the_items() {
+        let items: Vec<u64> = (0..100).collect();
+        let squares = beside(&items, &Halt::never(), |&i, _| i * i);
+        assert!(
+            squares
+                .iter()
+                .enumerate()
+                .all(|(i, &s)| s == (i * i) as u64)
+        );
+    }
+
+    #[test]
+    fn a_halt_that_only_the_callers_thread_hears_ends_every_search() {
+        let caller = thread::current().id();
+        let halt = Halt::when(move || thread::current().id() == caller);
+        let until_told = |_: &i32, halt: &Halt| {
+            while !halt.is_asked() {
+                thread::yield_now();
+            }
+            thread::current().id() != caller
+        };
+        assert!(beside(&[1, 2, 3], &halt, until_told).iter().all(|&b| b));
+    }
+
+    #[test]
+    #[should_panic(expected = "what a search says")]
+    fn a_panic_of_a_search_is_the_callers() {
+        beside(&[1, 2], &Halt::never(), |_, _| panic!("what a search says"));
+    }
+
+    #[test]
+    fn a_thread_of_a_pool_searches_by_itself() {
+        let own = |_: &i32, _: &Halt| thread::current().id();
+        let (here, found) = rayon::scope(|_| {
+            let found = beside(&[1, 2, 3], &Halt::never(), own);
+            (thread::current().id(), found)
+        });
+        assert!(found.iter().all(|&thread| thread == here));
+    }
+}
