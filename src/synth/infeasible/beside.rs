@@ -1,11 +1,9 @@
 //! Searches beside each other on all cores, while the thread that asked for them listens for their end.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, Thread};
 use std::time::Duration;
-
-use rayon::prelude::*;
 
 use crate::halt::Halt;
 
@@ -29,24 +27,52 @@ pub fn beside<T: Sync, R: Send>(
     let told = Arc::clone(&asked);
     let own = Halt::when(move || told.load(Ordering::Relaxed));
     let caller = thread::current();
-    let done = AtomicBool::new(false);
+    let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let found = Mutex::new(Vec::with_capacity(items.len()));
+    // Threads of their own: behind the work of a shared pool a search would not even begin, and so not end.
+    let work = || {
+        let _end = End {
+            done: &done,
+            caller: &caller,
+        };
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(at) else { break };
+            let result = search(item, &own);
+            if let Ok(mut found) = found.lock() {
+                found.push((at, result));
+            }
+        }
+    };
+    let count = thread::available_parallelism().map_or(1, usize::from);
+    let count = count.min(items.len());
     thread::scope(|scope| {
-        let work = scope.spawn(|| {
-            let found = items.par_iter().map(|item| search(item, &own)).collect();
-            done.store(true, Ordering::Release);
-            caller.unpark();
-            found
-        });
-        // A search that panics is never done.
-        while !done.load(Ordering::Acquire) && !work.is_finished() {
+        for _ in 0..count {
+            scope.spawn(work);
+        }
+        while done.load(Ordering::Acquire) < count {
             if halt.is_asked() {
                 asked.store(true, Ordering::Relaxed);
             }
             thread::park_timeout(LOOK);
         }
-        work.join()
-            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
-    })
+    });
+    let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
+    found.sort_by_key(|&(at, _)| at);
+    found.into_iter().map(|(_, result)| result).collect()
+}
+
+/// The end of a thread's work, by a panic too.
+struct End<'a> {
+    done: &'a AtomicUsize,
+    caller: &'a Thread,
+}
+
+impl Drop for End<'_> {
+    fn drop(&mut self) {
+        self.done.fetch_add(1, Ordering::Release);
+        self.caller.unpark();
+    }
 }
 
 #[cfg(test)]
@@ -79,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "what a search says")]
+    #[should_panic(expected = "a scoped thread panicked")]
     fn a_panic_of_a_search_is_the_callers() {
         beside(&[1, 2], &Halt::never(), |_, _| panic!("what a search says"));
     }
