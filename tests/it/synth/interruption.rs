@@ -56,5 +56,6 @@ fn an_end_that_only_the_callers_thread_hears_is_heard_while_relaxations_run() {
     let relaxed = relaxed_with(&scene, Some(&force), design, &Shared::until(halt));
     let took = first.get().unwrap().elapsed();
     assert!(relaxed.out_of_time);
-    assert!(took < Duration::from_millis(220), "{took:?}");
+    // Unheard, the search takes many times as long; heard, the time of one look and of one step, on busy cores too.
+    assert!(took < Duration::from_secs(2), "{took:?}");
 }
