@@ -11,9 +11,10 @@ use crate::scene::DriveSpec;
 /// What was found for one wanted force and the same demands on the law: the settled force, numbers of spans, objectives,
 /// the figures of laws.
 ///
-/// Limits enter none of it but proofs, which hold their own limits beside them; so problems that differ in them alone share what was found: clones of a problem
-/// do by themselves, rows of a sweep by [`synthesise_with`](crate::synth::synthesise_with). To be shared only between
-/// problems of the same force, settled alike, and the same demands on the law.
+/// Limits enter none of it but proofs, which hold their own limits beside them; so problems that differ in limits alone
+/// share what was found: clones of a problem do by themselves, rows of a sweep by
+/// [`synthesise_with`](crate::synth::synthesise_with). To be shared only between problems of the same force, settled
+/// alike, and the same demands on the law.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Memo(Arc<Mutex<Vec<Box<dyn Any + Send>>>>);
 

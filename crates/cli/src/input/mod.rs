@@ -44,8 +44,8 @@ pub fn written(args: &SceneArgs) -> Result<(Table, PathBuf, Option<PathBuf>)> {
         Some(path) if path == Path::new("-") => {
             (parse(&read_standard_input()?, None)?, here(), None)
         }
-        Some(path) if path.exists() => (table(path)?, folder_of(path), Some(path.clone())),
-        Some(path) => match built_in(path) {
+        // The name of a file that exists is not looked for among the others.
+        Some(path) => match (!path.exists()).then(|| built_in(path)).flatten() {
             Some(text) => (parse(text, Some(path))?, here(), Some(path.clone())),
             None => (table(path)?, folder_of(path), Some(path.clone())),
         },
