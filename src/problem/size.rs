@@ -49,11 +49,16 @@ impl Problem {
             Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
             _ => self.limits.prime_radius.is_some(),
         };
-        priced && self.cam.follower.has_size_beside_law()
+        // Where the lengths leave no size, they are told as they are when one is looked for.
+        let limit = self.limits.prime_radius.unwrap_or(f64::INFINITY);
+        let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
+        priced
+            && self.cam.follower.has_size_beside_law()
+            && self.reach_of_arm().is_none_or(has_room)
     }
 
     /// Least and largest radius of the prime circle under a follower that swings, m: the pivot lies outside the circle, which
-    /// the follower reaches, and the limit holds.
+    /// the follower reaches. `None` under other followers.
     pub fn reach_of_arm(&self) -> Option<[f64; 2]> {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings)?;
@@ -67,8 +72,7 @@ impl Problem {
         let most = most.min(pivot);
         // At the very ends an arm is stretched out: its angle there has no derivative by the radius.
         let room = STRETCHED * (most - least);
-        let limit = self.limits.prime_radius.unwrap_or(f64::INFINITY);
-        Some([least + room, (most - room).min(limit)])
+        Some([least + room, most - room])
     }
 
     /// Offset of a follower's line, m; `None` where it is open. A mushroom's is 0 where nothing is said.

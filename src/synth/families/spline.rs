@@ -262,11 +262,15 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
 
 /// Where the size under a follower that swings is sought: what the law needs by itself, as far as it is allowed.
 fn size_on_an_arm(problem: &Problem, law: &Law) -> Option<f64> {
+    if problem.size() != Size::Sought {
+        return None;
+    }
     let [least, most] = problem.reach_of_arm()?;
-    let most = most * (1.0 - 4.0 * scp::ENLARGED);
+    let limit = problem.limits.prime_radius.unwrap_or(f64::INFINITY);
+    let most = (most.min(limit) * (1.0 - 4.0 * scp::ENLARGED)).max(least);
     let own = sizing::cam(problem, law.clone(), law).ok();
     let own = own.map_or(most, |cam| cam.follower.prime_radius());
-    (problem.size() == Size::Sought && least < most).then(|| own.clamp(least, most))
+    Some(own.clamp(least, most))
 }
 
 /// The program with every limit that is convex, and the force distance alone.

@@ -32,9 +32,12 @@ pub fn priced(problem: &Problem, program: &mut Program) {
     let limit = problem.limits.prime_radius;
     if let Some([least, most]) = problem.reach_of_arm() {
         // A limit of which the arm falls short is none.
-        let limit = limit.unwrap_or(f64::INFINITY).min(most);
-        program.limits.push(at_most(problem, limit, RADIUS));
-        program.limits.push(at_least(problem, least));
+        let limit = limit.filter(|limit| *limit <= most);
+        let most = limit.map_or_else(
+            || of_arm(problem, 1.0, most),
+            |limit| at_most(problem, limit, RADIUS),
+        );
+        program.limits.extend([most, of_arm(problem, -1.0, -least)]);
         program.cost[RADIUS] = cost;
     } else if problem.cam.follower == FollowerKind::FlatTranslating {
         program
@@ -77,11 +80,11 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     limit
 }
 
-/// The radius that a follower on an arm reaches at least.
-fn at_least(problem: &Problem, radius: f64) -> Limit {
+/// An end of what a follower on an arm reaches, which nobody wrote: weight · radius ≤ bound.
+fn of_arm(problem: &Problem, weight: f64, bound: f64) -> Limit {
     let scale = problem.length * problem.lever();
-    let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], -radius, scale);
-    limit.extra[RADIUS] = -1.0;
+    let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], bound, scale);
+    limit.extra[RADIUS] = weight;
     limit.domain = (0.0, 0.0);
     limit
 }

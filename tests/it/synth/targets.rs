@@ -273,37 +273,42 @@ fn words_that_name_no_front_are_refused() {
     }
 }
 
+/// A law through a point to a dwell under a follower that swings about a pivot at 80 mm; `rest` is what follows in `[cam]`.
+fn swinging(minimise: &str, rest: &str) -> Design {
+    let text = format!(
+        r#"
+        name = "arm"
+        [drive]
+        kind = "fixed-axis"
+        speed = "10 rad/s"
+        [law]
+        family = "spline"
+        spans = 40
+        minimise = "{minimise}"
+        [[law.point]]
+        angle = "130 deg"
+        lift = "16 deg"
+        [[law.dwell]]
+        from = "260 deg"
+        to = "360 deg"
+        lift = "0 deg"
+        [cam]
+        pivot_distance = "80 mm"
+        {rest}
+        "#
+    );
+    let table: toml::Table = text.parse().unwrap();
+    synthesise(&scene::read(&table).unwrap(), None).unwrap()
+}
+
 /// An arm on a given base circle: without help the law breaks its pressure angle or its curvature.
 #[test]
 fn the_law_of_an_arm_gives_way_to_pressure_angle_and_curvature() {
     let scene = |follower: &str, limits: &str, rest: &str| {
-        let text = format!(
-            r#"
-            name = "arm"
-            [drive]
-            kind = "fixed-axis"
-            speed = "10 rad/s"
-            [law]
-            family = "spline"
-            spans = 40
-            minimise = "jerk"
-            [[law.point]]
-            angle = "130 deg"
-            lift = "16 deg"
-            [[law.dwell]]
-            from = "260 deg"
-            to = "360 deg"
-            lift = "0 deg"
-            [cam]
-            follower = "{follower}"
-            pivot_distance = "80 mm"
-            {rest}
-            [limits]
-            {limits}
-            "#
-        );
-        let table: toml::Table = text.parse().unwrap();
-        synthesise(&scene::read(&table).unwrap(), None).unwrap()
+        swinging(
+            "jerk",
+            &format!("follower = \"{follower}\"\n{rest}\n[limits]\n{limits}"),
+        )
     };
     let arm = "arm = \"65 mm\"\nroller_radius = \"8 mm\"\nbase_radius = \"32 mm\"";
     let free = scene("roller-oscillating", "", arm);
@@ -504,31 +509,10 @@ fn weighings_that_say_nothing_or_too_much_are_refused() {
 fn law_and_size_under_a_follower_that_swings_are_found_together() {
     let design = |follower: &str, minimise: &str, limit: Option<f64>| {
         let most = limit.map_or(String::new(), |r| format!("prime_radius = \"{r} m\""));
-        let text = format!(
-            r#"
-            [drive]
-            kind = "fixed-axis"
-            speed = "10 rad/s"
-            [law]
-            family = "spline"
-            spans = 40
-            minimise = "{minimise}"
-            [[law.point]]
-            angle = "130 deg"
-            lift = "16 deg"
-            [[law.dwell]]
-            from = "260 deg"
-            to = "360 deg"
-            lift = "0 deg"
-            [cam]
-            pivot_distance = "80 mm"
-            {follower}
-            curvature = "8 mm"
-            {most}
-            "#
-        );
-        let table: toml::Table = text.parse().unwrap();
-        synthesise(&scene::read(&table).unwrap(), None).unwrap()
+        swinging(
+            minimise,
+            &format!("{follower}\ncurvature = \"8 mm\"\n{most}"),
+        )
     };
     let arm = "follower = \"roller-oscillating\"\narm = \"65 mm\"\nroller_radius = \"8 mm\"\nbore = \"6 mm\"\n[limits]\npressure_angle = \"35 deg\"";
     let face = "follower = \"flat-oscillating\"\nface_offset = \"5 mm\"\n[limits]";
@@ -548,6 +532,11 @@ fn law_and_size_under_a_follower_that_swings_are_found_together() {
         assert!(holds(&design(follower, "jerk", Some(1.01 * least))));
         assert!(!holds(&design(follower, "jerk", Some(0.97 * least))));
     }
+    // A limit that the arm cannot reach is missed by the cam of the law alone, and nothing that was not written is named.
+    let unreached = design(arm, "jerk", Some(1e-6));
+    let missed: Vec<_> = unreached.checks.iter().filter(|c| !c.pass).collect();
+    assert_eq!(missed.len(), 1, "{missed:?}");
+    assert_eq!(missed[0].name.name(), "prime_radius");
 }
 
 /// The size of a cam that is found after its law is no objective: the answer says so instead of another optimum.
