@@ -78,6 +78,11 @@ impl Lifted {
         }
     }
 
+    /// Degree of the lift.
+    pub fn degree(&self) -> usize {
+        self.spaces[0].degree()
+    }
+
     /// Coefficients of one order.
     pub fn dimension(&self) -> usize {
         self.spaces[0].dimension()
@@ -313,7 +318,8 @@ impl Lifted {
         self.derivatives_to(x, self.used)
     }
 
-    fn derivatives_to(&self, x: &[f64], highest: usize) -> Vec<f64> {
+    /// The same up to one order.
+    pub fn derivatives_to(&self, x: &[f64], highest: usize) -> Vec<f64> {
         let n = self.dimension();
         let mut out = Vec::with_capacity(self.gradient.len());
         out.extend_from_slice(&x[..n]);

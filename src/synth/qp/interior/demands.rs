@@ -2,27 +2,26 @@
 
 use super::system::Line;
 use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
-use crate::synth::qp::double::Number;
 
 /// A demand whose pivot is below this many roundings of its own size follows from those before it.
 const DEPENDENT: f64 = 1e4;
 
 /// K⁻¹Eᵀ and the factor of E K⁻¹ Eᵀ.
-pub struct Demands<T> {
+pub struct Demands {
     /// Weight with which the outer products of demands at one angle stand in K.
-    stiffness: T,
+    stiffness: f64,
     widest: usize,
-    solved: Vec<Vec<T>>,
+    solved: Vec<Vec<f64>>,
     /// Rows of the lower triangle; a demand that follows from others has a zero pivot.
-    lower: Vec<Vec<T>>,
+    lower: Vec<Vec<f64>>,
 }
 
-impl<T: Number> Demands<T> {
+impl Demands {
     /// Makes the matrix regular where the demands settle what it leaves open: their outer products move no step that
     /// keeps them.
-    pub fn stiffen(demands: &[Line<T>], matrix: &mut ArrowMatrix<T>) -> T {
+    pub fn stiffen(demands: &[Line], matrix: &mut ArrowMatrix) -> f64 {
         let widest = matrix.pattern().0 + 1;
-        let weight = T::of(1.0);
+        let weight = 1.0;
         for demand in demands.iter().filter(|d| d.entries.len() <= widest) {
             for (p, &(i, a)) in demand.entries.iter().enumerate() {
                 for &(j, b) in &demand.entries[..=p] {
@@ -33,18 +32,18 @@ impl<T: Number> Demands<T> {
         weight
     }
 
-    pub fn new(demands: &[Line<T>], factor: &ArrowFactor<T>, stiffness: T) -> Self {
+    pub fn new(demands: &[Line], factor: &ArrowFactor, stiffness: f64) -> Self {
         let n = factor.dimension();
         let mut solved = Vec::with_capacity(demands.len());
         for demand in demands {
-            let mut column = vec![T::of(0.0); n];
-            demand.add_to(&mut column, T::of(1.0));
+            let mut column = vec![0.0; n];
+            demand.add_to(&mut column, 1.0);
             factor.solve(&mut column);
             solved.push(column);
         }
-        let mut lower: Vec<Vec<T>> = Vec::with_capacity(demands.len());
+        let mut lower: Vec<Vec<f64>> = Vec::with_capacity(demands.len());
         for (i, demand) in demands.iter().enumerate() {
-            let mut row: Vec<T> = solved[..=i].iter().map(|y| demand.of(y)).collect();
+            let mut row: Vec<f64> = solved[..=i].iter().map(|y| demand.of(y)).collect();
             let own = row[i];
             for j in 0..=i {
                 let mut sum = row[j];
@@ -53,15 +52,15 @@ impl<T: Number> Demands<T> {
                     sum = sum - row[k] * other;
                 }
                 row[j] = if j < i {
-                    if lower[j][j] > T::of(0.0) {
+                    if lower[j][j] > 0.0 {
                         sum / lower[j][j]
                     } else {
-                        T::of(0.0)
+                        0.0
                     }
-                } else if sum.rounded() > DEPENDENT * T::EPSILON * own.rounded() {
-                    sum.root()
+                } else if sum > DEPENDENT * f64::EPSILON * own {
+                    sum.sqrt()
                 } else {
-                    T::of(0.0)
+                    0.0
                 };
             }
             lower.push(row);
@@ -77,18 +76,18 @@ impl<T: Number> Demands<T> {
     /// Solves K u + Eᵀν = x, E u = y in place of x; returns ν.
     pub fn solve(
         &self,
-        demands: &[Line<T>],
-        factor: &ArrowFactor<T>,
-        x: &mut [T],
-        y: &[T],
-    ) -> Vec<T> {
+        demands: &[Line],
+        factor: &ArrowFactor,
+        x: &mut [f64],
+        y: &[f64],
+    ) -> Vec<f64> {
         for (demand, &y) in demands.iter().zip(y) {
             if demand.entries.len() <= self.widest {
                 demand.add_to(x, self.stiffness * y);
             }
         }
         factor.solve(x);
-        let mut nu: Vec<T> = (demands.iter().zip(y))
+        let mut nu: Vec<f64> = (demands.iter().zip(y))
             .map(|(demand, &y)| demand.of(x) - y)
             .collect();
         let pivot = |i: usize| self.lower[i][i];
@@ -96,20 +95,20 @@ impl<T: Number> Demands<T> {
             for k in 0..i {
                 nu[i] = nu[i] - self.lower[i][k] * nu[k];
             }
-            nu[i] = if pivot(i) > T::of(0.0) {
+            nu[i] = if pivot(i) > 0.0 {
                 nu[i] / pivot(i)
             } else {
-                T::of(0.0)
+                0.0
             };
         }
         for i in (0..nu.len()).rev() {
             for k in i + 1..nu.len() {
                 nu[i] = nu[i] - self.lower[k][i] * nu[k];
             }
-            nu[i] = if pivot(i) > T::of(0.0) {
+            nu[i] = if pivot(i) > 0.0 {
                 nu[i] / pivot(i)
             } else {
-                T::of(0.0)
+                0.0
             };
         }
         for (column, &nu) in self.solved.iter().zip(&nu) {

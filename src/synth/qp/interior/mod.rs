@@ -1,23 +1,22 @@
-//! The interior-point method on the program's own band.
+//! The interior-point method with cost in proportion to the spans.
 //!
 //! Slacks and multipliers of all rows are driven to the central path together (Mehrotra's predictor and corrector);
-//! what is factorised in every iteration is H + Σ (zᵢ/sᵢ) aᵢaᵢᵀ, which is as banded as H: cost in proportion to the spans.
-//! The objective counts from the optimum without limits, so that the gap is a part of what the limits cost. In the
-//! coefficients of a lift of many spans the matrix has a condition of N⁴ and more (theory §9): they are solved in numbers
-//! of twice the digits. Of few spans only the programs between the steps of a sequence are solved here, with usual
-//! digits: nobody asks for their last ones.
+//! what is factorised in every iteration is H + Σ (zᵢ/sᵢ) aᵢaᵢᵀ. Of many spans it is a chain of windows (`chain`); of few
+//! spans, where only the programs between the steps of a sequence are solved here, the band of the lift's coefficients.
+//! The objective counts from the optimum without limits, so that the gap is a part of what the limits cost.
 //!
 //! What has no such band, and what the method does not settle, is left to the caller.
 
+mod chain;
 mod cone;
 mod demands;
+mod dense;
 mod scaled;
 mod steps;
 mod system;
 
 use super::basis::Basis;
 use super::clarabel::Point;
-use super::double::{Double, Number};
 use super::program::{Failure, Program, Row};
 use super::settings::TOLERANCE;
 use scaled::Scaled;
@@ -44,12 +43,12 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         Some(lifted) if rows.iter().all(|r| lifted.carries(&r.weights)) => answered(
             program,
             rows,
-            Scaled::<Double>::of_many_spans(program, lifted, rows, margin),
+            Scaled::of_many_spans(program, lifted, rows, margin),
         ),
         None if is_between_steps(program) => answered(
             program,
             rows,
-            Scaled::<f64>::of_few_spans(program, rows, margin),
+            Scaled::of_few_spans(program, rows, margin),
         ),
         _ => Err(Left::Open),
     }
@@ -61,10 +60,10 @@ fn is_between_steps(program: &Program) -> bool {
     spline && !program.fixed.is_empty() && program.settings.tolerance > TOLERANCE
 }
 
-fn answered<T: Number>(
+fn answered(
     program: &Program,
     rows: &mut [Row],
-    scaled: Option<Scaled<T>>,
+    scaled: Option<Scaled>,
 ) -> Result<Point, Left> {
     let scaled = scaled.ok_or(Left::Open)?;
     let settings = &program.settings.interior_point;

@@ -1,11 +1,11 @@
 //! A program in the units of the solver: lengths in typical lifts, rows and objective near one, counted from the
 //! optimum without limits.
 
-use super::system::{Found, Line, System};
+use super::chain::{ByWindow, Chain, Layout};
+use super::system::{Found, Line, Matrix, System};
 use crate::synth::qp::band::ArrowMatrix;
-use crate::synth::qp::basis::Basis;
+use crate::synth::qp::basis::{Basis, Entries};
 use crate::synth::qp::clarabel::{Columns, Point, row_unit};
-use crate::synth::qp::double::{Double, Number};
 use crate::synth::qp::equality;
 use crate::synth::qp::lifted::Lifted;
 use crate::synth::qp::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Row};
@@ -20,8 +20,8 @@ const BROKEN: f64 = 1e-9;
 const ROUNDINGS: f64 = 16.0;
 
 /// A program as the method solves it.
-pub struct Scaled<T> {
-    pub system: System<T>,
+pub struct Scaled {
+    pub system: System,
     /// The law from which unknowns count.
     start: Vec<f64>,
     columns: Columns,
@@ -29,147 +29,165 @@ pub struct Scaled<T> {
     kept: Vec<(usize, f64)>,
 }
 
-/// What differs between numbers of usual and of twice the digits.
-struct Parts<T> {
-    hessian: ArrowMatrix<T>,
-    /// Hx + g at the start.
-    pull: Vec<T>,
-    demands: Vec<Vec<(usize, T)>>,
-    rows: Vec<Vec<(usize, T)>>,
+/// Over what a law's rows stand.
+enum Over<'a> {
+    /// The coefficients of the lift.
+    Lift,
+    /// Those of its derivatives too; the law's own at the start beside them.
+    Chain(&'a Lifted, Layout, Vec<f64>),
 }
 
-impl Scaled<Double> {
-    /// Matrix and rows from the derivatives' own coefficients, which keep the digits.
+impl Over<'_> {
+    /// A row of a limit and its value at the start.
+    fn row(&self, row: &Row, start: &[f64]) -> (Entries, f64) {
+        match self {
+            Over::Lift => (row.entries.clone(), value(&row.entries, start)),
+            Over::Chain(lifted, layout, derivatives) => {
+                let entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
+                let at_start = value(&entries, derivatives);
+                (layout.row(&entries), at_start)
+            }
+        }
+    }
+
+    /// A demand, which is one on the coefficients of the lift.
+    fn demand(&self, entries: &Entries) -> Entries {
+        match self {
+            Over::Lift => entries.clone(),
+            Over::Chain(_, layout, _) => layout.of_lift(entries),
+        }
+    }
+
+    /// Unknown of the last coefficient of the lift, or of its mean.
+    fn level(&self, basis: &Basis) -> usize {
+        match (self, basis) {
+            (Over::Chain(_, layout, _), _) => layout.own(0, basis.columns() - 1),
+            (_, Basis::Spline { .. }) => basis.columns() - 1,
+            (_, Basis::Harmonic { .. }) => 0,
+        }
+    }
+}
+
+fn value(entries: &Entries, x: &[f64]) -> f64 {
+    entries.iter().map(|&(i, a)| a * x[i]).sum()
+}
+
+impl Scaled {
+    /// Over the derivatives' own coefficients, which keep the digits.
     pub fn of_many_spans(
         program: &Program,
         lifted: &Lifted,
         rows: &[Row],
         margin: f64,
     ) -> Option<Self> {
+        let highest = rows.iter().map(|r| lifted.highest(&r.weights)).max();
+        let highest = highest.unwrap_or(0).max(lifted.used());
+        let layout = Layout::new(lifted, highest);
         let start = start(program);
-        let folded = lifted.in_full();
-        let x: Vec<Double> = start.iter().map(|&x| Double::of(x)).collect();
-        let mut pull = folded.hessian.times(&x);
-        for (p, &g) in pull.iter_mut().zip(&folded.gradient) {
-            *p = *p + g;
+        let derivatives = lifted.derivatives_to(&start, highest);
+        let columns = Columns::new(program, rows, layout.unknowns());
+        let by_length = program.length / program.objective_unit();
+        let mut gradient = vec![0.0; columns.total];
+        let n = lifted.dimension();
+        for (at, pull) in lifted.pull(&derivatives).into_iter().enumerate() {
+            if at / n <= highest {
+                gradient[layout.own(at / n, at % n)] = pull * by_length;
+            }
         }
-        let exact = |entries: &[(usize, f64)]| {
-            let wide = entries.iter().map(|&(i, v)| (i, Double::of(v)));
-            wide.collect::<Vec<_>>()
-        };
-        let parts = Parts {
-            hessian: folded.hessian.clone(),
-            pull,
-            demands: program
-                .equalities
-                .iter()
-                .map(|e| exact(&e.entries))
-                .collect(),
-            rows: (rows.iter())
-                .map(|r| lifted.full_row(&folded, r.peak.piece, r.peak.u, &r.weights))
-                .collect(),
-        };
-        Self::of(program, rows, margin, start, parts)
+        let beside = columns.total - layout.unknowns();
+        let chain = Chain::new(layout.clone(), lifted, program.length * by_length, beside);
+        let closing = layout.closing();
+        let over = Over::Chain(lifted, layout, derivatives);
+        let mut out = Self::of(program, rows, margin, (start, columns, gradient), &over)?;
+        out.system.demands.extend(closing);
+        let windows: Vec<Option<usize>> = out.kept.iter().map(|&(index, _)| {
+            let row = &rows[index];
+            let entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
+            (!entries.is_empty()).then(|| chain.layout.window_of(&entries))
+        }).collect();
+        let by_window = ByWindow::new(n, &windows);
+        out.system.matrix = Matrix::Chained(chain, by_window);
+        Some(out)
     }
-}
 
-impl Scaled<f64> {
-    /// Matrix and rows as the program has them.
+    /// Over the coefficients of the lift, as the program has them.
     pub fn of_few_spans(program: &Program, rows: &[Row], margin: f64) -> Option<Self> {
+        let n = program.basis.columns();
+        let columns = Columns::new(program, rows, n);
         let start = start(program);
-        let mut pull = program.hessian.times(&start);
-        for (p, g) in pull.iter_mut().zip(&program.gradient) {
-            *p += g;
+        let by_length = program.length / program.objective_unit();
+        let mut gradient = program.hessian.times(&start);
+        for (p, g) in gradient.iter_mut().zip(&program.gradient) {
+            *p = (*p + g) * by_length;
         }
-        let parts = Parts {
-            hessian: program.hessian.clone(),
-            pull,
-            demands: (program.equalities.iter())
-                .map(|e| e.entries.clone())
-                .collect(),
-            rows: rows.iter().map(|r| r.entries.clone()).collect(),
-        };
-        Self::of(program, rows, margin, start, parts)
+        gradient.resize(columns.total, 0.0);
+        let (band, border) = program.hessian.pattern();
+        let mut hessian = ArrowMatrix::zero(columns.total, band, border + columns.total - n);
+        for (i, j, value) in program.hessian.lower_entries() {
+            hessian.add(i, j, value * program.length * by_length);
+        }
+        let mut out = Self::of(program, rows, margin, (start, columns, gradient), &Over::Lift)?;
+        out.system.matrix = Matrix::Banded(hessian);
+        Some(out)
     }
-}
 
-impl<T: Number> Scaled<T> {
     fn of(
         program: &Program,
         rows: &[Row],
         margin: f64,
-        start: Vec<f64>,
-        parts: Parts<T>,
+        (start, columns, mut gradient): (Vec<f64>, Columns, Vec<f64>),
+        over: &Over,
     ) -> Option<Self> {
-        let n = program.basis.columns();
         let (length, weight) = (program.length, program.objective_unit());
-        let columns = Columns::new(program, rows, n);
-        let beside = columns.total - n;
-        let (band, border) = parts.hessian.pattern();
-        let mut hessian = ArrowMatrix::zero(columns.total, band, border + beside);
-        let factor = T::of(length) * T::of(length) / T::of(weight);
-        for (i, j, value) in parts.hessian.lower_entries() {
-            hessian.add(i, j, value * factor);
-        }
-        let by_length = T::of(length) / T::of(weight);
-        let mut gradient: Vec<T> = parts.pull.iter().map(|&p| p * by_length).collect();
-        gradient.resize(columns.total, T::of(0.0));
         for k in 0..EXTRAS {
             if let Some(column) = columns.of[k] {
                 // The peak has a unit of its own and stands alone in the objective.
-                gradient[column] = T::of(if k == PEAK {
+                gradient[column] = if k == PEAK {
                     program.cost[k].signum()
                 } else {
                     program.cost[k] * length / weight
-                });
+                };
             }
         }
-        let at_start = |entries: &[(usize, T)]| {
-            let terms = entries.iter().map(|&(i, a)| a * T::of(start[i]));
-            terms.fold(T::of(0.0), |sum, term| sum + term)
-        };
-        let scaled = |entries: &[(usize, T)], unit: f64| -> Vec<(usize, T)> {
-            let by = T::of(length) / T::of(unit);
-            entries.iter().map(|&(i, a)| (i, a * by)).collect()
+        let scaled = |entries: Entries, unit: f64| -> Entries {
+            let by = length / unit;
+            entries.into_iter().map(|(i, a)| (i, a * by)).collect()
         };
         let mut demands = Vec::with_capacity(program.equalities.len());
-        for (demand, entries) in program.equalities.iter().zip(&parts.demands) {
+        for demand in &program.equalities {
             let unit = row_unit(&demand.entries, length);
-            let bound = (T::of(demand.value) - at_start(entries)) / T::of(unit);
-            demands.push(Line::new(scaled(entries, unit), bound));
+            let bound = (demand.value - value(&demand.entries, &start)) / unit;
+            demands.push(Line::new(scaled(over.demand(&demand.entries), unit), bound));
         }
         let moves_level = |r: &Row| r.weights[0] != 0.0 || r.limit.is_none();
         if program.level_is_open() && !rows.iter().any(moves_level) {
-            let level = match program.basis {
-                Basis::Spline { .. } => n - 1,
-                Basis::Harmonic { .. } => 0,
-            };
-            demands.push(Line::new(vec![(level, T::of(1.0))], T::of(0.0)));
+            let level = over.level(&program.basis);
+            demands.push(Line::new(vec![(level, 1.0)], 0.0));
         }
         let implied = Implied::by(program);
         let mut lines = Vec::with_capacity(rows.len());
         let mut kept = Vec::with_capacity(rows.len());
-        for (index, (row, entries)) in rows.iter().zip(&parts.rows).enumerate() {
+        for (index, row) in rows.iter().enumerate() {
             let beside = row.extra.iter().any(|e| *e != 0.0);
             let free = if beside { 1.0 } else { implied.free(row) };
             if free < IMPLIED {
                 // What the demands fix on the wrong side of a limit is a question for the caller.
-                let value: f64 = row.entries.iter().map(|&(i, a)| a * start[i]).sum();
-                if value - row.bound > BROKEN * row_unit(&row.entries, length) {
+                let missed = value(&row.entries, &start) - row.bound;
+                if missed > BROKEN * row_unit(&row.entries, length) {
                     return None;
                 }
                 continue;
             }
-            let unit = row_unit(&row.entries, length) * free;
+            let (entries, at_start) = over.row(row, &start);
+            let unit = row_unit(&entries, length) * free;
             let mut line = scaled(entries, unit);
             for k in 0..EXTRAS {
                 if let (Some(column), true) = (columns.of[k], row.extra[k] != 0.0) {
-                    line.push((column, T::of(row.extra[k] * columns.unit[k] / unit)));
+                    line.push((column, row.extra[k] * columns.unit[k] / unit));
                 }
             }
             let kept_free = margin * row.scale + rounding(program, row);
-            let bound = T::of(row.bound - kept_free) - at_start(entries);
-            lines.push(Line::new(line, bound / T::of(unit)));
+            lines.push(Line::new(line, (row.bound - kept_free - at_start) / unit));
             kept.push((index, unit));
         }
         let mut cone = None;
@@ -179,7 +197,7 @@ impl<T: Number> Scaled<T> {
         let value = (program.objective(&start) + program.constant).abs() / weight;
         Some(Scaled {
             system: System {
-                hessian,
+                matrix: Matrix::Banded(ArrowMatrix::zero(0, 0, 0)),
                 gradient,
                 demands,
                 rows: lines,
@@ -193,24 +211,26 @@ impl<T: Number> Scaled<T> {
     }
 
     /// What was found, in the program's own units.
-    pub fn point(&self, program: &Program, rows: &mut [Row], found: Found<T>) -> Point {
+    pub fn point(&self, program: &Program, rows: &mut [Row], found: Found) -> Point {
         let weight = program.multiplier_unit(self.columns.unit[PEAK]);
         rows.iter_mut().for_each(|row| row.multiplier = 0.0);
         for (z, &(index, unit)) in found.pushes.iter().zip(&self.kept) {
             rows[index].multiplier = z * weight / unit;
         }
-        let length = T::of(program.length);
-        let moved = self.start.iter().zip(&found.unknowns);
         let mut extra = [0.0; EXTRAS];
         for (k, value) in extra.iter_mut().enumerate() {
             if let Some(column) = self.columns.of[k] {
-                *value = found.unknowns[column].rounded() * self.columns.unit[k];
+                *value = found.unknowns[column] * self.columns.unit[k];
             }
         }
+        let moved = match (&self.system.matrix, &program.lifted) {
+            (Matrix::Chained(chain, _), Some(lifted)) => {
+                chain.layout.lift(lifted, &found.unknowns)
+            }
+            _ => found.unknowns,
+        };
         Point {
-            x: moved
-                .map(|(&x, &u)| (T::of(x) + u * length).rounded())
-                .collect(),
+            x: (self.start.iter().zip(&moved)).map(|(x, u)| x + u * program.length).collect(),
             extra,
             iterations: found.iterations,
         }

@@ -6,11 +6,8 @@
 
 use super::Left;
 use super::cone::{Cone, MIDDLE, Scaling, inside, product, times};
-use super::demands::Demands;
-use super::system::{Found, System};
+use super::system::{Factor, Found, Matrix, System};
 use crate::halt::Halt;
-use crate::synth::qp::band::ArrowFactor;
-use crate::synth::qp::double::Number;
 use crate::synth::qp::program::{Failure, Stop};
 use crate::synth::qp::settings::InteriorPointSettings;
 
@@ -26,30 +23,19 @@ const SHORTEST: f64 = 1e-8;
 const RAY: f64 = 1e-8;
 /// … by more than this, in the rows' units.
 const SURELY: f64 = 1e-9;
-/// What is left of the equations of the unknowns is to be smaller than the gap by this factor, where digits allow.
-const CLEANER: f64 = 1e-4;
-/// Part of the softest direction's stiffness that the rounding of a row's products may take.
-const BLURRED: f64 = 1e-3;
-/// Part of the largest pivot that keeps directions which nothing holds.
-const HELD: f64 = 1e5;
-/// … that is raised by this factor while there is no factor.
-const RAISED: f64 = 1e3;
-const RAISES: usize = 4;
-
 /// Solves a system.
-pub fn solve<T: Number>(
-    system: &System<T>,
+pub fn solve(
+    system: &System,
     settings: &InteriorPointSettings,
     halt: &Halt,
-) -> Result<Found<T>, Left> {
+) -> Result<Found, Left> {
     let mut point = Point::first(system).ok_or(Left::Open)?;
     // More digits cost a few iterations only.
-    let tolerance = if T::EPSILON < f64::EPSILON {
-        settings.many_spans_tolerance
-    } else {
-        settings.tolerance
+    let tolerance = match system.matrix {
+        Matrix::Chained(..) => settings.many_spans_tolerance,
+        Matrix::Banded(_) => settings.tolerance,
     };
-    let mut best: Option<(f64, Found<T>)> = None;
+    let mut best: Option<(f64, Found)> = None;
     let mut since = 0;
     for iteration in 0..settings.iterations as usize {
         if halt.is_asked() {
@@ -86,20 +72,20 @@ pub fn solve<T: Number>(
     }
 }
 
-struct Point<T> {
-    u: Vec<T>,
-    nu: Vec<T>,
+struct Point {
+    u: Vec<f64>,
+    nu: Vec<f64>,
     s: Vec<f64>,
     z: Vec<f64>,
     cone: Option<Cone>,
 }
 
 /// What a point leaves of the equations.
-struct Miss<T> {
+struct Miss {
     /// −(H u + q + Eᵀν + Aᵀz).
-    x: Vec<T>,
+    x: Vec<f64>,
     /// e − E u.
-    y: Vec<T>,
+    y: Vec<f64>,
     /// b − A u − s.
     rows: Vec<f64>,
     /// The same of the cone.
@@ -111,23 +97,22 @@ struct Miss<T> {
     size: f64,
 }
 
-impl<T: Number> Miss<T> {
-    fn of(system: &System<T>, point: &Point<T>) -> Self {
-        let two = T::of(2.0);
-        let hu = system.hessian.times(&point.u);
-        let mut value = T::of(0.0);
-        let mut size = 0.0_f64;
-        let mut x: Vec<T> = Vec::with_capacity(hu.len());
+impl Miss {
+    fn of(system: &System, point: &Point) -> Self {
+        let hu = system.times(&point.u);
+        let mut value = 0.0;
+        let mut x: Vec<f64> = Vec::with_capacity(hu.len());
         for ((&h, &q), &u) in hu.iter().zip(&system.gradient).zip(&point.u) {
-            value = value + u * (h / two + q);
-            size = size.max(h.rounded().abs()).max(q.rounded().abs());
+            value += u * (h / 2.0 + q);
             x.push(h + q);
         }
-        let mut push = vec![T::of(0.0); x.len()];
+        let size = system.unbalanced(&hu);
+        let size = size.max(system.unbalanced(&system.gradient));
+        let mut push = vec![0.0; x.len()];
         let rows = (system.rows.iter().zip(&point.z).zip(&point.s))
             .map(|((row, &z), &s)| {
-                row.add_to(&mut push, T::of(z));
-                (row.bound - row.of(&point.u) - T::of(s)).rounded()
+                row.add_to(&mut push, z);
+                row.bound - row.of(&point.u) - s
             })
             .collect();
         let y = (system.demands.iter().zip(&point.nu))
@@ -140,12 +125,11 @@ impl<T: Number> Miss<T> {
         if let (Some(columns), Some(own)) = (system.cone, point.cone) {
             for k in 0..3 {
                 let column = columns[k];
-                push[column] = push[column] - T::of(own.z[k]);
-                cone[k] = point.u[column].rounded() - own.s[k];
+                push[column] -= own.z[k];
+                cone[k] = point.u[column] - own.s[k];
             }
         }
-        let largest = |v: &[T]| v.iter().fold(0.0_f64, |m, x| m.max(x.rounded().abs()));
-        let pull = largest(&push);
+        let pull = system.unbalanced(&push);
         for (x, p) in x.iter_mut().zip(push) {
             *x = -(*x + p);
         }
@@ -155,32 +139,31 @@ impl<T: Number> Miss<T> {
             rows,
             cone,
             pull,
-            value: value.rounded(),
+            value,
             size,
         }
     }
 
     /// How far from the tolerance, as a factor; 1 or less is there.
-    fn off(&self, system: &System<T>, point: &Point<T>, tolerance: f64) -> f64 {
-        let largest = |v: &[T]| v.iter().fold(0.0_f64, |m, x| m.max(x.rounded().abs()));
+    fn off(&self, system: &System, point: &Point, tolerance: f64) -> f64 {
+        let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let rows = self.rows.iter().chain(&self.cone);
         let primal = rows.fold(largest(&self.y), |m, r| m.max(r.abs()));
         // A law far above its circle takes up what is left of the pull on its level.
-        let digits = T::EPSILON / f64::EPSILON;
-        let dual = largest(&self.x) / (1e-3 + self.size) / digits.max(CLEANER);
+        let dual = system.unbalanced(&self.x) / (1e-3 + self.size);
         let value = (self.value + system.value).abs().max(1e-14);
         let gap = point.gap() / value;
         primal.max(dual).max(gap) / tolerance
     }
 
     /// Whether the multipliers prove that nothing keeps all rows: Aᵀz + Eᵀν = 0 with bᵀz + eᵀν < 0.
-    fn is_ray(&self, system: &System<T>, point: &Point<T>) -> bool {
+    fn is_ray(&self, system: &System, point: &Point) -> bool {
         let rows = system.rows.iter().zip(&point.z);
-        let held: f64 = rows.map(|(r, z)| r.bound.rounded() * z).sum();
+        let held: f64 = rows.map(|(r, z)| r.bound * z).sum();
         let demands = system.demands.iter().zip(&point.nu);
         let held = held
             + demands
-                .map(|(d, &nu)| (d.bound * nu).rounded())
+                .map(|(d, &nu)| d.bound * nu)
                 .sum::<f64>();
         // What is infeasible by rounding alone is none.
         let pushes: f64 = point.z.iter().sum();
@@ -189,9 +172,9 @@ impl<T: Number> Miss<T> {
 }
 
 /// A step of everything.
-struct Move<T> {
-    u: Vec<T>,
-    nu: Vec<T>,
+struct Move {
+    u: Vec<f64>,
+    nu: Vec<f64>,
     s: Vec<f64>,
     z: Vec<f64>,
     cone_s: [f64; 3],
@@ -199,85 +182,39 @@ struct Move<T> {
 }
 
 /// The factor of an iteration, for predictor and corrector.
-struct Solver<'a, T> {
-    system: &'a System<T>,
-    factor: ArrowFactor<T>,
-    demands: Demands<T>,
+struct Solver<'a> {
+    system: &'a System,
+    factor: Factor,
     s: &'a [f64],
     z: &'a [f64],
     scaling: Option<Scaling>,
 }
 
-impl<'a, T: Number> Solver<'a, T> {
+impl<'a> Solver<'a> {
     fn new(
-        system: &'a System<T>,
+        system: &'a System,
         s: &'a [f64],
         z: &'a [f64],
         scaling: Option<Scaling>,
     ) -> Option<Self> {
-        let mut matrix = system.hessian.clone();
-        // The softest direction is a slow wave: (2π/n)⁴ of the stiffest.
-        let softest = (std::f64::consts::TAU / matrix.dimension() as f64).powi(4);
-        let light = BLURRED * softest / f64::EPSILON;
-        for ((row, s), z) in system.rows.iter().zip(s).zip(z) {
-            let weight = z / s;
-            if weight < light {
-                for (p, &(i, a)) in row.rounded.iter().enumerate() {
-                    let weighed = a * weight;
-                    for &(j, b) in &row.rounded[..=p] {
-                        matrix.add(i, j, T::of(weighed * b));
-                    }
-                }
-                continue;
-            }
-            for (p, &(i, a)) in row.entries.iter().enumerate() {
-                let weighed = a * T::of(weight);
-                for &(j, b) in &row.entries[..=p] {
-                    matrix.add(i, j, weighed * b);
-                }
-            }
-        }
-        if let (Some(columns), Some(scaling)) = (system.cone, scaling) {
-            let weight = scaling.weight();
-            for p in 0..3 {
-                for q in 0..=p {
-                    matrix.add(columns[p], columns[q], T::of(weight[p][q]));
-                }
-            }
-        }
-        let stiffness = Demands::stiffen(&system.demands, &mut matrix);
-        let mut held = HELD * T::EPSILON * system.hessian.largest_diagonal().max(1.0);
-        for _ in 0..RAISES {
-            let mut regular = matrix.clone();
-            for i in 0..regular.dimension() {
-                regular.add(i, i, T::of(held));
-            }
-            if let Some(factor) = regular.factor() {
-                let demands = Demands::new(&system.demands, &factor, stiffness);
-                return Some(Solver {
-                    system,
-                    factor,
-                    demands,
-                    s,
-                    z,
-                    scaling,
-                });
-            }
-            held *= RAISED;
-        }
-        None
+        let weights: Vec<f64> = s.iter().zip(z).map(|(s, z)| z / s).collect();
+        let factor = system.factor(&weights, scaling.map(|s| s.weight()))?;
+        Some(Solver {
+            system,
+            factor,
+            s,
+            z,
+            scaling,
+        })
     }
 
     /// The step with s∘z to change by `towards` and, where there is a cone, its own products by `cone`.
-    fn step(&self, miss: &Miss<T>, towards: &[f64], cone: &[f64; 3]) -> Move<T> {
-        let mut pull = vec![0.0; miss.x.len()];
+    fn step(&self, miss: &Miss, towards: &[f64], cone: &[f64; 3]) -> Move {
+        let mut rhs = miss.x.clone();
         for (i, row) in self.system.rows.iter().enumerate() {
             let t = (towards[i] - self.z[i] * miss.rows[i]) / self.s[i];
-            row.rounded.iter().for_each(|&(k, a)| pull[k] -= a * t);
+            row.add_to(&mut rhs, -t);
         }
-        let mut rhs: Vec<T> = (miss.x.iter().zip(pull))
-            .map(|(&x, p)| x + T::of(p))
-            .collect();
         let mut of_cone = [0.0; 3];
         let mut weight = [[0.0; 3]; 3];
         if let (Some(columns), Some(scaling)) = (self.system.cone, &self.scaling) {
@@ -286,25 +223,21 @@ impl<'a, T: Number> Solver<'a, T> {
             let missed = times(&weight, &miss.cone);
             for k in 0..3 {
                 of_cone[k] = own[k] - missed[k];
-                rhs[columns[k]] = rhs[columns[k]] + T::of(of_cone[k]);
+                rhs[columns[k]] += of_cone[k];
             }
         }
-        let nu = self
-            .demands
-            .solve(&self.system.demands, &self.factor, &mut rhs, &miss.y);
+        let nu = self.system.solve(&self.factor, &mut rhs, &miss.y);
         let u = rhs;
-        let du: Vec<f64> = u.iter().map(|u| u.rounded()).collect();
         let mut s = Vec::with_capacity(self.s.len());
         let mut z = Vec::with_capacity(self.s.len());
         for (i, row) in self.system.rows.iter().enumerate() {
-            let moved: f64 = row.rounded.iter().map(|&(k, a)| a * du[k]).sum();
-            let ds = miss.rows[i] - moved;
+            let ds = miss.rows[i] - row.of(&u);
             s.push(ds);
             z.push((towards[i] - self.z[i] * ds) / self.s[i]);
         }
         let (mut cone_s, mut cone_z) = ([0.0; 3], [0.0; 3]);
         if let Some(columns) = self.system.cone {
-            let du = columns.map(|c| u[c].rounded());
+            let du = columns.map(|c| u[c]);
             let back = times(&weight, &du);
             for k in 0..3 {
                 cone_s[k] = miss.cone[k] + du[k];
@@ -322,9 +255,9 @@ impl<'a, T: Number> Solver<'a, T> {
     }
 }
 
-impl<T: Number> Point<T> {
+impl Point {
     /// The least squares of slacks and multipliers, brought inside.
-    fn first(system: &System<T>) -> Option<Self> {
+    fn first(system: &System) -> Option<Self> {
         let ones = vec![1.0; system.rows.len()];
         let identity = Cone {
             s: MIDDLE,
@@ -335,7 +268,7 @@ impl<T: Number> Point<T> {
         let miss = Miss {
             x: system.gradient.iter().map(|&q| -q).collect(),
             y: system.demands.iter().map(|d| d.bound).collect(),
-            rows: system.rows.iter().map(|r| r.bound.rounded()).collect(),
+            rows: system.rows.iter().map(|r| r.bound).collect(),
             cone: [0.0; 3],
             pull: 0.0,
             value: 0.0,
@@ -376,7 +309,7 @@ impl<T: Number> Point<T> {
     }
 
     /// One iteration; false where no step is left.
-    fn advance(&mut self, system: &System<T>, miss: &Miss<T>) -> bool {
+    fn advance(&mut self, system: &System, miss: &Miss) -> bool {
         let scaling = match self.cone.map(|c| c.scaling()) {
             Some(None) => return false,
             other => other.flatten(),
@@ -405,12 +338,11 @@ impl<T: Number> Point<T> {
         if part.is_nan() || part < SHORTEST {
             return false;
         }
-        let by = T::of(part);
         for (u, &d) in self.u.iter_mut().zip(&step.u) {
-            *u = *u + by * d;
+            *u += part * d;
         }
         for (nu, &d) in self.nu.iter_mut().zip(&step.nu) {
-            *nu = *nu + by * d;
+            *nu += part * d;
         }
         for (s, d) in self.s.iter_mut().zip(&step.s) {
             *s += part * d;
@@ -428,7 +360,7 @@ impl<T: Number> Point<T> {
     }
 
     /// Longest step that keeps slacks and multipliers positive.
-    fn longest(&self, step: &Move<T>) -> f64 {
+    fn longest(&self, step: &Move) -> f64 {
         let line = |v: &[f64], d: &[f64]| {
             let ends = v.iter().zip(d).filter(|(_, d)| **d < 0.0);
             ends.fold(f64::INFINITY, |m, (v, d)| m.min(-v / d))

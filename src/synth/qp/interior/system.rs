@@ -1,52 +1,146 @@
 //! The program as the iterations see it, and what they return.
 
-use crate::synth::qp::band::ArrowMatrix;
-use crate::synth::qp::double::Number;
+use super::chain::{self, ByWindow, Chain};
+use super::demands::Demands;
+use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
+
+/// Part of the largest pivot that keeps directions which nothing holds.
+const HELD: f64 = 2e-11;
+/// … that is raised by this factor while there is no factor.
+const RAISED: f64 = 1e3;
+const RAISES: usize = 4;
 
 /// One row: Σ entries·u against a bound.
-pub struct Line<T> {
-    pub entries: Vec<(usize, T)>,
-    /// The same with usual digits, which is enough for a step.
-    pub rounded: Vec<(usize, f64)>,
-    pub bound: T,
+pub struct Line {
+    pub entries: Vec<(usize, f64)>,
+    pub bound: f64,
 }
 
-impl<T: Number> Line<T> {
-    pub fn new(entries: Vec<(usize, T)>, bound: T) -> Self {
-        Line {
-            rounded: entries.iter().map(|&(i, a)| (i, a.rounded())).collect(),
-            entries,
-            bound,
-        }
+impl Line {
+    pub fn new(entries: Vec<(usize, f64)>, bound: f64) -> Self {
+        Line { entries, bound }
     }
 
-    pub fn of(&self, u: &[T]) -> T {
-        let terms = self.entries.iter().map(|&(i, a)| a * u[i]);
-        terms.fold(T::of(0.0), |sum, term| sum + term)
+    pub fn of(&self, u: &[f64]) -> f64 {
+        self.entries.iter().map(|&(i, a)| a * u[i]).sum()
     }
 
     /// Adds `by` times the row to a vector.
-    pub fn add_to(&self, out: &mut [T], by: T) {
+    pub fn add_to(&self, out: &mut [f64], by: f64) {
         for &(i, a) in &self.entries {
-            out[i] = out[i] + a * by;
+            out[i] += a * by;
         }
     }
 }
 
+/// H, as what has its cost in proportion to the spans.
+pub enum Matrix {
+    /// Over the coefficients of the lift.
+    Banded(ArrowMatrix),
+    /// Over those of its derivatives too, with the rows by their windows.
+    Chained(Chain, ByWindow),
+}
+
 /// ½uᵀHu + qᵀu under demands, rows and a cone of three unknowns.
-pub struct System<T> {
-    pub hessian: ArrowMatrix<T>,
-    pub gradient: Vec<T>,
-    pub demands: Vec<Line<T>>,
-    pub rows: Vec<Line<T>>,
+pub struct System {
+    pub matrix: Matrix,
+    pub gradient: Vec<f64>,
+    pub demands: Vec<Line>,
+    pub rows: Vec<Line>,
     pub cone: Option<[usize; 3]>,
     /// Size of the objective where unknowns count from.
     pub value: f64,
 }
 
 /// Unknowns and multipliers of the rows.
-pub struct Found<T> {
-    pub unknowns: Vec<T>,
+pub struct Found {
+    pub unknowns: Vec<f64>,
     pub pushes: Vec<f64>,
     pub iterations: usize,
+}
+
+/// The factor of H + Σ weight·aaᵀ under the demands.
+pub enum Factor {
+    Banded(ArrowFactor, Demands),
+    Chained(chain::Factor),
+}
+
+impl System {
+    /// Hu.
+    pub fn times(&self, u: &[f64]) -> Vec<f64> {
+        match &self.matrix {
+            Matrix::Banded(matrix) => matrix.times(u),
+            Matrix::Chained(chain, _) => chain.times(u),
+        }
+    }
+
+    /// Largest entry of a gradient that the unknowns do not balance among themselves.
+    pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
+        match &self.matrix {
+            Matrix::Banded(_) => gradient.iter().fold(0.0, |m, g| m.max(g.abs())),
+            Matrix::Chained(chain, _) => chain.unbalanced(gradient),
+        }
+    }
+
+    /// The factor with these weights of the rows and of the cone's unknowns.
+    pub fn factor(&self, weights: &[f64], cone: Option<[[f64; 3]; 3]>) -> Option<Factor> {
+        let mut added = Vec::new();
+        if let (Some(columns), Some(weight)) = (self.cone, cone) {
+            for p in 0..3 {
+                for q in 0..3 {
+                    added.push((columns[p], columns[q], weight[p][q]));
+                }
+            }
+        }
+        match &self.matrix {
+            Matrix::Banded(matrix) => self.banded_factor(matrix, weights, &added),
+            Matrix::Chained(chain, by_window) => {
+                let factor = chain.factor(&self.rows, by_window, weights, &self.demands, &added);
+                factor.map(Factor::Chained)
+            }
+        }
+    }
+
+    fn banded_factor(
+        &self,
+        hessian: &ArrowMatrix,
+        weights: &[f64],
+        added: &[(usize, usize, f64)],
+    ) -> Option<Factor> {
+        let mut matrix = hessian.clone();
+        for (row, weight) in self.rows.iter().zip(weights) {
+            for (p, &(i, a)) in row.entries.iter().enumerate() {
+                let weighed = a * weight;
+                for &(j, b) in &row.entries[..=p] {
+                    matrix.add(i, j, weighed * b);
+                }
+            }
+        }
+        for &(i, j, value) in added.iter().filter(|e| e.0 >= e.1) {
+            matrix.add(i, j, value);
+        }
+        let stiffness = Demands::stiffen(&self.demands, &mut matrix);
+        let mut held = HELD * hessian.largest_diagonal().max(1.0);
+        for _ in 0..RAISES {
+            let mut regular = matrix.clone();
+            for i in 0..regular.dimension() {
+                regular.add(i, i, held);
+            }
+            if let Some(factor) = regular.factor() {
+                let demands = Demands::new(&self.demands, &factor, stiffness);
+                return Some(Factor::Banded(factor, demands));
+            }
+            held *= RAISED;
+        }
+        None
+    }
+
+    /// Solves K u + Eᵀν = x, E u = y in place of x; returns ν.
+    pub fn solve(&self, factor: &Factor, x: &mut [f64], y: &[f64]) -> Vec<f64> {
+        match (factor, &self.matrix) {
+            (Factor::Banded(factor, demands), _) => demands.solve(&self.demands, factor, x, y),
+            (Factor::Chained(factor), Matrix::Chained(chain, _)) => factor.solve(chain, x, y),
+            (Factor::Chained(_), Matrix::Banded(_)) => Vec::new(),
+        }
+    }
 }
