@@ -165,7 +165,10 @@ impl Layout {
     pub fn closing(&self) -> Vec<Line> {
         let last = self.spans as isize - 1;
         let closed = |k: usize| {
-            let ends = [(self.in_window(last, k), 1.0), (self.in_window(-1, k), -1.0)];
+            let ends = [
+                (self.in_window(last, k), 1.0),
+                (self.in_window(-1, k), -1.0),
+            ];
             Line::new(ends.to_vec(), 0.0)
         };
         (0..self.degree).map(closed).collect()
@@ -182,35 +185,107 @@ pub struct Chain {
     pub beside: usize,
 }
 
-/// Rows sorted by their windows.
-pub struct ByWindow {
-    /// Rows of span i are `order[first[i]..first[i + 1]]`; what belongs to no window comes last.
+/// Rows over windows, sorted by them; rows on unknowns beside the law alone come last.
+pub struct Windowed {
+    /// Rows of span i are those from first[i] to first[i + 1].
     first: Vec<usize>,
-    order: Vec<usize>,
+    /// Numbers of each row over its window.
+    values: Vec<f64>,
+    /// Row, unknown beside the law, value; by row.
+    beside: Vec<(usize, usize, f64)>,
 }
 
-impl ByWindow {
-    /// From the window of each row.
-    pub fn new(spans: usize, windows: &[Option<usize>]) -> Self {
-        let mut first = vec![0; spans + 2];
-        for w in windows {
-            first[w.unwrap_or(spans) + 1] += 1;
+impl Windowed {
+    /// From rows by their windows, the entries of which come first.
+    pub fn new(layout: &Layout, rows: &[(Option<usize>, Entries)]) -> Self {
+        let (n, w) = (layout.spans, layout.window());
+        let mut first = vec![0; n + 2];
+        let mut values = Vec::with_capacity(rows.len() * w);
+        let mut beside = Vec::new();
+        for (row, (window, entries)) in rows.iter().enumerate() {
+            first[window.unwrap_or(n) + 1] += 1;
+            let own = if window.is_some() { w } else { 0 };
+            values.extend(entries[..own].iter().map(|e| e.1));
+            beside.extend(entries[own..].iter().map(|&(i, a)| (row, i, a)));
         }
-        for i in 0..=spans {
+        for i in 0..=n {
             first[i + 1] += first[i];
         }
-        let mut next = first.clone();
-        let mut order = vec![0; windows.len()];
-        for (row, w) in windows.iter().enumerate() {
-            let place = &mut next[w.unwrap_or(spans)];
-            order[*place] = row;
-            *place += 1;
+        Windowed {
+            first,
+            values,
+            beside,
         }
-        ByWindow { first, order }
     }
 
-    fn of(&self, span: usize) -> &[usize] {
-        &self.order[self.first[span]..self.first[span + 1]]
+    /// Entries of a row beside the law.
+    fn beside(&self, row: usize) -> &[(usize, usize, f64)] {
+        if self.beside.is_empty() {
+            return &[];
+        }
+        let from = self.beside.partition_point(|e| e.0 < row);
+        let own = self.beside[from..].partition_point(|e| e.0 == row);
+        &self.beside[from..from + own]
+    }
+
+    /// The value of each row.
+    pub fn values(&self, layout: &Layout, u: &[f64]) -> Vec<f64> {
+        match layout.window() {
+            QUINTIC => self.values_of(QUINTIC, layout, u),
+            w => self.values_of(w, layout, u),
+        }
+    }
+
+    #[inline(always)]
+    fn values_of(&self, w: usize, layout: &Layout, u: &[f64]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(self.first[layout.spans + 1]);
+        let mut y = vec![0.0; w];
+        for span in 0..layout.spans {
+            let own = &self.values[self.first[span] * w..self.first[span + 1] * w];
+            if own.is_empty() {
+                continue;
+            }
+            for (y, i) in y.iter_mut().zip(layout.indices(span)) {
+                *y = u[i];
+            }
+            let value = |row: &[f64]| (0..w).map(|k| row[k] * y[k]).sum::<f64>();
+            out.extend(own.chunks_exact(w).map(value));
+        }
+        out.resize(self.first[layout.spans + 1], 0.0);
+        for &(row, i, a) in &self.beside {
+            out[row] += a * u[i];
+        }
+        out
+    }
+
+    /// Adds each row `by` times to a vector of all unknowns.
+    pub fn add_to(&self, layout: &Layout, by: &[f64], out: &mut [f64]) {
+        match layout.window() {
+            QUINTIC => self.add_to_of(QUINTIC, layout, by, out),
+            w => self.add_to_of(w, layout, by, out),
+        }
+    }
+
+    #[inline(always)]
+    fn add_to_of(&self, w: usize, layout: &Layout, by: &[f64], out: &mut [f64]) {
+        let mut sum = vec![0.0; w];
+        for span in 0..layout.spans {
+            let rows = self.first[span]..self.first[span + 1];
+            if rows.is_empty() {
+                continue;
+            }
+            sum.fill(0.0);
+            let own = &self.values[rows.start * w..rows.end * w];
+            for (row, by) in own.chunks_exact(w).zip(&by[rows]) {
+                (0..w).for_each(|k| sum[k] += by * row[k]);
+            }
+            for (sum, i) in sum.iter().zip(layout.indices(span)) {
+                out[i] += sum;
+            }
+        }
+        for &(row, i, a) in &self.beside {
+            out[i] += a * by[row];
+        }
     }
 }
 
@@ -292,15 +367,14 @@ impl Chain {
     /// unknowns beside the law.
     pub fn factor(
         &self,
-        rows: &[Line],
-        by_window: &ByWindow,
+        rows: &Windowed,
         weights: &[f64],
         demands: &[Line],
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
         match self.layout.window() {
-            QUINTIC => self.factor_of(QUINTIC, rows, by_window, weights, demands, added),
-            w => self.factor_of(w, rows, by_window, weights, demands, added),
+            QUINTIC => self.factor_of(QUINTIC, rows, weights, demands, added),
+            w => self.factor_of(w, rows, weights, demands, added),
         }
     }
 
@@ -308,8 +382,7 @@ impl Chain {
     fn factor_of(
         &self,
         w: usize,
-        rows: &[Line],
-        by_window: &ByWindow,
+        rows: &Windowed,
         weights: &[f64],
         demands: &[Line],
         added: &[(usize, usize, f64)],
@@ -332,16 +405,29 @@ impl Chain {
                     *m += v;
                 }
             }
-            for &row in by_window.of(span) {
-                add_outer(&mut m, size, w, beside, law, &rows[row], weights[row]);
+            for row in rows.first[span]..rows.first[span + 1] {
+                let own = &rows.values[row * w..][..w];
+                let weight = weights[row];
+                for (m, &a) in m.chunks_exact_mut(size).zip(own) {
+                    let by = weight * a;
+                    (0..w).for_each(|l| m[l] += by * own[l]);
+                }
+                for &(_, i, a) in rows.beside(row) {
+                    let i = beside + i - law;
+                    for (k, &b) in own.iter().enumerate() {
+                        m[k * size + i] += weight * a * b;
+                    }
+                    for &(_, j, b) in rows.beside(row) {
+                        m[i * size + beside + j - law] += weight * a * b;
+                    }
+                }
             }
             touched.add(span as isize, |coordinate, demand, value| {
                 m[coordinate * size + w + demand] += value;
-                m[(w + demand) * size + coordinate] += value;
             });
             for order in 0..k {
                 let by = 1.0 / layout.factors[order][span];
-                for row in m.chunks_exact_mut(size) {
+                for row in m[..w * size].chunks_exact_mut(size) {
                     row[order + 1] += by * row[order];
                 }
                 let (above, below) = m.split_at_mut((order + 1) * size);
@@ -369,7 +455,13 @@ impl Chain {
         let place = |i: usize| if i < d { i } else { i + 1 };
         for i in 0..rest {
             for j in 0..rest {
-                left[i * rest + j] = m[place(i) * size + place(j)];
+                // Beside the window one half is kept.
+                let (i, j, p, q) = if i < d {
+                    (i, j, i, j)
+                } else {
+                    (i, j, j.min(i), j.max(i))
+                };
+                left[i * rest + j] = m[place(p) * size + place(q)];
             }
         }
         touched.add(-1, |coordinate, demand, value| {
@@ -387,9 +479,9 @@ impl Chain {
             let first = d + demands.len();
             left[(first + i - law) * rest + first + j - law] += value;
         };
-        for &row in by_window.of(n) {
-            for &(i, a) in &rows[row].entries {
-                for &(j, b) in &rows[row].entries {
+        for row in rows.first[n]..rows.first[n + 1] {
+            for &(_, i, a) in rows.beside(row) {
+                for &(_, j, b) in rows.beside(row) {
                     add(i, j, weights[row] * a * b);
                 }
             }
@@ -406,59 +498,37 @@ impl Chain {
     }
 }
 
-/// Adds weight·aaᵀ of a row over its window and the unknowns beside the law.
-#[inline(always)]
-fn add_outer(
-    m: &mut [f64],
-    size: usize,
-    w: usize,
-    beside: usize,
-    law: usize,
-    row: &Line,
-    weight: f64,
-) {
-    let (own, rest) = row.entries.split_at(w);
-    for (k, &(_, a)) in own.iter().enumerate() {
-        let by = weight * a;
-        for (entry, &(_, b)) in m[k * size..][..w].iter_mut().zip(own) {
-            *entry += by * b;
-        }
-    }
-    for &(i, a) in rest {
-        let i = beside + i - law;
-        for (k, &(_, b)) in own.iter().enumerate() {
-            m[i * size + k] += weight * a * b;
-            m[k * size + i] += weight * a * b;
-        }
-        for &(j, b) in rest {
-            m[i * size + beside + j - law] += weight * a * b;
-        }
-    }
-}
-
-/// Takes the control out: what is left over the window before stands in the same places, its last number free.
+/// Takes the control out: what is left over the window before stands in the same places, its last number free. Of what
+/// stands beside the window the upper half is kept.
 #[inline(always)]
 fn eliminate(m: &mut [f64], size: usize, k: usize, w: usize, pivot: f64, gain: &[f64]) {
-    // Rows and columns behind the control move up by one, up to the window's end.
-    let from = |i: usize| if i < k { i } else { i + 1 };
     let d = w - 1;
-    for i in 0..size - 1 {
+    // Rows and columns behind the control move up by one, up to the window's end.
+    for i in 0..d {
         let by = gain[i] * pivot;
-        let source = from(i);
-        // A demand that no later span touches.
-        if i >= d && m[source * size..][..w].iter().all(|v| *v == 0.0) {
-            continue;
+        let (above, from) = m.split_at_mut((i + 1) * size);
+        let to = &mut above[i * size..];
+        let from = if i < k { None } else { Some(&from[..size]) };
+        for j in 0..k {
+            to[j] = from.map_or(to[j], |f| f[j]) - by * gain[j];
         }
-        let target = if i < d { i } else { i + 1 };
-        for j in 0..d {
-            m[target * size + j] = m[source * size + from(j)] - by * gain[j];
+        for j in k..d {
+            to[j] = from.map_or(to[j + 1], |f| f[j + 1]) - by * gain[j];
         }
-        m[target * size + d] = 0.0;
-        for j in d..size - 1 {
-            m[target * size + j + 1] = m[source * size + j + 1] - by * gain[j];
+        to[d] = 0.0;
+        for j in w..size {
+            to[j] = from.map_or(to[j], |f| f[j]) - by * gain[j - 1];
         }
     }
     m[d * size..][..size].fill(0.0);
+    for i in w..size {
+        let by = gain[i - 1] * pivot;
+        // A demand that no later span touches.
+        if by != 0.0 {
+            let own = m[i * size + i..][..size - i].iter_mut();
+            own.zip(&gain[i - 1..]).for_each(|(m, g)| *m -= by * g);
+        }
+    }
 }
 
 /// Where the demands touch the windows.
@@ -548,7 +618,12 @@ impl Factor {
         z.extend((0..d).map(|j| -(v[j] + x[layout.in_window(-1, j)])));
         let after = &v[w..];
         z.extend(y.iter().zip(after).map(|(y, v)| y - v));
-        z.extend(x[law..].iter().zip(&after[y.len()..]).map(|(x, v)| -(x + v)));
+        z.extend(
+            x[law..]
+                .iter()
+                .zip(&after[y.len()..])
+                .map(|(x, v)| -(x + v)),
+        );
         self.left.solve(&mut z);
         x.fill(0.0);
         for j in 0..d {

@@ -94,7 +94,9 @@ fn balanced(m: &mut [f64], size: usize) -> Vec<f64> {
     let mut units = vec![1.0; size];
     for _ in 0..4 {
         for i in 0..size {
-            let largest = m[i * size..][..size].iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+            let largest = m[i * size..][..size]
+                .iter()
+                .fold(0.0_f64, |a, b| a.max(b.abs()));
             if largest > 0.0 {
                 let by = 1.0 / largest.sqrt();
                 units[i] *= by;

@@ -45,11 +45,9 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
             rows,
             Scaled::of_many_spans(program, lifted, rows, margin),
         ),
-        None if is_between_steps(program) => answered(
-            program,
-            rows,
-            Scaled::of_few_spans(program, rows, margin),
-        ),
+        None if is_between_steps(program) => {
+            answered(program, rows, Scaled::of_few_spans(program, rows, margin))
+        }
         _ => Err(Left::Open),
     }
 }
@@ -60,11 +58,7 @@ fn is_between_steps(program: &Program) -> bool {
     spline && !program.fixed.is_empty() && program.settings.tolerance > TOLERANCE
 }
 
-fn answered(
-    program: &Program,
-    rows: &mut [Row],
-    scaled: Option<Scaled>,
-) -> Result<Point, Left> {
+fn answered(program: &Program, rows: &mut [Row], scaled: Option<Scaled>) -> Result<Point, Left> {
     let scaled = scaled.ok_or(Left::Open)?;
     let settings = &program.settings.interior_point;
     let found = steps::solve(&scaled.system, settings, &program.halt)?;

@@ -1,7 +1,7 @@
 //! A program in the units of the solver: lengths in typical lifts, rows and objective near one, counted from the
 //! optimum without limits.
 
-use super::chain::{ByWindow, Chain, Layout};
+use super::chain::{Chain, Layout, Windowed};
 use super::system::{Found, Line, Matrix, System};
 use crate::synth::qp::band::ArrowMatrix;
 use crate::synth::qp::basis::{Basis, Entries};
@@ -29,6 +29,15 @@ pub struct Scaled {
     kept: Vec<(usize, f64)>,
 }
 
+/// A row that the demands leave open.
+struct Kept {
+    index: usize,
+    unit: f64,
+    window: Option<usize>,
+    entries: Entries,
+    bound: f64,
+}
+
 /// Over what a law's rows stand.
 enum Over<'a> {
     /// The coefficients of the lift.
@@ -38,14 +47,15 @@ enum Over<'a> {
 }
 
 impl Over<'_> {
-    /// A row of a limit and its value at the start.
-    fn row(&self, row: &Row, start: &[f64]) -> (Entries, f64) {
+    /// Window, entries and value at the start of a limit's row.
+    fn row(&self, row: &Row, start: &[f64]) -> (Option<usize>, Entries, f64) {
         match self {
-            Over::Lift => (row.entries.clone(), value(&row.entries, start)),
+            Over::Lift => (None, row.entries.clone(), value(&row.entries, start)),
             Over::Chain(lifted, layout, derivatives) => {
                 let entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
                 let at_start = value(&entries, derivatives);
-                (layout.row(&entries), at_start)
+                let window = (!entries.is_empty()).then(|| layout.window_of(&entries));
+                (window, layout.row(&entries), at_start)
             }
         }
     }
@@ -96,17 +106,16 @@ impl Scaled {
         }
         let beside = columns.total - layout.unknowns();
         let chain = Chain::new(layout.clone(), lifted, program.length * by_length, beside);
-        let closing = layout.closing();
         let over = Over::Chain(lifted, layout, derivatives);
-        let mut out = Self::of(program, rows, margin, (start, columns, gradient), &over)?;
-        out.system.demands.extend(closing);
-        let windows: Vec<Option<usize>> = out.kept.iter().map(|&(index, _)| {
-            let row = &rows[index];
-            let entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
-            (!entries.is_empty()).then(|| chain.layout.window_of(&entries))
-        }).collect();
-        let by_window = ByWindow::new(n, &windows);
-        out.system.matrix = Matrix::Chained(chain, by_window);
+        let (mut out, mut lines) =
+            Self::of(program, rows, margin, (start, columns, gradient), &over)?;
+        out.system.demands.extend(chain.layout.closing());
+        lines.sort_by_key(|line| line.window.unwrap_or(usize::MAX));
+        out.take_bounds(&lines);
+        let lines: Vec<(Option<usize>, Entries)> =
+            lines.into_iter().map(|l| (l.window, l.entries)).collect();
+        let rows = Windowed::new(&chain.layout, &lines);
+        out.system.matrix = Matrix::Chained(chain, rows);
         Some(out)
     }
 
@@ -126,8 +135,11 @@ impl Scaled {
         for (i, j, value) in program.hessian.lower_entries() {
             hessian.add(i, j, value * program.length * by_length);
         }
-        let mut out = Self::of(program, rows, margin, (start, columns, gradient), &Over::Lift)?;
-        out.system.matrix = Matrix::Banded(hessian);
+        let counted = (start, columns, gradient);
+        let (mut out, lines) = Self::of(program, rows, margin, counted, &Over::Lift)?;
+        out.take_bounds(&lines);
+        let lines = lines.into_iter().map(|l| Line::new(l.entries, l.bound));
+        out.system.matrix = Matrix::Banded(hessian, lines.collect());
         Some(out)
     }
 
@@ -137,7 +149,7 @@ impl Scaled {
         margin: f64,
         (start, columns, mut gradient): (Vec<f64>, Columns, Vec<f64>),
         over: &Over,
-    ) -> Option<Self> {
+    ) -> Option<(Self, Vec<Kept>)> {
         let (length, weight) = (program.length, program.objective_unit());
         for k in 0..EXTRAS {
             if let Some(column) = columns.of[k] {
@@ -166,7 +178,6 @@ impl Scaled {
         }
         let implied = Implied::by(program);
         let mut lines = Vec::with_capacity(rows.len());
-        let mut kept = Vec::with_capacity(rows.len());
         for (index, row) in rows.iter().enumerate() {
             let beside = row.extra.iter().any(|e| *e != 0.0);
             let free = if beside { 1.0 } else { implied.free(row) };
@@ -178,7 +189,7 @@ impl Scaled {
                 }
                 continue;
             }
-            let (entries, at_start) = over.row(row, &start);
+            let (window, entries, at_start) = over.row(row, &start);
             let unit = row_unit(&entries, length) * free;
             let mut line = scaled(entries, unit);
             for k in 0..EXTRAS {
@@ -187,27 +198,38 @@ impl Scaled {
                 }
             }
             let kept_free = margin * row.scale + rounding(program, row);
-            lines.push(Line::new(line, (row.bound - kept_free - at_start) / unit));
-            kept.push((index, unit));
+            lines.push(Kept {
+                index,
+                unit,
+                window,
+                entries: line,
+                bound: (row.bound - kept_free - at_start) / unit,
+            });
         }
         let mut cone = None;
         if program.cone {
             cone = Some([columns.of[RADIUS]?, columns.of[RISE]?, columns.of[OFFSET]?]);
         }
         let value = (program.objective(&start) + program.constant).abs() / weight;
-        Some(Scaled {
+        let out = Scaled {
             system: System {
-                matrix: Matrix::Banded(ArrowMatrix::zero(0, 0, 0)),
+                matrix: Matrix::Banded(ArrowMatrix::zero(0, 0, 0), Vec::new()),
                 gradient,
                 demands,
-                rows: lines,
+                bounds: Vec::new(),
                 cone,
                 value,
             },
             start,
             columns,
-            kept,
-        })
+            kept: Vec::new(),
+        };
+        Some((out, lines))
+    }
+
+    fn take_bounds(&mut self, lines: &[Kept]) {
+        self.system.bounds = lines.iter().map(|l| l.bound).collect();
+        self.kept = lines.iter().map(|l| (l.index, l.unit)).collect();
     }
 
     /// What was found, in the program's own units.
@@ -224,13 +246,13 @@ impl Scaled {
             }
         }
         let moved = match (&self.system.matrix, &program.lifted) {
-            (Matrix::Chained(chain, _), Some(lifted)) => {
-                chain.layout.lift(lifted, &found.unknowns)
-            }
+            (Matrix::Chained(chain, _), Some(lifted)) => chain.layout.lift(lifted, &found.unknowns),
             _ => found.unknowns,
         };
         Point {
-            x: (self.start.iter().zip(&moved)).map(|(x, u)| x + u * program.length).collect(),
+            x: (self.start.iter().zip(&moved))
+                .map(|(x, u)| x + u * program.length)
+                .collect(),
             extra,
             iterations: found.iterations,
         }

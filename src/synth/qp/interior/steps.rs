@@ -33,7 +33,7 @@ pub fn solve(
     // More digits cost a few iterations only.
     let tolerance = match system.matrix {
         Matrix::Chained(..) => settings.many_spans_tolerance,
-        Matrix::Banded(_) => settings.tolerance,
+        Matrix::Banded(..) => settings.tolerance,
     };
     let mut best: Option<(f64, Found)> = None;
     let mut since = 0;
@@ -109,12 +109,11 @@ impl Miss {
         let size = system.unbalanced(&hu);
         let size = size.max(system.unbalanced(&system.gradient));
         let mut push = vec![0.0; x.len()];
-        let rows = (system.rows.iter().zip(&point.z).zip(&point.s))
-            .map(|((row, &z), &s)| {
-                row.add_to(&mut push, z);
-                row.bound - row.of(&point.u) - s
-            })
-            .collect();
+        system.add_rows(&point.z, &mut push);
+        let mut rows = system.rows(&point.u);
+        for ((row, bound), s) in rows.iter_mut().zip(&system.bounds).zip(&point.s) {
+            *row = bound - *row - s;
+        }
         let y = (system.demands.iter().zip(&point.nu))
             .map(|(demand, &nu)| {
                 demand.add_to(&mut push, nu);
@@ -158,13 +157,10 @@ impl Miss {
 
     /// Whether the multipliers prove that nothing keeps all rows: Aᵀz + Eᵀν = 0 with bᵀz + eᵀν < 0.
     fn is_ray(&self, system: &System, point: &Point) -> bool {
-        let rows = system.rows.iter().zip(&point.z);
-        let held: f64 = rows.map(|(r, z)| r.bound * z).sum();
+        let rows = system.bounds.iter().zip(&point.z);
+        let held: f64 = rows.map(|(bound, z)| bound * z).sum();
         let demands = system.demands.iter().zip(&point.nu);
-        let held = held
-            + demands
-                .map(|(d, &nu)| d.bound * nu)
-                .sum::<f64>();
+        let held = held + demands.map(|(d, &nu)| d.bound * nu).sum::<f64>();
         // What is infeasible by rounding alone is none.
         let pushes: f64 = point.z.iter().sum();
         held < -SURELY * pushes && self.pull <= -RAY * held
@@ -211,10 +207,9 @@ impl<'a> Solver<'a> {
     /// The step with s∘z to change by `towards` and, where there is a cone, its own products by `cone`.
     fn step(&self, miss: &Miss, towards: &[f64], cone: &[f64; 3]) -> Move {
         let mut rhs = miss.x.clone();
-        for (i, row) in self.system.rows.iter().enumerate() {
-            let t = (towards[i] - self.z[i] * miss.rows[i]) / self.s[i];
-            row.add_to(&mut rhs, -t);
-        }
+        let rows = towards.iter().zip(self.z).zip(&miss.rows).zip(self.s);
+        let pulls: Vec<f64> = rows.map(|(((t, z), r), s)| (z * r - t) / s).collect();
+        self.system.add_rows(&pulls, &mut rhs);
         let mut of_cone = [0.0; 3];
         let mut weight = [[0.0; 3]; 3];
         if let (Some(columns), Some(scaling)) = (self.system.cone, &self.scaling) {
@@ -228,12 +223,11 @@ impl<'a> Solver<'a> {
         }
         let nu = self.system.solve(&self.factor, &mut rhs, &miss.y);
         let u = rhs;
-        let mut s = Vec::with_capacity(self.s.len());
-        let mut z = Vec::with_capacity(self.s.len());
-        for (i, row) in self.system.rows.iter().enumerate() {
-            let ds = miss.rows[i] - row.of(&u);
-            s.push(ds);
-            z.push((towards[i] - self.z[i] * ds) / self.s[i]);
+        let mut s = self.system.rows(&u);
+        let mut z = Vec::with_capacity(s.len());
+        for (i, ds) in s.iter_mut().enumerate() {
+            *ds = miss.rows[i] - *ds;
+            z.push((towards[i] - self.z[i] * *ds) / self.s[i]);
         }
         let (mut cone_s, mut cone_z) = ([0.0; 3], [0.0; 3]);
         if let Some(columns) = self.system.cone {
@@ -258,7 +252,7 @@ impl<'a> Solver<'a> {
 impl Point {
     /// The least squares of slacks and multipliers, brought inside.
     fn first(system: &System) -> Option<Self> {
-        let ones = vec![1.0; system.rows.len()];
+        let ones = vec![1.0; system.bounds.len()];
         let identity = Cone {
             s: MIDDLE,
             z: MIDDLE,
@@ -268,7 +262,7 @@ impl Point {
         let miss = Miss {
             x: system.gradient.iter().map(|&q| -q).collect(),
             y: system.demands.iter().map(|d| d.bound).collect(),
-            rows: system.rows.iter().map(|r| r.bound).collect(),
+            rows: system.bounds.clone(),
             cone: [0.0; 3],
             pull: 0.0,
             value: 0.0,

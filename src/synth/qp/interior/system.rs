@@ -1,6 +1,6 @@
 //! The program as the iterations see it, and what they return.
 
-use super::chain::{self, ByWindow, Chain};
+use super::chain::{self, Chain, Windowed};
 use super::demands::Demands;
 use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
 
@@ -10,7 +10,7 @@ const HELD: f64 = 2e-11;
 const RAISED: f64 = 1e3;
 const RAISES: usize = 4;
 
-/// One row: Σ entries·u against a bound.
+/// Σ entries·u against a bound.
 pub struct Line {
     pub entries: Vec<(usize, f64)>,
     pub bound: f64,
@@ -33,12 +33,12 @@ impl Line {
     }
 }
 
-/// H, as what has its cost in proportion to the spans.
+/// H and the rows, as what has its cost in proportion to the spans.
 pub enum Matrix {
     /// Over the coefficients of the lift.
-    Banded(ArrowMatrix),
-    /// Over those of its derivatives too, with the rows by their windows.
-    Chained(Chain, ByWindow),
+    Banded(ArrowMatrix, Vec<Line>),
+    /// Over those of its derivatives too.
+    Chained(Chain, Windowed),
 }
 
 /// ½uᵀHu + qᵀu under demands, rows and a cone of three unknowns.
@@ -46,7 +46,8 @@ pub struct System {
     pub matrix: Matrix,
     pub gradient: Vec<f64>,
     pub demands: Vec<Line>,
-    pub rows: Vec<Line>,
+    /// Bound of each row.
+    pub bounds: Vec<f64>,
     pub cone: Option<[usize; 3]>,
     /// Size of the objective where unknowns count from.
     pub value: f64,
@@ -69,15 +70,35 @@ impl System {
     /// Hu.
     pub fn times(&self, u: &[f64]) -> Vec<f64> {
         match &self.matrix {
-            Matrix::Banded(matrix) => matrix.times(u),
+            Matrix::Banded(matrix, _) => matrix.times(u),
             Matrix::Chained(chain, _) => chain.times(u),
+        }
+    }
+
+    /// The value of each row.
+    pub fn rows(&self, u: &[f64]) -> Vec<f64> {
+        match &self.matrix {
+            Matrix::Banded(_, rows) => rows.iter().map(|row| row.of(u)).collect(),
+            Matrix::Chained(chain, rows) => rows.values(&chain.layout, u),
+        }
+    }
+
+    /// Adds each row `by` times to a vector.
+    pub fn add_rows(&self, by: &[f64], out: &mut [f64]) {
+        match &self.matrix {
+            Matrix::Banded(_, rows) => {
+                rows.iter()
+                    .zip(by)
+                    .for_each(|(row, &by)| row.add_to(out, by));
+            }
+            Matrix::Chained(chain, rows) => rows.add_to(&chain.layout, by, out),
         }
     }
 
     /// Largest entry of a gradient that the unknowns do not balance among themselves.
     pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
         match &self.matrix {
-            Matrix::Banded(_) => gradient.iter().fold(0.0, |m, g| m.max(g.abs())),
+            Matrix::Banded(..) => gradient.iter().fold(0.0, |m, g| m.max(g.abs())),
             Matrix::Chained(chain, _) => chain.unbalanced(gradient),
         }
     }
@@ -93,9 +114,9 @@ impl System {
             }
         }
         match &self.matrix {
-            Matrix::Banded(matrix) => self.banded_factor(matrix, weights, &added),
-            Matrix::Chained(chain, by_window) => {
-                let factor = chain.factor(&self.rows, by_window, weights, &self.demands, &added);
+            Matrix::Banded(matrix, rows) => self.banded_factor(matrix, rows, weights, &added),
+            Matrix::Chained(chain, rows) => {
+                let factor = chain.factor(rows, weights, &self.demands, &added);
                 factor.map(Factor::Chained)
             }
         }
@@ -104,11 +125,12 @@ impl System {
     fn banded_factor(
         &self,
         hessian: &ArrowMatrix,
+        rows: &[Line],
         weights: &[f64],
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
         let mut matrix = hessian.clone();
-        for (row, weight) in self.rows.iter().zip(weights) {
+        for (row, weight) in rows.iter().zip(weights) {
             for (p, &(i, a)) in row.entries.iter().enumerate() {
                 let weighed = a * weight;
                 for &(j, b) in &row.entries[..=p] {
@@ -140,7 +162,7 @@ impl System {
         match (factor, &self.matrix) {
             (Factor::Banded(factor, demands), _) => demands.solve(&self.demands, factor, x, y),
             (Factor::Chained(factor), Matrix::Chained(chain, _)) => factor.solve(chain, x, y),
-            (Factor::Chained(_), Matrix::Banded(_)) => Vec::new(),
+            (Factor::Chained(_), Matrix::Banded(..)) => Vec::new(),
         }
     }
 }
