@@ -7,10 +7,13 @@
 //! gap = Σ λᵢ (bᵢ − aᵢᵀx) + xᵀr (+ z·y for the cone's own multiplier z)
 //! ```
 //!
-//! (Boyd and Vandenberghe, Convex Optimization, §5.5). The rows are limits at exact places of the law, so
+//! (Boyd and Vandenberghe, Convex Optimization, §5.5). Where H has a factor the Lagrangian, which is quadratic, falls from
+//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr with many spans, whose lift is large against what rounding leaves of
+//! its differences. The rows are limits at exact places of the law, so
 //! the bound holds for the whole turn and not for samples of it.
 
 use super::basis::apply;
+use super::equality;
 use super::program::{EXTRAS, Meaning, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution};
 use serde::Serialize;
 
@@ -40,7 +43,8 @@ pub struct Certificate {
     pub global_gap: f64,
     /// Size of the objective: its value, or a millionth of the terms that it is the sum of, which rounding leaves.
     pub size: f64,
-    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
+    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it; of many spans by the
+    /// coefficients of the highest derivative that is asked for.
     pub stationarity: f64,
     /// Largest violation of any limit on the continuum, as a part of its scale.
     pub violation: f64,
@@ -127,12 +131,19 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let mut gap = slack;
     let mut left =
         residual.iter().fold(0.0_f64, |m, r| m.max(r.abs())) / pushed.max(f64::MIN_POSITIVE);
-    gap += residual
-        .iter()
-        .zip(x)
-        .map(|(r, x)| r * x)
-        .sum::<f64>()
-        .abs();
+    let fall = || residual.iter().zip(x).map(|(r, x)| r * x).sum::<f64>().abs();
+    gap += match &program.lifted {
+        Some(lifted) => {
+            let rows = solution.active.iter();
+            let highest = rows.map(|r| lifted.highest(&r.weights)).max();
+            let order = highest.unwrap_or(0).max(lifted.used());
+            let size = lifted.summed(lifted.folded(lifted.gradient().to_vec()), order);
+            let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            left = largest(&lifted.summed(residual.clone(), order)) / largest(&size);
+            equality::fall(program, &residual).unwrap_or_else(fall)
+        }
+        None => fall(),
+    };
     if program.cone {
         let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(pushed_beside[k]));
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be

@@ -371,6 +371,27 @@ impl Lifted {
         y
     }
 
+    /// A gradient by the coefficients of the lift as one by those of its derivative of one order, the law closed and its
+    /// level held: what `integrated` makes of a change, transposed.
+    pub fn summed(&self, mut gradient: Vec<f64>, order: usize) -> Vec<f64> {
+        let n = self.dimension() as f64;
+        let mean = gradient.iter().sum::<f64>() / n;
+        gradient.iter_mut().for_each(|g| *g -= mean);
+        for f in &self.factors[..order] {
+            let (mut sum, mut total, mut length) = (0.0, 0.0, 0.0);
+            for (g, f) in gradient.iter_mut().zip(f).rev() {
+                sum += *g;
+                *g = sum / f;
+                total += *g;
+                length += 1.0 / f;
+            }
+            for (g, f) in gradient.iter_mut().zip(f) {
+                *g -= total / length / f;
+            }
+        }
+        gradient
+    }
+
     /// Coefficients of the lift from those of its derivative of one order: sums, which keep the digits that
     /// differences lose. Its mean is put right so that the law closes; `level` is the lift's mean.
     pub fn integrated(&self, highest: &[f64], order: usize, level: f64) -> Vec<f64> {
@@ -446,6 +467,24 @@ mod tests {
         let size = hx.iter().fold(0.0_f64, |m, h| m.max(h.abs()));
         for i in 0..n {
             assert!((gradient[i] - hx[i] - plain.gradient[i]).abs() < 1e-9 * size);
+        }
+    }
+
+    /// ⟨g, integrated(d)⟩ = ⟨summed(g), d⟩ for every d.
+    #[test]
+    fn a_gradient_is_summed_as_a_law_is_integrated() {
+        let n = 300;
+        let lifted = Lifted::of(&space(n));
+        let gradient: Vec<f64> = (0..n).map(|i| ((i * i) as f64 * 0.37).sin()).collect();
+        let change: Vec<f64> = (0..n).map(|i| ((i * 7) as f64 * 0.11).cos()).collect();
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        for order in 0..=3 {
+            let moved = lifted.integrated(&change, order, 0.0);
+            let (here, there) = (
+                dot(&gradient, &moved),
+                dot(&lifted.summed(gradient.clone(), order), &change),
+            );
+            assert!((here - there).abs() < 1e-11 * n as f64, "{order}: {here} {there}");
         }
     }
 
