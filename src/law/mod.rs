@@ -20,9 +20,10 @@ pub(crate) use walk::Turns;
 pub use walk::{BATCH, Batch, Walk};
 pub use wave::Wave;
 
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::{PiecewisePoly, SplineSpace, bernstein};
 use extremes::Known;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Lift and its first three derivatives by the cam angle: m, m/rad, m/rad², m/rad³ (an oscillating
 /// follower: rad in place of m).
@@ -73,11 +74,61 @@ pub struct Law {
     /// Bernstein coefficients of s, v, a, j times their binomials: the form that evaluates fastest.
     #[serde(skip)]
     scaled: [Vec<f64>; 4],
+    /// v, a and j where they have more digits than differences of the lift's coefficients.
+    #[serde(skip)]
+    derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
     known: Known,
 }
 
+/// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients:
+/// differences of the lift's lose (spans/turn)³ of a jerk's digits, and sixty times that by the piece.
+pub(crate) const MANY_SPANS: usize = 150;
+
 impl Law {
+    /// A spline by its coefficients.
+    pub fn spline(space: &SplineSpace, coefficients: &[f64], closed: bool) -> Self {
+        let poly = space.spline(coefficients);
+        if !closed || space.spans().len() < MANY_SPANS {
+            return Law::from_poly(poly, closed);
+        }
+        let mut orders = Vec::with_capacity(3);
+        let (mut own, mut c) = (space.clone(), coefficients.to_vec());
+        while let (true, Some((next, factors))) = (orders.len() < 3, own.derivative()) {
+            let n = c.len();
+            c = (0..n).map(|i| factors[i] * (c[i] - c[(i + n - 1) % n])).collect();
+            own = next;
+            orders.push(own.spline(&c));
+        }
+        match <[PiecewisePoly; 3]>::try_from(orders) {
+            Ok(derivatives) => Law::of_orders(poly, derivatives.into(), closed),
+            Err(_) => Law::from_poly(poly, closed),
+        }
+    }
+
+    fn of_orders(poly: PiecewisePoly, derivatives: Arc<[PiecewisePoly; 3]>, closed: bool) -> Self {
+        let [v, a, j] = &*derivatives;
+        let scaled = [&poly, v, a, j].map(scale_by_binomials);
+        Law {
+            poly,
+            waves: Vec::new(),
+            closed,
+            scaled,
+            derivatives: Some(derivatives),
+            known: Known::default(),
+        }
+    }
+
+    /// The lift's polynomials (order 0) or those of a derivative, waves left out.
+    fn of_order(&self, order: usize) -> PiecewisePoly {
+        let known = self.derivatives.as_ref().map_or(&[][..], |d| &d[..]);
+        match order.checked_sub(1).and_then(|k| known.get(k)) {
+            Some(known) => known.clone(),
+            None if order == 0 => self.poly.clone(),
+            None => self.of_order(order - 1).derivative(),
+        }
+    }
+
     /// A purely polynomial law.
     pub fn from_poly(poly: PiecewisePoly, closed: bool) -> Self {
         Law::with_waves(poly, Vec::new(), closed)
@@ -98,6 +149,7 @@ impl Law {
             waves,
             closed,
             scaled,
+            derivatives: None,
             known: Known::default(),
         }
     }
@@ -229,12 +281,11 @@ impl Law {
         let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         let mut orders: Vec<PiecewisePoly> = Vec::with_capacity(last + 1);
         for k in 0..=last {
-            let next = match orders.last() {
-                None => self.poly.clone(),
-                Some(before) => before.derivative(),
+            let next = match (orders.last(), &self.derivatives) {
+                (Some(before), None) => before.derivative(),
+                _ => self.of_order(k),
             };
             orders.push(next);
-            debug_assert_eq!(orders.len(), k + 1);
         }
         let mut terms: Vec<(f64, &PiecewisePoly)> = weights.into_iter().zip(&orders).collect();
         if weights[last] != 0.0 {
@@ -246,10 +297,7 @@ impl Law {
     /// An upper bound of |lift| (order 0) … |jerk| (order 3), from coefficients and amplitudes: no search.
     /// It exceeds the true maximum by a small factor at most, so it serves as a scale.
     pub(crate) fn bound(&self, order: usize) -> f64 {
-        let mut poly = self.poly.clone();
-        for _ in 0..order {
-            poly = poly.derivative();
-        }
+        let poly = self.of_order(order);
         let amplitude = |w: &Wave| w.rate.powi(order as i32).abs() * w.cos.hypot(w.sin);
         (0..poly.pieces())
             .map(|i| {
@@ -264,9 +312,13 @@ impl Law {
     #[must_use]
     pub fn raised(&self, ds: f64) -> Self {
         let poly = PiecewisePoly::combine(&[(1.0, &self.poly)], ds);
+        let raised = match &self.derivatives {
+            Some(derivatives) => Law::of_orders(poly, Arc::clone(derivatives), self.closed),
+            None => Law::with_waves(poly, self.waves.clone(), self.closed),
+        };
         Law {
             known: self.known.on_any_level(),
-            ..Law::with_waves(poly, self.waves.clone(), self.closed)
+            ..raised
         }
     }
 

@@ -3,7 +3,7 @@
 //! The Gram matrix of periodic B-splines is banded with two corner blocks. Ordering the last unknowns
 //! as a border leaves a plain band and a small dense block; cost is linear in the number of spans.
 
-use super::double::Number;
+use super::frame::dot;
 
 /// Entries of a column in the band of quintics, which are the rule: loops of known length cost half.
 const QUINTIC: usize = 6;
@@ -11,32 +11,32 @@ const QUINTIC: usize = 6;
 /// Symmetric positive definite matrix: half-bandwidth `band` on the first `n − border` unknowns, full
 /// rows for the last `border`.
 #[derive(Debug, Clone)]
-pub struct ArrowMatrix<T = f64> {
+pub struct ArrowMatrix {
     n: usize,
     band: usize,
     border: usize,
     /// Lower band of the leading block by columns: entry (j + k, j) at `core[j*(band+1) + k]`.
-    core: Vec<T>,
+    core: Vec<f64>,
     /// Border rows, each of length n (its own block in the last columns, lower part used).
-    rows: Vec<T>,
+    rows: Vec<f64>,
 }
 
 /// Factor L of an [`ArrowMatrix`], same layout, its diagonal inverted: a solution waits for no division.
 #[derive(Debug, Clone)]
-pub struct ArrowFactor<T = f64>(ArrowMatrix<T>);
+pub struct ArrowFactor(ArrowMatrix);
 
-impl<T: Number> ArrowMatrix<T> {
+impl ArrowMatrix {
     /// The zero matrix. Unknowns coupled beyond `band` must both lie in the last `border` ones, or one of
     /// them must.
     pub fn zero(n: usize, band: usize, border: usize) -> Self {
         let border = border.min(n);
-        let core = vec![T::of(0.0); (n - border) * (band + 1)];
+        let core = vec![0.0; (n - border) * (band + 1)];
         ArrowMatrix {
             n,
             band,
             border,
             core,
-            rows: vec![T::of(0.0); border * n],
+            rows: vec![0.0; border * n],
         }
     }
 
@@ -54,49 +54,49 @@ impl<T: Number> ArrowMatrix<T> {
     ///
     /// # Panics
     /// When the entry lies outside the pattern: a fault of the caller.
-    pub fn add(&mut self, i: usize, j: usize, value: T) {
+    pub fn add(&mut self, i: usize, j: usize, value: f64) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
         if i >= m {
             let entry = &mut self.rows[(i - m) * self.n + j];
-            *entry = *entry + value;
+            *entry += value;
         } else {
             assert!(i - j <= self.band, "entry outside the band");
             let entry = &mut self.core[j * (self.band + 1) + (i - j)];
-            *entry = *entry + value;
+            *entry += value;
         }
     }
 
     /// Adds the symmetric block of band + 1 unknowns from `first` on, laid out as the band itself: entry
     /// (k, l), l ≤ k, at `block[l*(band+1) + k − l]`, zero elsewhere. Returns whether all of it lies in the
     /// band, as it must; otherwise nothing is added.
-    pub fn add_block(&mut self, first: usize, block: &[T]) -> bool {
+    pub fn add_block(&mut self, first: usize, block: &[f64]) -> bool {
         let w = self.band + 1;
         if block.len() != w * w || first + w > self.n - self.border {
             return false;
         }
         for (entry, value) in self.core[first * w..].iter_mut().zip(block) {
-            *entry = *entry + *value;
+            *entry += *value;
         }
         true
     }
 
     /// Adds `factor` times another matrix of the same pattern.
-    pub fn add_scaled(&mut self, other: &ArrowMatrix<T>, factor: T) {
+    pub fn add_scaled(&mut self, other: &ArrowMatrix, factor: f64) {
         let own = self.core.iter_mut().chain(&mut self.rows);
         for (a, b) in own.zip(other.core.iter().chain(&other.rows)) {
-            *a = *a + factor * *b;
+            *a += factor * *b;
         }
     }
 
     /// Multiplies every entry.
-    pub fn scale(&mut self, factor: T) {
+    pub fn scale(&mut self, factor: f64) {
         let all = self.core.iter_mut().chain(&mut self.rows);
-        all.for_each(|a| *a = *a * factor);
+        all.for_each(|a| *a *= factor);
     }
 
     /// Entry (i, j).
-    pub fn get(&self, i: usize, j: usize) -> T {
+    pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
         if i >= m {
@@ -104,12 +104,12 @@ impl<T: Number> ArrowMatrix<T> {
         } else if i - j <= self.band {
             self.core[j * (self.band + 1) + (i - j)]
         } else {
-            T::of(0.0)
+            0.0
         }
     }
 
     /// Every stored entry of the lower triangle as (row, column, value).
-    pub fn lower_entries(&self) -> Vec<(usize, usize, T)> {
+    pub fn lower_entries(&self) -> Vec<(usize, usize, f64)> {
         let m = self.n - self.border;
         let mut out = Vec::new();
         for i in 0..self.n {
@@ -121,16 +121,16 @@ impl<T: Number> ArrowMatrix<T> {
             out.extend(
                 (first..=i)
                     .map(|j| (i, j, self.get(i, j)))
-                    .filter(|e| e.2 != T::of(0.0)),
+                    .filter(|e| e.2 != 0.0),
             );
         }
         out
     }
 
     /// Product with a vector.
-    pub fn times(&self, x: &[T]) -> Vec<T> {
+    pub fn times(&self, x: &[f64]) -> Vec<f64> {
         let (m, w) = (self.n - self.border, self.band + 1);
-        let mut y = vec![T::of(0.0); self.n];
+        let mut y = vec![0.0; self.n];
         for (i, column) in self.core.chunks_exact(w).enumerate() {
             let own = x[i];
             let (mut sum, below) = (column[0] * own, w.min(m - i));
@@ -139,29 +139,29 @@ impl<T: Number> ArrowMatrix<T> {
                 .zip(&x[i + 1..])
                 .zip(&mut y[i + 1..])
             {
-                sum = sum + value * x;
-                *y = *y + value * own;
+                sum += value * x;
+                *y += value * own;
             }
-            y[i] = y[i] + sum;
+            y[i] += sum;
         }
         for i in m..self.n {
             let row = &self.rows[(i - m) * self.n..][..=i];
             for (j, &value) in row[..i].iter().enumerate() {
-                y[i] = y[i] + value * x[j];
-                y[j] = y[j] + value * x[i];
+                y[i] += value * x[j];
+                y[j] += value * x[i];
             }
-            y[i] = y[i] + row[i] * x[i];
+            y[i] += row[i] * x[i];
         }
         y
     }
 
     /// Largest diagonal entry.
     pub fn largest_diagonal(&self) -> f64 {
-        (0..self.n).fold(0.0, |m, i| self.get(i, i).rounded().max(m))
+        (0..self.n).fold(0.0, |m, i| self.get(i, i).max(m))
     }
 
     /// Cholesky factor, or `None` when a pivot is not positive.
-    pub fn factor(mut self) -> Option<ArrowFactor<T>> {
+    pub fn factor(mut self) -> Option<ArrowFactor> {
         let (n, w) = (self.n, self.band + 1);
         let m = n - self.border;
         match w {
@@ -173,32 +173,31 @@ impl<T: Number> ArrowMatrix<T> {
             let own = &mut own[..m + r + 1];
             forward_in_band(&self.core, w, &mut own[..m], 0);
             for (q, other) in above.chunks_exact(n).enumerate() {
-                let done = T::dot(&own[..m + q], &other[..m + q]);
+                let done = dot(&own[..m + q], &other[..m + q]);
                 own[m + q] = (own[m + q] - done) * other[m + q];
             }
-            let square = T::dot(&own[..m + r], &own[..m + r]);
-            own[m + r] = T::of(1.0) / positive_root(own[m + r] - square)?;
+            let square = dot(&own[..m + r], &own[..m + r]);
+            own[m + r] = 1.0 / positive_root(own[m + r] - square)?;
         }
         Some(ArrowFactor(self))
     }
 }
 
 /// The root of a pivot, if it has one.
-fn positive_root<T: Number>(pivot: T) -> Option<T> {
-    let value = pivot.rounded();
-    (value > 0.0 && value.is_finite()).then(|| pivot.root())
+fn positive_root(pivot: f64) -> Option<f64> {
+    (pivot > 0.0 && pivot.is_finite()).then(|| pivot.sqrt())
 }
 
 /// Subtracts a multiple of another vector, as far as both go.
 #[inline(always)]
-fn take_off<T: Number>(from: &mut [T], other: &[T], part: T) {
+fn take_off(from: &mut [f64], other: &[f64], part: f64) {
     for (x, &l) in from.iter_mut().zip(other) {
-        *x = *x - l * part;
+        *x -= l * part;
     }
 }
 
 /// Replaces b by L⁻¹b for the band alone; b is zero before `start`.
-fn forward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) {
+fn forward_in_band(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     match w {
         QUINTIC => forward_of_width(core, QUINTIC, x, start),
         _ => forward_of_width(core, w, x, start),
@@ -206,7 +205,7 @@ fn forward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) {
 }
 
 #[inline(always)]
-fn forward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) {
+fn forward_of_width(core: &[f64], w: usize, x: &mut [f64], start: usize) {
     for (i, column) in core.chunks_exact(w).enumerate().skip(start) {
         let value = x[i] * column[0];
         x[i] = value;
@@ -220,7 +219,7 @@ fn forward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T], start: usize) 
 }
 
 /// Replaces y by L⁻ᵀy for the band alone.
-fn backward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T]) {
+fn backward_in_band(core: &[f64], w: usize, x: &mut [f64]) {
     match w {
         QUINTIC => backward_of_width(core, QUINTIC, x),
         _ => backward_of_width(core, w, x),
@@ -228,7 +227,7 @@ fn backward_in_band<T: Number>(core: &[T], w: usize, x: &mut [T]) {
 }
 
 #[inline(always)]
-fn backward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T]) {
+fn backward_of_width(core: &[f64], w: usize, x: &mut [f64]) {
     for (i, column) in core.chunks_exact(w).enumerate().rev() {
         let (own, below) = x[i..].split_at_mut(1);
         let done = match below.get(..w - 1) {
@@ -241,21 +240,21 @@ fn backward_of_width<T: Number>(core: &[T], w: usize, x: &mut [T]) {
 
 /// Inner product as far as both go, for few terms.
 #[inline(always)]
-fn plain_dot<T: Number>(a: &[T], b: &[T]) -> T {
+fn plain_dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter()
         .zip(b)
-        .fold(T::of(0.0), |sum, (&a, &b)| sum + a * b)
+        .fold(0.0, |sum, (&a, &b)| sum + a * b)
 }
 
 /// Cholesky factor of the band alone.
 #[inline(always)]
-fn factor_of_width<T: Number>(core: &mut [T], w: usize) -> Option<()> {
+fn factor_of_width(core: &mut [f64], w: usize) -> Option<()> {
     let m = core.len() / w;
     for j in 0..m {
         let (column, later) = core[j * w..].split_at_mut(w);
-        let inverse = T::of(1.0) / positive_root(column[0])?;
+        let inverse = 1.0 / positive_root(column[0])?;
         column[0] = inverse;
-        column[1..].iter_mut().for_each(|l| *l = *l * inverse);
+        column[1..].iter_mut().for_each(|l| *l *= inverse);
         // What stands below the matrix is zero.
         for (p, own) in (1..w).zip(later.chunks_exact_mut(w)) {
             take_off(&mut own[..w - p], &column[p..], column[p]);
@@ -264,7 +263,7 @@ fn factor_of_width<T: Number>(core: &mut [T], w: usize) -> Option<()> {
     Some(())
 }
 
-impl<T: Number> ArrowFactor<T> {
+impl ArrowFactor {
     /// Number of unknowns.
     pub fn dimension(&self) -> usize {
         self.0.n
@@ -276,27 +275,27 @@ impl<T: Number> ArrowFactor<T> {
     }
 
     /// Solves in place.
-    pub fn solve(&self, x: &mut [T]) {
+    pub fn solve(&self, x: &mut [f64]) {
         self.forward(x);
         self.backward(x);
     }
 
     /// Replaces b by L⁻¹b.
-    pub fn forward(&self, x: &mut [T]) {
+    pub fn forward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
         // Rows of limits touch a few neighbours: what stands before the first stays zero.
-        let start = x.iter().position(|v| *v != T::of(0.0)).unwrap_or(a.n);
+        let start = x.iter().position(|v| *v != 0.0).unwrap_or(a.n);
         let start = start.min(m);
         forward_in_band(&a.core, a.band + 1, &mut x[..m], start);
         for (i, row) in (m..).zip(a.rows.chunks_exact(a.n)) {
-            let done = T::dot(&row[start..i], &x[start..i]);
+            let done = dot(&row[start..i], &x[start..i]);
             x[i] = (x[i] - done) * row[i];
         }
     }
 
     /// Replaces y by L⁻ᵀy.
-    pub fn backward(&self, x: &mut [T]) {
+    pub fn backward(&self, x: &mut [f64]) {
         let a = &self.0;
         let m = a.n - a.border;
         for (i, row) in (m..a.n).zip(a.rows.chunks_exact(a.n)).rev() {

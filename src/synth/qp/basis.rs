@@ -55,7 +55,7 @@ impl Basis {
     pub fn law(&self, x: &[f64]) -> Law {
         match self {
             Basis::Spline { space, closed } => {
-                Law::from_poly(space.spline(&x[..space.dimension()]), *closed)
+                Law::spline(space, &x[..space.dimension()], *closed)
             }
             Basis::Harmonic { count } => {
                 let terms: Vec<(f64, f64)> =

@@ -4,7 +4,7 @@
 use super::basis::{Basis, apply};
 use super::certificate::certificate;
 use super::clarabel::Point;
-use super::interior::{self, Left};
+use super::interior::{self, Left, Trail};
 use super::program::{
     EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, Row, Solution, Stop,
 };
@@ -145,7 +145,7 @@ impl Program {
                 return Ok(solution);
             }
             if self.lifted.is_some() {
-                self.add_everywhere(&mut rows);
+                self.add_everywhere(&mut rows, &x);
             } else {
                 self.add_rows(&mut rows, self.broken(&x, &[0.0; EXTRAS]));
                 self.add_neighbours(&mut rows, &x);
@@ -180,6 +180,7 @@ impl Program {
         let settings = &self.settings.exchange;
         let mut iterations = 0;
         let mut best: Option<Solution> = None;
+        let mut trail = Trail::default();
         // Room left inside every limit for what the solver does not resolve; grows only when needed.
         // Cones are not polished, so there it is kept from the start.
         let mut margin = if self.cone { settings.cone_margin } else { 0.0 };
@@ -192,7 +193,7 @@ impl Program {
             if self.halt.is_asked() {
                 return best.ok_or(Stop::OutOfTime.into());
             }
-            let point = match (self.point(&mut rows, margin), &best) {
+            let point = match (self.point(&mut rows, margin, &mut trail), &best) {
                 (Ok(point), _) => point,
                 // The room kept free is ours, not the user's: without it there is a solution.
                 (Err(_), Some(_)) if margin > 0.0 => break,
@@ -209,6 +210,7 @@ impl Program {
                 super::polish::polish(self, &mut rows, &point)
             };
             let broken = self.broken(&x, &extra);
+            if self.lifted.is_some() { eprintln!("round {round} rows {} it {} broken {} viol {:e} margin {margin:e}", rows.len(), point.iterations, broken.len(), self.violation(&x,&extra)); } // DEBUG
             if self.lifted.is_some() && round == 1 {
                 rows.retain(|r| self.is_near(r, &x, &extra));
             }
@@ -301,8 +303,13 @@ impl Program {
     }
 
     /// The optimum under the rows at hand: on the program's own band, or where that method leaves it open by Clarabel.
-    fn point(&self, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
-        match interior::solve(self, rows, margin) {
+    fn point(
+        &self,
+        rows: &mut [Row],
+        margin: f64,
+        trail: &mut Trail,
+    ) -> Result<Point, Failure> {
+        match interior::solve(self, rows, margin, trail) {
             Ok(point) => Ok(point),
             Err(Left::Failed(failure)) => Err(failure),
             // Beside rows of a sequence a law of many spans is no question of whether there is one at all.

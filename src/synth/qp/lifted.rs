@@ -7,12 +7,10 @@
 //! Control, ch. 4). Every row is short, its entries are near one, and the cost of a factorisation stays in
 //! proportion to the spans.
 
-use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
-use super::double::{Double, Number};
+use super::pieces::Pieces;
 use super::settings::Settings;
 use crate::poly::SplineSpace;
-use std::sync::{Arc, OnceLock};
 
 /// Highest derivative that limits or objectives ask for.
 const HIGHEST: usize = 4;
@@ -30,19 +28,6 @@ pub struct Lifted {
     blocks: Vec<(usize, usize, f64)>,
     /// g.
     gradient: Vec<f64>,
-    /// The same over the coefficients of the lift, with all digits, once it was asked for.
-    full: OnceLock<Arc<Full>>,
-}
-
-/// The objective over the coefficients of the lift, in numbers of twice the digits.
-#[derive(Debug)]
-pub struct Full {
-    /// H.
-    pub hessian: ArrowMatrix<Double>,
-    /// g.
-    pub gradient: Vec<Double>,
-    /// For each order and coefficient c⁽ᵏ⁾ᵢ its weights of the lift's cᵢ, cᵢ₋₁, …
-    differences: Vec<Vec<[Double; HIGHEST + 1]>>,
 }
 
 impl Lifted {
@@ -74,7 +59,6 @@ impl Lifted {
             used: 0,
             blocks: Vec::new(),
             gradient,
-            full: OnceLock::new(),
         }
     }
 
@@ -133,7 +117,6 @@ impl Lifted {
         asked: impl Fn(usize, usize) -> (f64, f64),
     ) {
         self.used = self.used.max(self.highest(weights));
-        self.full = OnceLock::new();
         let n = self.dimension();
         let orders: Vec<usize> = (0..self.spaces.len().min(weights.len()))
             .filter(|&order| weights[order] != 0.0)
@@ -191,7 +174,6 @@ impl Lifted {
     /// Adds another objective over the same coefficients, `factor` times.
     pub fn add(&mut self, other: &Lifted, factor: f64) {
         self.used = self.used.max(other.used);
-        self.full = OnceLock::new();
         let blocks = other.blocks.iter().map(|&(i, j, v)| (i, j, factor * v));
         self.blocks.extend(blocks);
         for (own, g) in self.gradient.iter_mut().zip(&other.gradient) {
@@ -201,7 +183,6 @@ impl Lifted {
 
     /// Multiplies the objective.
     pub fn scale(&mut self, factor: f64) {
-        self.full = OnceLock::new();
         self.blocks.iter_mut().for_each(|b| b.2 *= factor);
         self.gradient.iter_mut().for_each(|g| *g *= factor);
     }
@@ -219,87 +200,6 @@ impl Lifted {
     /// f of the step from each order to the next.
     pub fn factors(&self) -> &[Vec<f64>] {
         &self.factors
-    }
-
-    /// The objective over the coefficients of the lift with all digits.
-    pub fn in_full(&self) -> Arc<Full> {
-        Arc::clone(self.full.get_or_init(|| Arc::new(self.folded_in_full())))
-    }
-
-    /// A row over the coefficients of the lift with all digits.
-    pub fn full_row(
-        &self,
-        full: &Full,
-        piece: usize,
-        u: f64,
-        weights: &[f64],
-    ) -> Vec<(usize, Double)> {
-        let n = self.dimension();
-        let mut out: Vec<(usize, Double)> = Vec::new();
-        for (i, value) in self.row(piece, u, weights) {
-            let (order, own) = (i / n, i % n);
-            for (k, &d) in full.differences[order][own][..=order].iter().enumerate() {
-                let column = (own + n - k) % n;
-                let term = d * Double::of(value);
-                match out.iter_mut().find(|e| e.0 == column) {
-                    Some(entry) => entry.1 = entry.1 + term,
-                    None => out.push((column, term)),
-                }
-            }
-        }
-        out
-    }
-
-    fn folded_in_full(&self) -> Full {
-        let n = self.dimension();
-        let zero = Double::of(0.0);
-        let mut first = [zero; HIGHEST + 1];
-        first[0] = Double::of(1.0);
-        let mut differences = vec![vec![first; n]];
-        for f in &self.factors {
-            let last = &differences[differences.len() - 1];
-            let next = (0..n).map(|i| {
-                let before = last[(i + n - 1) % n];
-                std::array::from_fn(|k| {
-                    let shifted = if k > 0 { before[k - 1] } else { zero };
-                    Double::of(f[i]) * (last[i][k] - shifted)
-                })
-            });
-            let next = next.collect();
-            differences.push(next);
-        }
-        let degree = self.spaces[0].degree();
-        let mut hessian = ArrowMatrix::zero(n, degree, degree);
-        for &(i, j, v) in &self.blocks {
-            let (p, q) = (i / n, j / n);
-            for (k, &a) in differences[p][i % n][..=p].iter().enumerate() {
-                let weighed = a * Double::of(v);
-                let row = (i % n + n - k) % n;
-                for (l, &b) in differences[q][j % n][..=q].iter().enumerate() {
-                    let column = (j % n + n - l) % n;
-                    let value = weighed * b;
-                    // A block stands for itself and its mirror image.
-                    if i != j && row == column {
-                        hessian.add(row, column, value + value);
-                    } else if i != j || row >= column {
-                        hessian.add(row, column, value);
-                    }
-                }
-            }
-        }
-        let mut gradient = vec![zero; n];
-        for (at, &g) in self.gradient.iter().enumerate() {
-            let (order, i) = (at / n, at % n);
-            for (k, &d) in differences[order][i][..=order].iter().enumerate() {
-                let column = (i + n - k) % n;
-                gradient[column] = gradient[column] + d * Double::of(g);
-            }
-        }
-        Full {
-            hessian,
-            gradient,
-            differences,
-        }
     }
 
     /// Largest diagonal entry of H.
@@ -334,6 +234,14 @@ impl Lifted {
         }
         out.resize(self.gradient.len(), 0.0);
         out
+    }
+
+    /// Derivatives up to one order in Bernstein form, each from its own coefficients.
+    pub fn pieces(&self, x: &[f64], highest: usize) -> Pieces {
+        let highest = highest.min(self.spaces.len() - 1);
+        let d = self.derivatives_to(x, highest);
+        let orders = self.spaces[..=highest].iter();
+        Pieces::of_derivatives(orders.zip(d.chunks_exact(self.dimension())))
     }
 
     /// ½dᵀHd + gᵀd at a law.

@@ -23,8 +23,7 @@
 //! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
-//! | `interior` | the interior-point method on the program's own band, for many spans and between the steps of a sequence |
-//! | `double` | numbers of twice the digits |
+//! | `interior` | the interior-point method with cost in proportion to the spans: many of them, and between the steps of a sequence |
 //! | `clarabel` | the interior-point method for few spans, and the last word where the other settles nothing |
 //! | `contacts` | Newton's method on the contacts, where variables stand beside the law or a proof is open |
 //! | `quadratic_step` | its steps: small dense programs |
@@ -40,7 +39,6 @@ mod certificate;
 mod clarabel;
 mod contacts;
 mod demand;
-mod double;
 mod equality;
 mod exchange;
 mod frame;

@@ -1,6 +1,6 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
-use super::basis::{Basis, Entries, WIDEST, add};
+use super::basis::{Basis, Entries, WIDEST, add, apply};
 use super::pieces::{Curve, Pieces};
 use super::program::{EXTRAS, Limit, Meaning, Program, Row};
 use crate::law::Law;
@@ -96,7 +96,11 @@ impl Program {
 
     fn pieces(&self, space: &SplineSpace, x: &[f64]) -> Pieces {
         let highest = self.limits.iter().map(Limit::highest_order).max();
-        Pieces::new(space, x, highest.unwrap_or(0))
+        let highest = highest.unwrap_or(0);
+        match &self.lifted {
+            Some(lifted) => lifted.pieces(x, highest),
+            None => Pieces::new(space, x, highest),
+        }
     }
 
     /// The row of a limit at a place.
@@ -176,14 +180,18 @@ impl Program {
         }
     }
 
-    /// Starts and middles of all pieces, for laws of many spans: what is not written down there escapes as a
-    /// spike into the next piece, round after round.
-    pub fn add_everywhere(&self, rows: &mut Vec<Row>) {
+    /// Starts and middles of all pieces where a law is no further below a limit than half its size, for laws of many
+    /// spans: what is not written down there escapes as a spike into the next piece, round after round.
+    pub fn add_everywhere(&self, rows: &mut Vec<Row>, x: &[f64]) {
         let breaks = self.basis.breaks();
         for (index, limit) in self.limits.iter().enumerate() {
+            let far = 0.5 * limit.size(limit.bound);
             ends_and_middles(&breaks, limit, |peak| {
                 if peak.u < 1.0 {
-                    rows.push(self.row(index, peak));
+                    let row = self.row(index, peak);
+                    if row.bound - apply(&row.entries, x) < far {
+                        rows.push(row);
+                    }
                 }
             });
         }

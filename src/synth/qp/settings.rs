@@ -1,5 +1,7 @@
 //! Every tuning constant of the solvers, with its reason. Nothing here is seen by users of a scene.
 
+use crate::law::MANY_SPANS;
+
 /// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
 pub const TOLERANCE: f64 = 4e-10;
 
@@ -146,7 +148,7 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             tolerance: TOLERANCE,
-            lifted_from: 150,
+            lifted_from: MANY_SPANS,
             equality: EqualitySettings {
                 dependent: 1e-11,
                 consistent: 1e-8,

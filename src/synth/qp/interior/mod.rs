@@ -20,6 +20,8 @@ use super::clarabel::Point;
 use super::program::{Failure, Program, Row};
 use super::settings::TOLERANCE;
 use scaled::Scaled;
+use std::collections::HashMap;
+use system::Midway;
 
 /// More demands than this are no small dense system.
 const MOST_DEMANDS: usize = 160;
@@ -32,9 +34,29 @@ pub enum Left {
     Open,
 }
 
+/// What a solution leaves to the next one with other rows.
+#[derive(Default)]
+pub struct Trail {
+    midway: Option<Midway>,
+    /// Push of each row at that point.
+    pushes: HashMap<Named, f64>,
+}
+
+/// A row by limit, place and bound.
+type Named = (Option<usize>, u64, u64);
+
+fn named(row: &Row) -> Named {
+    (row.limit, row.peak.at.to_bits(), row.extra[0].to_bits())
+}
+
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each limit's scale) is
 /// kept free inside every limit.
-pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Left> {
+pub fn solve(
+    program: &Program,
+    rows: &mut [Row],
+    margin: f64,
+    trail: &mut Trail,
+) -> Result<Point, Left> {
     let far = rows.iter().any(|r| !r.touching.is_empty());
     if far || rows.is_empty() || program.equalities.len() > MOST_DEMANDS {
         return Err(Left::Open);
@@ -44,9 +66,11 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
             program,
             rows,
             Scaled::of_many_spans(program, lifted, rows, margin),
+            trail,
         ),
         None if is_between_steps(program) => {
-            answered(program, rows, Scaled::of_few_spans(program, rows, margin))
+            let scaled = Scaled::of_few_spans(program, rows, margin);
+            answered(program, rows, scaled, trail)
         }
         _ => Err(Left::Open),
     }
@@ -58,10 +82,25 @@ fn is_between_steps(program: &Program) -> bool {
     spline && !program.fixed.is_empty() && program.settings.tolerance > TOLERANCE
 }
 
-fn answered(program: &Program, rows: &mut [Row], scaled: Option<Scaled>) -> Result<Point, Left> {
+fn answered(
+    program: &Program,
+    rows: &mut [Row],
+    scaled: Option<Scaled>,
+    trail: &mut Trail,
+) -> Result<Point, Left> {
     let scaled = scaled.ok_or(Left::Open)?;
     let settings = &program.settings.interior_point;
-    let found = steps::solve(&scaled.system, settings, &program.halt)?;
+    let names: Vec<Named> = scaled.rows().map(|index| named(&rows[index])).collect();
+    let from = trail.midway.take().map(|midway| Midway {
+        z: names.iter().map(|n| trail.pushes.get(n).copied()).collect(),
+        ..midway
+    });
+    let mut found = steps::solve(&scaled.system, settings, &program.halt, from)?;
+    if let Some(midway) = found.midway.take() {
+        let pushes = names.into_iter().zip(&midway.z);
+        trail.pushes = pushes.filter_map(|(n, z)| Some((n, (*z)?))).collect();
+        trail.midway = Some(midway);
+    }
     Ok(scaled.point(program, rows, found))
 }
 
@@ -115,7 +154,7 @@ mod tests {
     #[test]
     fn a_program_between_two_steps_has_the_optimum_that_another_method_finds() {
         let (program, mut rows) = of_a_sequence();
-        let own = solve(&program, &mut rows, 0.0).ok().unwrap();
+        let own = solve(&program, &mut rows, 0.0, &mut Trail::default()).ok().unwrap();
         let pushes: Vec<f64> = rows.iter().map(|r| r.multiplier).collect();
         let other = clarabel::solve(&program, &mut rows, 0.0).unwrap();
         let value = |p: &Point| program.objective(&p.x) + 0.5 * p.extra[RADIUS];
@@ -135,6 +174,6 @@ mod tests {
     fn the_last_program_of_a_sequence_is_left_to_the_other_method() {
         let (mut program, mut rows) = of_a_sequence();
         program.settings.tolerance = TOLERANCE;
-        assert!(matches!(solve(&program, &mut rows, 0.0), Err(Left::Open)));
+        assert!(matches!(solve(&program, &mut rows, 0.0, &mut Trail::default()), Err(Left::Open)));
     }
 }

@@ -17,7 +17,7 @@ const NEARLY: f64 = 1e-4;
 /// … and that is broken by more than this, in its own unit, is broken by the demands.
 const BROKEN: f64 = 1e-9;
 /// Roundings kept free inside limits of many spans.
-const ROUNDINGS: f64 = 16.0;
+const ROUNDINGS: f64 = 0.5;
 
 /// A program as the method solves it.
 pub struct Scaled {
@@ -90,7 +90,9 @@ impl Scaled {
         rows: &[Row],
         margin: f64,
     ) -> Option<Self> {
-        let highest = rows.iter().map(|r| lifted.highest(&r.weights)).max();
+        let limits = program.limits.iter().map(|l| lifted.highest(&l.weights));
+        let own = program.fixed.iter().map(|r| lifted.highest(&r.weights));
+        let highest = limits.chain(own).max();
         let highest = highest.unwrap_or(0).max(lifted.used());
         let layout = Layout::new(lifted, highest);
         let start = start(program);
@@ -177,6 +179,7 @@ impl Scaled {
             demands.push(Line::new(vec![(level, 1.0)], 0.0));
         }
         let implied = Implied::by(program);
+        let largest = start.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let mut lines = Vec::with_capacity(rows.len());
         for (index, row) in rows.iter().enumerate() {
             let beside = row.extra.iter().any(|e| *e != 0.0);
@@ -197,7 +200,7 @@ impl Scaled {
                     line.push((column, row.extra[k] * columns.unit[k] / unit));
                 }
             }
-            let kept_free = margin * row.scale + rounding(program, row);
+            let kept_free = margin * row.scale + rounding(program, row, largest);
             lines.push(Kept {
                 index,
                 unit,
@@ -225,6 +228,11 @@ impl Scaled {
             kept: Vec::new(),
         };
         Some((out, lines))
+    }
+
+    /// The program's rows among the system's, in its order.
+    pub fn rows(&self) -> impl Iterator<Item = usize> {
+        self.kept.iter().map(|k| k.0)
     }
 
     fn take_bounds(&mut self, lines: &[Kept]) {
@@ -259,13 +267,13 @@ impl Scaled {
     }
 }
 
-/// What differences of the lift's coefficients leave uncertain of a limit, where room can be kept.
-fn rounding(program: &Program, row: &Row) -> f64 {
+/// What the lift's coefficients leave uncertain of a limit, where room can be kept: `largest` is the largest of them.
+fn rounding(program: &Program, row: &Row, largest: f64) -> f64 {
     if program.lifted.is_none() || row.scale == 0.0 {
         return 0.0;
     }
     let size: f64 = row.entries.iter().map(|e| e.1.abs()).sum();
-    ROUNDINGS * f64::EPSILON * size * program.length
+    ROUNDINGS * f64::EPSILON * size * largest
 }
 
 /// The rows of the demands as an orthonormal basis: a limit's row in their span says nothing, or cannot be mended.

@@ -6,7 +6,7 @@
 
 use super::Left;
 use super::cone::{Cone, MIDDLE, Scaling, inside, product, times};
-use super::system::{Factor, Found, Matrix, System};
+use super::system::{Factor, Found, Matrix, Midway, System};
 use crate::halt::Halt;
 use crate::synth::qp::program::{Failure, Stop};
 use crate::synth::qp::settings::InteriorPointSettings;
@@ -23,13 +23,24 @@ const SHORTEST: f64 = 1e-8;
 const RAY: f64 = 1e-8;
 /// … by more than this, in the rows' units.
 const SURELY: f64 = 1e-9;
-/// Solves a system.
+/// Relative gap of the point from which a solution with a few rows more goes on.
+const MIDWAY: f64 = 1e-3;
+/// Factor by which a row's slack times its push lies apart from the mean there.
+const APART: f64 = 100.0;
+
+/// Solves a system, from a point on the way to the solution with other rows where there is one.
 pub fn solve(
     system: &System,
     settings: &InteriorPointSettings,
     halt: &Halt,
+    from: Option<Midway>,
 ) -> Result<Found, Left> {
-    let mut point = Point::first(system).ok_or(Left::Open)?;
+    let from = from.filter(|_| std::env::var("COLD").is_err()).and_then(|from| Point::midway(system, from));
+    let mut point = match from {
+        Some(point) => point,
+        None => Point::first(system).ok_or(Left::Open)?,
+    };
+    let mut midway = None;
     // More digits cost a few iterations only.
     let tolerance = match system.matrix {
         Matrix::Chained(..) => settings.many_spans_tolerance,
@@ -46,18 +57,24 @@ pub fn solve(
         if !off.is_finite() {
             break;
         }
+        if std::env::var("TR").is_ok() { eprintln!("  it {iteration} off {off:e} gap {:e} dual {:e} rows {:e} y {:e}", miss.gap(system,&point), system.unbalanced(&miss.x)/(1e-3+miss.size), miss.rows.iter().fold(0.0f64,|m,r|m.max(r.abs())), miss.y.iter().fold(0.0f64,|m,r|m.max(r.abs()))); } // DEBUG
         since += 1;
         if best.as_ref().is_none_or(|(least, _)| off < 0.9 * least) {
-            let found = Found {
+            let mut found = Found {
                 unknowns: point.u.clone(),
                 pushes: point.z.clone(),
                 iterations: iteration,
+                midway: None,
             };
             if off <= 1.0 {
+                found.midway = midway;
                 return Ok(found);
             }
             best = Some((off, found));
             since = 0;
+        }
+        if midway.is_none() && miss.gap(system, &point) < MIDWAY {
+            midway = Some(point.on_the_way());
         }
         if miss.is_ray(system, &point) {
             return Err(Left::Failed(Failure::Infeasible));
@@ -67,7 +84,7 @@ pub fn solve(
         }
     }
     match best {
-        Some((off, found)) if off * tolerance <= NEARLY => Ok(found),
+        Some((off, found)) if off * tolerance <= NEARLY => Ok(Found { midway, ..found }),
         _ => Err(Left::Open),
     }
 }
@@ -150,9 +167,12 @@ impl Miss {
         let primal = rows.fold(largest(&self.y), |m, r| m.max(r.abs()));
         // A law far above its circle takes up what is left of the pull on its level.
         let dual = system.unbalanced(&self.x) / (1e-3 + self.size);
-        let value = (self.value + system.value).abs().max(1e-14);
-        let gap = point.gap() / value;
-        primal.max(dual).max(gap) / tolerance
+        primal.max(dual).max(self.gap(system, point)) / tolerance
+    }
+
+    /// Gap as a part of the objective.
+    fn gap(&self, system: &System, point: &Point) -> f64 {
+        point.gap() / (self.value + system.value).abs().max(1e-14)
     }
 
     /// Whether the multipliers prove that nothing keeps all rows: Aᵀz + Eᵀν = 0 with bᵀz + eᵀν < 0.
@@ -297,6 +317,42 @@ impl Point {
         })
     }
 
+    fn on_the_way(&self) -> Midway {
+        Midway {
+            u: self.u.clone(),
+            nu: self.nu.clone(),
+            z: self.z.iter().map(|&z| Some(z)).collect(),
+            mean: self.gap() / (self.s.len() + usize::from(self.cone.is_some())) as f64,
+            cone: self.cone,
+        }
+    }
+
+    /// A point with the slacks that its law has, new rows in the middle between slack and push.
+    fn midway(system: &System, from: Midway) -> Option<Self> {
+        let fits = from.u.len() == system.gradient.len() && from.nu.len() == system.demands.len();
+        if !fits || from.mean <= 0.0 {
+            return None;
+        }
+        let least = from.mean.sqrt();
+        let values = system.rows(&from.u);
+        let mut s = Vec::with_capacity(values.len());
+        let mut z = Vec::with_capacity(values.len());
+        for ((bound, value), push) in system.bounds.iter().zip(values).zip(from.z) {
+            let slack = bound - value;
+            let own = if slack > 0.0 && push.is_some() { slack } else { slack.max(least) };
+            s.push(own);
+            let middle = from.mean / own;
+            z.push(push.map_or(middle, |push| push.clamp(middle / APART, middle * APART)));
+        }
+        Some(Point {
+            u: from.u,
+            nu: from.nu,
+            s,
+            z,
+            cone: from.cone,
+        })
+    }
+
     fn gap(&self) -> f64 {
         let rows: f64 = self.s.iter().zip(&self.z).map(|(s, z)| s * z).sum();
         rows + self.cone.map_or(0.0, |c| c.gap())
@@ -329,6 +385,7 @@ impl Point {
         }
         let step = solver.step(miss, &corrected, &cone);
         let part = (SHORT * self.longest(&step)).min(1.0);
+        if std::env::var("TR").is_ok() { eprintln!("     part {part} reach {reach} middle {middle:e}"); } // DEBUG
         if part.is_nan() || part < SHORTEST {
             return false;
         }

@@ -1,6 +1,7 @@
 //! The program as the iterations see it, and what they return.
 
 use super::chain::{self, Chain, Windowed};
+use super::cone::Cone;
 use super::demands::Demands;
 use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
 
@@ -58,6 +59,18 @@ pub struct Found {
     pub unknowns: Vec<f64>,
     pub pushes: Vec<f64>,
     pub iterations: usize,
+    /// Where another solution with a few rows more can go on.
+    pub midway: Option<Midway>,
+}
+
+/// A point well inside: unknowns, multipliers and the mean of slack times push; a row of today that was none then has
+/// no push.
+pub struct Midway {
+    pub u: Vec<f64>,
+    pub nu: Vec<f64>,
+    pub z: Vec<Option<f64>>,
+    pub mean: f64,
+    pub cone: Option<Cone>,
 }
 
 /// The factor of H + Σ weight·aaᵀ under the demands.
