@@ -98,7 +98,8 @@ impl Law {
             let n = c.len();
             c = (0..n).map(|i| factors[i] * (c[i] - c[(i + n - 1) % n])).collect();
             own = next;
-            orders.push(own.spline(&c));
+            let pieces = own.spline(&c).coefficients().to_vec();
+            orders.push(PiecewisePoly::new(poly.breaks().to_vec(), own.degree(), pieces));
         }
         match <[PiecewisePoly; 3]>::try_from(orders) {
             Ok(derivatives) => Law::of_orders(poly, derivatives.into(), closed),
