@@ -96,10 +96,16 @@ impl Law {
         let (mut own, mut c) = (space.clone(), coefficients.to_vec());
         while let (true, Some((next, factors))) = (orders.len() < 3, own.derivative()) {
             let n = c.len();
-            c = (0..n).map(|i| factors[i] * (c[i] - c[(i + n - 1) % n])).collect();
+            c = (0..n)
+                .map(|i| factors[i] * (c[i] - c[(i + n - 1) % n]))
+                .collect();
             own = next;
             let pieces = own.spline(&c).coefficients().to_vec();
-            orders.push(PiecewisePoly::new(poly.breaks().to_vec(), own.degree(), pieces));
+            orders.push(PiecewisePoly::new(
+                poly.breaks().to_vec(),
+                own.degree(),
+                pieces,
+            ));
         }
         match <[PiecewisePoly; 3]>::try_from(orders) {
             Ok(derivatives) => Law::of_orders(poly, derivatives.into(), closed),

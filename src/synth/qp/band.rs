@@ -241,9 +241,7 @@ fn backward_of_width(core: &[f64], w: usize, x: &mut [f64]) {
 /// Inner product as far as both go, for few terms.
 #[inline(always)]
 fn plain_dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .fold(0.0, |sum, (&a, &b)| sum + a * b)
+    a.iter().zip(b).fold(0.0, |sum, (&a, &b)| sum + a * b)
 }
 
 /// Cholesky factor of the band alone.

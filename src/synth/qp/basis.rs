@@ -54,9 +54,7 @@ impl Basis {
     /// The law with the given coefficients.
     pub fn law(&self, x: &[f64]) -> Law {
         match self {
-            Basis::Spline { space, closed } => {
-                Law::spline(space, &x[..space.dimension()], *closed)
-            }
+            Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
             Basis::Harmonic { count } => {
                 let terms: Vec<(f64, f64)> =
                     (0..*count).map(|n| (x[2 * n + 1], x[2 * n + 2])).collect();

@@ -131,7 +131,14 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let mut gap = slack;
     let mut left =
         residual.iter().fold(0.0_f64, |m, r| m.max(r.abs())) / pushed.max(f64::MIN_POSITIVE);
-    let fall = || residual.iter().zip(x).map(|(r, x)| r * x).sum::<f64>().abs();
+    let fall = || {
+        residual
+            .iter()
+            .zip(x)
+            .map(|(r, x)| r * x)
+            .sum::<f64>()
+            .abs()
+    };
     gap += match &program.lifted {
         Some(lifted) => {
             let rows = solution.active.iter();

@@ -5,12 +5,14 @@ use super::basis::{Basis, apply};
 use super::certificate::certificate;
 use super::clarabel::Point;
 use super::interior::{self, Left, Trail};
+use super::lifted::Lifted;
 use super::program::{
     EXTRAS, FACE_END, Failure, LOWEST, Limit, Meaning, Program, Row, Solution, Stop,
 };
 use super::settings::TOLERANCE;
-use super::{active_set, equality};
+use super::{active_set, equality, local_reduction};
 use crate::poly::Peak;
+use std::f64::consts::TAU;
 
 /// Where rows are put beside a broken place, as parts of the way to the row before.
 const BESIDE: [f64; 4] = [-0.6, -0.25, 0.25, 0.6];
@@ -102,8 +104,22 @@ impl Program {
             proof.relative_gap.max(proof.stationarity)
         };
         let kept = |s: &Solution| s.violation <= self.settings.tolerance;
-        let first = active_set::solve(&few, unlimited).ok().filter(kept);
+        let first = self
+            .band_has_digits()
+            .then(|| active_set::solve(&few, unlimited));
+        let first = first.and_then(Result::ok).filter(kept);
         let first = first.map(|s| (doubt(&s), s));
+        let first = first.map(|(gap, solution)| {
+            if gap <= settings.proved {
+                return (gap, solution);
+            }
+            // The contacts are right; the band has not the digits for the law on them.
+            let below = self.settings.local_reduction.below;
+            let peaks = self.peaks_near(&solution.x, &[0.0; EXTRAS], below);
+            let exact = local_reduction::refine(self, unlimited, &solution, peaks, 0.0);
+            let exact = exact.map(|s| (doubt(&s), s)).filter(|e| e.0 < gap);
+            exact.unwrap_or((gap, solution))
+        });
         match first {
             Some((gap, solution)) if gap <= settings.proved => Ok(solution),
             None => self.solve_by_interior_point(),
@@ -112,6 +128,14 @@ impl Program {
                 _ => Ok(solution),
             },
         }
+    }
+
+    /// Whether the condition of the lift's coefficients, (N/2π)²ᵏ for an objective on the kth derivative, leaves the active
+    /// set enough to find the contacts.
+    fn band_has_digits(&self) -> bool {
+        let order = self.lifted.as_ref().map_or(0, Lifted::used);
+        let condition = (self.basis.columns() as f64 / TAU).powi(2 * order as i32);
+        condition * f64::EPSILON < self.settings.active_set.digits
     }
 
     /// The same program with this part of every limit's size kept free, where room can be kept.
@@ -210,7 +234,15 @@ impl Program {
                 super::polish::polish(self, &mut rows, &point)
             };
             let broken = self.broken(&x, &extra);
-            if self.lifted.is_some() { eprintln!("round {round} rows {} it {} broken {} viol {:e} margin {margin:e}", rows.len(), point.iterations, broken.len(), self.violation(&x,&extra)); } // DEBUG
+            if self.lifted.is_some() {
+                eprintln!(
+                    "round {round} rows {} it {} broken {} viol {:e} margin {margin:e}",
+                    rows.len(),
+                    point.iterations,
+                    broken.len(),
+                    self.violation(&x, &extra)
+                );
+            } // DEBUG
             if self.lifted.is_some() && round == 1 {
                 rows.retain(|r| self.is_near(r, &x, &extra));
             }
@@ -303,12 +335,7 @@ impl Program {
     }
 
     /// The optimum under the rows at hand: on the program's own band, or where that method leaves it open by Clarabel.
-    fn point(
-        &self,
-        rows: &mut [Row],
-        margin: f64,
-        trail: &mut Trail,
-    ) -> Result<Point, Failure> {
+    fn point(&self, rows: &mut [Row], margin: f64, trail: &mut Trail) -> Result<Point, Failure> {
         match interior::solve(self, rows, margin, trail) {
             Ok(point) => Ok(point),
             Err(Left::Failed(failure)) => Err(failure),

@@ -392,7 +392,10 @@ mod tests {
                 dot(&gradient, &moved),
                 dot(&lifted.summed(gradient.clone(), order), &change),
             );
-            assert!((here - there).abs() < 1e-11 * n as f64, "{order}: {here} {there}");
+            assert!(
+                (here - there).abs() < 1e-11 * n as f64,
+                "{order}: {here} {there}"
+            );
         }
     }
 

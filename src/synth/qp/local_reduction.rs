@@ -7,11 +7,17 @@
 //! square from step to step where an exchange of rows only quarters them.
 
 use super::active_set::ActiveSet;
-use super::band::ArrowMatrix;
 use super::basis::{Basis, apply};
 use super::equality::Unlimited;
+use super::interior;
+use super::lifted::Lifted;
 use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
+
+/// More contacts than these are cheaper for the interior-point method.
+const MOST_HELD: usize = 40;
+/// A law of many spans that ends further from its limits than its band's digits explain has lost its contacts.
+const FAR: f64 = 1e-3;
 
 /// A row of the law's contact with a limit.
 struct Contact {
@@ -37,38 +43,84 @@ pub fn refine(
     let settings = &program.settings.local_reduction;
     let none = [0.0; EXTRAS];
     let mut contacts = gathered(program, &start.x, &start.active, &peaks);
+    // Digits of the band say nothing of where a law of many spans stands.
+    let known = if program.lifted.is_some() {
+        FAR
+    } else {
+        start.violation
+    };
     for step in 1..=settings.steps {
-        let mut hessian = unlimited.hessian.clone();
-        for contact in &contacts {
-            stiffen(program, contact, &mut hessian);
-        }
-        let factor = hessian.factor()?;
-        let mut set = ActiveSet::about(program, unlimited, &factor, level);
-        let mut rows = contacts.iter().map(|c| &c.row).enumerate();
-        if !rows.all(|(i, row)| set.hold(i, row)) {
-            return None;
-        }
-        set.refresh();
-        if set.weakest() < -settings.negative_multiplier {
-            return None;
-        }
-        peaks = program.peaks_near(&set.x, &none, settings.below);
-        let violation = program.worst(&peaks, &set.x, &none);
-        let active = set.pushing(|i| &contacts[i].row);
+        let (x, active) = match &program.lifted {
+            Some(lifted) => on_windows(program, lifted, &contacts)?,
+            None => on_band(program, unlimited, &contacts, level)?,
+        };
+        peaks = program.peaks_near(&x, &none, settings.below);
+        let violation = program.worst(&peaks, &x, &none);
         // A row moved to where its contact went takes the curvature's part of the gradient along.
-        contacts = gathered(program, &set.x, &active, &peaks);
+        contacts = gathered(program, &x, &active, &peaks);
         if violation <= program.settings.tolerance {
-            let active = contacts.into_iter().map(|c| c.row).collect();
             return Some(Solution {
+                x,
+                extra: none,
+                active: contacts.into_iter().map(|c| c.row).collect(),
+                used_rows: true,
                 iterations: start.iterations + step,
-                ..set.solution(active, violation, start.rounds)
+                rounds: start.rounds,
+                violation,
             });
         }
-        if violation > settings.divergence * start.violation {
+        if violation > settings.divergence * known {
             return None;
         }
     }
     None
+}
+
+/// The optimum on the contacts and those that push, in the coefficients of the lift.
+fn on_band(
+    program: &Program,
+    unlimited: &Unlimited,
+    contacts: &[Contact],
+    level: f64,
+) -> Option<(Vec<f64>, Vec<Row>)> {
+    let mut hessian = unlimited.hessian.clone();
+    for (slope, weight) in contacts.iter().filter_map(|c| stiff(program, c)) {
+        for (p, &(i, a)) in slope.entries.iter().enumerate() {
+            for &(j, b) in &slope.entries[..=p] {
+                hessian.add(i, j, weight * a * b);
+            }
+        }
+    }
+    let factor = hessian.factor()?;
+    let mut set = ActiveSet::about(program, unlimited, &factor, level);
+    let mut rows = contacts.iter().map(|c| &c.row).enumerate();
+    if !rows.all(|(i, row)| set.hold(i, row)) {
+        return None;
+    }
+    set.refresh();
+    let negative = program.settings.local_reduction.negative_multiplier;
+    let active = set.pushing(|i| &contacts[i].row);
+    (set.weakest() >= -negative).then_some((set.x, active))
+}
+
+/// The same over the windows of many spans.
+fn on_windows(
+    program: &Program,
+    lifted: &Lifted,
+    contacts: &[Contact],
+) -> Option<(Vec<f64>, Vec<Row>)> {
+    let held: Vec<Row> = contacts.iter().map(|c| c.row.clone()).collect();
+    if held.len() > MOST_HELD || held.iter().any(|r| !lifted.carries(&r.weights)) {
+        return None;
+    }
+    let stiff: Vec<(Row, f64)> = contacts.iter().filter_map(|c| stiff(program, c)).collect();
+    let (x, pushes) = interior::on_contacts(program, lifted, &held, &stiff)?;
+    let negative = program.settings.local_reduction.negative_multiplier;
+    let largest = pushes.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
+    let weakest = pushes.iter().fold(f64::INFINITY, |m, p| m.min(*p));
+    let pushing = held.into_iter().zip(pushes).filter(|(_, push)| *push > 0.0);
+    let active = pushing.map(|(row, multiplier)| Row { multiplier, ..row });
+    (weakest >= -negative * largest).then(|| (x, active.collect()))
 }
 
 /// Active rows brought to the exact local maxima beside them; rows that share one are one contact.
@@ -129,18 +181,17 @@ fn sharpness(program: &Program, x: &[f64], limit: &Limit, peak: &Peak) -> Option
     (falls * width * width > flat * limit.scale.max(limit.bound.abs())).then_some(falls)
 }
 
-/// Adds λ/(−c″) a′a′ᵀ for a contact inside its piece.
-fn stiffen(program: &Program, contact: &Contact, hessian: &mut ArrowMatrix) {
-    let (row, Some(falls)) = (&contact.row, contact.falls) else {
-        return;
+/// a′ and λ/(−c″) of a contact inside its piece.
+fn stiff(program: &Program, contact: &Contact) -> Option<(Row, f64)> {
+    let (row, falls) = (&contact.row, contact.falls?);
+    let [s, v, a, j, _] = row.weights;
+    let once = [0.0, s, v, a, j];
+    let slope = Row {
+        entries: program.basis.row_on(row.peak.piece, row.peak.u, &once),
+        weights: once,
+        bound: 0.0,
+        scale: 0.0,
+        ..row.clone()
     };
-    let w = row.weights;
-    let once = [0.0, w[0], w[1], w[2], w[3]];
-    let slope = program.basis.row_on(row.peak.piece, row.peak.u, &once);
-    let weight = row.multiplier / falls;
-    for (p, &(i, a)) in slope.iter().enumerate() {
-        for &(j, b) in &slope[..=p] {
-            hessian.add(i, j, weight * a * b);
-        }
-    }
+    Some((slope, row.multiplier / falls))
 }

@@ -228,6 +228,16 @@ impl Windowed {
         &self.beside[from..from + own]
     }
 
+    /// A row on a window as its unknowns.
+    pub fn entries(&self, layout: &Layout, row: usize) -> Entries {
+        let (span, w) = (
+            self.first.partition_point(|f| *f <= row) - 1,
+            layout.window(),
+        );
+        let own = self.values[row * w..][..w].iter().copied();
+        layout.indices(span).zip(own).collect()
+    }
+
     /// The value of each row.
     pub fn values(&self, layout: &Layout, u: &[f64]) -> Vec<f64> {
         match layout.window() {

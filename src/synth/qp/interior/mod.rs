@@ -11,9 +11,12 @@ mod chain;
 mod cone;
 mod demands;
 mod dense;
+mod held;
 mod scaled;
 mod steps;
 mod system;
+
+pub use held::on_contacts;
 
 use super::basis::Basis;
 use super::clarabel::Point;
@@ -154,7 +157,9 @@ mod tests {
     #[test]
     fn a_program_between_two_steps_has_the_optimum_that_another_method_finds() {
         let (program, mut rows) = of_a_sequence();
-        let own = solve(&program, &mut rows, 0.0, &mut Trail::default()).ok().unwrap();
+        let own = solve(&program, &mut rows, 0.0, &mut Trail::default())
+            .ok()
+            .unwrap();
         let pushes: Vec<f64> = rows.iter().map(|r| r.multiplier).collect();
         let other = clarabel::solve(&program, &mut rows, 0.0).unwrap();
         let value = |p: &Point| program.objective(&p.x) + 0.5 * p.extra[RADIUS];
@@ -174,6 +179,9 @@ mod tests {
     fn the_last_program_of_a_sequence_is_left_to_the_other_method() {
         let (mut program, mut rows) = of_a_sequence();
         program.settings.tolerance = TOLERANCE;
-        assert!(matches!(solve(&program, &mut rows, 0.0, &mut Trail::default()), Err(Left::Open)));
+        assert!(matches!(
+            solve(&program, &mut rows, 0.0, &mut Trail::default()),
+            Err(Left::Open)
+        ));
     }
 }

@@ -26,7 +26,7 @@ pub struct Scaled {
     start: Vec<f64>,
     columns: Columns,
     /// Index and unit of each row that the demands leave open.
-    kept: Vec<(usize, f64)>,
+    pub kept: Vec<(usize, f64)>,
 }
 
 /// A row that the demands leave open.
@@ -253,17 +253,21 @@ impl Scaled {
                 *value = found.unknowns[column] * self.columns.unit[k];
             }
         }
-        let moved = match (&self.system.matrix, &program.lifted) {
-            (Matrix::Chained(chain, _), Some(lifted)) => chain.layout.lift(lifted, &found.unknowns),
-            _ => found.unknowns,
-        };
         Point {
-            x: (self.start.iter().zip(&moved))
-                .map(|(x, u)| x + u * program.length)
-                .collect(),
+            x: self.law(program, &found.unknowns),
             extra,
             iterations: found.iterations,
         }
+    }
+
+    /// Coefficients of the lift.
+    pub fn law(&self, program: &Program, unknowns: &[f64]) -> Vec<f64> {
+        let lift = match (&self.system.matrix, &program.lifted) {
+            (Matrix::Chained(chain, _), Some(lifted)) => chain.layout.lift(lifted, unknowns),
+            _ => unknowns.to_vec(),
+        };
+        let moved = self.start.iter().zip(lift);
+        moved.map(|(x, u)| x + u * program.length).collect()
     }
 }
 

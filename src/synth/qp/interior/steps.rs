@@ -35,7 +35,9 @@ pub fn solve(
     halt: &Halt,
     from: Option<Midway>,
 ) -> Result<Found, Left> {
-    let from = from.filter(|_| std::env::var("COLD").is_err()).and_then(|from| Point::midway(system, from));
+    let from = from
+        .filter(|_| std::env::var("COLD").is_err())
+        .and_then(|from| Point::midway(system, from));
     let mut point = match from {
         Some(point) => point,
         None => Point::first(system).ok_or(Left::Open)?,
@@ -57,7 +59,15 @@ pub fn solve(
         if !off.is_finite() {
             break;
         }
-        if std::env::var("TR").is_ok() { eprintln!("  it {iteration} off {off:e} gap {:e} dual {:e} rows {:e} y {:e}", miss.gap(system,&point), system.unbalanced(&miss.x)/(1e-3+miss.size), miss.rows.iter().fold(0.0f64,|m,r|m.max(r.abs())), miss.y.iter().fold(0.0f64,|m,r|m.max(r.abs()))); } // DEBUG
+        if std::env::var("TR").is_ok() {
+            eprintln!(
+                "  it {iteration} off {off:e} gap {:e} dual {:e} rows {:e} y {:e}",
+                miss.gap(system, &point),
+                system.unbalanced(&miss.x) / (1e-3 + miss.size),
+                miss.rows.iter().fold(0.0f64, |m, r| m.max(r.abs())),
+                miss.y.iter().fold(0.0f64, |m, r| m.max(r.abs()))
+            );
+        } // DEBUG
         since += 1;
         if best.as_ref().is_none_or(|(least, _)| off < 0.9 * least) {
             let mut found = Found {
@@ -339,7 +349,11 @@ impl Point {
         let mut z = Vec::with_capacity(values.len());
         for ((bound, value), push) in system.bounds.iter().zip(values).zip(from.z) {
             let slack = bound - value;
-            let own = if slack > 0.0 && push.is_some() { slack } else { slack.max(least) };
+            let own = if slack > 0.0 && push.is_some() {
+                slack
+            } else {
+                slack.max(least)
+            };
             s.push(own);
             let middle = from.mean / own;
             z.push(push.map_or(middle, |push| push.clamp(middle / APART, middle * APART)));
@@ -385,7 +399,9 @@ impl Point {
         }
         let step = solver.step(miss, &corrected, &cone);
         let part = (SHORT * self.longest(&step)).min(1.0);
-        if std::env::var("TR").is_ok() { eprintln!("     part {part} reach {reach} middle {middle:e}"); } // DEBUG
+        if std::env::var("TR").is_ok() {
+            eprintln!("     part {part} reach {reach} middle {middle:e}");
+        } // DEBUG
         if part.is_nan() || part < SHORTEST {
             return false;
         }
