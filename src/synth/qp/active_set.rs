@@ -284,7 +284,7 @@ impl<'a> ActiveSet<'a> {
                 return Err(Stuck);
             }
             self.bring_in(i, &rows[i])?;
-            if self.members.len() > self.settings.rows {
+            if self.members.len() > self.settings.active {
                 return Err(Stuck);
             }
         }

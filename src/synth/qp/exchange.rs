@@ -99,6 +99,7 @@ impl Program {
         let settings = &self.settings.active_set;
         let mut few = self.clone();
         few.settings.active_set.rows = settings.few_rows;
+        few.settings.active_set.active = settings.few_active;
         let doubt = |s: &Solution| {
             let proof = certificate(self, s);
             proof.relative_gap.max(proof.stationarity)
@@ -234,15 +235,6 @@ impl Program {
                 super::polish::polish(self, &mut rows, &point)
             };
             let broken = self.broken(&x, &extra);
-            if self.lifted.is_some() {
-                eprintln!(
-                    "round {round} rows {} it {} broken {} viol {:e} margin {margin:e}",
-                    rows.len(),
-                    point.iterations,
-                    broken.len(),
-                    self.violation(&x, &extra)
-                );
-            } // DEBUG
             if self.lifted.is_some() && round == 1 {
                 rows.retain(|r| self.is_near(r, &x, &extra));
             }

@@ -50,6 +50,10 @@ pub struct ActiveSetSettings {
     pub rows: usize,
     /// … and than this where the spans are many.
     pub few_rows: usize,
+    /// More active rows than this are left to the interior-point method …
+    pub active: usize,
+    /// … and than this where the spans are many.
+    pub few_active: usize,
     /// Part of a law's digits that the lift's coefficients of many spans may lose; beyond it is not asked.
     pub digits: f64,
     /// Gap and stationarity with which its law stands there; otherwise the interior-point method is asked too.
@@ -162,7 +166,9 @@ impl Default for Settings {
                 steps_per_unknown: 60,
                 rows: 400,
                 few_rows: 160,
-                digits: 1e-5,
+                active: 400,
+                few_active: 64,
+                digits: 0.5,
                 proved: 1e-6,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,

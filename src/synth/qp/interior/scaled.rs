@@ -92,7 +92,8 @@ impl Scaled {
     ) -> Option<Self> {
         let limits = program.limits.iter().map(|l| lifted.highest(&l.weights));
         let own = program.fixed.iter().map(|r| lifted.highest(&r.weights));
-        let highest = limits.chain(own).max();
+        let asked = rows.iter().map(|r| lifted.highest(&r.weights));
+        let highest = limits.chain(own).chain(asked).max();
         let highest = highest.unwrap_or(0).max(lifted.used());
         let layout = Layout::new(lifted, highest);
         let start = start(program);

@@ -59,15 +59,6 @@ pub fn solve(
         if !off.is_finite() {
             break;
         }
-        if std::env::var("TR").is_ok() {
-            eprintln!(
-                "  it {iteration} off {off:e} gap {:e} dual {:e} rows {:e} y {:e}",
-                miss.gap(system, &point),
-                system.unbalanced(&miss.x) / (1e-3 + miss.size),
-                miss.rows.iter().fold(0.0f64, |m, r| m.max(r.abs())),
-                miss.y.iter().fold(0.0f64, |m, r| m.max(r.abs()))
-            );
-        } // DEBUG
         since += 1;
         if best.as_ref().is_none_or(|(least, _)| off < 0.9 * least) {
             let mut found = Found {
@@ -399,9 +390,6 @@ impl Point {
         }
         let step = solver.step(miss, &corrected, &cone);
         let part = (SHORT * self.longest(&step)).min(1.0);
-        if std::env::var("TR").is_ok() {
-            eprintln!("     part {part} reach {reach} middle {middle:e}");
-        } // DEBUG
         if part.is_nan() || part < SHORTEST {
             return false;
         }
