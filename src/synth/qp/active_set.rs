@@ -57,7 +57,8 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         {
             attempts += 1;
             let level = set.pinned_at;
-            let refined = local_reduction::refine(program, unlimited, &candidate, peaks, level);
+            let refined =
+                local_reduction::refine(program, Some(unlimited), &candidate, peaks, level);
             if let Some(refined) = refined {
                 return Ok(refined);
             }

@@ -117,7 +117,7 @@ impl Program {
             // The contacts are right; the band has not the digits for the law on them.
             let below = self.settings.local_reduction.below;
             let peaks = self.peaks_near(&solution.x, &[0.0; EXTRAS], below);
-            let exact = local_reduction::refine(self, unlimited, &solution, peaks, 0.0);
+            let exact = local_reduction::refine(self, None, &solution, peaks, 0.0);
             let exact = exact.map(|s| (doubt(&s), s)).filter(|e| e.0 < gap);
             exact.unwrap_or((gap, solution))
         });

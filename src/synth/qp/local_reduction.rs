@@ -27,12 +27,12 @@ struct Contact {
 }
 
 /// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open
-/// level is pinned.
+/// level is pinned. Without the optimum without limits, and its band, a law of many spans is solved over its windows.
 ///
 /// Returns `None` where contacts are not of the simple kind or a limit is broken at a place that was none.
 pub fn refine(
     program: &Program,
-    unlimited: &Unlimited,
+    unlimited: Option<&Unlimited>,
     start: &Solution,
     mut peaks: Vec<(usize, Peak)>,
     level: f64,
@@ -44,15 +44,12 @@ pub fn refine(
     let none = [0.0; EXTRAS];
     let mut contacts = gathered(program, &start.x, &start.active, &peaks);
     // Digits of the band say nothing of where a law of many spans stands.
-    let known = if program.lifted.is_some() {
-        FAR
-    } else {
-        start.violation
-    };
+    let known = unlimited.map_or(FAR, |_| start.violation);
     for step in 1..=settings.steps {
-        let (x, active) = match &program.lifted {
-            Some(lifted) => on_windows(program, lifted, &contacts)?,
-            None => on_band(program, unlimited, &contacts, level)?,
+        let (x, active) = match (unlimited, &program.lifted) {
+            (Some(unlimited), _) => on_band(program, unlimited, &contacts, level)?,
+            (None, Some(lifted)) => on_windows(program, lifted, &contacts)?,
+            (None, None) => return None,
         };
         peaks = program.peaks_near(&x, &none, settings.below);
         let violation = program.worst(&peaks, &x, &none);

@@ -351,8 +351,7 @@ impl Chain {
         for span in (0..layout.spans).rev() {
             self.pulled_back(gradient, span, &mut v);
             most = most.max(v[k].abs());
-            v.copy_within(k + 1.., k);
-            v[d] = 0.0;
+            moved_up(&mut v, k, d + 1);
         }
         for (j, v) in v[..d].iter().enumerate() {
             most = most.max((v + gradient[layout.in_window(-1, j)]).abs());
@@ -406,7 +405,7 @@ impl Chain {
         let mut touched = Touched::new(layout, demands);
         let largest = self.windows.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let mut m = vec![0.0; size * size];
-        let mut gains = vec![0.0; n * (size - 1)];
+        let mut gains = vec![0.0; n * size];
         let mut pivots = vec![0.0; n];
         for span in (0..n).rev() {
             let own = &self.windows[span * w * w..][..w * w];
@@ -452,11 +451,10 @@ impl Chain {
             }
             let inverse = 1.0 / pivot;
             pivots[span] = inverse;
-            let gain = &mut gains[span * (size - 1)..][..size - 1];
-            let control = &m[k * size..][..size];
-            gain[..k].copy_from_slice(&control[..k]);
-            gain[k..].copy_from_slice(&control[k + 1..]);
+            let gain = &mut gains[span * size..][..size];
+            gain.copy_from_slice(&m[k * size..][..size]);
             gain.iter_mut().for_each(|g| *g *= inverse);
+            moved_up(gain, k, w);
             eliminate(&mut m, size, k, w, pivot, gain);
         }
         // The window before the first span, the demands and the unknowns beside the law.
@@ -513,32 +511,32 @@ impl Chain {
 #[inline(always)]
 fn eliminate(m: &mut [f64], size: usize, k: usize, w: usize, pivot: f64, gain: &[f64]) {
     let d = w - 1;
-    // Rows and columns behind the control move up by one, up to the window's end.
     for i in 0..d {
+        // Rows and columns behind the control move up by one, up to the window's end.
+        if i >= k {
+            m.copy_within((i + 1) * size..(i + 2) * size, i * size);
+        }
+        let row = &mut m[i * size..][..size];
+        moved_up(row, k, w);
         let by = gain[i] * pivot;
-        let (above, from) = m.split_at_mut((i + 1) * size);
-        let to = &mut above[i * size..];
-        let from = if i < k { None } else { Some(&from[..size]) };
-        for j in 0..k {
-            to[j] = from.map_or(to[j], |f| f[j]) - by * gain[j];
-        }
-        for j in k..d {
-            to[j] = from.map_or(to[j + 1], |f| f[j + 1]) - by * gain[j];
-        }
-        to[d] = 0.0;
-        for j in w..size {
-            to[j] = from.map_or(to[j], |f| f[j]) - by * gain[j - 1];
-        }
+        row.iter_mut().zip(gain).for_each(|(m, g)| *m -= by * g);
     }
     m[d * size..][..size].fill(0.0);
     for i in w..size {
-        let by = gain[i - 1] * pivot;
+        let by = gain[i] * pivot;
         // A demand that no later span touches.
         if by != 0.0 {
             let own = m[i * size + i..][..size - i].iter_mut();
-            own.zip(&gain[i - 1..]).for_each(|(m, g)| *m -= by * g);
+            own.zip(&gain[i..]).for_each(|(m, g)| *m -= by * g);
         }
     }
+}
+
+/// A window's numbers without the control, at `k`: those behind it move up, the last is free.
+#[inline(always)]
+fn moved_up(numbers: &mut [f64], k: usize, w: usize) {
+    numbers.copy_within(k + 1..w, k);
+    numbers[w - 1] = 0.0;
 }
 
 /// Where the demands touch the windows.
@@ -582,7 +580,7 @@ impl Touched {
 /// The controls' gains and what they leave.
 pub struct Factor {
     size: usize,
-    /// Of each span: the control's answer to window, demands and unknowns beside the law.
+    /// Of each span: the control's answer to the window before (and a zero), demands and unknowns beside the law.
     gains: Vec<f64>,
     /// Inverse of each control's pivot.
     pivots: Vec<f64>,
@@ -610,19 +608,11 @@ impl Factor {
         let mut controls = vec![0.0; n];
         for span in (0..n).rev() {
             chain.pulled_back(x, span, &mut v);
-            let gain = &self.gains[span * rest..][..rest];
+            let gain = &self.gains[span * self.size..][..self.size];
             let own = v[k];
             controls[span] = own * self.pivots[span];
-            for j in 0..k {
-                v[j] -= gain[j] * own;
-            }
-            for j in k..d {
-                v[j] = v[j + 1] - gain[j] * own;
-            }
-            v[d] = 0.0;
-            for j in d..rest {
-                v[j + 1] -= gain[j] * own;
-            }
+            moved_up(&mut v, k, w);
+            v.iter_mut().zip(gain).for_each(|(v, g)| *v -= own * g);
         }
         let mut z = Vec::with_capacity(rest);
         z.extend((0..d).map(|j| -(v[j] + x[layout.in_window(-1, j)])));
@@ -642,12 +632,12 @@ impl Factor {
         let mut state = z[..d].to_vec();
         state.push(0.0);
         for span in 0..n {
-            let gain = &self.gains[span * rest..][..rest];
+            let gain = &self.gains[span * self.size..][..self.size];
             let mut control = -controls[span];
             for (g, s) in gain[..d].iter().zip(&state) {
                 control -= g * s;
             }
-            for (g, z) in gain[d..].iter().zip(&z[d..]) {
+            for (g, z) in gain[w..].iter().zip(&z[d..]) {
                 control -= g * z;
             }
             state.copy_within(k..d, k + 1);

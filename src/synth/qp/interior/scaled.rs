@@ -119,6 +119,7 @@ impl Scaled {
             lines.into_iter().map(|l| (l.window, l.entries)).collect();
         let rows = Windowed::new(&chain.layout, &lines);
         out.system.matrix = Matrix::Chained(chain, rows);
+        out.system.size = out.system.unbalanced(&out.system.gradient);
         Some(out)
     }
 
@@ -143,6 +144,7 @@ impl Scaled {
         out.take_bounds(&lines);
         let lines = lines.into_iter().map(|l| Line::new(l.entries, l.bound));
         out.system.matrix = Matrix::Banded(hessian, lines.collect());
+        out.system.size = out.system.unbalanced(&out.system.gradient);
         Some(out)
     }
 
@@ -219,6 +221,7 @@ impl Scaled {
             system: System {
                 matrix: Matrix::Banded(ArrowMatrix::zero(0, 0, 0), Vec::new()),
                 gradient,
+                size: 0.0,
                 demands,
                 bounds: Vec::new(),
                 cone,

@@ -124,8 +124,6 @@ impl Miss {
             value += u * (h / 2.0 + q);
             x.push(h + q);
         }
-        let size = system.unbalanced(&hu);
-        let size = size.max(system.unbalanced(&system.gradient));
         let mut push = vec![0.0; x.len()];
         system.add_rows(&point.z, &mut push);
         let mut rows = system.rows(&point.u);
@@ -146,7 +144,9 @@ impl Miss {
                 cone[k] = point.u[column] - own.s[k];
             }
         }
+        // What the rows and demands pull is what the objective pulls back.
         let pull = system.unbalanced(&push);
+        let size = pull.max(system.size);
         for (x, p) in x.iter_mut().zip(push) {
             *x = -(*x + p);
         }

@@ -46,6 +46,8 @@ pub enum Matrix {
 pub struct System {
     pub matrix: Matrix,
     pub gradient: Vec<f64>,
+    /// Its largest entry.
+    pub size: f64,
     pub demands: Vec<Line>,
     /// Bound of each row.
     pub bounds: Vec<f64>,
