@@ -115,9 +115,7 @@ impl Program {
                 return (gap, solution);
             }
             // The contacts are right; the band has not the digits for the law on them.
-            let below = self.settings.local_reduction.below;
-            let peaks = self.peaks_near(&solution.x, &[0.0; EXTRAS], below);
-            let exact = local_reduction::refine(self, None, &solution, peaks, 0.0);
+            let exact = self.on_contacts(&solution);
             let exact = exact.map(|s| (doubt(&s), s)).filter(|e| e.0 < gap);
             exact.unwrap_or((gap, solution))
         });
@@ -129,6 +127,13 @@ impl Program {
                 _ => Ok(solution),
             },
         }
+    }
+
+    /// A law of many spans brought onto its contacts.
+    fn on_contacts(&self, solution: &Solution) -> Option<Solution> {
+        let below = self.settings.local_reduction.below;
+        let peaks = self.peaks_near(&solution.x, &solution.extra, below);
+        local_reduction::refine(self, None, solution, peaks, 0.0)
     }
 
     /// Whether the condition of the lift's coefficients, (N/2π)²ᵏ for an objective on the kth derivative, leaves the active
@@ -265,7 +270,9 @@ impl Program {
             if best.as_ref().is_none_or(|b| violation < b.violation) {
                 best = Some(solution);
             }
-            if stalled && violation < most {
+            // With many spans a round costs more than the hair it gains.
+            let hair = self.lifted.is_some() && violation < settings.hair;
+            if (stalled && violation < most) || hair {
                 margin = (2.0 * violation).max(2.0 * margin).min(most);
             }
             if self.lifted.is_some() {

@@ -14,8 +14,6 @@ use super::lifted::Lifted;
 use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
 
-/// More contacts than these are cheaper for the interior-point method.
-const MOST_HELD: usize = 40;
 /// A law of many spans that ends further from its limits than its band's digits explain has lost its contacts.
 const FAR: f64 = 1e-3;
 
@@ -107,7 +105,7 @@ fn on_windows(
     contacts: &[Contact],
 ) -> Option<(Vec<f64>, Vec<Row>)> {
     let held: Vec<Row> = contacts.iter().map(|c| c.row.clone()).collect();
-    if held.len() > MOST_HELD || held.iter().any(|r| !lifted.carries(&r.weights)) {
+    if held.iter().any(|r| !lifted.carries(&r.weights)) {
         return None;
     }
     let stiff: Vec<(Row, f64)> = contacts.iter().filter_map(|c| stiff(program, c)).collect();

@@ -46,6 +46,11 @@ impl Layout {
         }
     }
 
+    /// K.
+    pub fn highest(&self) -> usize {
+        self.highest
+    }
+
     /// Numbers of a window.
     fn window(&self) -> usize {
         self.degree + 1
@@ -226,16 +231,6 @@ impl Windowed {
         let from = self.beside.partition_point(|e| e.0 < row);
         let own = self.beside[from..].partition_point(|e| e.0 == row);
         &self.beside[from..from + own]
-    }
-
-    /// A row on a window as its unknowns.
-    pub fn entries(&self, layout: &Layout, row: usize) -> Entries {
-        let (span, w) = (
-            self.first.partition_point(|f| *f <= row) - 1,
-            layout.window(),
-        );
-        let own = self.values[row * w..][..w].iter().copied();
-        layout.indices(span).zip(own).collect()
     }
 
     /// The value of each row.

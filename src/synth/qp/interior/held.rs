@@ -1,10 +1,18 @@
-//! The optimum of a law of many spans on given contacts: its rows as demands, one factor and one correction.
+//! The optimum of a law of many spans on given contacts, by one factor.
+//!
+//! Contacts are held on their bounds by a penalty and multipliers that take up what it leaves (Bertsekas, Constrained
+//! Optimization and Lagrange Multiplier Methods, ch. 2): rows that depend on each other, as those on an arc do, are held
+//! as one, and cost stays in proportion to the spans.
 
-use super::chain::Chain;
 use super::scaled::Scaled;
-use super::system::{Line, Matrix};
+use super::system::Matrix;
 use crate::synth::qp::lifted::Lifted;
 use crate::synth::qp::program::{Program, Row};
+
+/// Weight of a contact in the solver's units.
+const PENALTY: f64 = 1e6;
+/// Passes with one factor; each leaves a millionth of the one before.
+const PASSES: usize = 4;
 
 /// Minimises the program's objective and Σ ½ weight (row·x − bound)² of the stiff rows with every contact on its bound.
 /// Returns coefficients and the contacts' multipliers.
@@ -14,39 +22,33 @@ pub fn on_contacts(
     contacts: &[Row],
     stiff: &[(Row, f64)],
 ) -> Option<(Vec<f64>, Vec<f64>)> {
-    let rows: Vec<Row> = contacts
-        .iter()
-        .chain(stiff.iter().map(|s| &s.0))
-        .cloned()
-        .collect();
-    let mut scaled = Scaled::of_many_spans(program, lifted, &rows, 0.0)?;
+    let stiff_rows = stiff.iter().map(|s| &s.0);
+    let rows: Vec<Row> = contacts.iter().chain(stiff_rows).cloned().collect();
+    let scaled = Scaled::of_many_spans(program, lifted, &rows, 0.0, &mut None)?;
     let objective = program.objective_unit();
-    let system = &mut scaled.system;
-    let Matrix::Chained(chain, windowed) = &system.matrix else {
+    let system = &scaled.system;
+    let Matrix::Chained(base, windowed) = &system.matrix else {
         return None;
     };
-    let before = system.demands.len();
-    let mut weights = vec![0.0; system.bounds.len()];
-    let mut held = Vec::with_capacity(contacts.len());
-    for (row, &(index, unit)) in scaled.kept.iter().enumerate() {
-        if let Some(own) = index.checked_sub(contacts.len()) {
-            weights[row] = stiff[own].1 * unit * unit / objective;
-        } else {
-            held.push((index, unit));
-            let entries = windowed.entries(&chain.layout, row);
-            system.demands.push(Line::new(entries, system.bounds[row]));
-        }
+    let chain = &base.chain;
+    let mut weights = Vec::with_capacity(rows.len());
+    let mut pushes = Vec::with_capacity(rows.len());
+    for &(index, unit) in &scaled.kept {
+        let stiffness = index.checked_sub(contacts.len());
+        weights.push(stiffness.map_or(PENALTY, |i| stiff[i].1 * unit * unit / objective));
+        pushes.push(stiffness.map_or(rows[index].multiplier * unit / objective, |_| 0.0));
     }
     let factor = chain.factor(windowed, &weights, &system.demands, &[])?;
     let n = system.gradient.len();
     let (mut u, mut nu) = (vec![0.0; n], vec![0.0; system.demands.len()]);
-    // Twice: what the first pass leaves to rounding.
-    for _ in 0..2 {
-        let mut off = left(chain, &system.gradient, &u);
-        let mut pulls = windowed.values(&chain.layout, &u);
-        for ((pull, weight), bound) in pulls.iter_mut().zip(&weights).zip(&system.bounds) {
-            *pull = weight * (bound - *pull);
-        }
+    for _ in 0..PASSES {
+        let hu = chain.times(&u);
+        let mut off: Vec<f64> = (hu.iter().zip(&system.gradient))
+            .map(|(h, q)| -(h + q))
+            .collect();
+        let values = windowed.values(&chain.layout, &u);
+        let over = values.iter().zip(&system.bounds).zip(&weights).zip(&pushes);
+        let pulls: Vec<f64> = over.map(|(((v, b), w), z)| -(z + w * (v - b))).collect();
         windowed.add_to(&chain.layout, &pulls, &mut off);
         let mut missed = Vec::with_capacity(nu.len());
         for (demand, nu) in system.demands.iter().zip(&nu) {
@@ -56,16 +58,18 @@ pub fn on_contacts(
         let more = factor.solve(chain, &mut off, &missed);
         u.iter_mut().zip(&off).for_each(|(u, d)| *u += d);
         nu.iter_mut().zip(&more).for_each(|(nu, d)| *nu += d);
+        let values = windowed.values(&chain.layout, &u);
+        for (row, &(index, _)) in scaled.kept.iter().enumerate() {
+            if index < contacts.len() {
+                pushes[row] += PENALTY * (values[row] - system.bounds[row]);
+            }
+        }
     }
-    let mut pushes = vec![0.0; contacts.len()];
-    for (&(index, unit), nu) in held.iter().zip(&nu[before..]) {
-        pushes[index] = nu * objective / unit;
+    let mut multipliers = vec![0.0; contacts.len()];
+    for (&(index, unit), push) in scaled.kept.iter().zip(&pushes) {
+        if let Some(own) = multipliers.get_mut(index) {
+            *own = push * objective / unit;
+        }
     }
-    Some((scaled.law(program, &u), pushes))
-}
-
-/// −(H u + q).
-fn left(chain: &Chain, gradient: &[f64], u: &[f64]) -> Vec<f64> {
-    let hu = chain.times(u);
-    hu.iter().zip(gradient).map(|(h, q)| -(h + q)).collect()
+    Some((scaled.law(program, &u), multipliers))
 }

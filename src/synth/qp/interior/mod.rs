@@ -22,8 +22,9 @@ use super::basis::Basis;
 use super::clarabel::Point;
 use super::program::{Failure, Program, Row};
 use super::settings::TOLERANCE;
-use scaled::Scaled;
+use scaled::{Base, Scaled};
 use std::collections::HashMap;
+use std::sync::Arc;
 use system::Midway;
 
 /// More demands than this are no small dense system.
@@ -40,6 +41,7 @@ pub enum Left {
 /// What a solution leaves to the next one with other rows.
 #[derive(Default)]
 pub struct Trail {
+    base: Option<Arc<Base>>,
     midway: Option<Midway>,
     /// Push of each row at that point.
     pushes: HashMap<Named, f64>,
@@ -49,7 +51,7 @@ pub struct Trail {
 type Named = (Option<usize>, u64, u64);
 
 fn named(row: &Row) -> Named {
-    (row.limit, row.peak.at.to_bits(), row.extra[0].to_bits())
+    (row.limit, row.peak.at.to_bits(), row.bound.to_bits())
 }
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each limit's scale) is
@@ -68,7 +70,7 @@ pub fn solve(
         Some(lifted) if rows.iter().all(|r| lifted.carries(&r.weights)) => answered(
             program,
             rows,
-            Scaled::of_many_spans(program, lifted, rows, margin),
+            Scaled::of_many_spans(program, lifted, rows, margin, &mut trail.base),
             trail,
         ),
         None if is_between_steps(program) => {

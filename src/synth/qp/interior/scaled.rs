@@ -9,6 +9,7 @@ use crate::synth::qp::clarabel::{Columns, Point, row_unit};
 use crate::synth::qp::equality;
 use crate::synth::qp::lifted::Lifted;
 use crate::synth::qp::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Row};
+use std::sync::Arc;
 
 /// A row of which the demands leave open less than this part of its length is none.
 const IMPLIED: f64 = 1e-9;
@@ -29,6 +30,39 @@ pub struct Scaled {
     pub kept: Vec<(usize, f64)>,
 }
 
+/// What all solutions of one program of many spans have in common.
+pub struct Base {
+    pub chain: Chain,
+    /// The law from which unknowns count.
+    start: Vec<f64>,
+    /// Its coefficients of all orders.
+    derivatives: Vec<f64>,
+    /// The objective's gradient there.
+    gradient: Vec<f64>,
+}
+
+impl Base {
+    fn new(program: &Program, lifted: &Lifted, highest: usize, beside: usize) -> Self {
+        let layout = Layout::new(lifted, highest);
+        let start = start(program);
+        let derivatives = lifted.derivatives_to(&start, highest);
+        let by_length = program.length / program.objective_unit();
+        let mut gradient = vec![0.0; layout.unknowns() + beside];
+        let n = lifted.dimension();
+        for (at, pull) in lifted.pull(&derivatives).into_iter().enumerate() {
+            if at / n <= highest {
+                gradient[layout.own(at / n, at % n)] = pull * by_length;
+            }
+        }
+        Base {
+            chain: Chain::new(layout, lifted, program.length * by_length, beside),
+            start,
+            derivatives,
+            gradient,
+        }
+    }
+}
+
 /// A row that the demands leave open.
 struct Kept {
     index: usize,
@@ -43,7 +77,7 @@ enum Over<'a> {
     /// The coefficients of the lift.
     Lift,
     /// Those of its derivatives too; the law's own at the start beside them.
-    Chain(&'a Lifted, Layout, Vec<f64>),
+    Chain(&'a Lifted, &'a Layout, &'a [f64]),
 }
 
 impl Over<'_> {
@@ -89,27 +123,23 @@ impl Scaled {
         lifted: &Lifted,
         rows: &[Row],
         margin: f64,
+        base: &mut Option<Arc<Base>>,
     ) -> Option<Self> {
         let limits = program.limits.iter().map(|l| lifted.highest(&l.weights));
         let own = program.fixed.iter().map(|r| lifted.highest(&r.weights));
         let asked = rows.iter().map(|r| lifted.highest(&r.weights));
         let highest = limits.chain(own).chain(asked).max();
         let highest = highest.unwrap_or(0).max(lifted.used());
-        let layout = Layout::new(lifted, highest);
-        let start = start(program);
-        let derivatives = lifted.derivatives_to(&start, highest);
-        let columns = Columns::new(program, rows, layout.unknowns());
-        let by_length = program.length / program.objective_unit();
-        let mut gradient = vec![0.0; columns.total];
-        let n = lifted.dimension();
-        for (at, pull) in lifted.pull(&derivatives).into_iter().enumerate() {
-            if at / n <= highest {
-                gradient[layout.own(at / n, at % n)] = pull * by_length;
-            }
-        }
-        let beside = columns.total - layout.unknowns();
-        let chain = Chain::new(layout.clone(), lifted, program.length * by_length, beside);
-        let over = Over::Chain(lifted, layout, derivatives);
+        let beside = program.present().iter().filter(|p| **p).count();
+        let known = base.take().filter(|b| b.chain.layout.highest() == highest);
+        let base = base.insert(match known {
+            Some(known) => known,
+            None => Arc::new(Base::new(program, lifted, highest, beside)),
+        });
+        let chain = &base.chain;
+        let columns = Columns::new(program, rows, chain.layout.unknowns());
+        let over = Over::Chain(lifted, &chain.layout, &base.derivatives);
+        let (start, gradient) = (base.start.clone(), base.gradient.clone());
         let (mut out, mut lines) =
             Self::of(program, rows, margin, (start, columns, gradient), &over)?;
         out.system.demands.extend(chain.layout.closing());
@@ -118,7 +148,7 @@ impl Scaled {
         let lines: Vec<(Option<usize>, Entries)> =
             lines.into_iter().map(|l| (l.window, l.entries)).collect();
         let rows = Windowed::new(&chain.layout, &lines);
-        out.system.matrix = Matrix::Chained(chain, rows);
+        out.system.matrix = Matrix::Chained(Arc::clone(base), rows);
         out.system.size = out.system.unbalanced(&out.system.gradient);
         Some(out)
     }
@@ -267,7 +297,7 @@ impl Scaled {
     /// Coefficients of the lift.
     pub fn law(&self, program: &Program, unknowns: &[f64]) -> Vec<f64> {
         let lift = match (&self.system.matrix, &program.lifted) {
-            (Matrix::Chained(chain, _), Some(lifted)) => chain.layout.lift(lifted, unknowns),
+            (Matrix::Chained(base, _), Some(lifted)) => base.chain.layout.lift(lifted, unknowns),
             _ => unknowns.to_vec(),
         };
         let moved = self.start.iter().zip(lift);

@@ -1,9 +1,11 @@
 //! The program as the iterations see it, and what they return.
 
-use super::chain::{self, Chain, Windowed};
+use super::chain::{self, Windowed};
 use super::cone::Cone;
 use super::demands::Demands;
+use super::scaled::Base;
 use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
+use std::sync::Arc;
 
 /// Part of the largest pivot that keeps directions which nothing holds.
 const HELD: f64 = 2e-11;
@@ -39,7 +41,7 @@ pub enum Matrix {
     /// Over the coefficients of the lift.
     Banded(ArrowMatrix, Vec<Line>),
     /// Over those of its derivatives too.
-    Chained(Chain, Windowed),
+    Chained(Arc<Base>, Windowed),
 }
 
 /// ½uᵀHu + qᵀu under demands, rows and a cone of three unknowns.
@@ -86,7 +88,7 @@ impl System {
     pub fn times(&self, u: &[f64]) -> Vec<f64> {
         match &self.matrix {
             Matrix::Banded(matrix, _) => matrix.times(u),
-            Matrix::Chained(chain, _) => chain.times(u),
+            Matrix::Chained(base, _) => base.chain.times(u),
         }
     }
 
@@ -94,7 +96,7 @@ impl System {
     pub fn rows(&self, u: &[f64]) -> Vec<f64> {
         match &self.matrix {
             Matrix::Banded(_, rows) => rows.iter().map(|row| row.of(u)).collect(),
-            Matrix::Chained(chain, rows) => rows.values(&chain.layout, u),
+            Matrix::Chained(base, rows) => rows.values(&base.chain.layout, u),
         }
     }
 
@@ -106,7 +108,7 @@ impl System {
                     .zip(by)
                     .for_each(|(row, &by)| row.add_to(out, by));
             }
-            Matrix::Chained(chain, rows) => rows.add_to(&chain.layout, by, out),
+            Matrix::Chained(base, rows) => rows.add_to(&base.chain.layout, by, out),
         }
     }
 
@@ -114,7 +116,7 @@ impl System {
     pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
         match &self.matrix {
             Matrix::Banded(..) => gradient.iter().fold(0.0, |m, g| m.max(g.abs())),
-            Matrix::Chained(chain, _) => chain.unbalanced(gradient),
+            Matrix::Chained(base, _) => base.chain.unbalanced(gradient),
         }
     }
 
@@ -130,8 +132,8 @@ impl System {
         }
         match &self.matrix {
             Matrix::Banded(matrix, rows) => self.banded_factor(matrix, rows, weights, &added),
-            Matrix::Chained(chain, rows) => {
-                let factor = chain.factor(rows, weights, &self.demands, &added);
+            Matrix::Chained(base, rows) => {
+                let factor = base.chain.factor(rows, weights, &self.demands, &added);
                 factor.map(Factor::Chained)
             }
         }
@@ -176,7 +178,7 @@ impl System {
     pub fn solve(&self, factor: &Factor, x: &mut [f64], y: &[f64]) -> Vec<f64> {
         match (factor, &self.matrix) {
             (Factor::Banded(factor, demands), _) => demands.solve(&self.demands, factor, x, y),
-            (Factor::Chained(factor), Matrix::Chained(chain, _)) => factor.solve(chain, x, y),
+            (Factor::Chained(factor), Matrix::Chained(base, _)) => factor.solve(&base.chain, x, y),
             (Factor::Chained(_), Matrix::Banded(..)) => Vec::new(),
         }
     }
