@@ -257,7 +257,7 @@ impl<'a> Unknowns<'a> {
             .map(|y| y * length)
             .collect();
         let level = length * y[..n].iter().sum::<f64>() / n as f64;
-        lifted.integrated(&highest, self.order, level)
+        lifted.integrated(&vec![0.0; n], &highest, self.order, level)
     }
 }
 

@@ -15,7 +15,9 @@ use crate::poly::Peak;
 use std::f64::consts::TAU;
 
 /// Where rows are put beside a broken place, as parts of the way to the row before.
-const BESIDE: [f64; 4] = [-0.6, -0.25, 0.25, 0.6];
+const BESIDE: [f64; 12] = [
+    -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7,
+];
 
 /// A gap and a stationarity that need no better digits.
 const PROVED: f64 = 1e-7;
@@ -270,9 +272,7 @@ impl Program {
             if best.as_ref().is_none_or(|b| violation < b.violation) {
                 best = Some(solution);
             }
-            // With many spans a round costs more than the hair it gains.
-            let hair = self.lifted.is_some() && violation < settings.hair;
-            if (stalled && violation < most) || hair {
+            if stalled && violation < most {
                 margin = (2.0 * violation).max(2.0 * margin).min(most);
             }
             if self.lifted.is_some() {

@@ -300,26 +300,53 @@ impl Lifted {
         gradient
     }
 
-    /// Coefficients of the lift from those of its derivative of one order: sums, which keep the digits that
-    /// differences lose. Its mean is put right so that the law closes; `level` is the lift's mean.
-    pub fn integrated(&self, highest: &[f64], order: usize, level: f64) -> Vec<f64> {
+    /// Coefficients of the lift from those of its derivative of one order, counted from `start`: sums, which keep the digits
+    /// that differences lose, each rounded once. Their mean is put right so that the law closes; `level` is what the lift's
+    /// mean gains.
+    pub fn integrated(&self, start: &[f64], highest: &[f64], order: usize, level: f64) -> Vec<f64> {
         let n = self.dimension();
-        let mut own = highest.to_vec();
+        let mut own: Vec<Sum> = highest.iter().map(|&c| Sum::of(c)).collect();
         for f in self.factors[..order].iter().rev() {
+            let terms = own.iter().zip(f);
             let (ends, length) =
-                (0..n).fold((0.0, 0.0), |(e, l), i| (e + own[i] / f[i], l + 1.0 / f[i]));
+                terms.fold((0.0, 0.0), |(e, l), (c, f)| (e + c.high / f, l + 1.0 / f));
             let excess = ends / length;
-            let mut sum = 0.0;
-            own = (0..n)
-                .map(|i| {
-                    sum += (own[i] - excess) / f[i];
-                    sum
-                })
-                .collect();
+            let mut sum = Sum::default();
+            for (c, f) in own.iter_mut().zip(f) {
+                sum.add((c.high - excess) / f);
+                *c = sum;
+            }
         }
-        let mean = own.iter().sum::<f64>() / n as f64;
-        own.iter_mut().for_each(|c| *c += level - mean);
-        own
+        let mean = own.iter().map(|c| c.high).sum::<f64>() / n as f64;
+        let raised = own.into_iter().zip(start).map(|(mut c, start)| {
+            c.add(level - mean);
+            c.add(*start);
+            c.high + c.low
+        });
+        raised.collect()
+    }
+}
+
+/// A sum and what its roundings left over (Knuth's two-sum).
+#[derive(Debug, Clone, Copy, Default)]
+struct Sum {
+    high: f64,
+    low: f64,
+}
+
+impl Sum {
+    fn of(value: f64) -> Sum {
+        Sum {
+            high: value,
+            low: 0.0,
+        }
+    }
+
+    fn add(&mut self, value: f64) {
+        let sum = self.high + value;
+        let of_value = sum - self.high;
+        self.low += (self.high - (sum - of_value)) + (value - of_value);
+        self.high = sum;
     }
 }
 
@@ -387,7 +414,7 @@ mod tests {
         let change: Vec<f64> = (0..n).map(|i| ((i * 7) as f64 * 0.11).cos()).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         for order in 0..=3 {
-            let moved = lifted.integrated(&change, order, 0.0);
+            let moved = lifted.integrated(&vec![0.0; n], &change, order, 0.0);
             let (here, there) = (
                 dot(&gradient, &moved),
                 dot(&lifted.summed(gradient.clone(), order), &change),
@@ -407,7 +434,8 @@ mod tests {
         let d = lifted.derivatives_to(&x, HIGHEST);
         let level = x.iter().sum::<f64>() / n as f64;
         for order in 1..=3 {
-            let back = lifted.integrated(&d[order * n..(order + 1) * n], order, level);
+            let zero = vec![0.0; n];
+            let back = lifted.integrated(&zero, &d[order * n..(order + 1) * n], order, level);
             let worst = (0..n).fold(0.0_f64, |m, i| m.max((back[i] - x[i]).abs()));
             assert!(worst < 1e-11, "{order}: {worst:e}");
         }

@@ -125,8 +125,6 @@ pub struct ExchangeSettings {
     pub largest_margin: f64,
     /// … and this one with lifted unknowns: differences of many coefficients leave a jerk uncertain by more.
     pub largest_lifted_margin: f64,
-    /// What many spans are broken by when room is kept at once.
-    pub hair: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
     /// The same of Clarabel with lifted unknowns.
@@ -203,7 +201,6 @@ impl Default for Settings {
                 polish_size: 500,
                 largest_margin: 1e-6,
                 largest_lifted_margin: 1e-5,
-                hair: 5e-9,
                 cone_margin: 1e-7,
                 lifted_margin: 1e-8,
                 near: 0.2,

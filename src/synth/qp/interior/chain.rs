@@ -111,11 +111,17 @@ impl Layout {
         }
     }
 
-    /// The lift's coefficients: those of the highest order summed up, at the mean level of its own.
-    pub fn lift(&self, lifted: &Lifted, u: &[f64]) -> Vec<f64> {
-        let of = |order: usize| &u[self.own(order, 0)..][..self.spans];
-        let level = of(0).iter().sum::<f64>() / self.spans as f64;
-        lifted.integrated(of(self.highest), self.highest, level)
+    /// The lift's coefficients, `length` times the unknowns from `start` on: those of the highest order summed up, at the mean
+    /// level of its own.
+    pub fn lift(&self, lifted: &Lifted, start: &[f64], u: &[f64], length: f64) -> Vec<f64> {
+        let of = |order: usize| {
+            u[self.own(order, 0)..][..self.spans]
+                .iter()
+                .map(|u| u * length)
+        };
+        let level = of(0).sum::<f64>() / self.spans as f64;
+        let highest: Vec<f64> = of(self.highest).collect();
+        lifted.integrated(start, &highest, self.highest, level)
     }
 
     /// The window that holds all coefficients (order, index): that of the last of them.

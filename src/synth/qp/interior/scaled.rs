@@ -296,12 +296,16 @@ impl Scaled {
 
     /// Coefficients of the lift.
     pub fn law(&self, program: &Program, unknowns: &[f64]) -> Vec<f64> {
-        let lift = match (&self.system.matrix, &program.lifted) {
-            (Matrix::Chained(base, _), Some(lifted)) => base.chain.layout.lift(lifted, unknowns),
-            _ => unknowns.to_vec(),
-        };
-        let moved = self.start.iter().zip(lift);
-        moved.map(|(x, u)| x + u * program.length).collect()
+        match (&self.system.matrix, &program.lifted) {
+            (Matrix::Chained(base, _), Some(lifted)) => {
+                let layout = &base.chain.layout;
+                layout.lift(lifted, &self.start, unknowns, program.length)
+            }
+            _ => {
+                let moved = self.start.iter().zip(unknowns);
+                moved.map(|(x, u)| x + u * program.length).collect()
+            }
+        }
     }
 }
 
