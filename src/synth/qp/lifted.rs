@@ -1,11 +1,11 @@
 //! A law's derivatives as unknowns of their own, for laws of many spans.
 //!
 //! In the coefficients of the lift alone an acceleration on N spans is N² times a difference of nearly
-//! equal numbers, and the condition of the objective's matrix grows like N⁴: from a few hundred spans on a
+//! equal numbers, and the condition of the objective's matrix grows like N⁴: from some hundred spans on a
 //! solver has no digits left. Here the coefficients of s, v, a and j all are unknowns, tied by
 //! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁) as the stages of a control problem are (Betts, Practical Methods for Optimal
-//! Control, ch. 4). Every row is short, its entries are near one, and the cost of a factorisation stays in
-//! proportion to the spans.
+//! Control, ch. 4). Every row is short and its entries are of ordinary size; `interior::chain` eliminates them span by
+//! span.
 
 use super::basis::{Basis, Entries};
 use super::pieces::Pieces;
@@ -307,13 +307,21 @@ impl Lifted {
         let n = self.dimension();
         let mut own: Vec<Sum> = highest.iter().map(|&c| Sum::of(c)).collect();
         for f in self.factors[..order].iter().rev() {
-            let terms = own.iter().zip(f);
-            let (ends, length) =
-                terms.fold((0.0, 0.0), |(e, l), (c, f)| (e + c.high / f, l + 1.0 / f));
-            let excess = ends / length;
+            // The mean, and what the roundings of the first pass left of it.
+            for _ in 0..2 {
+                let (mut ends, mut length) = (Sum::default(), 0.0);
+                for (c, f) in own.iter().zip(f) {
+                    ends.add(c.high / f);
+                    ends.add(c.low / f);
+                    length += 1.0 / f;
+                }
+                let excess = (ends.high + ends.low) / length;
+                own.iter_mut().for_each(|c| c.add(-excess));
+            }
             let mut sum = Sum::default();
             for (c, f) in own.iter_mut().zip(f) {
-                sum.add((c.high - excess) / f);
+                sum.add(c.high / f);
+                sum.add(c.low / f);
                 *c = sum;
             }
         }

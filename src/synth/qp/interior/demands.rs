@@ -49,7 +49,7 @@ impl Demands {
                 let mut sum = row[j];
                 for k in 0..j {
                     let other = if j == i { row[k] } else { lower[j][k] };
-                    sum = sum - row[k] * other;
+                    sum -= row[k] * other;
                 }
                 row[j] = if j < i {
                     if lower[j][j] > 0.0 {
@@ -93,7 +93,7 @@ impl Demands {
         let pivot = |i: usize| self.lower[i][i];
         for i in 0..nu.len() {
             for k in 0..i {
-                nu[i] = nu[i] - self.lower[i][k] * nu[k];
+                nu[i] -= self.lower[i][k] * nu[k];
             }
             nu[i] = if pivot(i) > 0.0 {
                 nu[i] / pivot(i)
@@ -103,7 +103,7 @@ impl Demands {
         }
         for i in (0..nu.len()).rev() {
             for k in i + 1..nu.len() {
-                nu[i] = nu[i] - self.lower[k][i] * nu[k];
+                nu[i] -= self.lower[k][i] * nu[k];
             }
             nu[i] = if pivot(i) > 0.0 {
                 nu[i] / pivot(i)
@@ -113,7 +113,7 @@ impl Demands {
         }
         for (column, &nu) in self.solved.iter().zip(&nu) {
             for (x, &c) in x.iter_mut().zip(column) {
-                *x = *x - nu * c;
+                *x -= nu * c;
             }
         }
         nu

@@ -79,11 +79,10 @@ impl Eliminated {
         }
         x.fill(0.0);
         for i in (0..self.rank).rev() {
-            let mut sum = y[i];
-            for k in i + 1..self.rank {
-                sum -= self.m[i * n + k] * y[k];
-            }
-            y[i] = sum / self.m[i * n + i];
+            let row = &self.m[i * n..][..n];
+            let known = row[i + 1..self.rank].iter().zip(&y[i + 1..]);
+            let sum: f64 = known.map(|(m, y)| m * y).sum();
+            y[i] = (y[i] - sum) / row[i];
             x[self.columns[i]] = y[i] * self.units[self.columns[i]];
         }
     }

@@ -131,7 +131,7 @@ impl Scaled {
         let highest = limits.chain(own).chain(asked).max();
         let highest = highest.unwrap_or(0).max(lifted.used());
         let beside = program.present().iter().filter(|p| **p).count();
-        let known = base.take().filter(|b| b.chain.layout.highest() == highest);
+        let known = base.take().filter(|b| b.chain.layout.highest == highest);
         let base = base.insert(match known {
             Some(known) => known,
             None => Arc::new(Base::new(program, lifted, highest, beside)),

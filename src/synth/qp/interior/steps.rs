@@ -35,10 +35,7 @@ pub fn solve(
     halt: &Halt,
     from: Option<Midway>,
 ) -> Result<Found, Left> {
-    let from = from
-        .filter(|_| std::env::var("COLD").is_err())
-        .and_then(|from| Point::midway(system, from));
-    let mut point = match from {
+    let mut point = match from.and_then(|from| Point::midway(system, from)) {
         Some(point) => point,
         None => Point::first(system).ok_or(Left::Open)?,
     };
