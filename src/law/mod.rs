@@ -83,7 +83,7 @@ pub struct Law {
 
 /// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients:
 /// differences of the lift's lose (spans/turn)³ of a jerk's digits, and sixty times that by the piece.
-pub(crate) const MANY_SPANS: usize = 64;
+pub(crate) const MANY_SPANS: usize = 100;
 
 impl Law {
     /// A spline by its coefficients.

@@ -14,7 +14,7 @@
 
 use super::basis::apply;
 use super::equality;
-use super::program::{EXTRAS, Meaning, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution};
+use super::program::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use serde::Serialize;
 
 use crate::criterion::Criterion;
@@ -151,13 +151,29 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         }
         None => fall(),
     };
+    let size = scale(program, solution);
+    // A push on a variable beside the law is small beside the others on it, or where a change as large as the lift or the
+    // variable moves the objective by nothing.
+    let lengths = solution.extra.iter().skip(PEAK + 1);
+    let length = lengths.fold(program.length, |m, e| m.max(e.abs()));
+    let open = |push: f64, own: f64, at: f64| {
+        let moved = if at > 0.0 {
+            push * at / size
+        } else {
+            f64::INFINITY
+        };
+        (push / own.max(f64::MIN_POSITIVE)).min(moved)
+    };
     if program.cone {
         let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(pushed_beside[k]));
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
         // orthogonal to the sizes.
         let z = [RADIUS, RISE, OFFSET].map(|k| beside[k]);
         let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
-        left = left.max(outside / cost.max(f64::MIN_POSITIVE));
+        let largest = SIZES
+            .iter()
+            .fold(0.0_f64, |m, &k| m.max(solution.extra[k].abs()));
+        left = left.max(open(outside, cost, largest));
         let product: f64 = [RADIUS, RISE, OFFSET]
             .iter()
             .zip(z)
@@ -167,11 +183,15 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     }
     for k in 0..EXTRAS {
         if present[k] && !(program.cone && SIZES.contains(&k)) {
-            left = left.max(beside[k].abs() / pushed_beside[k].max(f64::MIN_POSITIVE));
+            let at = if k == PEAK {
+                solution.extra[PEAK].abs()
+            } else {
+                length
+            };
+            left = left.max(open(beside[k].abs(), pushed_beside[k], at));
             gap += (beside[k] * solution.extra[k]).abs();
         }
     }
-    let size = scale(program, solution);
     Certificate {
         duality_gap: gap,
         relative_gap: gap / size,

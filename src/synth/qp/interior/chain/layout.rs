@@ -78,7 +78,8 @@ impl Layout {
     /// A row over the coefficients of the lift. One within a window goes over to derivatives there, which have the digits
     /// that its differences lose.
     pub fn of_lift(&self, entries: &Entries) -> Entries {
-        if entries.len() <= self.window() {
+        let (n, last) = (self.spans, self.window_of(entries));
+        if entries.iter().all(|e| (last + n - e.0) % n <= self.degree) {
             self.row(entries)
         } else {
             let own = entries.iter().map(|&(i, a)| (self.own(0, i), a));
