@@ -13,7 +13,7 @@
 //! the bound holds for the whole turn and not for samples of it.
 
 use super::basis::apply;
-use super::equality;
+use super::interior;
 use super::program::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
 use serde::Serialize;
 
@@ -123,14 +123,18 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             pushed_beside[k] += (row.multiplier * e).abs();
         }
     }
+    let present = program.present();
+    let mut gap = slack;
     if let Some((l, pull)) = lifted {
+        if program.level_is_open() {
+            // What moves the law as a whole: nothing below would see it.
+            let push: f64 = pull[..x.len()].iter().sum();
+            gap += push.abs() * largest(x);
+        }
         residual = l.folded(pull);
     }
     off_the_demands(program, &mut residual);
-    let present = program.present();
-    let mut gap = slack;
-    let mut left =
-        residual.iter().fold(0.0_f64, |m, r| m.max(r.abs())) / pushed.max(f64::MIN_POSITIVE);
+    let mut left = largest(&residual) / pushed.max(f64::MIN_POSITIVE);
     let fall = || {
         residual
             .iter()
@@ -144,10 +148,12 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             let rows = solution.active.iter();
             let highest = rows.map(|r| lifted.highest(&r.weights)).max();
             let order = highest.unwrap_or(0).max(lifted.used());
-            let size = lifted.summed(lifted.folded(lifted.gradient().to_vec()), order);
-            let largest = |v: &[f64]| v.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            left = largest(&lifted.summed(residual.clone(), order)) / largest(&size);
-            equality::fall(program, &residual).unwrap_or_else(fall)
+            let whole = largest(&lifted.summed(lifted.folded(lifted.gradient().to_vec()), order));
+            // Without a wanted curve there is no such size, and the pushes of the rows stand for it.
+            if whole > 0.0 {
+                left = largest(&lifted.summed(residual.clone(), order)) / whole;
+            }
+            interior::fall(program, lifted, &residual).unwrap_or_else(fall)
         }
         None => fall(),
     };
@@ -170,10 +176,8 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         // orthogonal to the sizes.
         let z = [RADIUS, RISE, OFFSET].map(|k| beside[k]);
         let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
-        let largest = SIZES
-            .iter()
-            .fold(0.0_f64, |m, &k| m.max(solution.extra[k].abs()));
-        left = left.max(open(outside, cost, largest));
+        let at = largest(&SIZES.map(|k| solution.extra[k]));
+        left = left.max(open(outside, cost, at));
         let product: f64 = [RADIUS, RISE, OFFSET]
             .iter()
             .zip(z)
@@ -200,6 +204,10 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         stationarity: left,
         violation: solution.violation,
     }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
 
 /// Size of the objective: its value, or what counts as none of the terms that it is the sum of.

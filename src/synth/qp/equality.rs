@@ -56,14 +56,6 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     })
 }
 
-/// ½rᵀH⁻¹r: what an objective whose gradient is r can still fall while the demands hold. `None` where H has no factor.
-pub fn fall(program: &Program, gradient: &[f64]) -> Option<f64> {
-    let factor = regular(program).0.factor()?;
-    let mut y = gradient.to_vec();
-    factor.forward(&mut y);
-    Some(0.5 * y.iter().map(|y| y * y).sum::<f64>())
-}
-
 /// Adds what `regular` adds to the objective to its gradient at `x`.
 fn augment(program: &Program, pin: Option<(usize, f64)>, x: &[f64], gradient: &mut [f64]) {
     let rho = penalty(program);

@@ -333,7 +333,8 @@ impl Program {
         }
     }
 
-    /// The optimum under the rows at hand: on the program's own band, or where that method leaves it open by Clarabel.
+    /// The optimum under the rows at hand: by the interior-point method at home here, or where that leaves it open by
+    /// Clarabel.
     fn point(&self, rows: &mut [Row], margin: f64, trail: &mut Trail) -> Result<Point, Failure> {
         match interior::solve(self, rows, margin, trail) {
             Ok(point) => Ok(point),

@@ -142,7 +142,7 @@ pub struct InteriorPointSettings {
     /// Gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits, and
     /// polishing restores the digits.
     pub tolerance: f64,
-    /// The same in numbers of twice the digits.
+    /// The same over the windows of many spans, which lose no digits.
     pub many_spans_tolerance: f64,
     /// Iterations; 20 are usual.
     pub iterations: u32,

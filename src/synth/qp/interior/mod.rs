@@ -16,7 +16,7 @@ mod scaled;
 mod steps;
 mod system;
 
-pub use held::on_contacts;
+pub use held::{fall, on_contacts};
 
 use super::basis::Basis;
 use super::clarabel::Point;

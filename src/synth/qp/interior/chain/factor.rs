@@ -10,8 +10,8 @@ use crate::synth::qp::interior::system::Line;
 const HELD: f64 = 1e-15;
 
 impl Chain {
-    /// The factor with each row's outer product by its weight, the demands as multipliers and `dense` added to the
-    /// unknowns beside the law.
+    /// The factor with each row's outer product by its weight, the demands as multipliers and `added` (row, column,
+    /// value) on the unknowns beside the law.
     pub fn factor(
         &self,
         rows: &Windowed,
