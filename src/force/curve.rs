@@ -113,19 +113,26 @@ impl ForceCurve {
 
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
-        let mut ranges = [[f64::INFINITY, f64::NEG_INFINITY]; 8];
-        for eight in self.force_n.chunks(8) {
-            for ([low, high], &f) in ranges.iter_mut().zip(eight) {
-                // Samples are finite: plain comparisons do.
-                *low = if f < *low { f } else { *low };
-                *high = if f > *high { f } else { *high };
+        let (mut low, mut high) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
+        let eights = self.force_n.chunks_exact(8);
+        let rest = eights.remainder();
+        // Samples are finite: plain comparisons do.
+        for eight in eights {
+            for k in 0..8 {
+                low[k] = if eight[k] < low[k] { eight[k] } else { low[k] };
+                high[k] = if eight[k] > high[k] {
+                    eight[k]
+                } else {
+                    high[k]
+                };
             }
         }
-        ranges
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |r, [low, high]| {
-                (r.0.min(*low), r.1.max(*high))
-            })
+        let low = low.iter().chain(rest);
+        let high = high.iter().chain(rest);
+        (
+            low.fold(f64::INFINITY, |m, f| m.min(*f)),
+            high.fold(f64::NEG_INFINITY, |m, f| m.max(*f)),
+        )
     }
 
     /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.

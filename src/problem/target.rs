@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
-use crate::poly::{Cells, amplitudes, gauss_legendre};
+use crate::poly::{Cells, amplitudes};
 use crate::scene::{Band, PhaseWeight};
 
 /// One turn of wanted force, as the fits read it thousands of times.
@@ -57,7 +57,7 @@ impl Target {
         Target {
             cells: Arc::new(Cells::new(curve.cubics(), TAU)),
             mean_n: curve.mean_n(),
-            range_n: range(&curve.force_n),
+            range_n: curve.range_n().into(),
             curve: Arc::new(curve),
             nearest: Arc::default(),
             spectrum: Arc::default(),
@@ -117,12 +117,7 @@ impl Target {
                 return values.clone();
             }
         }
-        let rule = gauss_legendre(degree + 1);
-        let mut values = vec![0.0; rule.len() * (breaks.len() - 1)];
-        for (out, ends) in values.chunks_exact_mut(rule.len()).zip(breaks.windows(2)) {
-            let range = (ends[0], ends[1] - ends[0]);
-            self.cells.nearest(range, degree, &rule, out);
-        }
+        let values = self.cells.nearest(breaks, degree);
         let values: Arc<[f64]> = values.into();
         if let Ok(mut list) = self.nearest.lock() {
             if list.len() >= KEPT {
@@ -133,14 +128,6 @@ impl Target {
         }
         values
     }
-}
-
-fn range(forces: &[f64]) -> [f64; 2] {
-    let all = forces.iter().copied();
-    [
-        all.clone().fold(f64::INFINITY, f64::min),
-        all.fold(f64::NEG_INFINITY, f64::max),
-    ]
 }
 
 /// Weight of the force error at a phase of the cycle; where ranges overlap the last one counts.

@@ -1,5 +1,8 @@
 //! Spaces on a knot vector: spans, and what turns B-splines into Bernstein polynomials on each.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 use super::{Span, SplineSpace};
 
 impl SplineSpace {
@@ -58,7 +61,6 @@ impl SplineSpace {
 
     /// Periodic splines with a knot at 0, 1 … n − 1: every span sees the same pattern, so all share a matrix.
     pub(super) fn in_whole_numbers(degree: usize, n: usize) -> Self {
-        let around: Vec<f64> = (0..2 * degree).map(|k| k as f64).collect();
         let turns = degree / n + 1;
         let spans = (0..n).map(|i| Span {
             start: i as f64,
@@ -70,7 +72,7 @@ impl SplineSpace {
             degree,
             dimension: n,
             spans: spans.collect(),
-            matrices: vec![extraction(degree, &around)],
+            matrices: vec![uniform(degree).into_owned()],
             turn: (0..n).map(|i| i as f64).collect(),
             period: n as f64,
             unit: 1.0,
@@ -145,6 +147,19 @@ impl SplineSpace {
             first,
             matrix,
         });
+    }
+}
+
+/// Extraction matrix of equal spans; each usual one is worked out once.
+fn uniform(degree: usize) -> Cow<'static, [f64]> {
+    static USUAL: [OnceLock<Vec<f64>>; 10] = [const { OnceLock::new() }; 10];
+    let own = || {
+        let around: Vec<f64> = (0..2 * degree).map(|k| k as f64).collect();
+        extraction(degree, &around)
+    };
+    match USUAL.get(degree) {
+        Some(known) => known.get_or_init(own).into(),
+        None => own().into(),
     }
 }
 

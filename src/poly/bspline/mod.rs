@@ -176,9 +176,20 @@ impl SplineSpace {
     /// When `coefficients` is not as long as the dimension.
     pub fn spline(&self, coefficients: &[f64]) -> PiecewisePoly {
         assert_eq!(coefficients.len(), self.dimension);
-        let n = self.degree + 1;
-        let mut breaks: Vec<f64> = self.spans.iter().map(|s| s.start).collect();
+        let mut breaks = Vec::with_capacity(self.spans.len() + 1);
+        breaks.extend(self.spans.iter().map(|s| s.start));
         breaks.push(self.spans.last().map_or(0.0, |s| s.start + s.width));
+        // Loops of known length cost half.
+        let coef = match self.degree + 1 {
+            6 => self.bernstein(6, coefficients),
+            n => self.bernstein(n, coefficients),
+        };
+        PiecewisePoly::new(breaks, self.degree, coef)
+    }
+
+    /// Bernstein coefficients of all spans, `n` each.
+    #[inline(always)]
+    fn bernstein(&self, n: usize, coefficients: &[f64]) -> Vec<f64> {
         let mut coef = Vec::with_capacity(self.spans.len() * n);
         let mut local = vec![0.0; n];
         for (i, span) in self.spans.iter().enumerate() {
@@ -192,7 +203,7 @@ impl SplineSpace {
                 rows.map(|row| -> f64 { row.iter().zip(&local).map(|(e, c)| e * c).sum() }),
             );
         }
-        PiecewisePoly::new(breaks, self.degree, coef)
+        coef
     }
 }
 

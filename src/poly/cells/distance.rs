@@ -3,7 +3,7 @@
 use pulp::{Arch, NullaryFnOnce};
 
 use super::Cells;
-use super::rule::Rule;
+use super::rule::{Rule, restricted};
 use crate::poly::{PiecewisePoly, bernstein};
 
 /// Breaks nearer to the end of a cell than this part of it stand there.
@@ -304,33 +304,4 @@ fn values<const Q: usize>(c: &[f64], u: [f64; Q]) -> [f64; Q] {
 fn raise(b: &[f64], largest: &mut f64) {
     let level = *largest;
     bernstein::peaks_above(b, level, |_, value| *largest = largest.max(value));
-}
-
-/// Coefficients of a polynomial on a part of its range, written in the degree that `out` has room for.
-fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
-    let own = b.len() - 1;
-    let c = &mut out[..=own];
-    c.copy_from_slice(b);
-    if high < 1.0 {
-        for k in 1..=own {
-            for i in (k..=own).rev() {
-                c[i] += (1.0 - high) * (c[i - 1] - c[i]);
-            }
-        }
-    }
-    if low > 0.0 {
-        let u = low / high.min(1.0);
-        for k in 1..=own {
-            for i in 0..=own - k {
-                c[i] += u * (c[i + 1] - c[i]);
-            }
-        }
-    }
-    for m in own + 1..out.len() {
-        out[m] = out[m - 1];
-        for i in (1..m).rev() {
-            let t = i as f64 / m as f64;
-            out[i] = t * out[i - 1] + (1.0 - t) * out[i];
-        }
-    }
 }

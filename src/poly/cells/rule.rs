@@ -1,4 +1,4 @@
-//! Quadrature on a cell, several nodes side by side.
+//! Quadrature on a cell, several nodes side by side, and a cell's polynomial on a part of it.
 
 use crate::poly::gauss_legendre;
 
@@ -50,5 +50,35 @@ impl<const Q: usize> Rule<Q> {
     pub fn widest_gap(&self) -> f64 {
         let between = self.nodes.windows(2).map(|w| 0.5 * (w[1] - w[0]));
         between.fold(self.nodes[0].max(1.0 - self.nodes[Q - 1]), f64::max)
+    }
+}
+
+/// Coefficients of a polynomial on a part of its range, written in the degree that `out` has room for.
+#[inline(always)]
+pub fn restricted(b: &[f64], (low, high): (f64, f64), out: &mut [f64]) {
+    let own = b.len() - 1;
+    let c = &mut out[..=own];
+    c.copy_from_slice(b);
+    if high < 1.0 {
+        for k in 1..=own {
+            for i in (k..=own).rev() {
+                c[i] += (1.0 - high) * (c[i - 1] - c[i]);
+            }
+        }
+    }
+    if low > 0.0 {
+        let u = low / high.min(1.0);
+        for k in 1..=own {
+            for i in 0..=own - k {
+                c[i] += u * (c[i + 1] - c[i]);
+            }
+        }
+    }
+    for m in own + 1..out.len() {
+        out[m] = out[m - 1];
+        for i in (1..m).rev() {
+            let t = i as f64 / m as f64;
+            out[i] = t * out[i - 1] + (1.0 - t) * out[i];
+        }
     }
 }

@@ -54,6 +54,7 @@ impl ArrowMatrix {
     ///
     /// # Panics
     /// When the entry lies outside the pattern: a fault of the caller.
+    #[inline]
     pub fn add(&mut self, i: usize, j: usize, value: f64) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         let m = self.n - self.border;
@@ -106,6 +107,13 @@ impl ArrowMatrix {
         } else {
             0.0
         }
+    }
+
+    /// Sum of all entries.
+    pub fn sum(&self) -> f64 {
+        let lower: f64 = self.core.iter().chain(&self.rows).sum();
+        let diagonal: f64 = (0..self.n).map(|i| self.get(i, i)).sum();
+        2.0 * lower - diagonal
     }
 
     /// Every stored entry of the lower triangle as (row, column, value).

@@ -66,7 +66,7 @@ impl Quadratic {
                         table.weigh(&rule, |_| width / total);
                     }
                     self.constant += table.pull(&values);
-                    self.add_span(space, i, &table);
+                    self.add_span(space, i, &mut table);
                 }
                 Basis::Harmonic { .. } => {
                     for (&(u, w), &b) in rule.iter().zip(&values) {
@@ -88,7 +88,7 @@ impl Quadratic {
     }
 
     /// Adds ½xᵀGx + pᵀx of the local functions of one span.
-    fn add_span(&mut self, space: &SplineSpace, span: usize, table: &Table) {
+    fn add_span(&mut self, space: &SplineSpace, span: usize, table: &mut Table) {
         let n = space.degree() + 1;
         let first = space.index(span, 0);
         if self.hessian.add_block(first, &table.gram) {
@@ -97,10 +97,11 @@ impl Quadratic {
             }
             return;
         }
-        let index: Vec<usize> = (0..n).map(|k| space.index(span, k)).collect();
-        for (k, &i) in index.iter().enumerate() {
+        table.index.clear();
+        table.index.extend((0..n).map(|k| space.index(span, k)));
+        for (k, &i) in table.index.iter().enumerate() {
             self.gradient[i] += table.pull[k];
-            for (l, &j) in index[..=k].iter().enumerate() {
+            for (l, &j) in table.index[..=k].iter().enumerate() {
                 // On few spans two functions of a span are one coefficient: both halves meet on the diagonal.
                 let twice = if i == j && k != l { 2.0 } else { 1.0 };
                 self.hessian.add(i, j, twice * table.gram[l * n + k - l]);
@@ -199,10 +200,10 @@ struct Table {
     factors: Vec<f64>,
     /// Products of the functions k and l ≤ k at l·n + k − l, as [`ArrowMatrix::add_block`] takes them.
     gram: Vec<f64>,
+    /// Coefficient of each function of a span across the start of the turn.
+    index: Vec<usize>,
     /// Products of the functions with what is wanted, negative.
     pull: Vec<f64>,
-    /// Room for what is wanted times the nodes' weights.
-    squares: Vec<f64>,
 }
 
 impl Table {
@@ -253,18 +254,27 @@ impl Table {
 
     /// Products with what is wanted at the nodes; returns half its weighed square.
     fn pull(&mut self, wanted: &[f64]) -> f64 {
-        let functions = self.weighed.chunks_exact(wanted.len());
+        // Loops of known length cost half; quintics with a node for each function are the rule.
+        match wanted.len() {
+            6 => self.pull_at(6, wanted),
+            nodes => self.pull_at(nodes, wanted),
+        }
+    }
+
+    #[inline(always)]
+    fn pull_at(&mut self, nodes: usize, wanted: &[f64]) -> f64 {
+        let wanted = &wanted[..nodes];
+        let functions = self.weighed.chunks_exact(nodes);
         for (pull, weighed) in self.pull.iter_mut().zip(functions) {
             *pull = -dot(weighed, wanted);
         }
-        self.squares.clear();
-        let squares = wanted.iter().zip(&self.factors).map(|(b, f)| f * b);
-        self.squares.extend(squares);
-        0.5 * dot(&self.squares, wanted)
+        let squares = wanted.iter().zip(&self.factors).map(|(b, f)| f * b * b);
+        0.5 * squares.sum::<f64>()
     }
 }
 
 /// Σ aᵢbᵢ in four sums side by side: one alone waits for every addition.
+#[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 4];
     let (fours_a, fours_b) = (a.chunks_exact(4), b.chunks_exact(4));

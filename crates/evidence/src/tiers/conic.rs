@@ -27,10 +27,11 @@ impl Task<'_> {
     /// Fails where a cone is asked for a derivative that is not quadratic on a span.
     pub fn conic(&self, between: Between) -> Result<Conic> {
         let basis = self.basis();
-        let force = self.distance(&basis);
+        let target = self.target();
+        let force = self.distance(&target, &basis);
         let n = basis.columns();
         let mut conic = Conic {
-            length: self.length(),
+            length: self.length(&target),
             basis,
             n,
             columns: n,
@@ -222,7 +223,7 @@ impl Conic {
     /// The linear part of the objective for another target with the same mean and drive, to be handed to
     /// [`Prepared::update`].
     pub fn linear_part(&self, task: &Task) -> Vec<f64> {
-        self.linear(&task.distance(&self.basis).gradient)
+        self.linear(&task.distance(&task.target(), &self.basis).gradient)
     }
 }
 

@@ -96,10 +96,8 @@ impl Task<'_> {
     }
 
     /// A typical lift: what the force's swing takes.
-    fn length(&self) -> f64 {
-        let mean = self.target.mean_n();
-        let (low, high) = self.target.range_n();
-        let swing = (high - mean).max(mean - low);
+    fn length(&self, target: &Target) -> f64 {
+        let swing = target.farthest_from(target.mean_n());
         let w = self.drive.weights();
         let gain = w[0].abs().max(w[1].abs()).max(w[2].abs());
         if swing > 0.0 && gain > 0.0 {
@@ -109,9 +107,12 @@ impl Task<'_> {
         }
     }
 
-    fn distance(&self, basis: &Basis) -> Quadratic {
+    fn target(&self) -> Target {
+        Target::new(self.target.clone())
+    }
+
+    fn distance(&self, target: &Target, basis: &Basis) -> Quadratic {
         let mut force = Quadratic::zero(basis);
-        let target = Target::new(self.target.clone());
         let nearest = target.nearest(&basis.breaks(), self.degree);
         let mut pieces = nearest.chunks_exact(self.degree + 1);
         force.add_distance(
@@ -132,8 +133,9 @@ impl Task<'_> {
     /// The convex program, ready to be solved.
     pub fn program(&self) -> Program {
         let basis = self.basis();
-        let force = self.distance(&basis);
-        let mut program = Program::new(basis, force, Vec::new(), self.length());
+        let target = self.target();
+        let force = self.distance(&target, &basis);
+        let mut program = Program::new(basis, force, Vec::new(), self.length(&target));
         for bound in self.bounds {
             for sign in [1.0, -1.0] {
                 let mut weights = [0.0; 5];

@@ -1,0 +1,302 @@
+//! The polynomials nearest to cells in the mean.
+
+use pulp::{Arch, Scalar, Simd, WithSimd};
+
+use super::Cells;
+use super::rule::{Rule, restricted};
+use crate::poly::{bernstein, gauss_legendre};
+
+/// Highest degree of a nearest polynomial.
+const HIGHEST: usize = 30;
+/// A break nearer than this to the end of a cell, in cells, stands there.
+const SAME: f64 = 1e-11;
+
+impl Cells {
+    /// The polynomial of a degree nearest to the function on every range between breaks of the first period, in the mean:
+    /// its values at the nodes of [`gauss_legendre`] for that degree, degree + 1 of them or more, range by range. Integrals
+    /// against polynomials of that degree are those of the function itself: its kinks between the cells cost no accuracy.
+    pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
+        match degree {
+            5 => Arch::new().dispatch(Usual::<6>::new(self, breaks)),
+            7 => Arch::new().dispatch(Usual::<8>::new(self, breaks)),
+            _ => self.any_nearest(breaks, degree),
+        }
+    }
+
+    /// The same of any degree, by Legendre's polynomials at quadrature nodes of every cell.
+    fn any_nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
+        let places = places(degree);
+        let moments = &mut [0.0; HIGHEST + 1][..=degree];
+        let mut out = Vec::with_capacity(places.len() * (breaks.len() - 1));
+        for ends in breaks.windows(2) {
+            let ends = (ends[0] * self.per_length(), ends[1] * self.per_length());
+            match (degree + 5).div_ceil(2) {
+                0..=4 => self.moments(&Rule::<4>::new(), ends, moments),
+                5..=6 => self.moments(&Rule::<6>::new(), ends, moments),
+                7..=8 => self.moments(&Rule::<8>::new(), ends, moments),
+                9..=12 => self.moments(&Rule::<12>::new(), ends, moments),
+                _ => self.moments(&Rule::<18>::new(), ends, moments),
+            }
+            for &place in &places {
+                let mut value = 0.0;
+                each_legendre(degree, [place], |k, [p]| {
+                    value += (2 * k + 1) as f64 * moments[k] * p;
+                });
+                out.push(value);
+            }
+        }
+        out
+    }
+
+    /// ∫ of the function times Legendre's polynomials over a range, as parts of its length; its ends in cells.
+    fn moments<const Q: usize>(
+        &self,
+        rule: &Rule<Q>,
+        (first, last): (f64, f64),
+        moments: &mut [f64],
+    ) {
+        let n = self.cubics.len();
+        let step = last - first;
+        let mut sums = [[0.0; Q]; HIGHEST + 1];
+        let mut a = first;
+        while a < last {
+            let i = self.cell(a);
+            // A rounding short of a cell's end is that end.
+            let b = if i + 1 == n {
+                last
+            } else {
+                (i as f64 + 1.0).min(last)
+            };
+            let whole = a == i as f64 && b == i as f64 + 1.0;
+            let values = if whole {
+                rule.on_cell(&self.cubics[i])
+            } else {
+                rule.places(a - i as f64, b - i as f64)
+                    .map(|u| super::cubic(&self.cubics[i], u))
+            };
+            let part = (b - a) / step;
+            let weighed: [f64; Q] = std::array::from_fn(|q| part * rule.weights[q] * values[q]);
+            let x = rule
+                .places((a - first) / step, (b - first) / step)
+                .map(|u| 2.0 * u - 1.0);
+            each_legendre(moments.len() - 1, x, |k, p| {
+                for q in 0..Q {
+                    sums[k][q] += weighed[q] * p[q];
+                }
+            });
+            a = b;
+        }
+        for (moment, sum) in moments.iter_mut().zip(&sums) {
+            *moment = sum.iter().sum();
+        }
+    }
+}
+
+/// Polynomials of the usual degrees, N − 1, by moments ∫ f xʲ dx with x ∈ [−1, 1] on the range: few enough for powers.
+///
+/// About the middle X of a cell of half the width r,
+///
+/// ```text
+/// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ rᵏ ∫ f tᵏ,   t ∈ [−1, 1] on the cell,   ∫ f tᵏ = Σₘ Kₖₘ bₘ
+/// ```
+///
+/// and all whole cells of a range have one r. So the sums Aₐ = Σ Xᵃ b of their coefficients are all that is to be done for
+/// each of them, four numbers side by side.
+struct Usual<'a, const N: usize> {
+    cells: &'a Cells,
+    breaks: &'a [f64],
+    /// C(j, k) Kₖₘ of j, k and m.
+    shares: [[[f64; 4]; N]; N],
+    /// Values at the places by each moment.
+    values: [[f64; N]; N],
+}
+
+impl<'a, const N: usize> Usual<'a, N> {
+    fn new(cells: &'a Cells, breaks: &'a [f64]) -> Self {
+        let rule = Rule::<6>::new();
+        let mut within = [[0.0; 4]; N];
+        let mut weighed = rule.weights;
+        let x = rule.places(-1.0, 1.0);
+        for row in &mut within {
+            for (m, entry) in row.iter_mut().enumerate() {
+                let mut unit = [0.0; 4];
+                unit[m] = 1.0;
+                let values = rule.on_cell(&unit);
+                *entry = values.iter().zip(&weighed).map(|(v, w)| v * w).sum();
+            }
+            weighed.iter_mut().zip(&x).for_each(|(w, x)| *w *= x);
+        }
+        let mut shares = [[[0.0; 4]; N]; N];
+        for (j, row) in shares.iter_mut().enumerate() {
+            for (k, (share, within)) in row.iter_mut().zip(&within).take(j + 1).enumerate() {
+                let ways = bernstein::binomial(j, k);
+                *share = within.map(|w| ways * w);
+            }
+        }
+        let mut values = [[0.0; N]; N];
+        for (place, x) in places(N - 1).into_iter().enumerate() {
+            let own = by_moments::<N>(x);
+            values
+                .iter_mut()
+                .zip(own)
+                .for_each(|(row, v)| row[place] = v);
+        }
+        Usual {
+            cells,
+            breaks,
+            shares,
+            values,
+        }
+    }
+
+    /// Adds the part of cells whose sums Aₐ are given, of half the width `half` on the range; by m.
+    #[inline(always)]
+    fn add(&self, sums: &[[f64; 4]; N], half: f64, moments: &mut [[f64; 4]; N]) {
+        let mut power = half;
+        for k in 0..N {
+            for j in k..N {
+                for m in 0..4 {
+                    moments[j][m] += power * self.shares[j][k][m] * sums[j - k][m];
+                }
+            }
+            power *= half;
+        }
+    }
+
+    /// A range's moments; its ends in cells.
+    #[inline(always)]
+    fn moments<S: Simd>(&self, simd: S, (first, last): (f64, f64)) -> [f64; N] {
+        let (middle, by) = (0.5 * (first + last), 2.0 / (last - first));
+        let mut moments = [[0.0; 4]; N];
+        let mut part = |from: f64, to: f64| {
+            if to - from <= SAME {
+                return;
+            }
+            let i = self.cells.cell(0.5 * (from + to));
+            let (mut own, base) = ([0.0; 4], i as f64);
+            restricted(&self.cells.cubics[i], (from - base, to - base), &mut own);
+            let x = (0.5 * (from + to) - middle) * by;
+            self.add(
+                &sums(simd, &[own], x, 0.0),
+                0.5 * (to - from) * by,
+                &mut moments,
+            );
+        };
+        let most = self.cells.cubics.len() as f64;
+        let (start, end) = ((first - SAME).ceil(), (last + SAME).floor().min(most));
+        if start >= end {
+            let between = start.clamp(first, last);
+            part(first, between);
+            part(between, last);
+            return together(moments);
+        }
+        part(first, start);
+        part(end, last);
+        let x = (start + 0.5 - middle) * by;
+        let whole = &self.cells.cubics[start as usize..end as usize];
+        self.add(&sums(simd, whole, x, by), 0.5 * by, &mut moments);
+        together(moments)
+    }
+}
+
+impl<const N: usize> WithSimd for Usual<'_, N> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
+        if S::F64_LANES > 4 {
+            return self.with_simd(Scalar::new());
+        }
+        let scale = self.cells.per_length();
+        let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
+        for ends in self.breaks.windows(2) {
+            let moments = self.moments(simd, (ends[0] * scale, ends[1] * scale));
+            let mut values = [0.0; N];
+            for (by, moment) in self.values.iter().zip(moments) {
+                for place in 0..N {
+                    values[place] += by[place] * moment;
+                }
+            }
+            out.extend_from_slice(&values);
+        }
+        out
+    }
+}
+
+/// The nodes for a degree on [−1, 1].
+fn places(degree: usize) -> Vec<f64> {
+    let rule = gauss_legendre(degree + 1);
+    rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
+}
+
+/// Sums over m.
+#[inline(always)]
+fn together<const N: usize>(moments: [[f64; 4]; N]) -> [f64; N] {
+    moments.map(|[a, b, c, d]| (a + b) + (c + d))
+}
+
+/// Σ xᵃ b over cells for each power a, with x from `first` on by `step`.
+#[inline(always)]
+fn sums<S: Simd, const N: usize>(
+    simd: S,
+    cells: &[[f64; 4]],
+    first: f64,
+    step: f64,
+) -> [[f64; 4]; N] {
+    let mut out = [[0.0; 4]; N];
+    for part in 0..4 / S::F64_LANES {
+        let mut sums = [simd.splat_f64s(0.0); N];
+        for (i, cell) in cells.iter().enumerate() {
+            let x = simd.splat_f64s(first + i as f64 * step);
+            let mut own = S::as_simd_f64s(cell).0[part];
+            for sum in &mut sums {
+                *sum = simd.add_f64s(*sum, own);
+                own = simd.mul_f64s(own, x);
+            }
+        }
+        for (out, sum) in out.iter_mut().zip(sums) {
+            S::as_mut_simd_f64s(out).0[part] = sum;
+        }
+    }
+    out
+}
+
+/// The value at x of the polynomial nearest to a function on [−1, 1] by each of its moments, these as parts of the length 2:
+/// Σₖ (2k + 1) Pₖ(x) ∫ f Pₖ.
+fn by_moments<const N: usize>(x: f64) -> [f64; N] {
+    let mut out = [0.0; N];
+    // Coefficients and value of each Legendre polynomial.
+    let (mut before, mut own) = ([0.0; N], [0.0; N]);
+    own[0] = 1.0;
+    each_legendre(N - 1, [x], |k, [p]| {
+        for (out, c) in out.iter_mut().zip(&own) {
+            *out += (2 * k + 1) as f64 * p * c;
+        }
+        let n = k as f64;
+        let (rise, fall) = ((2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0));
+        let mut next = [0.0; N];
+        for j in 0..N {
+            let lower = if j > 0 { own[j - 1] } else { 0.0 };
+            next[j] = rise * lower - fall * before[j];
+        }
+        (before, own) = (own, next);
+    });
+    out
+}
+
+/// Visits Legendre's polynomials of degree 0 … `degree` at x ∈ [−1, 1].
+#[inline(always)]
+fn each_legendre<const Q: usize>(
+    degree: usize,
+    x: [f64; Q],
+    mut visit: impl FnMut(usize, [f64; Q]),
+) {
+    let (mut before, mut p) = ([0.0; Q], [1.0; Q]);
+    for k in 0..=degree {
+        visit(k, p);
+        let n = k as f64;
+        let (rise, fall) = ((2.0 * n + 1.0) / (n + 1.0), n / (n + 1.0));
+        let next = std::array::from_fn(|q| rise * x[q] * p[q] - fall * before[q]);
+        (before, p) = (p, next);
+    }
+}
