@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::interpretation::Interpretation;
 use super::note::Note;
 use super::quantity::seconds;
+use super::slopes::{slope_amid, slopes};
 use crate::error::{ForceError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
 
@@ -160,7 +161,7 @@ impl ForceCurve {
     pub fn cubics(&self) -> Vec<[f64; 4]> {
         let f = &self.force_n;
         let n = f.len();
-        // Two samples before the first and three after the last, so that nothing wraps in the loops.
+        // Two samples before the first and three after the last.
         let mut around = Vec::with_capacity(n + 5);
         around.extend_from_slice(&f[n - 2..]);
         around.extend_from_slice(f);
@@ -229,45 +230,8 @@ impl ForceCurve {
     /// Slope per sample at sample `i`.
     fn slope(&self, i: usize) -> f64 {
         let n = self.force_n.len();
-        slope([n - 2, n - 1, 0, 1, 2].map(|k| self.force_n[(i + k) % n]))
+        slope_amid([n - 2, n - 1, 0, 1, 2].map(|k| self.force_n[(i + k) % n]))
     }
-}
-
-/// Slopes at all samples but the first two and the last two.
-fn slopes(f: &[f64]) -> Vec<f64> {
-    let n = f.len() - 4;
-    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|k| &f[k..k + n]);
-    (0..n)
-        .map(|i| slope([a[i], b[i], c[i], d[i], e[i]]))
-        .collect()
-}
-
-/// Slope per sample at the middle of five samples: the fourth-order centred difference, held within three
-/// times the smaller neighbouring step, so that a sharp heel strike is not overshot (Fritsch and Carlson's
-/// bound). At a local extreme of the samples half that bound applies to either sign, so that a smooth peak
-/// between two samples is not flattened.
-fn slope(f: [f64; 5]) -> f64 {
-    let (before, after) = (f[2] - f[1], f[3] - f[2]);
-    let centred = centred(f);
-    let (own, next) = (before.abs(), after.abs());
-    let smaller = if own < next { own } else { next };
-    let steady = before * after > 0.0;
-    let bound = if steady { 3.0 } else { 1.5 } * smaller;
-    // Without branches, so that several slopes are worked out at once.
-    let held = if centred > bound { bound } else { centred };
-    let held = if held < -bound { -bound } else { held };
-    let backwards = steady & (centred * before < 0.0);
-    if backwards { 0.0 } else { held }
-}
-
-fn centred(f: [f64; 5]) -> f64 {
-    (2.0 * THIRD) * (f[3] - f[1]) - (0.25 * THIRD) * (f[4] - f[0])
-}
-
-/// The slope per sample that the interpolation takes at the middle of five samples, less the centred
-/// difference: zero but near crests and steps.
-pub(crate) fn slope_correction(f: [f64; 5]) -> f64 {
-    slope(f) - centred(f)
 }
 
 #[cfg(test)]

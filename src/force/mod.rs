@@ -17,10 +17,10 @@ mod quantity;
 mod read;
 mod recording;
 mod report;
+mod slopes;
 mod source;
 mod stance;
 
-pub(crate) use curve::slope_correction;
 pub use curve::{ForceCurve, SAMPLES};
 pub use cycle::{Cycle, MeanStanceCurve, Overlay, Period, cycle, overlay};
 pub use feet::Feet;
@@ -40,5 +40,6 @@ pub use report::{
     LABELS, TrialRow, csv, cycle_json, cycle_table, json, spread_rms_n, table, trials_json,
     trials_table,
 };
+pub(crate) use slopes::slope_corrections;
 pub use source::force_curve;
 pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};

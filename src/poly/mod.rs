@@ -22,4 +22,6 @@ pub use gauss::gauss_legendre;
 pub(crate) use piecewise::Peak;
 pub use piecewise::{Extreme, PiecewisePoly};
 pub(crate) use proxy::{stand_in, stand_in_for_difference};
-pub(crate) use trigonometric::{harmonic_extremes, harmonic_sum};
+pub(crate) use trigonometric::{
+    harmonic_extremes, harmonic_sum, harmonic_values, some_harmonic_values,
+};

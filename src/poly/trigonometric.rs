@@ -1,7 +1,10 @@
 //! Values and extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
+
+use pulp::{Arch, NullaryFnOnce};
 
 use super::Extreme;
 
@@ -9,6 +12,8 @@ use super::Extreme;
 const POINTS_PER_WAVE: usize = 16;
 /// Fewest and most grid points; a sum beyond the finest is searched on it all the same.
 const GRIDS: [usize; 8] = [64, 128, 256, 512, 1024, 2048, 4096, 8192];
+/// Grids whose waves are kept: a megabyte for the finest of them.
+const KEPT_GRIDS: usize = 5;
 /// Steps within a cell: Newton's method needs three or four, halving all of them.
 const STEPS: usize = 40;
 /// A crest is that flat within this angle, rad, that its value is found by one more parabola.
@@ -30,6 +35,7 @@ pub fn harmonic_sum(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
     out
 }
 
+/// (cos, sin) at the points of a grid.
 fn circle(grid: usize) -> &'static [(f64, f64)] {
     static CIRCLES: [OnceLock<Vec<(f64, f64)>>; GRIDS.len()] =
         [const { OnceLock::new() }; GRIDS.len()];
@@ -42,14 +48,141 @@ fn circle(grid: usize) -> &'static [(f64, f64)] {
     })
 }
 
+/// cos nθ and sin nθ at the points of a grid, one after the other.
+fn wave(grid: usize, n: usize) -> Cow<'static, [Vec<f64>; 2]> {
+    type Waves = Vec<OnceLock<[Vec<f64>; 2]>>;
+    static KEPT: [OnceLock<Waves>; KEPT_GRIDS] = [const { OnceLock::new() }; KEPT_GRIDS];
+    let own = || {
+        let circle = circle(grid);
+        let mask = circle.len() - 1;
+        let at = |f: fn(&(f64, f64)) -> f64| -> Vec<f64> {
+            (0..=mask).map(|i| f(&circle[(n * i) & mask])).collect()
+        };
+        [at(|p| p.0), at(|p| p.1)]
+    };
+    let most = GRIDS[grid] / POINTS_PER_WAVE;
+    match KEPT.get(grid) {
+        Some(kept) if n <= most => {
+            let kept = kept.get_or_init(|| (0..=most).map(|_| OnceLock::new()).collect());
+            Cow::Borrowed(kept[n].get_or_init(own))
+        }
+        _ => Cow::Owned(own()),
+    }
+}
+
+/// The coarsest grid with enough points for so many harmonics, and at least `points`.
+fn grid_for(count: usize, points: usize) -> usize {
+    let wanted = (POINTS_PER_WAVE * count).max(points);
+    let found = GRIDS.iter().position(|g| *g >= wanted);
+    found.unwrap_or(GRIDS.len() - 1)
+}
+
+/// Values at even steps over the turn, 16 for the fastest of `count` harmonics or more, `points` at least.
+pub fn harmonic_values(terms: &[(f64, f64)], points: usize) -> Vec<f64> {
+    values(terms, grid_for(terms.len(), points))
+}
+
+/// The same at `count` of these steps from `first` on, any turn.
+pub fn some_harmonic_values(
+    terms: &[(f64, f64)],
+    points: usize,
+    first: isize,
+    count: usize,
+) -> Vec<f64> {
+    let grid = grid_for(terms.len(), points);
+    let points = GRIDS[grid];
+    let mut out = vec![0.0; count];
+    let mut from = first.rem_euclid(points as isize) as usize;
+    let mut left = out.as_mut_slice();
+    while !left.is_empty() {
+        let (here, rest) = left.split_at_mut(left.len().min(points - from));
+        add_waves(terms, grid, from, here);
+        (left, from) = (rest, 0);
+    }
+    out
+}
+
+fn values(terms: &[(f64, f64)], grid: usize) -> Vec<f64> {
+    let mut values = vec![0.0; GRIDS[grid]];
+    add_waves(terms, grid, 0, &mut values);
+    values
+}
+
+/// Adds the sum at the points of a grid from one on.
+fn add_waves(terms: &[(f64, f64)], grid: usize, from: usize, values: &mut [f64]) {
+    for (n, &(a, b)) in (1..).zip(terms) {
+        let wave = wave(grid, n);
+        let [cos, sin] = [&wave[0][from..], &wave[1][from..]];
+        let values = &mut *values;
+        Arch::new().dispatch(AddWave {
+            values,
+            cos,
+            sin,
+            a,
+            b,
+        });
+    }
+}
+
+/// Adds a cos + b sin.
+struct AddWave<'a> {
+    values: &'a mut [f64],
+    cos: &'a [f64],
+    sin: &'a [f64],
+    a: f64,
+    b: f64,
+}
+
+impl NullaryFnOnce for AddWave<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let n = self.values.len();
+        let (cos, sin) = (&self.cos[..n], &self.sin[..n]);
+        for i in 0..n {
+            self.values[i] += self.a * cos[i] + self.b * sin[i];
+        }
+    }
+}
+
 /// Smallest and largest value, to rounding: every grid cell that could hold them is searched by Newton's
 /// method. Between grid points the sum exceeds the higher end of its cell by at most h²/8·max|f″|, and
 /// max|f″| ≤ Σ n²·√(aₙ² + bₙ²).
 pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
-    match Grid::of(terms) {
-        Some(grid) => (grid.search(terms, -1.0), grid.search(terms, 1.0)),
-        None => (NOTHING, NOTHING),
+    let waves = (1..).zip(terms);
+    let bend: f64 = waves.map(|(n, t)| f64::from(n * n) * t.0.hypot(t.1)).sum();
+    if bend == 0.0 {
+        return (NOTHING, NOTHING);
     }
+    let grid = grid_for(terms.len(), 1);
+    let values = values(terms, grid);
+    let (mut low, mut high) = (values[0], values[0]);
+    for &v in &values {
+        low = if v < low { v } else { low };
+        high = if v > high { v } else { high };
+    }
+    let step = TAU / values.len() as f64;
+    let reach = 0.125 * step * step * bend;
+    let search = |sign| Search {
+        terms,
+        circle: circle(grid),
+        step,
+        sign,
+        best: f64::NEG_INFINITY,
+        at: 0.0,
+        searched: None,
+    };
+    let (mut lowest, mut highest) = (search(-1.0), search(1.0));
+    for (i, &value) in values.iter().enumerate() {
+        if value <= low + reach {
+            lowest.around(i, value);
+        }
+        if value >= high - reach {
+            highest.around(i, value);
+        }
+    }
+    (lowest.found(), highest.found())
 }
 
 /// Extreme of a sum without terms.
@@ -58,125 +191,92 @@ const NOTHING: Extreme = Extreme {
     at: 0.0,
 };
 
-/// Values on a grid over the turn.
-struct Grid {
-    values: Vec<f64>,
+/// The search for the largest value of sign·f among the cells of a grid over the turn.
+struct Search<'a> {
+    terms: &'a [(f64, f64)],
+    circle: &'a [(f64, f64)],
     step: f64,
-    /// The sum exceeds the higher end of a cell by no more.
-    reach: f64,
-}
-
-impl Grid {
-    /// `None` for a sum that is zero.
-    fn of(terms: &[(f64, f64)]) -> Option<Grid> {
-        let wanted = (POINTS_PER_WAVE * terms.len()).max(1);
-        let grid = GRIDS
-            .iter()
-            .position(|g| *g >= wanted)
-            .unwrap_or(GRIDS.len() - 1);
-        let circle = circle(grid);
-        let mask = circle.len() - 1;
-        let mut values = vec![0.0; circle.len()];
-        let mut bend = 0.0;
-        for (n, &(a, b)) in (1_usize..).zip(terms) {
-            let mut k = 0;
-            for v in values.iter_mut() {
-                let (c, s) = circle[k];
-                *v += a * c + b * s;
-                k = (k + n) & mask;
-            }
-            bend += (n * n) as f64 * a.hypot(b);
-        }
-        if bend == 0.0 {
-            return None;
-        }
-        let step = TAU / values.len() as f64;
-        Some(Grid {
-            reach: 0.125 * step * step * bend,
-            values,
-            step,
-        })
-    }
-
-    /// The largest value of sign·f.
-    fn search(&self, terms: &[(f64, f64)], sign: f64) -> Extreme {
-        let (values, step, reach) = (&self.values, self.step, self.reach);
-        let highest = values
-            .iter()
-            .fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
-        let mut best = Extreme {
-            value: f64::NEG_INFINITY,
-            at: 0.0,
-        };
-        let mut left = sign * values[values.len() - 1];
-        for (i, v) in values.iter().enumerate() {
-            let right = sign * v;
-            let (end, higher) = if left > right {
-                (i as f64 - 1.0, left)
-            } else {
-                (i as f64, right)
-            };
-            if higher + reach >= highest {
-                if higher > best.value {
-                    best = Extreme {
-                        value: higher,
-                        at: end * step,
-                    };
-                }
-                let ends = [(i as f64 - 1.0) * step, i as f64 * step];
-                if let Some(top) = crest(terms, ends, end * step, sign)
-                    && top.value > best.value
-                {
-                    best = top;
-                }
-            }
-            left = right;
-        }
-        Extreme {
-            value: sign * best.value,
-            at: best.at.rem_euclid(TAU),
-        }
-    }
-}
-
-/// The crest of sign·f in a cell at whose ends it rises and falls: Newton's method on f′ from `start`,
-/// halving the cell where that leaves it.
-fn crest(
-    terms: &[(f64, f64)],
-    [mut low, mut high]: [f64; 2],
-    start: f64,
     sign: f64,
-) -> Option<Extreme> {
-    if sign * harmonic_sum(terms, low)[1] < 0.0 || sign * harmonic_sum(terms, high)[1] > 0.0 {
-        return None;
+    best: f64,
+    at: f64,
+    /// The last cell that was searched, by the point at its end.
+    searched: Option<usize>,
+}
+
+impl Search<'_> {
+    /// Looks at a point of the grid with its value, and at the cells on both sides.
+    fn around(&mut self, i: usize, value: f64) {
+        self.take(self.sign * value, i as f64 * self.step);
+        for end in [i, i + 1] {
+            if self.searched != Some(end) {
+                self.searched = Some(end);
+                self.crest(end);
+            }
+        }
     }
-    let mut x = start;
-    for _ in 0..STEPS {
-        let [value, slope, bend] = harmonic_sum(terms, x);
-        let newton = -slope / bend;
-        if sign * bend < 0.0 && newton.abs() < FLAT {
-            // What is left of the way changes the value by less than rounding.
-            return Some(Extreme {
-                value: sign * (value + 0.5 * newton * slope),
-                at: x + newton,
-            });
+
+    fn take(&mut self, value: f64, at: f64) {
+        if value > self.best {
+            (self.best, self.at) = (value, at);
         }
-        if sign * slope > 0.0 {
-            low = x;
-        } else {
-            high = x;
+    }
+
+    fn found(&self) -> Extreme {
+        Extreme {
+            value: self.sign * self.best,
+            at: self.at.rem_euclid(TAU),
         }
-        let next = x + newton;
-        x = if sign * bend < 0.0 && next > low && next < high {
-            next
+    }
+
+    /// f′ at a point of the grid.
+    fn slope(&self, i: usize) -> f64 {
+        let mask = self.circle.len() - 1;
+        let mut k = 0;
+        let mut slope = 0.0;
+        for (n, &(a, b)) in (1..).zip(self.terms) {
+            k = (k + i) & mask;
+            let (c, s) = self.circle[k];
+            slope += f64::from(n) * (b * c - a * s);
+        }
+        slope
+    }
+
+    /// The crest in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method on f′ from
+    /// where a straight line would be zero, halving the cell where that leaves it.
+    fn crest(&mut self, i: usize) {
+        let ends = [i + self.circle.len() - 1, i].map(|i| self.sign * self.slope(i));
+        if ends[0] < 0.0 || ends[1] > 0.0 {
+            return;
+        }
+        let (mut low, mut high) = ((i as f64 - 1.0) * self.step, i as f64 * self.step);
+        let part = ends[0] / (ends[0] - ends[1]);
+        let mut x = if part.is_finite() {
+            low + part * self.step
         } else {
-            0.5 * (low + high)
+            low
         };
+        for _ in 0..STEPS {
+            let [value, slope, bend] = harmonic_sum(self.terms, x).map(|f| self.sign * f);
+            let newton = -slope / bend;
+            if bend < 0.0 && newton.abs() < FLAT {
+                // What is left of the way changes the value by less than rounding.
+                self.take(value + 0.5 * newton * slope, x + newton);
+                return;
+            }
+            if slope > 0.0 {
+                low = x;
+            } else {
+                high = x;
+            }
+            let next = x + newton;
+            x = if bend < 0.0 && next > low && next < high {
+                next
+            } else {
+                0.5 * (low + high)
+            };
+        }
+        self.take(self.sign * harmonic_sum(self.terms, x)[0], x);
     }
-    Some(Extreme {
-        value: sign * harmonic_sum(terms, x)[0],
-        at: x,
-    })
 }
 
 #[cfg(test)]

@@ -6,15 +6,16 @@
 //! the distance of a law from its target needs no piecewise polynomial.
 
 use std::f64::consts::TAU;
-use std::sync::OnceLock;
 
 use super::Range;
-use crate::force::slope_correction;
-use crate::poly::{harmonic_extremes, harmonic_sum};
+use crate::force::slope_corrections;
+use crate::poly::{harmonic_extremes, harmonic_sum, harmonic_values, some_harmonic_values};
 
-/// Samples of a turn that are worth tables.
+/// Samples of a turn.
 const SAMPLES: usize = 1024;
-/// Most harmonics that tables are kept for; further ones would also need finer samples.
+/// Points of a coarse grid, 16 or more for the fastest harmonic.
+const COARSE: usize = 128;
+/// Most harmonics; further ones would also need finer samples.
 const MOST: usize = 6;
 /// Slopes nearer than this part of the largest value count as unlimited.
 const FREE: f64 = 1e-13;
@@ -42,42 +43,22 @@ pub struct Error {
     pub square: f64,
 }
 
-/// cos nθ and sin nθ at the samples, harmonic by harmonic.
-fn tables() -> &'static [(Vec<f64>, Vec<f64>)] {
-    static TABLES: OnceLock<Vec<(Vec<f64>, Vec<f64>)>> = OnceLock::new();
-    TABLES.get_or_init(|| {
-        let wave = |n: usize, f: fn(f64) -> f64| -> Vec<f64> {
-            (0..SAMPLES)
-                .map(|i| f(TAU * ((n * i) % SAMPLES) as f64 / SAMPLES as f64))
-                .collect()
-        };
-        (1..=MOST)
-            .map(|n| (wave(n, f64::cos), wave(n, f64::sin)))
-            .collect()
-    })
-}
-
 impl LimitedSlopes {
-    /// Finds the cells; `None` for harmonics or samples without tables.
+    /// Finds the cells; `None` for more harmonics and other samples.
     pub fn of(spectrum: &[(f64, f64)], samples: usize) -> Option<LimitedSlopes> {
         if spectrum.len() > MOST || samples != SAMPLES {
             return None;
         }
-        // Two samples before the first and three after the last, continued periodically.
-        let mut f = [0.0; SAMPLES + 5];
-        for (&(a, b), (cos, sin)) in spectrum.iter().zip(tables()) {
-            for ((v, c), s) in f[2..SAMPLES + 2].iter_mut().zip(cos).zip(sin) {
-                *v += a * c + b * s;
-            }
-        }
-        f.copy_within(SAMPLES..SAMPLES + 2, 0);
-        f.copy_within(2..5, SAMPLES + 2);
         let size: f64 = spectrum.iter().map(|t| t.0.abs() + t.1.abs()).sum();
         let mut cells: Vec<Cell> = Vec::new();
-        for i in 0..SAMPLES {
-            let change = slope_correction([f[i], f[i + 1], f[i + 2], f[i + 3], f[i + 4]]);
-            if change.abs() > FREE * size {
-                add(&mut cells, i, change);
+        for (first, last) in flat_parts(spectrum) {
+            // Two samples more on either side.
+            let count = last + 1 - first + 4;
+            let f = some_harmonic_values(spectrum, SAMPLES, first as isize - 2, count);
+            for (i, change) in (first..).zip(slope_corrections(&f)) {
+                if change.abs() > FREE * size {
+                    add(&mut cells, i, change);
+                }
             }
         }
         // The first and the last sample may share a cell.
@@ -122,6 +103,36 @@ impl LimitedSlopes {
         }
         Some(error)
     }
+}
+
+/// First and last samples of the parts of the turn where a slope may be limited.
+///
+/// With h between samples, steps on both sides of one differ from h·f′ by ½h²·max|f″| at most: while |f′| ≥ 2h·max|f″|
+/// neither the sign nor three times the smaller step bounds the slope. Between two points of a coarse grid, H apart, a
+/// slope of one sign is nowhere below half the sum of the slopes there less ½H·max|f″|.
+fn flat_parts(spectrum: &[(f64, f64)]) -> Vec<(usize, usize)> {
+    let waves = (1..).zip(spectrum).map(|(n, &(a, b))| (f64::from(n), a, b));
+    let bend: f64 = waves.clone().map(|(n, a, b)| n * n * a.hypot(b)).sum();
+    let slope: Vec<(f64, f64)> = waves.map(|(n, a, b)| (n * b, -n * a)).collect();
+    let slopes = harmonic_values(&slope, COARSE);
+    let steep = bend * TAU * (1.0 / COARSE as f64 + 4.0 / SAMPLES as f64);
+    let mut out: Vec<(usize, usize)> = Vec::new();
+    for (i, here) in slopes.iter().enumerate() {
+        let next = slopes[(i + 1) % COARSE];
+        if here * next > 0.0 && here.abs() + next.abs() >= steep {
+            continue;
+        }
+        let of = |i: usize| i * (SAMPLES / COARSE);
+        match out.last_mut() {
+            Some(last) if last.1 == of(i) => last.1 = of(i + 1),
+            _ => out.push((of(i), of(i + 1))),
+        }
+    }
+    // The last sample's successor is the first of all.
+    if let Some(last) = out.last_mut() {
+        last.1 = last.1.min(SAMPLES - 1);
+    }
+    out
 }
 
 /// Adds a limited slope at sample `i` to the cells on both sides.
@@ -213,4 +224,40 @@ fn peak(f: impl Fn(f64) -> f64) -> f64 {
         h *= 0.1;
     }
     best.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every sample looked at, and only those of flat parts: the same cells.
+    #[test]
+    fn no_limited_slope_lies_outside_the_flat_parts() {
+        let (mut limited, mut looked_at) = (0, 0);
+        for case in 0..200_u32 {
+            let count = 1 + case % MOST as u32;
+            let spectrum: Vec<(f64, f64)> = (1..=count)
+                .map(|n| {
+                    let fade = f64::from(n).powi((case / 50) as i32);
+                    let phase = f64::from(7 * n * n + case);
+                    (phase.sin() / fade, (2.3 * phase).cos() / fade)
+                })
+                .collect();
+            let all = some_harmonic_values(&spectrum, SAMPLES, -2, SAMPLES + 4);
+            let size: f64 = spectrum.iter().map(|t| t.0.abs() + t.1.abs()).sum();
+            let parts = flat_parts(&spectrum);
+            for (i, change) in slope_corrections(&all).into_iter().enumerate() {
+                let inside = parts.iter().any(|&(first, last)| first <= i && i <= last);
+                looked_at += usize::from(inside);
+                if change.abs() > FREE * size {
+                    limited += 1;
+                    assert!(inside, "{case}: sample {i} of {parts:?}");
+                }
+            }
+        }
+        assert!(
+            limited > 500 && looked_at < 100 * SAMPLES,
+            "{limited} {looked_at}"
+        );
+    }
 }

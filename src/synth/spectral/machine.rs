@@ -9,7 +9,7 @@ use crate::law::Svaj;
 use crate::poly::{harmonic_extremes, harmonic_sum};
 use crate::synth::MachineReport;
 use crate::synth::machine::mean_power;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// A mean force nearer to the target's, as a part of it, is the target's: its torque is known already.
 const SAME: f64 = 1e-13;
@@ -109,44 +109,53 @@ impl Load<'_> {
 
     /// p² = E*/(π L)·F/(Rb + s + a): the highest quotient of two sums of harmonics.
     fn pressure(&self) -> Option<f64> {
-        let motion = self.motion;
-        let radius = self.base_radius + motion.level;
-        let grid = motion.grid.as_ref();
-        let quotients = grid.iter().map(|(force, bent)| {
-            (self.mean_force + self.scale * force) / (radius + motion.factor * bent)
-        });
-        let most = self.highest(&quotients.collect::<Vec<f64>>(), radius);
+        let radius = self.base_radius + self.motion.level;
+        let (factor, scale) = (self.motion.factor, self.scale);
+        let grid = self.motion.grid.iter();
+        let quotients: Vec<f64> = grid
+            .map(|(force, bent)| (self.mean_force + scale * force) / (radius + factor * bent))
+            .collect();
+        let most = self.highest(&quotients, radius);
         let factor = modulus(STEEL, STEEL) / (PI * self.thickness);
         Some((factor * most.max(0.0)).sqrt())
     }
 
-    /// Newton's method from every crest of the grid that could be the highest. Between two points a sum of
+    /// From every crest of the grid that could be the highest on to its top. Between two points a sum of
     /// harmonics exceeds them by less than 2 % of the range, as there are 16 for the fastest wave.
     fn highest(&self, grid: &[f64], radius: f64) -> f64 {
-        let (low, high) = grid
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), q| {
-                (l.min(*q), h.max(*q))
-            });
+        let (mut low, mut high) = (grid[0], grid[0]);
+        for &q in grid {
+            low = if q < low { q } else { low };
+            high = if q > high { q } else { high };
+        }
         let near = high - NEAR * (high - low);
         let n = grid.len();
         let mut most = high;
-        for (i, &here) in grid.iter().enumerate().filter(|(_, here)| **here >= near) {
-            if here >= grid[(i + n - 1) % n] && here >= grid[(i + 1) % n] {
-                most = most.max(self.crest(std::f64::consts::TAU * i as f64 / n as f64, radius));
+        for (i, &here) in grid.iter().enumerate() {
+            if here < near {
+                continue;
+            }
+            let (before, after) = (grid[(i + n - 1) % n], grid[(i + 1) % n]);
+            if here >= before && here >= after {
+                // The top of the parabola through the three.
+                let bend = before - 2.0 * here + after;
+                let off = if bend < 0.0 {
+                    0.5 * (before - after) / bend
+                } else {
+                    0.0
+                };
+                most = most.max(self.crest(TAU * (i as f64 + off) / n as f64, radius));
             }
         }
         most
     }
 
-    /// The quotient at the crest near a place.
+    /// The quotient at the crest near a place, by Newton's method.
     fn crest(&self, start: f64, radius: f64) -> f64 {
-        let (factor, scale) = (self.motion.factor, self.scale);
         let mut at = start;
         let mut most = f64::NEG_INFINITY;
         for _ in 0..STEPS {
-            let [f0, f1, f2] = harmonic_sum(self.fit.harmonics(), at).map(|x| scale * x);
-            let [g0, g1, g2] = bent_sum(&self.motion.terms, at).map(|x| factor * x);
+            let ([f0, f1, f2], [g0, g1, g2]) = self.force_and_bent(at);
             let (f0, g0) = (self.mean_force + f0, radius + g0);
             most = most.max(f0 / g0);
             let (slope, bend) = (f1 * g0 - f0 * g1, f2 * g0 - f0 * g2);
@@ -162,20 +171,26 @@ impl Load<'_> {
         }
         most
     }
-}
 
-/// Σ (1 − n²)(aₙ cos nθ + bₙ sin nθ), s + a of a law, with two derivatives.
-fn bent_sum(law: &[(f64, f64)], at: f64) -> [f64; 3] {
-    let [value, slope, bend] = harmonic_sum(law, at);
-    let (sin, cos) = at.sin_cos();
-    let (mut c, mut s) = (1.0, 0.0);
-    // Third and fourth derivative of the law.
-    let (mut third, mut fourth) = (0.0, 0.0);
-    for (n, &(a, b)) in (1..).zip(law) {
-        (c, s) = (c * cos - s * sin, s * cos + c * sin);
-        let n = f64::from(n);
-        third -= n * n * n * (b * c - a * s);
-        fourth += n * n * n * n * (a * c + b * s);
+    /// The force less its mean, and s + a = Σ (1 − n²)(aₙ cos nθ + bₙ sin nθ) less its level, with two derivatives each.
+    fn force_and_bent(&self, at: f64) -> ([f64; 3], [f64; 3]) {
+        let (sin, cos) = at.sin_cos();
+        let (mut c, mut s) = (1.0, 0.0);
+        let (mut force, mut bent) = ([0.0; 3], [0.0; 3]);
+        let waves = self.fit.harmonics().iter().zip(&self.motion.terms);
+        for (n, (own, law)) in (1..).zip(waves) {
+            (c, s) = (c * cos - s * sin, s * cos + c * sin);
+            let n = f64::from(n);
+            let square = n * n;
+            let add = |sums: &mut [f64; 3], (a, b): (f64, f64), factor: f64| {
+                let (even, odd) = (factor * (a * c + b * s), factor * (b * c - a * s));
+                sums[0] += even;
+                sums[1] += n * odd;
+                sums[2] -= square * even;
+            };
+            add(&mut force, *own, self.scale);
+            add(&mut bent, *law, self.motion.factor * (1.0 - square));
+        }
+        (force, bent)
     }
-    [value + bend, slope + third, bend + fourth]
 }

@@ -6,7 +6,7 @@ use super::limited_slopes::LimitedSlopes;
 use super::{MOST_AUTO, Range};
 use crate::force::ForceCurve;
 use crate::law::Law;
-use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes, harmonic_sum};
+use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes, harmonic_values};
 
 /// A remainder this near to what is asked (as part of the whole power) leaves the count to the solver.
 const UNDECIDED: f64 = 1e-10;
@@ -213,8 +213,10 @@ impl Fit {
 
     /// The law for m ω² = 1 and no spring: ŝₙ = −F̂ₙ/n².
     pub fn inertia(&self) -> &LawRanges {
-        self.inertia
-            .get_or_init(|| self.ranges(&self.inertia_terms()))
+        self.inertia.get_or_init(|| {
+            let law = self.inertia_terms();
+            LawRanges::of(&law, self.torque(&law), Some((2, self.force)))
+        })
     }
 
     /// Its harmonics.
@@ -230,7 +232,10 @@ impl Fit {
 
     /// The law for k = 1 without mass and damping: ŝₙ = F̂ₙ.
     pub fn spring(&self) -> &LawRanges {
-        self.spring.get_or_init(|| self.ranges(&self.harmonics))
+        self.spring.get_or_init(|| {
+            let torque = self.torque(&self.harmonics);
+            LawRanges::of(&self.harmonics, torque, Some((0, self.force)))
+        })
     }
 
     /// The law of any drive: ŝₙ = F̂ₙ/(re + i·im) with the drive's gain at harmonic n.
@@ -243,15 +248,17 @@ impl Fit {
         divided.collect()
     }
 
-    /// The force's harmonics and s + a of a law of these harmonics at even steps, 16 for the fastest wave.
+    /// The force's harmonics and s + a of a law of these harmonics at even steps, 16 for the fastest wave or more.
     pub fn grid(&self, law: &[(f64, f64)]) -> Vec<(f64, f64)> {
-        let steps = (16 * law.len()).max(64);
-        let at = |i: usize| {
-            let theta = std::f64::consts::TAU * i as f64 / steps as f64;
-            let [lift, _, bend] = harmonic_sum(law, theta);
-            (harmonic_sum(&self.harmonics, theta)[0], lift + bend)
-        };
-        (0..steps).map(at).collect()
+        let bent: Terms = (1..)
+            .zip(law)
+            .map(|(n, &(a, b))| {
+                let factor = f64::from(1 - n * n);
+                (factor * a, factor * b)
+            })
+            .collect();
+        let force = harmonic_values(&self.harmonics, 1).into_iter();
+        force.zip(harmonic_values(&bent, 1)).collect()
     }
 
     /// The same of the law for pure inertia, found once.
@@ -268,7 +275,11 @@ impl Fit {
 
     /// The ranges of a law of these harmonics, and its torque under the target's force.
     pub fn ranges(&self, law: &[(f64, f64)]) -> LawRanges {
-        LawRanges::of(law, Torque::of(self.mean, &self.harmonics, law))
+        LawRanges::of(law, self.torque(law), None)
+    }
+
+    fn torque(&self, law: &[(f64, f64)]) -> Torque {
+        Torque::of(self.mean, &self.harmonics, law)
     }
 }
 
@@ -320,8 +331,8 @@ impl Torque {
 }
 
 impl LawRanges {
-    /// Of the curve Σ aₙ cos nθ + bₙ sin nθ.
-    fn of(harmonics: &[(f64, f64)], torque: Torque) -> LawRanges {
+    /// Of the curve Σ aₙ cos nθ + bₙ sin nθ; one derivative, by its order, may be known already.
+    fn of(harmonics: &[(f64, f64)], torque: Torque, known: Option<(usize, Range)>) -> LawRanges {
         let mut terms = Vec::with_capacity(harmonics.len());
         let mut range = |turned: bool, power: &dyn Fn(f64) -> f64| {
             terms.clear();
@@ -338,13 +349,16 @@ impl LawRanges {
             let (low, high) = harmonic_extremes(&terms);
             (low.value, high.value)
         };
+        let mut derivative = |order: usize| match known {
+            Some((own, range)) if own == order => range,
+            _ => {
+                let sign = if order < 2 { 1.0 } else { -1.0 };
+                range(order % 2 == 1, &|n| sign * n.powi(order as i32))
+            }
+        };
+        let svaj = [0, 1, 2, 3].map(&mut derivative);
         LawRanges {
-            svaj: [
-                range(false, &|_| 1.0),
-                range(true, &|n| n),
-                range(false, &|n| -n * n),
-                range(true, &|n| -n * n * n),
-            ],
+            svaj,
             bend: range(false, &|n| 1.0 - n * n).0,
             torque,
         }
