@@ -41,6 +41,8 @@ pub struct Point {
     pub extra: [f64; EXTRAS],
     /// Iterations.
     pub iterations: usize,
+    /// Coefficients of a law on the way there, well inside the rows, where one was kept.
+    pub inside: Option<Vec<f64>>,
 }
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
@@ -144,6 +146,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         x: law.coefficients(&answer.x, length),
         extra,
         iterations: answer.iterations as usize,
+        inside: None,
     })
 }
 

@@ -37,19 +37,21 @@ impl Program {
         if !solution.used_rows || self.settings.tolerance > TOLERANCE {
             return solution;
         }
-        let doubt = |s: &Solution| {
-            let proof = certificate(self, s);
-            let excess = (s.violation - self.settings.tolerance).max(0.0);
-            proof.relative_gap.max(proof.stationarity) + excess
-        };
-        let before = doubt(&solution);
+        let before = self.doubt(&solution);
         if before <= PROVED {
             return solution;
         }
         match super::contacts::proved(self, &solution) {
-            Some(settled) if doubt(&settled) < before => settled,
+            Some(settled) if self.doubt(&settled) < before => settled,
             _ => solution,
         }
+    }
+
+    /// What the proof leaves open, and what is outside the limits.
+    fn doubt(&self, solution: &Solution) -> f64 {
+        let proof = certificate(self, solution);
+        let excess = (solution.violation - self.settings.tolerance).max(0.0);
+        proof.relative_gap.max(proof.stationarity) + excess
     }
 
     fn solve_as_it_comes(&self) -> Result<Solution, Failure> {
@@ -267,6 +269,12 @@ impl Program {
             }
             if broken.is_empty() {
                 return Ok(solution);
+            }
+            if let (Some(inside), true) = (&point.inside, self.lifted.is_some())
+                && let Some(drawn) = self.drawn_inside(&solution, inside, &broken)
+                && self.doubt(&drawn) <= PROVED
+            {
+                return Ok(drawn);
             }
             let stalled = best.as_ref().is_some_and(|b| violation > 0.5 * b.violation);
             if best.as_ref().is_none_or(|b| violation < b.violation) {

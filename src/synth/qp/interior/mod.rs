@@ -101,12 +101,17 @@ fn answered(
         ..midway
     });
     let mut found = steps::solve(&scaled.system, settings, &program.halt, from)?;
+    let mut inside = None;
     if let Some(midway) = found.midway.take() {
+        inside = Some(scaled.law(program, &midway.u));
         let pushes = names.into_iter().zip(&midway.z);
         trail.pushes = pushes.filter_map(|(n, z)| Some((n, (*z)?))).collect();
         trail.midway = Some(midway);
     }
-    Ok(scaled.point(program, rows, found))
+    Ok(Point {
+        inside,
+        ..scaled.point(program, rows, found)
+    })
 }
 
 #[cfg(test)]

@@ -291,6 +291,7 @@ impl Scaled {
             x: self.law(program, &found.unknowns),
             extra,
             iterations: found.iterations,
+            inside: None,
         }
     }
 
