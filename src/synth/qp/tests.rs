@@ -343,6 +343,33 @@ fn best_single_polynomials_of_least_peak_acceleration_are_found() {
     }
 }
 
+/// The optimum times 1 + 10⁻⁷ is outside by that; drawn towards half the optimum it is the optimum again.
+#[test]
+fn a_hair_outside_is_drawn_in_by_as_much_as_it_takes() {
+    let program = humps(5, 100, &[(2, 0.7)]);
+    let optimum = program.solve().unwrap();
+    let times = |factor: f64| -> Vec<f64> { optimum.x.iter().map(|x| factor * x).collect() };
+    let mut outside = optimum.clone();
+    outside.x = times(1.0 + 1e-7);
+    outside.violation = program.violation(&outside.x, &outside.extra);
+    assert!((outside.violation / 1e-7 - 1.0).abs() < 0.01);
+    let broken = program.broken(&outside.x, &outside.extra);
+    let drawn = program
+        .drawn_inside(&outside, &times(0.5), &broken)
+        .unwrap();
+    assert!(drawn.violation <= program.settings.tolerance);
+    let largest = optimum.x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    for (x, own) in drawn.x.iter().zip(&optimum.x) {
+        assert!((x - own).abs() < 1e-9 * largest, "{x} {own}");
+    }
+    // Nothing is drawn towards a law that is outside itself.
+    assert!(
+        program
+            .drawn_inside(&outside, &times(1.1), &broken)
+            .is_none()
+    );
+}
+
 /// Laws of many spans keep what laws of few have: a finer space can only come nearer to the force, the
 /// multipliers prove it, and a dense scan finds the limit kept.
 #[test]
@@ -363,7 +390,7 @@ fn thousands_of_spans_keep_their_digits() {
         }
         let program = humps(5, spans, &[(2, 0.7), (3, 0.7)]);
         let solution = program.solve().unwrap();
-        assert!(solution.rounds < 8, "{spans}: {} rounds", solution.rounds);
+        assert!(solution.rounds <= 4, "{spans}: {} rounds", solution.rounds);
         let value = program.objective(&solution.x);
         assert!(value <= best + 1e-7 * best.abs(), "{spans}: {value} {best}");
         let proof = super::certificate::certificate(&program, &solution);

@@ -51,8 +51,13 @@ impl Chain {
             let half = if i == j { 0.5 } else { 1.0 } * value * factor;
             let own = &mut windows[span * w * w..][..w * w];
             for (k, row) in own.chunks_exact_mut(w).enumerate() {
-                for (l, entry) in row.iter_mut().enumerate() {
-                    *entry += half * (a[k] * b[l] + b[k] * a[l]);
+                // A coefficient of the highest order is one number of its window.
+                if a[k] == 0.0 && b[k] == 0.0 {
+                    continue;
+                }
+                let (ak, bk) = (half * a[k], half * b[k]);
+                for ((entry, a), b) in row.iter_mut().zip(&a).zip(&b) {
+                    *entry += ak * b + bk * a;
                 }
             }
         }
