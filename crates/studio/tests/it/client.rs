@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{Read, Write};
-use std::net::TcpStream;
+use std::net::{Shutdown, TcpStream};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
@@ -61,13 +61,20 @@ impl Running {
         format!("127.0.0.1:{}", self.port)
     }
 
-    /// Sends bytes as they are and reads to the end of the connection.
+    /// Sends bytes as they are, says that no more will come and reads to the end of the connection.
     pub fn raw(&self, bytes: &[u8]) -> Option<Answer> {
+        self.exchange(bytes, true)
+    }
+
+    fn exchange(&self, bytes: &[u8], ended: bool) -> Option<Answer> {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).ok()?;
         stream
             .set_read_timeout(Some(Duration::from_secs(30)))
             .unwrap();
         let _ = stream.write_all(bytes);
+        if ended {
+            let _ = stream.shutdown(Shutdown::Write);
+        }
         let mut all = Vec::new();
         let _ = stream.read_to_end(&mut all);
         parsed(&all)
@@ -90,7 +97,7 @@ impl Running {
         )
         .into_bytes();
         bytes.extend_from_slice(body);
-        self.raw(&bytes).unwrap()
+        self.exchange(&bytes, false).unwrap()
     }
 
     /// Every file below the folder with its contents.
