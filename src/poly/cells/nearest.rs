@@ -24,7 +24,7 @@ impl Cells {
     }
 
     /// The same of any degree, by Legendre's polynomials at quadrature nodes of every cell.
-    fn any_nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
+    pub(super) fn any_nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         let places = places(degree);
         let moments = &mut [0.0; HIGHEST + 1][..=degree];
         let mut out = Vec::with_capacity(places.len() * (breaks.len() - 1));

@@ -97,6 +97,37 @@ fn the_nearest_polynomial_has_the_moments_of_the_function() {
     }
 }
 
+/// By sums of powers and by Legendre's polynomials: on whole cells, parts of one, across the ends and many of them.
+#[test]
+fn the_usual_degrees_have_the_polynomials_of_any_degree() {
+    let cells = rough(96);
+    let cell = TAU / 96.0;
+    let even: Vec<f64> = (0..=32).map(|i| TAU * f64::from(i) / 32.0).collect();
+    let uneven: Vec<f64> = (0..=300)
+        .map(|i| TAU * (f64::from(i) / 300.0).powf(1.3))
+        .collect();
+    let parts = [
+        0.0,
+        0.3 * cell,
+        0.7 * cell,
+        cell,
+        1.2 * cell,
+        2.2 * cell,
+        40.5 * cell,
+        TAU,
+    ];
+    for breaks in [&even[..], &uneven, &parts, &[0.0, TAU]] {
+        for degree in [5, 7] {
+            let usual = cells.nearest(breaks, degree);
+            let any = cells.any_nearest(breaks, degree);
+            assert_eq!(usual.len(), any.len());
+            for (i, (a, b)) in usual.iter().zip(&any).enumerate() {
+                assert!((a - b).abs() < 3e-11 * 1000.0, "{degree} {i}: {a} {b}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_mean_square_is_that_of_the_pieces() {
     let cells = rough(64);
