@@ -19,8 +19,11 @@ const BESIDE: [f64; 12] = [
     -0.7, -0.6, -0.5, -0.4, -0.3, -0.2, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7,
 ];
 
-/// A gap and a stationarity that need no better digits.
-const PROVED: f64 = 1e-7;
+/// A relative gap that needs no better digits …
+const GAP: f64 = 1e-7;
+/// … and a stationarity: that of a law whose gap is far below its own often ends at 10⁻⁷. Certified is what has both below
+/// 10⁻⁶.
+const STATIONARITY: f64 = 3e-7;
 
 impl Program {
     /// The optimum without limits, then with as many rows as they need.
@@ -38,7 +41,7 @@ impl Program {
             return solution;
         }
         let before = self.doubt(&solution);
-        if before <= PROVED {
+        if before <= 1.0 {
             return solution;
         }
         match super::contacts::proved(self, &solution) {
@@ -47,11 +50,11 @@ impl Program {
         }
     }
 
-    /// What the proof leaves open, and what is outside the limits.
+    /// What the proof leaves open, and what is outside the limits; more than 1 asks for better digits.
     fn doubt(&self, solution: &Solution) -> f64 {
         let proof = certificate(self, solution);
         let excess = (solution.violation - self.settings.tolerance).max(0.0);
-        proof.relative_gap.max(proof.stationarity) + excess
+        (proof.relative_gap / GAP).max(proof.stationarity / STATIONARITY) + excess / GAP
     }
 
     fn solve_as_it_comes(&self) -> Result<Solution, Failure> {
@@ -272,7 +275,7 @@ impl Program {
             }
             if let (Some(inside), true) = (&point.inside, self.lifted.is_some())
                 && let Some(drawn) = self.drawn_inside(&solution, inside, &broken)
-                && self.doubt(&drawn) <= PROVED
+                && self.doubt(&drawn) <= 1.0
             {
                 return Ok(drawn);
             }
