@@ -143,7 +143,8 @@ def chart(rows):
         colour = "#0072b2" if name.startswith("gaitcam") else "#999"
         out.append(f'<rect x="{left}" y="{y}" width="{place(seconds) - left:.1f}" height="{bar - 8}" fill="{colour}"/>')
         out.append(f'<text x="{left - 8}" y="{y + 13}" text-anchor="end">{name}</text>')
-        out.append(f'<text x="{place(seconds) + 6:.1f}" y="{y + 13}">{1e3 * seconds:.3g} ms</text>')
+        time = f"{seconds:.3g} s" if seconds >= 1 else f"{1e3 * seconds:.3g} ms"
+        out.append(f'<text x="{place(seconds) + 6:.1f}" y="{y + 13}">{time}</text>')
     return "\n".join(out + ["</svg>\n"])
 
 
