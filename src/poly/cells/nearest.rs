@@ -17,7 +17,10 @@ impl Cells {
     /// against polynomials of that degree are those of the function itself: its kinks between the cells cost no accuracy.
     pub fn nearest(&self, breaks: &[f64], degree: usize) -> Vec<f64> {
         match degree {
+            3 => Arch::new().dispatch(Usual::<4>::new(self, breaks)),
+            4 => Arch::new().dispatch(Usual::<5>::new(self, breaks)),
             5 => Arch::new().dispatch(Usual::<6>::new(self, breaks)),
+            6 => Arch::new().dispatch(Usual::<7>::new(self, breaks)),
             7 => Arch::new().dispatch(Usual::<8>::new(self, breaks)),
             _ => self.any_nearest(breaks, degree),
         }
