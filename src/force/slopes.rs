@@ -8,10 +8,17 @@ use pulp::{Arch, Scalar, Simd, WithSimd};
 
 /// Slopes at all samples but the first two and the last two.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
-    let only_corrections = false;
     Arch::new().dispatch(Slopes {
         f,
-        only_corrections,
+        less_centred: false,
+    })
+}
+
+/// The same less the centred differences: zero but near crests and steps.
+pub fn slope_corrections(f: &[f64]) -> Vec<f64> {
+    Arch::new().dispatch(Slopes {
+        f,
+        less_centred: true,
     })
 }
 
@@ -20,18 +27,9 @@ pub fn slope_amid(f: [f64; 5]) -> f64 {
     slope(Scalar::new(), f, false)
 }
 
-/// The same less the centred difference: zero but near crests and steps.
-pub fn slope_corrections(f: &[f64]) -> Vec<f64> {
-    let only_corrections = true;
-    Arch::new().dispatch(Slopes {
-        f,
-        only_corrections,
-    })
-}
-
 struct Slopes<'a> {
     f: &'a [f64],
-    only_corrections: bool,
+    less_centred: bool,
 }
 
 impl WithSimd for Slopes<'_> {
@@ -48,18 +46,18 @@ impl WithSimd for Slopes<'_> {
         let (e, e_rest) = S::as_simd_f64s(&self.f[4..n + 4]);
         let (own, own_rest) = S::as_mut_simd_f64s(&mut out);
         for (i, own) in own.iter_mut().enumerate() {
-            *own = slope(simd, [a[i], b[i], c[i], d[i], e[i]], self.only_corrections);
+            *own = slope(simd, [a[i], b[i], c[i], d[i], e[i]], self.less_centred);
         }
         for (i, own) in own_rest.iter_mut().enumerate() {
             let f = [a_rest[i], b_rest[i], c_rest[i], d_rest[i], e_rest[i]];
-            *own = slope(Scalar::new(), f, self.only_corrections);
+            *own = slope(Scalar::new(), f, self.less_centred);
         }
         out
     }
 }
 
 #[inline(always)]
-fn slope<S: Simd>(simd: S, f: [S::f64s; 5], only_corrections: bool) -> S::f64s {
+fn slope<S: Simd>(simd: S, f: [S::f64s; 5], less_centred: bool) -> S::f64s {
     let number = |x: f64| simd.splat_f64s(x);
     let zero = number(0.0);
     let before = simd.sub_f64s(f[2], f[1]);
@@ -75,7 +73,7 @@ fn slope<S: Simd>(simd: S, f: [S::f64s; 5], only_corrections: bool) -> S::f64s {
     let against = simd.less_than_f64s(simd.mul_f64s(centred, before), zero);
     let backwards = simd.and_m64s(steady, against);
     let slope = simd.select_f64s(backwards, zero, held);
-    if only_corrections {
+    if less_centred {
         simd.sub_f64s(slope, centred)
     } else {
         slope

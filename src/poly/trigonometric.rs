@@ -70,14 +70,14 @@ fn wave(grid: usize, n: usize) -> Cow<'static, [Vec<f64>; 2]> {
     }
 }
 
-/// The coarsest grid with enough points for so many harmonics, and at least `points`.
+/// The coarsest grid that has `points`, and enough of them for so many harmonics.
 fn grid_for(count: usize, points: usize) -> usize {
     let wanted = (POINTS_PER_WAVE * count).max(points);
     let found = GRIDS.iter().position(|g| *g >= wanted);
     found.unwrap_or(GRIDS.len() - 1)
 }
 
-/// Values at even steps over the turn, 16 for the fastest of `count` harmonics or more, `points` at least.
+/// Values at even steps over the turn: as many as the coarsest grid has that has `points`, and 16 for the fastest wave.
 pub fn harmonic_values(terms: &[(f64, f64)], points: usize) -> Vec<f64> {
     values(terms, grid_for(terms.len(), points))
 }

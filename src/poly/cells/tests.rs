@@ -122,7 +122,11 @@ fn the_usual_degrees_have_the_polynomials_of_any_degree() {
             let any = cells.any_nearest(breaks, degree);
             assert_eq!(usual.len(), any.len());
             for (i, (a, b)) in usual.iter().zip(&any).enumerate() {
-                assert!((a - b).abs() < 3e-11 * 1000.0, "{degree} {i}: {a} {b}");
+                // Powers up to the seventh lose two digits against Legendre's polynomials.
+                assert!(
+                    (a - b).abs() < 1e-13 * 1000.0 * 100.0,
+                    "{degree} {i}: {a} {b}"
+                );
             }
         }
     }

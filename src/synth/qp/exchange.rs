@@ -21,8 +21,7 @@ const BESIDE: [f64; 12] = [
 
 /// A relative gap that needs no better digits …
 const GAP: f64 = 1e-7;
-/// … and a stationarity: that of a law whose gap is far below its own often ends at 10⁻⁷. Certified is what has both below
-/// 10⁻⁶.
+/// … and a stationarity, which often ends at 10⁻⁷ where the gap is closed. A law is certified with both below 10⁻⁶.
 const STATIONARITY: f64 = 3e-7;
 
 impl Program {

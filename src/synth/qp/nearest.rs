@@ -51,10 +51,12 @@ impl Program {
             let row = self.row(*limit, *peak);
             let over = apply(&row.entries, &solution.x) - row.bound;
             let room = row.bound - apply(&row.entries, inside);
-            if over > 0.0 && room <= over {
-                return None;
+            if over > 0.0 {
+                if room <= over {
+                    return None;
+                }
+                part = part.max(over / (over + room));
             }
-            part = part.max(over / (over + room));
         }
         let drawn = solution.x.iter().zip(inside);
         let x: Vec<f64> = drawn.map(|(x, i)| x + part * (i - x)).collect();

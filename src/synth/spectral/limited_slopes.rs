@@ -107,8 +107,8 @@ impl LimitedSlopes {
 
 /// First and last samples of the parts of the turn where a slope may be limited.
 ///
-/// With h between samples, steps on both sides of one differ from h·f′ by ½h²·max|f″| at most: while |f′| ≥ 2h·max|f″|
-/// neither the sign nor three times the smaller step bounds the slope. Between two points of a coarse grid, H apart, a
+/// With h between samples, steps on both sides of one differ from h·f′ by ½h²·max|f″| at most, and the centred difference
+/// by twice that: while |f′| ≥ 2h·max|f″| neither the sign nor three times the smaller step bounds the slope. Between two points of a coarse grid, H apart, a
 /// slope of one sign is nowhere below half the sum of the slopes there less ½H·max|f″|.
 fn flat_parts(spectrum: &[(f64, f64)]) -> Vec<(usize, usize)> {
     let waves = (1..).zip(spectrum).map(|(n, &(a, b))| (f64::from(n), a, b));

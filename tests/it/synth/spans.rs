@@ -2,7 +2,7 @@
 
 use super::relaxations::scene_of;
 use gaitcam::force::{Feet, ForceCurve, model};
-use gaitcam::scene;
+use gaitcam::scene::{self, Minimise};
 use gaitcam::synth::{Design, relaxed, synthesise};
 
 fn young() -> ForceCurve {
@@ -45,6 +45,33 @@ fn limits_on_many_spans_are_proved_like_those_on_few() {
             let error = design.force.rms_error_n;
             assert!(error <= before * (1.0 + 1e-7), "{spans}: {error} {before}");
             before = error;
+        }
+    }
+}
+
+/// Whatever is minimised, on few spans and on many: also objectives that follow no force have a proof in numbers.
+#[test]
+fn every_objective_has_a_proof_in_numbers_on_few_spans_and_on_many() {
+    for (name, _) in Minimise::NAMES {
+        for spans in [60, 120] {
+            let (given, what) = (format!("law.spans={spans}"), format!("law.minimise={name}"));
+            let changes = ["law.family=spline", "limits.stroke=47 mm", &given, &what];
+            let scene = scene_of(scene::DEFAULT, &changes);
+            let design = synthesise(&scene, Some(&young())).unwrap();
+            let proof = design.solver.certificate.unwrap();
+            let numbers = [
+                proof.duality_gap,
+                proof.relative_gap,
+                proof.global_gap,
+                proof.size,
+                proof.stationarity,
+                proof.violation,
+            ];
+            assert!(
+                numbers.iter().all(|n| n.is_finite()),
+                "{changes:?}: {proof:?}"
+            );
+            assert!(proof.stationarity < 1e-6, "{changes:?}: {proof:?}");
         }
     }
 }
