@@ -1,5 +1,6 @@
 //! One cycle of wanted vertical force.
 
+use pulp::{Arch, Simd, WithSimd};
 use serde::{Serialize, Serializer};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -7,9 +8,9 @@ use std::sync::Arc;
 use super::interpretation::Interpretation;
 use super::note::Note;
 use super::quantity::seconds;
-use super::slopes::{slope_amid, slopes};
+use super::slopes::{slope_at, slopes};
 use crate::error::{ForceError, Result};
-use crate::poly::{PiecewisePoly, bernstein};
+use crate::poly::{Cells, PiecewisePoly, bernstein};
 
 /// Samples of one cycle of a load model and of the mean cycle of a recording.
 pub const SAMPLES: usize = 1024;
@@ -114,26 +115,7 @@ impl ForceCurve {
 
     /// Smallest and largest sample, N.
     pub fn range_n(&self) -> (f64, f64) {
-        let (mut low, mut high) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
-        let eights = self.force_n.chunks_exact(8);
-        let rest = eights.remainder();
-        // Samples are finite: plain comparisons do.
-        for eight in eights {
-            for k in 0..8 {
-                low[k] = if eight[k] < low[k] { eight[k] } else { low[k] };
-                high[k] = if eight[k] > high[k] {
-                    eight[k]
-                } else {
-                    high[k]
-                };
-            }
-        }
-        let low = low.iter().chain(rest);
-        let high = high.iter().chain(rest);
-        (
-            low.fold(f64::INFINITY, |m, f| m.min(*f)),
-            high.fold(f64::NEG_INFINITY, |m, f| m.max(*f)),
-        )
+        Arch::new().dispatch(Range(&self.force_n))
     }
 
     /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.
@@ -153,25 +135,18 @@ impl ForceCurve {
             .map(|i| TAU * i as f64 / n as f64)
             .chain([TAU])
             .collect();
-        let coef = self.cubics().into_iter().flatten().collect();
+        let cells = self.cells();
+        let coef = (0..n).flat_map(|i| cells.cubic(i)).collect();
         PiecewisePoly::new(breaks, 3, coef)
     }
 
-    /// Bernstein coefficients of the cubic between each sample and the next, N.
-    pub fn cubics(&self) -> Vec<[f64; 4]> {
+    /// The cubics between the samples, N.
+    pub(crate) fn cells(&self) -> Cells {
         let f = &self.force_n;
-        let n = f.len();
-        // Two samples before the first and three after the last.
-        let mut around = Vec::with_capacity(n + 5);
-        around.extend_from_slice(&f[n - 2..]);
-        around.extend_from_slice(f);
-        around.extend_from_slice(&f[..3]);
-        let slopes = slopes(&around);
-        let ends = f.iter().zip(&around[3..]);
-        let thirds = slopes.iter().zip(&slopes[1..]);
-        (ends.zip(thirds))
-            .map(|((f0, f1), (s0, s1))| [*f0, f0 + THIRD * s0, f1 - THIRD * s1, *f1])
-            .collect()
+        let mut ends = Vec::with_capacity(f.len() + 1);
+        ends.extend_from_slice(f);
+        ends.push(f[0]);
+        Cells::new(ends, slopes(f), TAU)
     }
 
     /// The curve with every force multiplied by `factor`.
@@ -219,18 +194,34 @@ impl ForceCurve {
     fn cubic(&self, i: usize) -> [f64; 4] {
         let n = self.force_n.len();
         let (f0, f1) = (self.force_n[i], self.force_n[(i + 1) % n]);
-        [
-            f0,
-            f0 + THIRD * self.slope(i),
-            f1 - THIRD * self.slope(i + 1),
-            f1,
-        ]
+        let [s0, s1] = [i, i + 1].map(|i| slope_at(&self.force_n, i));
+        [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
     }
+}
 
-    /// Slope per sample at sample `i`.
-    fn slope(&self, i: usize) -> f64 {
-        let n = self.force_n.len();
-        slope_amid([n - 2, n - 1, 0, 1, 2].map(|k| self.force_n[(i + k) % n]))
+/// Smallest and largest of some numbers.
+struct Range<'a>(&'a [f64]);
+
+impl WithSimd for Range<'_> {
+    type Output = (f64, f64);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> (f64, f64) {
+        let (several, rest) = S::as_simd_f64s(self.0);
+        let (mut low, mut high) = (
+            simd.splat_f64s(f64::INFINITY),
+            simd.splat_f64s(-f64::INFINITY),
+        );
+        for &f in several {
+            low = simd.min_f64s(low, f);
+            high = simd.max_f64s(high, f);
+        }
+        let (mut least, mut most) = (simd.reduce_min_f64s(low), simd.reduce_max_f64s(high));
+        for &f in rest {
+            least = least.min(f);
+            most = most.max(f);
+        }
+        (least, most)
     }
 }
 

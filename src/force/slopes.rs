@@ -6,45 +6,59 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-/// Slopes at all samples but the first two and the last two.
+/// Slopes at all samples of a period, four or more, and at its end.
 pub fn slopes(f: &[f64]) -> Vec<f64> {
+    let n = f.len();
+    let mut out = vec![0.0; n + 1];
     Arch::new().dispatch(Slopes {
         f,
         less_centred: false,
-    })
+        out: &mut out[2..n - 2],
+    });
+    for i in [0, 1, n - 2, n - 1] {
+        out[i] = slope_at(f, i);
+    }
+    out[n] = out[0];
+    out
 }
 
-/// The same less the centred differences: zero but near crests and steps.
+/// The slope at one sample of a period, counted round.
+pub fn slope_at(f: &[f64], i: usize) -> f64 {
+    let n = f.len();
+    let around = [n - 2, n - 1, 0, 1, 2].map(|k| f[(i + k) % n]);
+    slope(Scalar::new(), around, false)
+}
+
+/// Slopes at all samples but the first two and the last two, less the centred differences: zero but near crests and steps.
 pub fn slope_corrections(f: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; f.len() - 4];
     Arch::new().dispatch(Slopes {
         f,
         less_centred: true,
-    })
+        out: &mut out,
+    });
+    out
 }
 
-/// The slope at the middle of five samples.
-pub fn slope_amid(f: [f64; 5]) -> f64 {
-    slope(Scalar::new(), f, false)
-}
-
+/// All samples but the first two and the last two.
 struct Slopes<'a> {
     f: &'a [f64],
     less_centred: bool,
+    out: &'a mut [f64],
 }
 
 impl WithSimd for Slopes<'_> {
-    type Output = Vec<f64>;
+    type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
+    fn with_simd<S: Simd>(self, simd: S) {
         let n = self.f.len() - 4;
-        let mut out = vec![0.0; n];
         let (a, a_rest) = S::as_simd_f64s(&self.f[..n]);
         let (b, b_rest) = S::as_simd_f64s(&self.f[1..=n]);
         let (c, c_rest) = S::as_simd_f64s(&self.f[2..n + 2]);
         let (d, d_rest) = S::as_simd_f64s(&self.f[3..n + 3]);
         let (e, e_rest) = S::as_simd_f64s(&self.f[4..n + 4]);
-        let (own, own_rest) = S::as_mut_simd_f64s(&mut out);
+        let (own, own_rest) = S::as_mut_simd_f64s(self.out);
         for (i, own) in own.iter_mut().enumerate() {
             *own = slope(simd, [a[i], b[i], c[i], d[i], e[i]], self.less_centred);
         }
@@ -52,7 +66,6 @@ impl WithSimd for Slopes<'_> {
             let f = [a_rest[i], b_rest[i], c_rest[i], d_rest[i], e_rest[i]];
             *own = slope(Scalar::new(), f, self.less_centred);
         }
-        out
     }
 }
 

@@ -71,9 +71,6 @@ pub struct Law {
     /// Sinusoids of each piece; empty when no piece has any.
     waves: Vec<Vec<Wave>>,
     closed: bool,
-    /// Bernstein coefficients of s, v, a, j times their binomials: the form that evaluates fastest.
-    #[serde(skip)]
-    scaled: [Vec<f64>; 4],
     /// v, a and j where they have more digits than differences of the lift's coefficients.
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
@@ -114,13 +111,10 @@ impl Law {
     }
 
     fn of_orders(poly: PiecewisePoly, derivatives: Arc<[PiecewisePoly; 3]>, closed: bool) -> Self {
-        let [v, a, j] = &*derivatives;
-        let scaled = [&poly, v, a, j].map(scale_by_binomials);
         Law {
             poly,
             waves: Vec::new(),
             closed,
-            scaled,
             derivatives: Some(derivatives),
             known: Known::default(),
         }
@@ -147,15 +141,10 @@ impl Law {
     /// When `waves` has a length other than 0 or the number of pieces: a fault of the caller.
     pub fn with_waves(poly: PiecewisePoly, waves: Vec<Vec<Wave>>, closed: bool) -> Self {
         assert!(waves.is_empty() || waves.len() == poly.pieces());
-        let v = poly.derivative();
-        let a = v.derivative();
-        let j = a.derivative();
-        let scaled = [&poly, &v, &a, &j].map(scale_by_binomials);
         Law {
             poly,
             waves,
             closed,
-            scaled,
             derivatives: None,
             known: Known::default(),
         }
@@ -241,9 +230,10 @@ impl Law {
     /// Lift and derivatives on piece `i` at u ∈ [0, 1]: the way to ask for one side of a break.
     pub fn svaj_on(&self, i: usize, u: f64) -> Svaj {
         let n = self.poly.degree();
+        let scaled = self.scaled_by_binomials();
         let value = |order: usize| {
             let m = n.saturating_sub(order);
-            horner_bernstein(&self.scaled[order][i * (m + 1)..(i + 1) * (m + 1)], u)
+            horner_bernstein(&scaled[order][i * (m + 1)..(i + 1) * (m + 1)], u)
         };
         let mut out = Svaj {
             s: value(0),
@@ -345,18 +335,6 @@ impl Law {
             .collect();
         Law::with_waves(poly, waves, self.closed)
     }
-}
-
-fn scale_by_binomials(p: &PiecewisePoly) -> Vec<f64> {
-    let n = p.degree();
-    let row: Vec<f64> = (0..=n).map(|k| bernstein::binomial(n, k)).collect();
-    let mut out = p.coefficients().to_vec();
-    for piece in out.chunks_exact_mut(n + 1) {
-        for (b, c) in piece.iter_mut().zip(&row) {
-            *b *= c;
-        }
-    }
-    out
 }
 
 /// Value of Σ cₖ uᵏ(1−u)ⁿ⁻ᵏ (binomials already in cₖ).

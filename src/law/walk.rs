@@ -117,9 +117,10 @@ impl Law {
     /// Scaled Bernstein coefficients of lift, velocity and acceleration on a piece.
     #[inline(always)]
     fn coefficients(&self, piece: usize) -> [&[f64]; 3] {
+        let scaled = self.scaled_by_binomials();
         [0, 1, 2].map(|order| {
             let m = self.poly.degree().saturating_sub(order);
-            &self.scaled[order][piece * (m + 1)..(piece + 1) * (m + 1)]
+            &scaled[order][piece * (m + 1)..(piece + 1) * (m + 1)]
         })
     }
 }

@@ -55,7 +55,7 @@ impl Target {
     /// The cycle with its cubics.
     pub fn new(curve: ForceCurve) -> Self {
         Target {
-            cells: Arc::new(Cells::new(curve.cubics(), TAU)),
+            cells: Arc::new(curve.cells()),
             mean_n: curve.mean_n(),
             range_n: curve.range_n().into(),
             curve: Arc::new(curve),

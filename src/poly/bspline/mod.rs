@@ -115,6 +115,15 @@ impl SplineSpace {
         (self.spans[span].first + i) % self.dimension
     }
 
+    /// Whether the space repeats and all its spans look alike.
+    pub fn is_uniform(&self) -> bool {
+        let first = &self.spans[0];
+        let alike = |s: &Span| {
+            s.matrix == first.matrix && (s.width - first.width).abs() <= 1e-14 * first.width
+        };
+        self.dimension == self.spans.len() && self.spans.iter().all(alike)
+    }
+
     /// Turns weights on a span's Bernstein coefficients into weights on its local basis functions.
     pub fn pull_back(&self, span: usize, bernstein_weights: &[f64], out: &mut [f64]) {
         out.fill(0.0);

@@ -76,7 +76,7 @@ impl<'a, const Q: usize> Search<'a, Q> {
             rule: Rule::new(),
             binomials: (0..=n).map(|k| bernstein::binomial(n, k)).collect(),
             parts: Vec::new(),
-            seen: Vec::with_capacity(cells.cubics.len()),
+            seen: Vec::with_capacity(cells.count()),
             level: 0.0,
             square: 0.0,
         }
@@ -147,7 +147,8 @@ impl<'a, const Q: usize> Search<'a, Q> {
         let bend = second_derivative(self.own.piece(piece)) / (width * width);
         let found = Arch::new().dispatch(Differences {
             rule: &self.rule,
-            cells: &self.cells.cubics[cells.clone()],
+            values: &self.cells.values[cells.start..=cells.end],
+            slopes: &self.cells.slopes[cells.start..=cells.end],
             piece: &scaled,
             first: (cells.start as f64 - start) / width,
             step: 1.0 / width,
@@ -195,17 +196,19 @@ impl<'a, const Q: usize> Search<'a, Q> {
         let place = |x: f64| (x - start) / (end - start);
         restricted(self.own.piece(piece), (place(from), place(to)), difference);
         let base = cell as f64;
-        restricted(&self.cells.cubics[cell], (from - base, to - base), other);
+        restricted(&self.cells.cubic(cell), (from - base, to - base), other);
         for (d, o) in difference.iter_mut().zip(other) {
             *d -= *o;
         }
     }
 }
 
-/// The differences on whole cells of one piece.
+/// The differences on whole cells of one piece, one or more.
 struct Differences<'a, const Q: usize> {
     rule: &'a Rule<Q>,
-    cells: &'a [[f64; 4]],
+    /// At the ends of the cells.
+    values: &'a [f64],
+    slopes: &'a [f64],
     /// Bernstein coefficients times their binomials.
     piece: &'a [f64],
     /// Place on the piece at the first cell's start, and the step by a cell.
@@ -232,10 +235,13 @@ impl<const Q: usize> NullaryFnOnce for Differences<'_, Q> {
     fn call(self) -> Found {
         let gap = self.rule.widest_gap();
         let reach = 0.5 * gap * gap;
-        let mut bounds = Vec::with_capacity(self.cells.len());
+        let (f, s) = (self.values, self.slopes);
+        let count = f.len() - 1;
+        let mut bounds = Vec::with_capacity(count);
         let (mut squares, mut highest) = ([0.0; Q], [self.level; Q]);
-        for (i, c) in self.cells.iter().enumerate() {
-            let wanted = self.rule.on_cell(c);
+        for i in 0..count {
+            let ends = [f[i], s[i], f[i + 1], s[i + 1]];
+            let wanted = self.rule.on_cell(&ends);
             let from = self.first + i as f64 * self.step;
             let own = values(self.piece, self.rule.places(from, from + self.step));
             let mut most = [0.0; Q];
@@ -252,8 +258,10 @@ impl<const Q: usize> NullaryFnOnce for Differences<'_, Q> {
             let here = most
                 .iter()
                 .fold(0.0, |m: f64, d| if *d > m { *d } else { m });
-            let bends = [c[0] - 2.0 * c[1] + c[2], c[1] - 2.0 * c[2] + c[3]].map(f64::abs);
-            let bent = 6.0
+            let [f0, s0, f1, s1] = ends;
+            let rise = 3.0 * (f1 - f0);
+            let bends = [rise - 2.0 * s0 - s1, s0 + 2.0 * s1 - rise].map(f64::abs);
+            let bent = 2.0
                 * if bends[1] > bends[0] {
                     bends[1]
                 } else {
@@ -261,12 +269,8 @@ impl<const Q: usize> NullaryFnOnce for Differences<'_, Q> {
                 };
             bounds.push(here + reach * (self.bend + bent));
         }
-        let last = self.cells.len() - 1;
-        let end = self.first + (last + 1) as f64 * self.step;
-        for (i, place, wanted) in [
-            (0, self.first, self.cells[0][0]),
-            (last, end, self.cells[last][3]),
-        ] {
+        let end = self.first + count as f64 * self.step;
+        for (i, place, wanted) in [(0, self.first, f[0]), (count - 1, end, f[count])] {
             let [own] = values(self.piece, [place]);
             bounds[i] = (own - wanted).abs().max(bounds[i]);
         }

@@ -1,9 +1,9 @@
 //! The polynomials nearest to cells in the mean.
 
-use pulp::{Arch, Scalar, Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
-use super::Cells;
-use super::rule::{Rule, restricted};
+use super::rule::{Rule, cubic, restricted};
+use super::{Cells, Ends};
 use crate::poly::{bernstein, gauss_legendre};
 
 /// Highest degree of a nearest polynomial.
@@ -58,7 +58,7 @@ impl Cells {
         (first, last): (f64, f64),
         moments: &mut [f64],
     ) {
-        let n = self.cubics.len();
+        let n = self.count();
         let step = last - first;
         let mut sums = [[0.0; Q]; HIGHEST + 1];
         let mut a = first;
@@ -72,10 +72,10 @@ impl Cells {
             };
             let whole = a == i as f64 && b == i as f64 + 1.0;
             let values = if whole {
-                rule.on_cell(&self.cubics[i])
+                rule.on_cell(&self.ends(i))
             } else {
                 rule.places(a - i as f64, b - i as f64)
-                    .map(|u| super::cubic(&self.cubics[i], u))
+                    .map(|u| cubic(&self.cubic(i), u))
             };
             let part = (b - a) / step;
             let weighed: [f64; Q] = std::array::from_fn(|q| part * rule.weights[q] * values[q]);
@@ -97,43 +97,42 @@ impl Cells {
 
 /// Polynomials of the usual degrees, N − 1, by moments ∫ f xʲ dx with x ∈ [−1, 1] on the range: few enough for powers.
 ///
-/// About the middle X of a cell of half the width r,
+/// On whole cells of the width w, f is the sum of Hermite's cubics about their ends X, one even and one odd. On the right
+/// of an end
 ///
 /// ```text
-/// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ rᵏ ∫ f tᵏ,   t ∈ [−1, 1] on the cell,   ∫ f tᵏ = Σₘ Kₖₘ bₘ
+/// ∫ f xʲ = Σₖ C(j, k) Xʲ⁻ᵏ wᵏ⁺¹ (aₖ f + bₖ s),   aₖ = ∫₀¹ (1 − 3t² + 2t³) tᵏ,   bₖ = ∫₀¹ (t − 2t² + t³) tᵏ
 /// ```
 ///
-/// and all whole cells of a range have one r. So the sums Aₐ = Σ Xᵃ b of their coefficients are all that is to be done for
-/// each of them, four numbers side by side.
+/// and on its left (−1)ᵏ (aₖ f − bₖ s). So the sums Σ Xᵃ f and Σ Xᵃ s over the ends, several side by side, are all that is
+/// to be done for each cell; the first and the last end have one side only.
 struct Usual<'a, const N: usize> {
     cells: &'a Cells,
     breaks: &'a [f64],
-    /// C(j, k) Kₖₘ of j, k and m.
+    /// C(j, k) times what belongs to each of the [`Sums`], of j and k.
     shares: [[[f64; 4]; N]; N],
     /// Values at the places by each moment.
     values: [[f64; N]; N],
 }
 
+/// Of Xᵃ f: both sides of the ends together, and the first end less the last; of Xᵃ s the same.
+type Sums<const N: usize> = [[f64; 4]; N];
+
 impl<'a, const N: usize> Usual<'a, N> {
     fn new(cells: &'a Cells, breaks: &'a [f64]) -> Self {
-        let rule = Rule::<6>::new();
-        let mut within = [[0.0; 4]; N];
-        let mut weighed = rule.weights;
-        let x = rule.places(-1.0, 1.0);
-        for row in &mut within {
-            for (m, entry) in row.iter_mut().enumerate() {
-                let mut unit = [0.0; 4];
-                unit[m] = 1.0;
-                let values = rule.on_cell(&unit);
-                *entry = values.iter().zip(&weighed).map(|(v, w)| v * w).sum();
-            }
-            weighed.iter_mut().zip(&x).for_each(|(w, x)| *w *= x);
-        }
         let mut shares = [[[0.0; 4]; N]; N];
         for (j, row) in shares.iter_mut().enumerate() {
-            for (k, (share, within)) in row.iter_mut().zip(&within).take(j + 1).enumerate() {
-                let ways = bernstein::binomial(j, k);
-                *share = within.map(|w| ways * w);
+            for (k, share) in row.iter_mut().enumerate().take(j + 1) {
+                let [one, two, three, four] =
+                    [1, 2, 3, 4].map(|more| bernstein::binomial(j, k) / (k + more) as f64);
+                // Parts of the length 2.
+                let value = 0.5 * (one - 3.0 * three + 2.0 * four);
+                let slope = 0.5 * (two - 2.0 * three + four);
+                *share = if k % 2 == 0 {
+                    [value, 0.0, 0.0, slope]
+                } else {
+                    [0.0, value, slope, 0.0]
+                };
             }
         }
         let mut values = [[0.0; N]; N];
@@ -152,17 +151,17 @@ impl<'a, const N: usize> Usual<'a, N> {
         }
     }
 
-    /// Adds the part of cells whose sums Aₐ are given, of half the width `half` on the range; by m.
+    /// Adds the part of cells whose sums are given, of the width `width` on the range; moments by sum.
     #[inline(always)]
-    fn add(&self, sums: &[[f64; 4]; N], half: f64, moments: &mut [[f64; 4]; N]) {
-        let mut power = half;
+    fn add(&self, sums: &Sums<N>, width: f64, moments: &mut [[f64; 4]; N]) {
+        let mut power = width;
         for k in 0..N {
             for j in k..N {
                 for m in 0..4 {
                     moments[j][m] += power * self.shares[j][k][m] * sums[j - k][m];
                 }
             }
-            power *= half;
+            power *= width;
         }
     }
 
@@ -176,16 +175,13 @@ impl<'a, const N: usize> Usual<'a, N> {
                 return;
             }
             let i = self.cells.cell(0.5 * (from + to));
-            let (mut own, base) = ([0.0; 4], i as f64);
-            restricted(&self.cells.cubics[i], (from - base, to - base), &mut own);
-            let x = (0.5 * (from + to) - middle) * by;
-            self.add(
-                &sums(simd, &[own], x, 0.0),
-                0.5 * (to - from) * by,
-                &mut moments,
-            );
+            let base = i as f64;
+            let [f0, s0, f1, s1] = part_of(&self.cells.cubic(i), (from - base, to - base));
+            let (x, width) = ((from - middle) * by, (to - from) * by);
+            let sums = sums(simd, &[f0, f1], &[s0, s1], x, width);
+            self.add(&sums, width, &mut moments);
         };
-        let most = self.cells.cubics.len() as f64;
+        let most = self.cells.count() as f64;
         let (start, end) = ((first - SAME).ceil(), (last + SAME).floor().min(most));
         if start >= end {
             let between = start.clamp(first, last);
@@ -195,9 +191,10 @@ impl<'a, const N: usize> Usual<'a, N> {
         }
         part(first, start);
         part(end, last);
-        let x = (start + 0.5 - middle) * by;
-        let whole = &self.cells.cubics[start as usize..end as usize];
-        self.add(&sums(simd, whole, x, by), 0.5 * by, &mut moments);
+        let whole = start as usize..=end as usize;
+        let (f, s) = (&self.cells.values[whole.clone()], &self.cells.slopes[whole]);
+        let sums = sums(simd, f, s, (start - middle) * by, by);
+        self.add(&sums, by, &mut moments);
         together(moments)
     }
 }
@@ -207,9 +204,6 @@ impl<const N: usize> WithSimd for Usual<'_, N> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
-        if S::F64_LANES > 4 {
-            return self.with_simd(Scalar::new());
-        }
         let scale = self.cells.per_length();
         let mut out = Vec::with_capacity(N * (self.breaks.len() - 1));
         for ends in self.breaks.windows(2) {
@@ -232,34 +226,77 @@ fn places(degree: usize) -> Vec<f64> {
     rule.into_iter().map(|(u, _)| 2.0 * u - 1.0).collect()
 }
 
-/// Sums over m.
+/// A cubic's ends on a part of its cell, the slopes by that part.
+#[inline(always)]
+fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
+    let mut c = [0.0; 4];
+    restricted(b, range, &mut c);
+    [c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])]
+}
+
 #[inline(always)]
 fn together<const N: usize>(moments: [[f64; 4]; N]) -> [f64; N] {
     moments.map(|[a, b, c, d]| (a + b) + (c + d))
 }
 
-/// Σ xᵃ b over cells for each power a, with x from `first` on by `step`.
+/// The sums over cells with these values and slopes at their ends, the first of them at x = `first`, a cell `step` wide.
 #[inline(always)]
 fn sums<S: Simd, const N: usize>(
     simd: S,
-    cells: &[[f64; 4]],
+    values: &[f64],
+    slopes: &[f64],
     first: f64,
     step: f64,
-) -> [[f64; 4]; N] {
+) -> Sums<N> {
+    let n = values.len() - 1;
+    let last = first + n as f64 * step;
+    let starts: [[f64; N]; 2] = [
+        powers(simd, &values[..n], first, step),
+        powers(simd, &slopes[..n], first, step),
+    ];
+    let mut ends = [values[0], values[n], slopes[0], slopes[n]];
     let mut out = [[0.0; 4]; N];
-    for part in 0..4 / S::F64_LANES {
-        let mut sums = [simd.splat_f64s(0.0); N];
-        for (i, cell) in cells.iter().enumerate() {
-            let x = simd.splat_f64s(first + i as f64 * step);
-            let mut own = S::as_simd_f64s(cell).0[part];
-            for sum in &mut sums {
-                *sum = simd.add_f64s(*sum, own);
-                own = simd.mul_f64s(own, x);
-            }
+    for a in 0..N {
+        let [f0, f1, s0, s1] = ends;
+        out[a] = [
+            2.0 * starts[0][a] + (f1 - f0),
+            f0 - f1,
+            2.0 * starts[1][a] + (s1 - s0),
+            s0 - s1,
+        ];
+        for (end, x) in ends.iter_mut().zip([first, last, first, last]) {
+            *end *= x;
         }
-        for (out, sum) in out.iter_mut().zip(sums) {
-            S::as_mut_simd_f64s(out).0[part] = sum;
+    }
+    out
+}
+
+/// Σ xᵃ y for each power a, with x from `first` on by `step`.
+#[inline(always)]
+fn powers<S: Simd, const N: usize>(simd: S, y: &[f64], first: f64, step: f64) -> [f64; N] {
+    const COUNT: [f64; 16] = [
+        0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
+    ];
+    let lanes = simd.partial_load_f64s(&COUNT[..S::F64_LANES]);
+    let lanes = simd.mul_add_f64s(simd.splat_f64s(step), lanes, simd.splat_f64s(first));
+    let mut sums = [simd.splat_f64s(0.0); N];
+    let (full, rest) = S::as_simd_f64s(y);
+    for i in 0..full.len() + usize::from(!rest.is_empty()) {
+        let mut own = if i < full.len() {
+            full[i]
+        } else {
+            simd.partial_load_f64s(rest)
+        };
+        let by = simd.splat_f64s((i * S::F64_LANES) as f64 * step);
+        let x = simd.add_f64s(lanes, by);
+        for sum in &mut sums {
+            *sum = simd.add_f64s(*sum, own);
+            own = simd.mul_f64s(own, x);
         }
+    }
+    let mut out = [0.0; N];
+    for a in 0..N {
+        out[a] = simd.reduce_sum_f64s(sums[a]);
     }
     out
 }

@@ -1,5 +1,6 @@
 //! Quadrature on a cell, several nodes side by side, and a cell's polynomial on a part of it.
 
+use super::{Ends, bernstein};
 use crate::poly::gauss_legendre;
 
 /// Value of a cubic in Bernstein form.
@@ -8,7 +9,7 @@ pub fn cubic([a, b, c, d]: &[f64; 4], u: f64) -> f64 {
     v * v * (v * a + 3.0 * u * b) + u * u * (3.0 * v * c + u * d)
 }
 
-/// A rule of Gauss and Legendre on a cell, with the Bernstein polynomials of a cubic at its nodes.
+/// A rule of Gauss and Legendre on a cell, with Hermite's cubics at its nodes.
 pub struct Rule<const Q: usize> {
     nodes: [f64; Q],
     /// Their weights.
@@ -26,7 +27,7 @@ impl<const Q: usize> Rule<Q> {
             cubics: std::array::from_fn(|k| {
                 let mut unit = [0.0; 4];
                 unit[k] = 1.0;
-                nodes.map(|u| cubic(&unit, u))
+                nodes.map(|u| cubic(&bernstein(unit), u))
             }),
         }
     }
@@ -37,9 +38,9 @@ impl<const Q: usize> Rule<Q> {
         self.nodes.map(|t| from + t * (to - from))
     }
 
-    /// A cubic at the nodes of its cell.
+    /// A cubic at the nodes of its cell, by the cell's ends.
     #[inline(always)]
-    pub fn on_cell(&self, c: &[f64; 4]) -> [f64; Q] {
+    pub fn on_cell(&self, c: &Ends) -> [f64; Q] {
         std::array::from_fn(|q| {
             let [first, second, third, fourth] = &self.cubics;
             c[0] * first[q] + c[1] * second[q] + (c[2] * third[q] + c[3] * fourth[q])

@@ -6,18 +6,14 @@ use std::f64::consts::TAU;
 fn rough(n: usize) -> Cells {
     let value = |i: usize| 700.0 + 300.0 * (0.7 * i as f64).sin() + 50.0 * ((i % 5) as f64);
     let slope = |i: usize| 100.0 * (0.9 * i as f64).cos();
-    let cubics = (0..n).map(|i| {
-        let (here, next) = (value(i), value((i + 1) % n));
-        let (s0, s1) = (slope(i), slope((i + 1) % n));
-        [here, here + s0 / 3.0, next - s1 / 3.0, next]
-    });
-    Cells::new(cubics.collect(), TAU)
+    let ends = |of: &dyn Fn(usize) -> f64| (0..=n).map(|i| of(i % n)).collect();
+    Cells::new(ends(&value), ends(&slope), TAU)
 }
 
 fn pieces(cells: &Cells) -> PiecewisePoly {
-    let n = cells.cubics.len();
+    let n = cells.count();
     let breaks = (0..n).map(|i| TAU * i as f64 / n as f64).chain([TAU]);
-    let coef = cells.cubics.iter().flatten().copied();
+    let coef = (0..n).flat_map(|i| cells.cubic(i));
     PiecewisePoly::new(breaks.collect(), 3, coef.collect())
 }
 

@@ -82,6 +82,31 @@ impl ArrowMatrix {
         true
     }
 
+    /// Adds the circulant matrix with `row[k]` everywhere k beside the diagonal, counted round.
+    pub fn add_circulant(&mut self, row: &[f64]) {
+        let (n, m, w) = (self.n, self.n - self.border, self.band + 1);
+        for (j, column) in self.core.chunks_exact_mut(w).enumerate() {
+            for (entry, value) in column[..w.min(m - j)].iter_mut().zip(row) {
+                *entry += *value;
+            }
+        }
+        for j in (m + 1).saturating_sub(row.len())..n {
+            for (apart, &value) in row.iter().enumerate() {
+                let i = (j + apart) % n;
+                if i >= m || j >= m {
+                    self.add_pair(i, j, apart, value);
+                }
+            }
+        }
+    }
+
+    /// Adds the product of two functions `apart` from each other. Counted round they may be one and the same: then both
+    /// halves meet on the diagonal.
+    pub fn add_pair(&mut self, i: usize, j: usize, apart: usize, value: f64) {
+        let twice = if i == j && apart > 0 { 2.0 } else { 1.0 };
+        self.add(i, j, twice * value);
+    }
+
     /// Adds `factor` times another matrix of the same pattern.
     pub fn add_scaled(&mut self, other: &ArrowMatrix, factor: f64) {
         let own = self.core.iter_mut().chain(&mut self.rows);
@@ -344,6 +369,26 @@ mod tests {
             );
             let back = a.times(&x);
             assert!(back.iter().zip(&b).all(|(p, q)| (p - q).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn a_circulant_is_what_its_functions_add_one_by_one() {
+        for (n, degree) in [(1, 3), (2, 5), (5, 5), (6, 5), (7, 3), (12, 5)] {
+            let row: Vec<f64> = (0..=degree).map(|k| 1.0 + 0.3 * k as f64).collect();
+            let mut own = ArrowMatrix::zero(n, degree, degree);
+            own.add_circulant(&row);
+            let mut expected = nalgebra::DMatrix::zeros(n, n);
+            for i in 0..n {
+                expected[(i, i)] += row[0];
+                for (apart, value) in row.iter().enumerate().skip(1) {
+                    let j = (i + apart) % n;
+                    expected[(i, j)] += value;
+                    expected[(j, i)] += value;
+                }
+            }
+            let found = nalgebra::DMatrix::from_fn(n, n, |i, j| own.get(i, j));
+            assert!((found - expected).amax() < 1e-14, "{n} {degree}");
         }
     }
 

@@ -50,6 +50,10 @@ impl Quadratic {
         let mut table = Table::default();
         self.lifted = self.lifted.take().filter(|l| l.carries(weights));
         let mut all = Vec::new();
+        let alike = match basis {
+            Basis::Spline { space, .. } => weight.is_none() && space.is_uniform(),
+            Basis::Harmonic { .. } => false,
+        };
         for (i, ends) in breaks.windows(2).enumerate() {
             let (start, width) = (ends[0], ends[1] - ends[0]);
             wanted(start, width, &rule, &mut values);
@@ -66,7 +70,12 @@ impl Quadratic {
                         table.weigh(&rule, |_| width / total);
                     }
                     self.constant += table.pull(&values);
-                    self.add_span(space, i, &mut table);
+                    self.add_pull(space, i, &table.pull);
+                    match (alike, i) {
+                        (true, 0) => self.add_equal_spans(space, &table.gram),
+                        (true, _) => (),
+                        (false, _) => self.add_gram(space, i, &table.gram),
+                    }
                 }
                 Basis::Harmonic { .. } => {
                     for (&(u, w), &b) in rule.iter().zip(&values) {
@@ -87,26 +96,40 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½xᵀGx + pᵀx of the local functions of one span.
-    fn add_span(&mut self, space: &SplineSpace, span: usize, table: &mut Table) {
-        let n = space.degree() + 1;
+    /// Adds pᵀx of the local functions of one span.
+    fn add_pull(&mut self, space: &SplineSpace, span: usize, pull: &[f64]) {
         let first = space.index(span, 0);
-        if self.hessian.add_block(first, &table.gram) {
-            for (g, p) in self.gradient[first..].iter_mut().zip(&table.pull) {
-                *g += p;
+        match self.gradient.get_mut(first..first + pull.len()) {
+            Some(own) => own.iter_mut().zip(pull).for_each(|(g, p)| *g += p),
+            None => {
+                for (k, p) in pull.iter().enumerate() {
+                    self.gradient[space.index(span, k)] += p;
+                }
             }
+        }
+    }
+
+    /// Adds ½xᵀGx of the local functions of one span.
+    fn add_gram(&mut self, space: &SplineSpace, span: usize, gram: &[f64]) {
+        if self.hessian.add_block(space.index(span, 0), gram) {
             return;
         }
-        table.index.clear();
-        table.index.extend((0..n).map(|k| space.index(span, k)));
-        for (k, &i) in table.index.iter().enumerate() {
-            self.gradient[i] += table.pull[k];
-            for (l, &j) in table.index[..=k].iter().enumerate() {
-                // On few spans two functions of a span are one coefficient: both halves meet on the diagonal.
-                let twice = if i == j && k != l { 2.0 } else { 1.0 };
-                self.hessian.add(i, j, twice * table.gram[l * n + k - l]);
+        let n = space.degree() + 1;
+        for k in 0..n {
+            for l in 0..=k {
+                let (i, j, apart) = (space.index(span, k), space.index(span, l), k - l);
+                // On few spans two functions of a span are one coefficient.
+                self.hessian.add_pair(i, j, apart, gram[l * n + apart]);
             }
         }
+    }
+
+    /// Adds ½xᵀGx of all spans of a uniform space.
+    fn add_equal_spans(&mut self, space: &SplineSpace, gram: &[f64]) {
+        let n = space.degree() + 1;
+        let product = |apart: usize| (0..n - apart).map(|l| gram[l * n + apart]).sum();
+        let row: Vec<f64> = (0..n).map(product).collect();
+        self.hessian.add_circulant(&row);
     }
 
     fn add_row(&mut self, row: &Entries, factor: f64, b: f64) {
@@ -200,8 +223,6 @@ struct Table {
     factors: Vec<f64>,
     /// Products of the functions k and l ≤ k at l·n + k − l, as [`ArrowMatrix::add_block`] takes them.
     gram: Vec<f64>,
-    /// Coefficient of each function of a span across the start of the turn.
-    index: Vec<usize>,
     /// Products of the functions with what is wanted, negative.
     pull: Vec<f64>,
 }
