@@ -170,9 +170,21 @@ impl<'a, const N: usize> Usual<'a, N> {
     fn moments<S: Simd>(&self, simd: S, (first, last): (f64, f64)) -> [f64; N] {
         let (middle, by) = (0.5 * (first + last), 2.0 / (last - first));
         let mut moments = [[0.0; 4]; N];
-        let mut part = |from: f64, to: f64| {
+        let most = self.cells.count() as f64;
+        let (start, end) = ((first - SAME).ceil(), (last + SAME).floor().min(most));
+        let parts = if start < end {
+            let whole = start as usize..=end as usize;
+            let (f, s) = (&self.cells.values[whole.clone()], &self.cells.slopes[whole]);
+            let sums = sums(simd, f, s, (start - middle) * by, by);
+            self.add(&sums, by, &mut moments);
+            [(first, start), (end, last)]
+        } else {
+            let between = start.clamp(first, last);
+            [(first, between), (between, last)]
+        };
+        for (from, to) in parts {
             if to - from <= SAME {
-                return;
+                continue;
             }
             let i = self.cells.cell(0.5 * (from + to));
             let base = i as f64;
@@ -180,22 +192,13 @@ impl<'a, const N: usize> Usual<'a, N> {
             let (x, width) = ((from - middle) * by, (to - from) * by);
             let sums = sums(simd, &[f0, f1], &[s0, s1], x, width);
             self.add(&sums, width, &mut moments);
-        };
-        let most = self.cells.count() as f64;
-        let (start, end) = ((first - SAME).ceil(), (last + SAME).floor().min(most));
-        if start >= end {
-            let between = start.clamp(first, last);
-            part(first, between);
-            part(between, last);
-            return together(moments);
         }
-        part(first, start);
-        part(end, last);
-        let whole = start as usize..=end as usize;
-        let (f, s) = (&self.cells.values[whole.clone()], &self.cells.slopes[whole]);
-        let sums = sums(simd, f, s, (start - middle) * by, by);
-        self.add(&sums, by, &mut moments);
-        together(moments)
+        let mut out = [0.0; N];
+        for j in 0..N {
+            let [a, b, c, d] = moments[j];
+            out[j] = (a + b) + (c + d);
+        }
+        out
     }
 }
 
@@ -232,11 +235,6 @@ fn part_of(b: &[f64; 4], range: (f64, f64)) -> Ends {
     let mut c = [0.0; 4];
     restricted(b, range, &mut c);
     [c[0], 3.0 * (c[1] - c[0]), c[3], 3.0 * (c[3] - c[2])]
-}
-
-#[inline(always)]
-fn together<const N: usize>(moments: [[f64; 4]; N]) -> [f64; N] {
-    moments.map(|[a, b, c, d]| (a + b) + (c + d))
 }
 
 /// The sums over cells with these values and slopes at their ends, the first of them at x = `first`, a cell `step` wide.

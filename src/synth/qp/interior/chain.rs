@@ -111,7 +111,7 @@ impl Chain {
             *v += gradient[layout.own(order, span)];
         }
         for order in 0..layout.highest {
-            v[order + 1] += v[order] / layout.factors[order][span];
+            v[order + 1] += v[order] * layout.steps[order][span];
         }
     }
 }

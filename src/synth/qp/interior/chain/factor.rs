@@ -9,6 +9,9 @@ use crate::synth::qp::interior::system::Line;
 /// Part of the largest entry that keeps controls which nothing holds.
 const HELD: f64 = 1e-15;
 
+/// Numbers of a window, its highest order, and size: a window and, beside it, demands and then unknowns beside the law.
+type Shape = (usize, usize, usize);
+
 impl Chain {
     /// The factor with each row's outer product by its weight, the demands as multipliers and `added` (row, column,
     /// value) on the unknowns beside the law.
@@ -19,26 +22,30 @@ impl Chain {
         demands: &[Line],
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
-        match self.layout.window() {
-            QUINTIC => self.factor_of(QUINTIC, rows, weights, demands, added),
-            w => self.factor_of(w, rows, weights, demands, added),
+        let w = self.layout.window();
+        let size = w + demands.len() + self.beside;
+        // Loops of known length cost half: quintics with demands that the turn closes, or with one more.
+        match (w, self.layout.highest, size) {
+            (QUINTIC, 2, 11) => self.factor_of((QUINTIC, 2, 11), rows, weights, demands, added),
+            (QUINTIC, 2, 12) => self.factor_of((QUINTIC, 2, 12), rows, weights, demands, added),
+            (QUINTIC, 3, 11) => self.factor_of((QUINTIC, 3, 11), rows, weights, demands, added),
+            (QUINTIC, 3, 12) => self.factor_of((QUINTIC, 3, 12), rows, weights, demands, added),
+            shape => self.factor_of(shape, rows, weights, demands, added),
         }
     }
 
     #[inline(always)]
     fn factor_of(
         &self,
-        w: usize,
+        (w, k, size): Shape,
         rows: &Windowed,
         weights: &[f64],
         demands: &[Line],
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
         let layout = &self.layout;
-        let (n, d, k) = (layout.spans, w - 1, layout.highest);
+        let (n, d) = (layout.spans, w - 1);
         let law = layout.unknowns();
-        // A window and, beside it, demands and then unknowns beside the law.
-        let size = w + demands.len() + self.beside;
         let beside = w + demands.len();
         let mut touched = Touched::new(layout, demands);
         let largest = self.windows.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -73,7 +80,7 @@ impl Chain {
                 m[coordinate * size + w + demand] += value;
             });
             for order in 0..k {
-                let by = 1.0 / layout.factors[order][span];
+                let by = layout.steps[order][span];
                 for row in m[..w * size].chunks_exact_mut(size) {
                     row[order + 1] += by * row[order];
                 }
@@ -222,28 +229,32 @@ pub struct Factor {
 impl Factor {
     /// Solves K u + Eᵀν = x, E u = y in place of x; returns ν.
     pub fn solve(&self, chain: &Chain, x: &mut [f64], y: &[f64]) -> Vec<f64> {
-        match chain.layout.window() {
-            QUINTIC => self.solve_of(QUINTIC, chain, x, y),
-            w => self.solve_of(w, chain, x, y),
+        match (chain.layout.window(), chain.layout.highest, self.size) {
+            (QUINTIC, 2, 11) => self.solve_of((QUINTIC, 2, 11), chain, x, y),
+            (QUINTIC, 2, 12) => self.solve_of((QUINTIC, 2, 12), chain, x, y),
+            (QUINTIC, 3, 11) => self.solve_of((QUINTIC, 3, 11), chain, x, y),
+            (QUINTIC, 3, 12) => self.solve_of((QUINTIC, 3, 12), chain, x, y),
+            shape => self.solve_of(shape, chain, x, y),
         }
     }
 
     #[inline(always)]
-    fn solve_of(&self, w: usize, chain: &Chain, x: &mut [f64], y: &[f64]) -> Vec<f64> {
+    fn solve_of(&self, (w, k, size): Shape, chain: &Chain, x: &mut [f64], y: &[f64]) -> Vec<f64> {
         let layout = &chain.layout;
-        let (n, d, k) = (layout.spans, w - 1, layout.highest);
+        let (n, d) = (layout.spans, w - 1);
         let law = layout.unknowns();
-        let rest = self.size - 1;
+        let rest = size - 1;
         x.iter_mut().for_each(|x| *x = -*x);
         // v over a window (d + 1 numbers), then demands and unknowns beside the law.
-        let mut v = vec![0.0; self.size];
+        let mut v = vec![0.0; size];
         let mut controls = vec![0.0; n];
         for span in (0..n).rev() {
-            chain.pulled_back(x, span, &mut v);
-            let gain = &self.gains[span * self.size..][..self.size];
+            let v = &mut v[..size];
+            chain.pulled_back(x, span, v);
+            let gain = &self.gains[span * size..][..size];
             let own = v[k];
             controls[span] = own * self.pivots[span];
-            moved_up(&mut v, k, w);
+            moved_up(v, k, w);
             v.iter_mut().zip(gain).for_each(|(v, g)| *v -= own * g);
         }
         let mut z = Vec::with_capacity(rest);
@@ -264,19 +275,20 @@ impl Factor {
         let mut state = z[..d].to_vec();
         state.push(0.0);
         for span in 0..n {
-            let gain = &self.gains[span * self.size..][..self.size];
+            let gain = &self.gains[span * size..][..size];
+            // What the span before has found comes last: nothing else waits for it.
             let mut control = -controls[span];
-            for (g, s) in gain[..d].iter().zip(&state) {
-                control -= g * s;
-            }
             for (g, z) in gain[w..].iter().zip(&z[d..]) {
                 control -= g * z;
+            }
+            for (g, s) in gain[..d].iter().zip(&state).rev() {
+                control -= g * s;
             }
             state.copy_within(k..d, k + 1);
             state[k] = control;
             x[layout.own(k, span)] = control;
             for order in (0..k).rev() {
-                state[order] += state[order + 1] / layout.factors[order][span];
+                state[order] += state[order + 1] * layout.steps[order][span];
                 x[layout.own(order, span)] = state[order];
             }
         }

@@ -11,18 +11,19 @@ pub struct Layout {
     pub degree: usize,
     /// K.
     pub highest: usize,
-    /// fᵢ of the step from each order below K to the next.
-    pub factors: Vec<Vec<f64>>,
+    /// 1/fᵢ of the step from each order below K to the next.
+    pub steps: Vec<Vec<f64>>,
 }
 
 impl Layout {
     /// For derivatives up to order `highest`.
     pub fn new(lifted: &Lifted, highest: usize) -> Self {
+        let inverse = |factors: &Vec<f64>| factors.iter().map(|f| 1.0 / f).collect();
         Layout {
             spans: lifted.dimension(),
             degree: lifted.degree(),
             highest,
-            factors: lifted.factors()[..highest].to_vec(),
+            steps: lifted.factors()[..highest].iter().map(inverse).collect(),
         }
     }
 
@@ -138,7 +139,7 @@ impl Layout {
         out[order] += value;
         let n = self.spans;
         for step in 0..back {
-            let by = -value / self.factors[order][(span + n - step) % n];
+            let by = -value * self.steps[order][(span + n - step) % n];
             self.add_back(span, order + 1, step, by, out);
         }
     }
