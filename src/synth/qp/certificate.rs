@@ -8,13 +8,13 @@
 //! ```
 //!
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). Where H has a factor the Lagrangian, which is quadratic, falls from
-//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr with many spans, whose lift is large against what rounding leaves of
-//! its differences. The rows are limits at exact places of the law, so
-//! the bound holds for the whole turn and not for samples of it.
+//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr where it is the larger one, because the lift is large against what
+//! rounding leaves of its differences. The rows are limits at exact places of the law, so the bound holds for the whole
+//! turn and not for samples of it.
 
-use super::basis::apply;
-use super::interior;
+use super::basis::{Basis, apply};
 use super::program::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
+use super::{equality, interior};
 use serde::Serialize;
 
 use crate::criterion::Criterion;
@@ -79,6 +79,8 @@ pub struct Sensitivity {
 
 /// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
 const NOTHING: f64 = 1e-6;
+/// A part of the objective that xᵀr need not be below.
+const SMALL: f64 = 1e-9;
 /// Part of a limit by which it is eased to say what it costs.
 const RELAXED: f64 = 0.01;
 /// A demand whose part outside the span of those before it is below this share of its square length says
@@ -89,7 +91,7 @@ const DEPENDENT: f64 = 1e-20;
 pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut residual = program.hessian.times(x);
-    let size = residual
+    let pulled = residual
         .iter()
         .zip(&program.gradient)
         .fold(0.0_f64, |m, (h, g)| m.max(h.abs()).max(g.abs()));
@@ -103,13 +105,16 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         .map(|l| (l, l.pull(&l.derivatives(x))));
     let mut beside = program.cost;
     let mut pushed_beside = program.cost.map(f64::abs);
+    // The push on the law as a whole, where its level is open: H has no part in it but rounding, and no factor sees it.
+    let mut push: f64 = program.gradient.iter().sum();
     let mut slack = 0.0;
-    let mut pushed = size;
+    let mut pushed = pulled;
     for row in &solution.active {
         let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * solution.extra[k]).sum();
         slack += row.multiplier * (row.bound - taken - apply(&row.entries, x)).abs();
         for &(i, a) in &row.entries {
             residual[i] += row.multiplier * a;
+            push += row.multiplier * a;
             pushed = pushed.max((row.multiplier * a).abs());
         }
         if let Some((l, pull)) = &mut lifted {
@@ -124,10 +129,10 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
         }
     }
     let present = program.present();
+    let size = scale(program, solution);
     let mut gap = slack;
     if let Some((l, pull)) = lifted {
         if program.level_is_open() {
-            // What moves the law as a whole: nothing below would see it.
             let push: f64 = pull[..x.len()].iter().sum();
             gap += push.abs() * largest(x);
         }
@@ -155,9 +160,16 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             }
             interior::fall(program, lifted, &residual).unwrap_or_else(fall)
         }
-        None => fall(),
+        None => {
+            let plain = fall();
+            let known = (plain > SMALL * size).then(|| equality::fall(program, &residual));
+            let level = match program.basis {
+                Basis::Spline { .. } if program.level_is_open() => push.abs() * largest(x),
+                _ => 0.0,
+            };
+            known.flatten().map_or(plain, |own| own + level)
+        }
     };
-    let size = scale(program, solution);
     // A push on a variable beside the law is small beside the others on it, or where a change as large as the lift or the
     // variable moves the objective by nothing.
     let lengths = solution.extra.iter().skip(PEAK + 1);

@@ -120,6 +120,15 @@ fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
     (h, pin)
 }
 
+/// ½rᵀH⁻¹r: what an objective whose gradient is r can still fall while the demands hold and an open level stays. `None`
+/// where H leaves more than these open.
+pub fn fall(program: &Program, gradient: &[f64]) -> Option<f64> {
+    let factor = regular(program).0.factor()?;
+    let mut whitened = gradient.to_vec();
+    factor.forward(&mut whitened);
+    Some(0.5 * whitened.iter().map(|w| w * w).sum::<f64>())
+}
+
 /// g − ρ Σ value·row: the linear part that belongs to the augmented H.
 fn augmented_gradient(program: &Program) -> Vec<f64> {
     let mut g = program.gradient.clone();
