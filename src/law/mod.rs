@@ -78,9 +78,10 @@ pub struct Law {
     known: Known,
 }
 
-/// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients:
-/// differences of the lift's lose (spans/turn)³ of a jerk's digits, and sixty times that by the piece.
-pub(crate) const MANY_SPANS: usize = 100;
+/// Spans from which on the Bernstein coefficients of a spline's derivatives come from its own derivatives' coefficients, and
+/// these may be the unknowns of a program: differences of the lift's lose (spans/turn)³ of a jerk's digits, and sixty times
+/// that by the piece. With fewer none of some hundred random scenes lacks a proof; of those with 40 to 100 one in forty did.
+pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
     /// A spline by its coefficients.

@@ -1,8 +1,8 @@
 //! A law's derivatives as unknowns of their own, for laws of many spans.
 //!
 //! In the coefficients of the lift alone an acceleration on N spans is N² times a difference of nearly
-//! equal numbers, and the condition of the objective's matrix grows like N⁴: from some hundred spans on a
-//! solver has no digits left. Here the coefficients of s, v, a and j all are unknowns, tied by
+//! equal numbers, and the condition of the objective's matrix grows like N⁴: from some forty spans on a
+//! solver lacks digits. Here the coefficients of s, v, a and j all are unknowns, tied by
 //! c′ᵢ = fᵢ (cᵢ − cᵢ₋₁) as the stages of a control problem are (Betts, Practical Methods for Optimal
 //! Control, ch. 4). Every row is short and its entries are of ordinary size; `interior::chain` eliminates them span by
 //! span.

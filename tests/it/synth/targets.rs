@@ -275,6 +275,10 @@ fn words_that_name_no_front_are_refused() {
 
 /// A law through a point to a dwell under a follower that swings about a pivot at 80 mm; `rest` is what follows in `[cam]`.
 fn swinging(minimise: &str, rest: &str) -> Design {
+    swinging_on(40, minimise, rest)
+}
+
+fn swinging_on(spans: usize, minimise: &str, rest: &str) -> Design {
     let text = format!(
         r#"
         name = "arm"
@@ -283,7 +287,7 @@ fn swinging(minimise: &str, rest: &str) -> Design {
         speed = "10 rad/s"
         [law]
         family = "spline"
-        spans = 40
+        spans = {spans}
         minimise = "{minimise}"
         [[law.point]]
         angle = "130 deg"
@@ -537,6 +541,35 @@ fn law_and_size_under_a_follower_that_swings_are_found_together() {
     let missed: Vec<_> = unreached.checks.iter().filter(|c| !c.pass).collect();
     assert_eq!(missed.len(), 1, "{missed:?}");
     assert_eq!(missed[0].name.name(), "prime_radius");
+}
+
+/// The smallest cam under an arm is as small on many spans as on few, and a limit just above it is kept.
+#[test]
+fn the_smallest_cam_under_an_arm_does_not_depend_on_the_number_of_spans() {
+    let arm = "follower = \"roller-oscillating\"\narm = \"65 mm\"\nroller_radius = \"8 mm\"\nbore = \"6 mm\"\n[limits]\npressure_angle = \"35 deg\"";
+    let face = "follower = \"flat-oscillating\"\nface_offset = \"5 mm\"\n[limits]";
+    for follower in [arm, face] {
+        let design = |spans: usize, minimise: &str, limit: Option<f64>| {
+            let most = limit.map_or(String::new(), |r| format!("prime_radius = \"{r} m\""));
+            let rest = format!("{follower}\ncurvature = \"8 mm\"\n{most}");
+            let design = swinging_on(spans, minimise, &rest);
+            assert!(
+                design.checks.iter().all(|c| c.pass),
+                "{spans} {minimise} {follower}: {:?}",
+                design.checks
+            );
+            design.cam.follower.prime_radius()
+        };
+        let few = design(20, "size", None);
+        for spans in [32, 47, 80, 100, 120] {
+            let least = design(spans, "size", None);
+            assert!(
+                least <= few * (1.0 + 1e-7) && least > 0.99 * few,
+                "{spans}: {least} {few}"
+            );
+            design(spans, "jerk", Some(1.03 * least));
+        }
+    }
 }
 
 /// The size of a cam that is found after its law is no objective: the answer says so instead of another optimum.

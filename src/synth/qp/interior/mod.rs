@@ -100,7 +100,8 @@ fn answered(
         z: names.iter().map(|n| trail.pushes.get(n).copied()).collect(),
         ..midway
     });
-    let mut found = steps::solve(&scaled.system, settings, &program.halt, from)?;
+    let asked = program.settings.tolerance;
+    let mut found = steps::solve(&scaled.system, settings, asked, &program.halt, from)?;
     let mut inside = None;
     if let Some(midway) = found.midway.take() {
         inside = Some(scaled.law(program, &midway.u));
@@ -136,7 +137,7 @@ mod tests {
     /// The smallest ‖(D, e)‖ with D ≥ 2v − s at the middle of every piece and e ≥ 0.3, weighed against a distance.
     fn of_a_sequence() -> (Program, Vec<Row>) {
         let basis = Basis::Spline {
-            space: SplineSpace::periodic_uniform(5, 40, TAU),
+            space: SplineSpace::periodic_uniform(5, 36, TAU),
             closed: true,
         };
         let mut distance = Quadratic::zero(&basis);
@@ -156,7 +157,7 @@ mod tests {
         offset.extra[OFFSET] = -1.0;
         offset.bound = -0.3;
         program.fixed.push(offset.clone());
-        let mut rows: Vec<Row> = (0..40).map(|piece| program.row(0, place(piece))).collect();
+        let mut rows: Vec<Row> = (0..36).map(|piece| program.row(0, place(piece))).collect();
         rows.push(offset);
         (program, rows)
     }

@@ -13,9 +13,9 @@ use crate::synth::qp::settings::InteriorPointSettings;
 
 /// Of the way to the first slack or multiplier that vanishes.
 const SHORT: f64 = 0.99;
-/// Iterations without a better point that end the search.
+/// Iterations in which neither the point nor what is left of its pull comes nearer end the search.
 const PATIENCE: usize = 7;
-/// A best point that misses by no more than this will do: rounding is what is left.
+/// A best point that misses by no more than this will do, or by no more than the program asks: rounding is what is left.
 const NEARLY: f64 = 2e-8;
 /// Steps shorter than this come no further.
 const SHORTEST: f64 = 1e-8;
@@ -28,10 +28,11 @@ const MIDWAY: f64 = 1e-3;
 /// Factor by which a row's slack times its push lies apart from the mean there.
 const APART: f64 = 100.0;
 
-/// Solves a system, from a point on the way to the solution with other rows where there is one.
+/// Solves a system that is asked to hold to a part of its limits, from a point on the way to the solution with other rows where there is one.
 pub fn solve(
     system: &System,
     settings: &InteriorPointSettings,
+    asked: f64,
     halt: &Halt,
     from: Option<Midway>,
 ) -> Result<Found, Left> {
@@ -46,7 +47,7 @@ pub fn solve(
         Matrix::Banded(..) => settings.tolerance,
     };
     let mut best: Option<(f64, Found)> = None;
-    let mut since = 0;
+    let (mut since, mut least) = (0, f64::INFINITY);
     for iteration in 0..settings.iterations as usize {
         if halt.is_asked() {
             return Err(Left::Failed(Stop::OutOfTime.into()));
@@ -57,6 +58,11 @@ pub fn solve(
             break;
         }
         since += 1;
+        // Far from the end a pull is as large as what it is measured by.
+        if miss.unbalanced < 0.9 * least {
+            least = miss.unbalanced;
+            since = 0;
+        }
         if best.as_ref().is_none_or(|(least, _)| off < 0.9 * least) {
             let mut found = Found {
                 unknowns: point.u.clone(),
@@ -82,7 +88,7 @@ pub fn solve(
         }
     }
     match best {
-        Some((off, found)) if off * tolerance <= NEARLY => Ok(Found { midway, ..found }),
+        Some((off, found)) if off * tolerance <= NEARLY.max(asked) => Ok(Found { midway, ..found }),
         _ => Err(Left::Open),
     }
 }
@@ -105,6 +111,8 @@ struct Miss {
     rows: Vec<f64>,
     /// The same of the cone.
     cone: [f64; 3],
+    /// What of x nothing balances.
+    unbalanced: f64,
     /// Aᵀz + Eᵀν, as far as it is not balanced.
     pull: f64,
     value: f64,
@@ -148,6 +156,7 @@ impl Miss {
             *x = -(*x + p);
         }
         Miss {
+            unbalanced: system.unbalanced(&x),
             x,
             y,
             rows,
@@ -164,7 +173,7 @@ impl Miss {
         let rows = self.rows.iter().chain(&self.cone);
         let primal = rows.fold(largest(&self.y), |m, r| m.max(r.abs()));
         // A law far above its circle takes up what is left of the pull on its level.
-        let dual = system.unbalanced(&self.x) / (1e-3 + self.size);
+        let dual = self.unbalanced / (1e-3 + self.size);
         primal.max(dual).max(self.gap(system, point)) / tolerance
     }
 
@@ -282,6 +291,7 @@ impl Point {
             y: system.demands.iter().map(|d| d.bound).collect(),
             rows: system.bounds.clone(),
             cone: [0.0; 3],
+            unbalanced: 0.0,
             pull: 0.0,
             value: 0.0,
             size: 0.0,

@@ -6,8 +6,9 @@ use super::{Chain, QUINTIC, moved_up};
 use crate::synth::qp::interior::dense;
 use crate::synth::qp::interior::system::Line;
 
-/// Part of the largest entry that keeps controls which nothing holds.
+/// Parts of the largest entry of H, and where these leave no factor of the rows, that keep controls which nothing holds.
 const HELD: f64 = 1e-15;
+const HELD_BY_ROWS: [f64; 2] = [1e-15, 1e-12];
 
 /// Numbers of a window, its highest order, and size: a window and, beside it, demands and then unknowns beside the law.
 type Shape = (usize, usize, usize);
@@ -22,15 +23,42 @@ impl Chain {
         demands: &[Line],
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let plain = self.held_factor(HELD * largest(&self.windows), rows, weights, demands, added);
+        plain.or_else(|| {
+            let pushes = largest(weights) * largest(&rows.values).powi(2);
+            let held = HELD_BY_ROWS.iter().map(|part| part * pushes);
+            held.into_iter()
+                .find_map(|held| self.held_factor(held, rows, weights, demands, added))
+        })
+    }
+
+    /// The same with `held` on every control.
+    fn held_factor(
+        &self,
+        held: f64,
+        rows: &Windowed,
+        weights: &[f64],
+        demands: &[Line],
+        added: &[(usize, usize, f64)],
+    ) -> Option<Factor> {
         let w = self.layout.window();
         let size = w + demands.len() + self.beside;
         // Loops of known length cost half: quintics with demands that the turn closes, or with one more.
         match (w, self.layout.highest, size) {
-            (QUINTIC, 2, 11) => self.factor_of((QUINTIC, 2, 11), rows, weights, demands, added),
-            (QUINTIC, 2, 12) => self.factor_of((QUINTIC, 2, 12), rows, weights, demands, added),
-            (QUINTIC, 3, 11) => self.factor_of((QUINTIC, 3, 11), rows, weights, demands, added),
-            (QUINTIC, 3, 12) => self.factor_of((QUINTIC, 3, 12), rows, weights, demands, added),
-            shape => self.factor_of(shape, rows, weights, demands, added),
+            (QUINTIC, 2, 11) => {
+                self.factor_of((QUINTIC, 2, 11), held, rows, weights, demands, added)
+            }
+            (QUINTIC, 2, 12) => {
+                self.factor_of((QUINTIC, 2, 12), held, rows, weights, demands, added)
+            }
+            (QUINTIC, 3, 11) => {
+                self.factor_of((QUINTIC, 3, 11), held, rows, weights, demands, added)
+            }
+            (QUINTIC, 3, 12) => {
+                self.factor_of((QUINTIC, 3, 12), held, rows, weights, demands, added)
+            }
+            shape => self.factor_of(shape, held, rows, weights, demands, added),
         }
     }
 
@@ -38,6 +66,7 @@ impl Chain {
     fn factor_of(
         &self,
         (w, k, size): Shape,
+        held: f64,
         rows: &Windowed,
         weights: &[f64],
         demands: &[Line],
@@ -48,7 +77,6 @@ impl Chain {
         let law = layout.unknowns();
         let beside = w + demands.len();
         let mut touched = Touched::new(layout, demands);
-        let largest = self.windows.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let mut m = vec![0.0; size * size];
         let mut gains = vec![0.0; n * size];
         let mut pivots = vec![0.0; n];
@@ -90,7 +118,7 @@ impl Chain {
                     *to += by * from;
                 }
             }
-            let pivot = m[k * size + k] + HELD * largest;
+            let pivot = m[k * size + k] + held;
             if !(pivot > 0.0 && pivot.is_finite()) {
                 return None;
             }
