@@ -15,6 +15,7 @@ mod touching;
 
 pub use spline::stopped_at_noise;
 
+use std::collections::HashMap;
 use std::convert::Infallible;
 
 use super::design::{Binding, Easing, SolverReport, Tier};
@@ -130,10 +131,19 @@ fn proved(report: SolverReport, certificate: Certificate, doubt: Option<Doubt>) 
     }
 }
 
+/// Part of a limit's largest multiplier below which a row is what an interior point leaves of one that does not bind.
+const BINDS: f64 = 1e-6;
+
 /// Active rows as a user reads them: rows of one limit within half a piece are one contact.
 fn gathered(program: &Program, solution: &Solution, pieces: usize) -> Vec<Binding> {
     let mut out: Vec<Binding> = Vec::new();
-    let mut rows: Vec<&Row> = solution.active.iter().collect();
+    let mut largest: HashMap<(Option<usize>, &str), f64> = HashMap::new();
+    for row in &solution.active {
+        let own = largest.entry((row.limit, row.name.name())).or_default();
+        *own = own.max(row.multiplier);
+    }
+    let binds = |r: &&Row| r.multiplier > BINDS * largest[&(r.limit, r.name.name())];
+    let mut rows: Vec<&Row> = solution.active.iter().filter(binds).collect();
     rows.sort_by(|a, b| {
         (a.limit, a.name.name(), a.peak.at)
             .partial_cmp(&(b.limit, b.name.name(), b.peak.at))

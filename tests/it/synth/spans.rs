@@ -3,7 +3,7 @@
 use super::relaxations::scene_of;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Minimise};
-use gaitcam::synth::{Design, relaxed, synthesise};
+use gaitcam::synth::{Binding, Design, relaxed, synthesise};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -64,6 +64,30 @@ fn a_law_without_limits_is_proved_on_any_number_of_spans() {
             assert!(proof.relative_gap < 1e-7, "{changes:?}: {proof:?}");
         }
     }
+}
+
+/// What binds is told as contacts of the limits, not as what an interior point leaves on every span.
+#[test]
+fn many_spans_name_as_few_contacts_as_the_limits_have() {
+    let limits = [
+        "limits.stroke=46 mm",
+        "limits.acceleration=3.96 m/s^2",
+        "limits.jerk=56 m/s^3",
+        "accuracy.rms=50 %",
+        "law.family=spline",
+        "law.spans=1000",
+    ];
+    let design = synthesise(&scene_of(scene::DEFAULT, &limits), Some(&young())).unwrap();
+    assert!(design.solver.certified);
+    let largest = |b: &Binding| {
+        let own = design.binding.iter().filter(|o| o.limit == b.limit);
+        own.fold(0.0, |m: f64, o| m.max(o.multiplier))
+    };
+    let of_account = |b: &&Binding| b.multiplier > 1e-9 * largest(b);
+    assert_eq!(
+        design.binding.iter().filter(of_account).count(),
+        design.binding.len()
+    );
 }
 
 /// Whatever is minimised, on few spans and on many: also objectives that follow no force have a proof in numbers.
