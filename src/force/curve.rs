@@ -10,13 +10,10 @@ use super::note::Note;
 use super::quantity::seconds;
 use super::slopes::{slope_at, slopes};
 use crate::error::{ForceError, Result};
-use crate::poly::{Cells, PiecewisePoly, bernstein};
+use crate::poly::{Cells, PiecewisePoly, bernstein, by_ends};
 
 /// Samples of one cycle of a load model and of the mean cycle of a recording.
 pub const SAMPLES: usize = 1024;
-
-/// Of a slope per sample, in the Bernstein coefficients of a cubic.
-const THIRD: f64 = 1.0 / 3.0;
 
 /// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
 ///
@@ -195,7 +192,7 @@ impl ForceCurve {
         let n = self.force_n.len();
         let (f0, f1) = (self.force_n[i], self.force_n[(i + 1) % n]);
         let [s0, s1] = [i, i + 1].map(|i| slope_at(&self.force_n, i));
-        [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
+        by_ends([f0, s0, f1, s1])
     }
 }
 

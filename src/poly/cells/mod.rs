@@ -42,7 +42,7 @@ impl Cells {
 
     /// Bernstein coefficients of the cubic on a cell.
     pub fn cubic(&self, cell: usize) -> [f64; 4] {
-        bernstein(self.ends(cell))
+        by_ends(self.ends(cell))
     }
 
     /// Value at a place of the first period.
@@ -86,8 +86,8 @@ impl Cells {
     }
 }
 
-/// Bernstein coefficients of a cubic by its ends.
-fn bernstein([f0, s0, f1, s1]: Ends) -> [f64; 4] {
+/// Bernstein coefficients of a cubic by value and slope at its start, then at its end.
+pub fn by_ends([f0, s0, f1, s1]: Ends) -> [f64; 4] {
     const THIRD: f64 = 1.0 / 3.0;
     [f0, f0 + THIRD * s0, f1 - THIRD * s1, f1]
 }

@@ -1,6 +1,6 @@
 //! Quadrature on a cell, several nodes side by side, and a cell's polynomial on a part of it.
 
-use super::{Ends, bernstein};
+use super::{Ends, by_ends};
 use crate::poly::gauss_legendre;
 
 /// Value of a cubic in Bernstein form.
@@ -27,7 +27,7 @@ impl<const Q: usize> Rule<Q> {
             cubics: std::array::from_fn(|k| {
                 let mut unit = [0.0; 4];
                 unit[k] = 1.0;
-                nodes.map(|u| cubic(&bernstein(unit), u))
+                nodes.map(|u| cubic(&by_ends(unit), u))
             }),
         }
     }

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! (Boyd and Vandenberghe, Convex Optimization, §5.5). Where H has a factor the Lagrangian, which is quadratic, falls from
-//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr where it is the larger one, because the lift is large against what
-//! rounding leaves of its differences. The rows are limits at exact places of the law, so the bound holds for the whole
+//! x by no more than ½ rᵀH⁻¹r: that stands for xᵀr where xᵀr is not small, because it counts the rounding of r times a whole
+//! lift. The rows are limits at exact places of the law, so the bound holds for the whole
 //! turn and not for samples of it.
 
 use super::basis::{Basis, apply};
@@ -79,7 +79,7 @@ pub struct Sensitivity {
 
 /// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
 const NOTHING: f64 = 1e-6;
-/// A part of the objective that xᵀr need not be below.
+/// Part of the objective below which xᵀr is small.
 const SMALL: f64 = 1e-9;
 /// Part of a limit by which it is eased to say what it costs.
 const RELAXED: f64 = 0.01;
@@ -164,10 +164,11 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             let plain = fall();
             let known = (plain > SMALL * size).then(|| equality::fall(program, &residual));
             let level = match program.basis {
-                Basis::Spline { .. } if program.level_is_open() => push.abs() * largest(x),
-                _ => 0.0,
+                _ if !program.level_is_open() => 0.0,
+                Basis::Spline { .. } => push * largest(x),
+                Basis::Harmonic { .. } => residual[0] * x[0],
             };
-            known.flatten().map_or(plain, |own| own + level)
+            known.flatten().map_or(plain, |own| own + level.abs())
         }
     };
     // A push on a variable beside the law is small beside the others on it, or where a change as large as the lift or the

@@ -49,8 +49,9 @@ impl Program {
             ..self.clone()
         };
         let solution = plain.proved(plain.solve_as_it_comes().ok()?);
-        let is_step = self.settings.tolerance > TOLERANCE;
-        (is_step || self.doubt(&solution) <= 1.0).then_some(solution)
+        let tolerance = self.settings.tolerance;
+        let step = tolerance > TOLERANCE && solution.violation <= tolerance;
+        (step || self.doubt(&solution) <= 1.0).then_some(solution)
     }
 
     /// A solution whose proof is open, brought to its last digits by Newton's method on the contacts. Between the

@@ -28,7 +28,8 @@ const MIDWAY: f64 = 1e-3;
 /// Factor by which a row's slack times its push lies apart from the mean there.
 const APART: f64 = 100.0;
 
-/// Solves a system that is asked to hold to a part of its limits, from a point on the way to the solution with other rows where there is one.
+/// Solves a system that is asked to hold to a part of its limits, from a point on the way to the solution with other rows
+/// where there is one.
 pub fn solve(
     system: &System,
     settings: &InteriorPointSettings,
@@ -47,7 +48,7 @@ pub fn solve(
         Matrix::Banded(..) => settings.tolerance,
     };
     let mut best: Option<(f64, Found)> = None;
-    let (mut since, mut least) = (0, f64::INFINITY);
+    let (mut since, mut smallest) = (0, f64::INFINITY);
     for iteration in 0..settings.iterations as usize {
         if halt.is_asked() {
             return Err(Left::Failed(Stop::OutOfTime.into()));
@@ -59,8 +60,8 @@ pub fn solve(
         }
         since += 1;
         // Far from the end a pull is as large as what it is measured by.
-        if miss.unbalanced < 0.9 * least {
-            least = miss.unbalanced;
+        if miss.unbalanced < 0.9 * smallest {
+            smallest = miss.unbalanced;
             since = 0;
         }
         if best.as_ref().is_none_or(|(least, _)| off < 0.9 * least) {

@@ -6,7 +6,7 @@ use super::{Chain, QUINTIC, moved_up};
 use crate::synth::qp::interior::dense;
 use crate::synth::qp::interior::system::Line;
 
-/// Parts of the largest entry of H, and where these leave no factor of the rows, that keep controls which nothing holds.
+/// Part of the largest entry of H that keeps controls which nothing holds, and parts of the rows' where that is too little.
 const HELD: f64 = 1e-15;
 const HELD_BY_ROWS: [f64; 2] = [1e-15, 1e-12];
 
@@ -24,28 +24,11 @@ impl Chain {
         added: &[(usize, usize, f64)],
     ) -> Option<Factor> {
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let plain = self.held_factor(HELD * largest(&self.windows), rows, weights, demands, added);
-        plain.or_else(|| {
-            let pushes = largest(weights) * largest(&rows.values).powi(2);
-            let held = HELD_BY_ROWS.iter().map(|part| part * pushes);
-            held.into_iter()
-                .find_map(|held| self.held_factor(held, rows, weights, demands, added))
-        })
-    }
-
-    /// The same with `held` on every control.
-    fn held_factor(
-        &self,
-        held: f64,
-        rows: &Windowed,
-        weights: &[f64],
-        demands: &[Line],
-        added: &[(usize, usize, f64)],
-    ) -> Option<Factor> {
+        let pushes = || largest(weights) * largest(&rows.values).powi(2);
         let w = self.layout.window();
         let size = w + demands.len() + self.beside;
         // Loops of known length cost half: quintics with demands that the turn closes, or with one more.
-        match (w, self.layout.highest, size) {
+        let of = |held: f64| match (w, self.layout.highest, size) {
             (QUINTIC, 2, 11) => {
                 self.factor_of((QUINTIC, 2, 11), held, rows, weights, demands, added)
             }
@@ -59,7 +42,13 @@ impl Chain {
                 self.factor_of((QUINTIC, 3, 12), held, rows, weights, demands, added)
             }
             shape => self.factor_of(shape, held, rows, weights, demands, added),
-        }
+        };
+        let by_rows = || {
+            HELD_BY_ROWS
+                .into_iter()
+                .find_map(|part| of(part * pushes()))
+        };
+        of(HELD * largest(&self.windows)).or_else(by_rows)
     }
 
     #[inline(always)]
