@@ -31,6 +31,8 @@ pub enum Doubt {
     TouchingAngle,
     /// A sequence of convex programs ends at a local optimum.
     Local,
+    /// No law was found that keeps the limits that are not convex: they are left out.
+    LeftOut,
 }
 
 impl Doubt {

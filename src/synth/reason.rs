@@ -148,6 +148,8 @@ pub enum Reason {
     LimitInfeasible { limit: Criterion },
     /// Limits that no law keeps together.
     LimitsInfeasible { limits: Vec<Criterion> },
+    /// Limits that no law was found to keep together: not all of them are convex, so that proves nothing.
+    NoLawFound { limits: Vec<Criterion> },
     /// The solver stopped, which proves nothing.
     SolverStopped { stop: Stop },
     /// One limit whose change is enough.

@@ -18,9 +18,9 @@ mod start;
 use corrected::corrected;
 
 use super::design::Step;
-use super::limits::{NonconvexLimits, ProfileSize, clearance, relative};
+use super::limits::{NonconvexLimits, ProfileSize, clearance, clearances, relative};
 use super::method::Ended;
-use super::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution, apply};
+use super::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution, apply};
 use crate::cam::LimitKind;
 use crate::poly::{Peak, PiecewisePoly};
 
@@ -56,15 +56,15 @@ const SOON: f64 = 0.03;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
-/// Improves `program`'s solution until the follower's limits hold as well; `from` is its optimum without
-/// them, `known` a law that may keep them already. Where the program has the size among its variables, the follower's own is not looked at.
+/// Improves a law of `program` until no step that keeps the follower's limits as well improves it: the best of those to
+/// which the `starts` lead, laws that keep what is convex but for the size. Where the program has the size among its
+/// variables, the follower's own is not looked at.
 ///
 /// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
 /// feasible start was found.
 pub fn refine(
     program: &Program,
-    from: &Solution,
-    known: Option<Solution>,
+    starts: &[Solution],
     limits: NonconvexLimits,
 ) -> Option<(Solution, Vec<Step>, Ended)> {
     // Between steps limits need not hold better than the next step will change them.
@@ -74,11 +74,6 @@ pub fn refine(
     let present = program.present();
     let given = limits.size();
     let sized = |extra: &[f64; EXTRAS]| sized(&limits, &present, given, extra);
-    let mut current = known
-        .filter(|known| known.violation <= STEP_TOLERANCE)
-        .and_then(|known| start::feasible(program, &known, &sized))
-        .or_else(|| start::feasible(program, from, &sized))
-        .or_else(|| start::climbed(program, from, &sized))?;
     let merit = |s: &Solution| {
         program.objective(&s.x)
             + program.constant
@@ -86,16 +81,26 @@ pub fn refine(
                 .map(|k| program.cost[k] * s.extra[k])
                 .sum::<f64>()
     };
+    let mut current = starts
+        .iter()
+        .filter_map(|start| start::feasible(program, start, &sized))
+        .min_by(|a, b| merit(a).total_cmp(&merit(b)))
+        .or_else(|| start::tightened(program, starts.last()?, &sized))?;
     let mut steps = Vec::new();
     let mut ended = Ended::MostSteps;
+    // Part by which a step may make the cam smaller: a size alone in the objective draws the law as far as the
+    // linearised limits let it, beyond where they say anything.
+    let priced = SIZES.iter().any(|&k| program.cost[k] != 0.0);
+    let mut reach = f64::INFINITY;
     for _ in 0..MOST_STEPS {
         if program.halt.is_asked() {
             ended = Ended::OutOfTime;
             break;
         }
         let here = sized(&current.extra);
-        let mut next = program.clone();
-        next.fixed = linearised(program, &current, &here, &present, 2.0 * ROOM);
+        let near = within_reach(program, &current, reach);
+        let mut next = near.clone();
+        next.fixed = linearised(program, &current, &here, &present, &Room::above(0.0));
         next.seeds = contacts(program, &current);
         let Some(target) = solved(&next) else {
             ended = Ended::NoSolution;
@@ -106,14 +111,18 @@ pub fn refine(
             ended = Ended::SmallGain;
             break;
         }
-        let whole = corrected(program, &target, &sized).filter(|(trial, _)| gained(trial) > 0.0);
+        let whole = corrected(&near, &target, &sized).filter(|(trial, _)| gained(trial) > 0.0);
         let mut taken = 1.0;
         // Where mending the whole step costs most of what it promised, a part of it may bring more.
         let enough = WORTH_MENDING * gained(&target);
-        let accepted = if whole
-            .as_ref()
-            .is_some_and(|(trial, _)| gained(trial) >= enough)
-        {
+        let good = (whole.as_ref()).is_some_and(|(trial, _)| gained(trial) >= enough);
+        if good {
+            reach *= 2.0;
+        } else {
+            let there = sized(&target.extra).size().prime_radius();
+            reach = 0.5 * (1.0 - there / here.size().prime_radius()).min(reach);
+        }
+        let accepted = if good {
             whole
         } else {
             let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
@@ -134,6 +143,9 @@ pub fn refine(
             shortened.or(whole)
         };
         let Some((mut trial, room)) = accepted else {
+            if priced && reach > SHORTEST {
+                continue;
+            }
             ended = Ended::NoImprovement;
             break;
         };
@@ -141,6 +153,8 @@ pub fn refine(
         let old = merit(&current);
         trial.iterations += current.iterations;
         trial.rounds += current.rounds;
+        let own = |row: &Row| row.limit.is_none_or(|limit| limit < program.limits.len());
+        trial.active.retain(own);
         current = trial;
         let there = sized(&current.extra).size();
         steps.push(Step {
@@ -166,6 +180,59 @@ pub fn refine(
     Some((current, steps, ended))
 }
 
+/// The program with the sizes that it prices held above the present ones less this part.
+fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
+    let mut out = program.clone();
+    if part.is_finite() {
+        for k in SIZES.into_iter().filter(|&k| program.cost[k] > 0.0) {
+            let least = (1.0 - part) * current.extra[k];
+            let mut limit = Limit::new(LimitKind::PrimeRadius, [0.0; 5], -least, program.length);
+            limit.extra[k] = -1.0;
+            limit.domain = (0.0, 0.0);
+            out.limits.push(limit);
+        }
+    }
+    out
+}
+
+/// Room kept in h, relative to w, in each of the limits.
+struct Room {
+    /// What is kept in every one.
+    level: f64,
+    each: Vec<f64>,
+}
+
+impl Room {
+    fn above(level: f64) -> Room {
+        Room {
+            level,
+            each: Vec::new(),
+        }
+    }
+
+    fn of(&self, limit: usize) -> f64 {
+        let least = self.level + 2.0 * ROOM;
+        self.each.get(limit).map_or(least, |own| own.max(least))
+    }
+
+    /// Low points wander between two programs: a limit that they miss by little needs a little more room than that. One
+    /// that holds may have no more to give.
+    fn widen(&mut self, clear: &[f64]) {
+        self.each.resize(clear.len(), f64::NEG_INFINITY);
+        for (own, clear) in self.each.iter_mut().zip(clear) {
+            let missed = self.level - clear;
+            if missed > 0.0 && missed < NEARLY {
+                *own = own.max(self.level + 2.0 * missed);
+            }
+        }
+    }
+}
+
+/// The least of several clearances.
+fn least(clear: &[f64]) -> f64 {
+    clear.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
 /// The solution of a program, where there is one.
 fn solved(program: &Program) -> Option<Solution> {
     program.solve().ok().filter(|s| s.violation <= BROKEN)
@@ -176,9 +243,8 @@ fn solved(program: &Program) -> Option<Solution> {
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     let present = program.present();
     let given = limits.size();
-    start::feasible(program, start, &|extra| {
-        sized(&limits, &present, given, extra)
-    })
+    let sized = |extra: &[f64; EXTRAS]| sized(&limits, &present, given, extra);
+    start::feasible(program, start, &sized).or_else(|| start::tightened(program, start, &sized))
 }
 
 /// The limits at the size that a solution has, where it is among the variables.
@@ -219,23 +285,20 @@ fn held(program: &Program, current: &Solution, limits: NonconvexLimits) -> Optio
         .map(|g| -g)
         .collect();
     let mut about = current.clone();
-    let mut kept = 2.0 * ROOM;
+    let mut kept = Room::above(0.0);
     for _ in 0..HELD_ROUNDS {
         let mut last = program.clone();
-        last.fixed = linearised(program, &about, &enlarged, &[false; EXTRAS], kept);
+        last.fixed = linearised(program, &about, &enlarged, &[false; EXTRAS], &kept);
         // Nearest to the law at hand, so that the linearised curvature stays true.
         last.gradient.clone_from(&gradient);
         last.lifted = None;
         let mut exact = solved(&last.with_sizes_held(current, room))?;
         let violation = exact.violation;
-        let clear = clearance(&program.basis.law(&exact.x), &enlarged);
-        if clear >= 0.0 {
+        let clear = clearances(&program.basis.law(&exact.x), &enlarged);
+        if least(&clear) >= 0.0 {
             return (violation < current.violation).then_some(exact);
         }
-        // Low points wander between two programs.
-        if clear > -NEARLY {
-            kept = kept.max(-2.0 * clear);
-        }
+        kept.widen(&clear);
         exact.extra = about.extra;
         about = exact;
     }
@@ -265,7 +328,7 @@ fn linearised(
     current: &Solution,
     limits: &NonconvexLimits,
     present: &[bool; EXTRAS],
-    room: f64,
+    room: &Room,
 ) -> Vec<Row> {
     let law = program.basis.law(&current.x);
     let mut out = Vec::new();
@@ -295,13 +358,13 @@ fn linearised(
     let size = limits.size();
     for place in places {
         let at = law.svaj_on(place.piece, place.u);
-        for s in limits.slacks(at) {
+        for (k, s) in limits.slacks(at).into_iter().enumerate() {
             if s.h > FAR * s.largest {
                 continue;
             }
             // Σ −∂h·x ≤ h₀ − Σ ∂h·x₀, with room for the check.
             let mut bound = s.h
-                - room * s.w
+                - room.of(k) * s.w
                 - s.by_lift * at.s
                 - s.by_velocity * at.v
                 - s.by_acceleration * at.a

@@ -13,7 +13,7 @@ mod spline_program;
 mod spline_spans;
 mod touching;
 
-pub use spline::stopped_at_noise;
+pub use spline::{at_own_size, stopped_at_noise};
 
 use std::collections::HashMap;
 use std::convert::Infallible;

@@ -5,7 +5,6 @@ use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
 use super::{accuracy_bound, coarse_start};
-use crate::law::Law;
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
@@ -14,7 +13,9 @@ use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
 use crate::synth::parameters::Functions;
 use crate::synth::proof::Doubt;
-use crate::synth::qp::{Certificate, Failure, PEAK, Program, Quadratic, RADIUS, Stop};
+use crate::synth::qp::{
+    Certificate, Failure, OFFSET, PEAK, Program, Quadratic, RADIUS, RISE, Solution, Stop,
+};
 use crate::synth::{easing, limits, qp, scp, sizing};
 use crate::units::Quantity;
 
@@ -44,6 +45,8 @@ struct Fitted {
     least: f64,
     /// The sequence of convex programs, where one was needed, and why it ended.
     sequence: Option<(Vec<Step>, Ended)>,
+    /// Limits that are not convex and that no law was found to keep.
+    left_out: bool,
     spans: usize,
 }
 
@@ -73,7 +76,11 @@ fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
         program, solution, ..
     } = &fitted.touched;
     if !local {
-        return fitted.touched.evidence();
+        let (certificate, doubt) = fitted.touched.evidence();
+        return (
+            certificate,
+            doubt.or(fitted.left_out.then_some(Doubt::LeftOut)),
+        );
     }
     let mut evidence = qp::certificate(program, solution);
     evidence.bounded_by(touching::value(program, solution) - fitted.least);
@@ -199,6 +206,7 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
         force,
         least: f64::NEG_INFINITY,
         sequence: None,
+        left_out: false,
         spans,
     };
     without_vibration(problem, &mut fitted);
@@ -233,7 +241,7 @@ fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
 fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits> {
     let limits = limits::nonconvex(problem)?;
     limits.loads?;
-    let (program, solution) = fitted.touched.pinned(problem);
+    let (program, solution) = at_level(problem, fitted, &limits);
     let here = scp::sized(&limits, &program.present(), limits.size(), &solution.extra);
     if limits::loaded(&program.basis.law(&solution.x), &here) >= 0.0 {
         return None;
@@ -243,15 +251,17 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
 
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
 fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
-    let (program, mut solution) = fitted.touched.pinned(problem);
-    if let Some(radius) = size_on_an_arm(problem, &program.basis.law(&solution.x)) {
-        solution.extra[RADIUS] = radius;
+    let (program, solution) = at_level(problem, fitted, &limits);
+    let mut starts = Vec::from_iter(coarse_start::found(problem, &program, fitted.spans));
+    // The least radius of an arm is no place to linearise about.
+    if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
+        starts.push(solution.clone());
     }
-    let known = coarse_start::found(problem, &program, fitted.spans);
-    let Some((refined, steps, ended)) = scp::refine(&program, &solution, known, limits) else {
+    starts.extend(at_own_size(problem, &program, &solution));
+    let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits) else {
         return false;
     };
-    if steps.is_empty() && refined.x == solution.x {
+    if steps.is_empty() && refined.x == solution.x && refined.extra == solution.extra {
         return true;
     }
     fitted.least = fitted.touched.least();
@@ -260,17 +270,44 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     true
 }
 
-/// Where the size under a follower that swings is sought: what the law needs by itself, as far as it is allowed.
-fn size_on_an_arm(problem: &Problem, law: &Law) -> Option<f64> {
+/// The law as the sequence counts its lift: on its base circle, where the limits see the level.
+fn at_level(problem: &Problem, fitted: &Fitted, limits: &NonconvexLimits) -> (Program, Solution) {
+    let touched = &fitted.touched;
+    if limits.profile.is_none() && problem.drive.weights()[0] == 0.0 {
+        return (touched.program.clone(), touched.solution.clone());
+    }
+    touched.pinned(problem)
+}
+
+/// A law of a size that is sought, with the size that it needs by itself: the program's own is the least that what is
+/// convex allows, or any where nothing prices it. On an arm no larger than the arm reaches.
+pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) -> Option<Solution> {
     if problem.size() != Size::Sought {
         return None;
     }
-    let [least, most] = problem.reach_of_arm()?;
-    let limit = problem.limits.prime_radius.unwrap_or(f64::INFINITY);
-    let most = (most.min(limit) * (1.0 - 4.0 * scp::ENLARGED)).max(least);
-    let own = sizing::cam(problem, law.clone(), law).ok();
-    let own = own.map_or(most, |cam| cam.follower.prime_radius());
-    Some(own.clamp(least, most))
+    let mut out = solution.clone();
+    let law = program.basis.law(&solution.x);
+    let own = sizing::cam(problem, law.clone(), &law).ok();
+    let prime = own.as_ref().map(|cam| cam.follower.prime_radius());
+    if let Some([least, most]) = problem.reach_of_arm() {
+        let most = (most * (1.0 - 4.0 * scp::ENLARGED)).max(least);
+        let prime = prime.map_or(most, |own| own * (1.0 + scp::ENLARGED));
+        out.extra[RADIUS] = prime.clamp(least, most);
+    } else {
+        let (prime, offset) = (prime?, own?.follower.offset());
+        let rise = (prime * prime - offset * offset).max(0.0).sqrt();
+        let sizes = [(RADIUS, prime), (RISE, rise), (OFFSET, offset)];
+        let present = program.present();
+        for (k, value) in sizes.into_iter().filter(|(k, _)| present[*k]) {
+            out.extra[k] = value
+                * if k == OFFSET {
+                    1.0
+                } else {
+                    1.0 + scp::ENLARGED
+                };
+        }
+    }
+    Some(out)
 }
 
 /// The program with every limit that is convex, and the force distance alone.
@@ -302,7 +339,7 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
         return;
     }
     if let Some(limits) = limits::nonconvex(problem).filter(|l| l.profile.is_some()) {
-        in_sequence(problem, fitted, limits);
+        fitted.left_out = !in_sequence(problem, fitted, limits);
     }
 }
 

@@ -100,7 +100,8 @@ impl Touched {
     pub fn pinned(&self, problem: &Problem) -> (Program, Solution) {
         let (mut program, mut solution) = (self.program.clone(), self.solution.clone());
         if program.level_is_open() {
-            let at = self.at.unwrap_or_else(|| self.law().extremes(0).0.at);
+            // A limit that leaves the angle open lets the law be lower elsewhere, where all lifts only grow.
+            let at = self.law().extremes(0).0.at;
             let entries = program.basis.row(at, &[1.0, 0.0, 0.0, 0.0]);
             let lowest = apply(&entries, &solution.x);
             solution.x = program.basis.raised(solution.x, -lowest);

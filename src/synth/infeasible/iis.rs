@@ -5,8 +5,8 @@ use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
-use crate::synth::families::Stuck;
-use crate::synth::limits::{Loads, NonconvexLimits};
+use crate::synth::families::{Stuck, at_own_size};
+use crate::synth::limits::NonconvexLimits;
 use crate::synth::named::key_of;
 use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
 use crate::synth::reason::Reason;
@@ -32,15 +32,18 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
         }
         Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
-            let limits = conflicting_limits(stuck);
+            let limits = conflicting_limits(problem, stuck);
             if limits.is_empty() {
-                let demands = conflicting_demands(&stuck.program);
+                let demands = conflicting_demands(problem, &stuck.program);
                 let conflict = members(&demands);
                 return because(Reason::DemandsInfeasible { demands }, conflict);
             }
+            if stuck.nonconvex.is_some() {
+                let conflict = limits.iter().copied().map(Conflicting::Limit).collect();
+                return because(Reason::NoLawFound { limits }, conflict);
+            }
             let relaxations = limits
                 .iter()
-                .filter(|_| stuck.nonconvex.is_none())
                 .filter_map(|&name| elastic(&stuck.program, name))
                 .collect();
             in_conflict(&limits, relaxations, problem.cam.measures())
@@ -82,24 +85,20 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
 
 /// The limits that were asked for and cannot hold together beside the demands; empty where the demands
 /// alone leave nothing.
-fn conflicting_limits(stuck: &Stuck) -> Vec<Criterion> {
-    let loads = stuck.nonconvex.and_then(|b| b.loads);
+fn conflicting_limits(problem: &Problem, stuck: &Stuck) -> Vec<Criterion> {
     let rows = stuck.program.limits.iter().filter(|l| is_asked(l));
+    let nonconvex = stuck.nonconvex.map_or_else(Vec::new, |b| b.names());
     let mut names: Vec<Criterion> = Vec::new();
-    for name in rows
-        .map(|l| l.name)
-        .chain(loads.iter().flat_map(Loads::named).map(|l| l.0.into()))
-    {
+    for name in rows.map(|l| l.name).chain(nonconvex) {
         if !names.contains(&name) {
             names.push(name);
         }
     }
     let holds = |kept: &[Criterion]| {
+        let stays = |name: Criterion| !names.contains(&name) || kept.contains(&name);
         let mut program = stuck.program.clone();
-        program
-            .limits
-            .retain(|l| !names.contains(&l.name) || kept.contains(&l.name));
-        can_hold(&program, stuck.nonconvex.map(|b| only_loads(b, kept)))
+        program.limits.retain(|l| stays(l.name));
+        can_hold(problem, &program, stuck.nonconvex.map(|b| b.only(stays)))
     };
     // Where no law is found without any limit, the limits are not to blame.
     if holds(&[]) != Some(true) {
@@ -109,7 +108,7 @@ fn conflicting_limits(stuck: &Stuck) -> Vec<Criterion> {
 }
 
 /// The points and dwells that cannot hold together on or above the base circle.
-fn conflicting_demands(program: &Program) -> Vec<Demand> {
+fn conflicting_demands(problem: &Problem, program: &Program) -> Vec<Demand> {
     let mut names: Vec<Demand> = Vec::new();
     for demand in &program.equalities {
         if !names.contains(&demand.name) {
@@ -125,7 +124,7 @@ fn conflicting_demands(program: &Program) -> Vec<Demand> {
         let mut trial = program.clone();
         trial.equalities.retain(|e| kept.contains(&e.name));
         // Without a demand the law rests on the base circle.
-        Some(kept.is_empty() || can_hold(&trial, None) == Some(true))
+        Some(kept.is_empty() || can_hold(problem, &trial, None) == Some(true))
     })
 }
 
@@ -135,27 +134,20 @@ fn is_asked(limit: &Limit) -> bool {
 }
 
 /// Whether a law was found that keeps everything; `None` where the solver stopped without an answer.
-fn can_hold(program: &Program, nonconvex: Option<NonconvexLimits>) -> Option<bool> {
+fn can_hold(
+    problem: &Problem,
+    program: &Program,
+    nonconvex: Option<NonconvexLimits>,
+) -> Option<bool> {
     match program.solve() {
         // What the exchange of rows could not bring inside the limits is no law.
         Ok(own) if own.violation > BROKEN => Some(false),
-        Ok(own) => Some(nonconvex.is_none_or(|b| scp::feasible(program, &own, b).is_some())),
+        Ok(own) => Some(nonconvex.is_none_or(|limits| {
+            let start = at_own_size(problem, program, &own).unwrap_or(own);
+            scp::feasible(program, &start, limits).is_some()
+        })),
         Err(Failure::Infeasible | Failure::Inconsistent { .. }) => Some(false),
         Err(Failure::Numerical { .. }) => None,
-    }
-}
-
-fn only_loads(limits: NonconvexLimits, names: &[Criterion]) -> NonconvexLimits {
-    let left_out = |loads: Loads| {
-        loads
-            .named()
-            .into_iter()
-            .filter(|l| !names.contains(&l.0.into()))
-            .fold(loads, |loads, (name, _)| loads.with(name, None))
-    };
-    NonconvexLimits {
-        loads: limits.loads.map(left_out),
-        ..limits
     }
 }
 

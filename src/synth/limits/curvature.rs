@@ -14,7 +14,7 @@ const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference below this share of the prime radius is rounding.
 const TOUCH: f64 = 1e-6;
 /// A sharp edge has no radius of its own; this part of the cam's keeps the division finite.
-const SHARP: f64 = 1e-6;
+pub const SHARP: f64 = 1e-6;
 
 /// s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];

@@ -3,7 +3,7 @@
 
 use super::loads::Loads;
 use super::{curvature, pressure_angle};
-use crate::cam::Criterion;
+use crate::cam::{Criterion, LimitKind};
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, stand_in_for_difference};
 
@@ -31,11 +31,28 @@ impl NonconvexLimits {
         self.profile.map_or(ProfileSize::NONE, |f| f.size())
     }
 
-    /// The same limits with another smallest radius.
-    pub fn with_rho(self, rho: f64) -> Self {
+    /// The names of all of them.
+    pub fn names(&self) -> Vec<Criterion> {
+        let mut out: Vec<Criterion> = Vec::new();
+        for slack in self.slacks(Svaj::default()) {
+            if !out.contains(&slack.name) {
+                out.push(slack.name);
+            }
+        }
+        out
+    }
+
+    /// Those of them that `kept` names.
+    pub fn only(&self, kept: impl Fn(Criterion) -> bool) -> Self {
+        let left_out = |loads: Loads| {
+            let named = loads.named().into_iter();
+            named
+                .filter(|l| !kept(l.0.into()))
+                .fold(loads, |loads, (name, _)| loads.with(name, None))
+        };
         NonconvexLimits {
-            profile: self.profile.map(|f| f.with_rho(rho)),
-            ..self
+            profile: self.profile.and_then(|p| p.only(&kept)),
+            loads: self.loads.map(left_out),
         }
     }
 
@@ -195,22 +212,23 @@ impl Profile {
         }
     }
 
-    /// Smallest radius allowed.
-    pub fn rho(&self) -> f64 {
-        match *self {
-            Profile::Roller(size) => size.rho,
-            Profile::Arm { rho, .. } | Profile::Face { rho, .. } => rho,
-        }
-    }
-
-    /// The same follower with another smallest radius.
-    pub fn with_rho(mut self, smallest: f64) -> Self {
+    /// The limits that `kept` names; `None` where that is none.
+    fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
+        let curved = kept(LimitKind::Curvature.into());
         match &mut self {
-            Profile::Roller(ProfileSize { rho, .. })
-            | Profile::Arm { rho, .. }
-            | Profile::Face { rho, .. } => *rho = smallest,
+            Profile::Roller(_) | Profile::Face { .. } => curved.then_some(self),
+            Profile::Arm {
+                prime, rho, tan, ..
+            } => {
+                for (tan, side) in tan.iter_mut().zip(pressure_angle::SIDES) {
+                    *tan = tan.filter(|_| kept(side.into()));
+                }
+                if !curved {
+                    *rho = curvature::SHARP * *prime;
+                }
+                (curved || tan.iter().any(Option::is_some)).then_some(self)
+            }
         }
-        self
     }
 
     /// The same follower at another size.
@@ -267,11 +285,16 @@ pub fn relative(law: &Law, limits: &NonconvexLimits) -> Vec<PiecewisePoly> {
         .collect()
 }
 
+/// Smallest h/w over the law, for each of the limits.
+pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
+    let curves = relative(law, limits);
+    curves.iter().map(|c| c.extremes().0.value).collect()
+}
+
 /// Smallest h/w over the law.
 pub fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
-    relative(law, limits)
-        .iter()
-        .fold(f64::INFINITY, |m, curve| m.min(curve.extremes().0.value))
+    let all = clearances(law, limits).into_iter();
+    all.fold(f64::INFINITY, f64::min)
 }
 
 /// The same of the loads alone; ∞ where there are none.

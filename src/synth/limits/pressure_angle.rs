@@ -15,6 +15,8 @@ pub const NEARLY_RIGHT: f64 = FRAC_PI_2 - 1e-3;
 
 const RISING: LimitKind = LimitKind::PressureAngleRise;
 const FALLING: LimitKind = LimitKind::PressureAngleFall;
+/// Limits on rise and fall, in this order.
+pub const SIDES: [LimitKind; 2] = [RISING, FALLING];
 
 /// On a given prime circle: ±(v − e) ≤ tan φ·(s + D) (theory §6).
 pub fn rows(problem: &Problem) -> Vec<Limit> {

@@ -291,12 +291,13 @@ impl Columns {
     }
 }
 
-/// Size of a row's terms for coefficients of typical size; 1 for a row on the sizes alone.
+/// Size of a row's terms for coefficients of typical size; the length for a row on sizes alone.
 pub fn row_unit(entries: &[(usize, f64)], length: f64) -> f64 {
     let unit = entries
         .iter()
         .fold(0.0_f64, |m, e| m.max((e.1 * length).abs()));
-    if unit > 0.0 { unit } else { 1.0 }
+    // A row on a size alone.
+    if unit > 0.0 { unit } else { length }
 }
 
 fn upper_triangle(lower: &[(usize, usize, f64)], columns: usize, factor: f64) -> CscMatrix<f64> {

@@ -250,7 +250,7 @@ impl<'a> Contacts<'a> {
         let program = self.program;
         let over = |row: &Row| -self.slack(row, at) / row_unit(&row.entries, program.length);
         let of_rows = program.fixed.iter().map(over);
-        let alone = program.limits.iter().filter(|l| is_on_size_alone(l));
+        let alone = program.limits.iter().filter(|l| l.is_on_size_alone());
         let of_sizes = alone.map(|limit| {
             let room = limit.room(&at.extra);
             -room / limit.size(room)
@@ -311,7 +311,7 @@ impl<'a> Contacts<'a> {
         }
         // A limit on a size alone is one row, which no place of the law calls in.
         for (index, limit) in program.limits.iter().enumerate() {
-            if is_on_size_alone(limit) && !rows.iter().any(|r| r.limit == Some(index)) {
+            if limit.is_on_size_alone() && !rows.iter().any(|r| r.limit == Some(index)) {
                 let first = Peak {
                     piece: 0,
                     u: 0.0,
@@ -390,9 +390,4 @@ impl<'a> Contacts<'a> {
         }
         last
     }
-}
-
-/// Whether a limit is one on a variable beside the law.
-fn is_on_size_alone(limit: &Limit) -> bool {
-    limit.weights == [0.0; 5] && limit.extra != [0.0; EXTRAS]
 }

@@ -64,7 +64,7 @@ pub use equality::solve as solve_equalities;
 pub use objective::Quadratic;
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, Row, Solution, Stop,
+    RISE, Row, SIZES, Solution, Stop,
 };
 pub use settings::{
     ActiveSetSettings, ContactSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,

@@ -1,7 +1,7 @@
 //! Whole steps of a sequence of convex programs, mended where they break what is not convex.
 
-use super::{NEARLY, ROOM, contacts, linearised, solved};
-use crate::synth::limits::{NonconvexLimits, clearance};
+use super::{NEARLY, ROOM, Room, contacts, least, linearised, solved};
+use crate::synth::limits::{NonconvexLimits, clearances};
 use crate::synth::qp::{EXTRAS, Program, Solution};
 
 /// Linearisations of a step about its own end before it is shortened instead.
@@ -16,23 +16,23 @@ pub fn corrected(
 ) -> Option<(Solution, f64)> {
     let present = program.present();
     let mut end = target.clone();
-    let (mut kept, mut before) = (2.0 * ROOM, f64::NEG_INFINITY);
+    let (mut kept, mut before) = (Room::above(0.0), f64::NEG_INFINITY);
     for round in 0..=CORRECTIONS {
         let here = sized(&end.extra);
-        let clear = clearance(&program.basis.law(&end.x), &here);
+        let each = clearances(&program.basis.law(&end.x), &here);
+        let clear = least(&each);
         if clear >= ROOM {
             return Some((end, clear));
         }
         if round == CORRECTIONS || clear < 2.0 * before.min(-NEARLY) {
             return None;
         }
-        // Low points that wander between two programs need a little more room than they take.
-        if clear > -NEARLY && clear < 0.25 * before {
-            kept = kept.max(-2.0 * clear);
+        if clear < 0.25 * before {
+            kept.widen(&each);
         }
         before = clear;
         let mut next = program.clone();
-        next.fixed = linearised(program, &end, &here, &present, kept);
+        next.fixed = linearised(program, &end, &here, &present, &kept);
         next.seeds = contacts(program, &end);
         let solved = solved(&next)?;
         end = Solution {

@@ -1,17 +1,18 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
-use super::{NEARLY, ROOM, SHORTEST, blend, contacts, each_place, linearised, row, solved};
+use super::{ROOM, Room, blend, contacts, each_place, least, linearised, row, solved};
 use crate::cam::LimitKind;
-use crate::synth::limits::{NonconvexLimits, Profile, ProfileSize, clearance};
-use crate::synth::qp::{EXTRAS, Program, RISE, Row, Solution};
+use crate::synth::limits::{NonconvexLimits, Profile, ProfileSize, clearance, clearances};
+use crate::synth::qp::{EXTRAS, PEAK, Program, Quadratic, RISE, Row, SIZES, Solution};
 
-/// Steps of a smallest radius that grows, and linearisations for each.
-const CLIMBS: usize = 40;
-const CLIMB_ROUNDS: usize = 8;
+/// Steps by which what is asked is tightened, linearisations for each, and the least part that a step may be.
+const TIGHTENINGS: usize = 40;
+const LINEARISATIONS: usize = 8;
+const SMALLEST_SHARE: f64 = 1e-3;
+/// Weight of nearness against a peak that is minimised.
+const HEAVY: f64 = 1e3;
 /// Parts of a step that are looked at.
 const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
-/// Halvings that find the radius a law keeps.
-const HALVINGS: usize = 24;
 
 /// The start itself where it holds; otherwise the optimum under the sufficient restriction, tightened
 /// about its own X a few times. Followers on an arm have no such restriction: there the linearised limits
@@ -22,27 +23,27 @@ pub fn feasible(
     sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
 ) -> Option<Solution> {
     let mut current = start.clone();
-    let mut room = 2.0 * ROOM;
+    let mut room = Room::above(0.0);
     for _ in 0..20 {
         let here = sized(&current.extra);
-        let clear = clearance(&program.basis.law(&current.x), &here);
-        if clear >= ROOM {
+        let clear = clearances(&program.basis.law(&current.x), &here);
+        if least(&clear) >= ROOM
+            && program.violation(&current.x, &current.extra) <= program.settings.tolerance
+            && program.keeps_sizes(&current.extra)
+        {
             return Some(current);
         }
-        // Low points that wander between two programs need a little more room than they take.
-        if clear > -NEARLY {
-            room = room.max(-2.0 * clear);
-        }
+        room.widen(&clear);
         let mut next = program.clone();
         next.fixed = match here.profile {
             Some(Profile::Roller(size)) => {
                 // What is sufficient for the curvature says nothing of the loads.
-                let mut rows = linearised(program, &current, &here, &program.present(), room);
+                let mut rows = linearised(program, &current, &here, &program.present(), &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
                 rows
             }
-            _ => linearised(program, &current, &here, &program.present(), room),
+            _ => linearised(program, &current, &here, &program.present(), &room),
         };
         next.seeds = contacts(program, &current);
         let solved = solved(&next)?;
@@ -54,81 +55,109 @@ pub fn feasible(
     None
 }
 
-/// A start by growing the smallest radius from what the law without it keeps to what is asked, each time
-/// from the law before.
-pub fn climbed(
+/// A start by tightening: what the law at hand breaks, of limits that are not convex and of limits on the size, is
+/// first relaxed as far as it breaks them, then step by step to what is asked, each time with the law nearest to the one
+/// before: what is minimised may draw it to where the linearised limits say nothing.
+pub fn tightened(
     program: &Program,
     start: &Solution,
     sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
 ) -> Option<Solution> {
-    let present = program.present();
-    let asked = sized(&start.extra).profile?.rho();
-    let holds = |s: &Solution, rho: f64| {
-        let limits = sized(&s.extra).with_rho(rho);
-        clearance(&program.basis.law(&s.x), &limits) >= ROOM
+    let clear = |s: &Solution| clearance(&program.basis.law(&s.x), &sized(&s.extra));
+    let first = clear(start).min(ROOM);
+    let asked = program.sizes_within(&start.extra);
+    let mut current = Solution {
+        active: Vec::new(),
+        ..start.clone()
     };
-    let (mut reached, mut missed) = (0.0, asked);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (reached + missed);
-        if holds(start, middle) {
-            reached = middle;
-        } else {
-            missed = middle;
+    let (mut reached, mut step) = (0.0_f64, 1.0_f64);
+    for _ in 0..TIGHTENINGS {
+        if program.halt.is_asked() {
+            return None;
         }
-    }
-    if reached == 0.0 {
-        return None;
-    }
-    let mut current = start.clone();
-    let mut step = asked - reached;
-    for _ in 0..CLIMBS {
-        let goal = (reached + step).min(asked);
-        let mut trial = current.clone();
-        let mut there = false;
-        let mut kept = 2.0 * ROOM;
-        for _ in 0..CLIMB_ROUNDS {
-            let limits = sized(&trial.extra).with_rho(goal);
-            let mut next = program.clone();
-            next.fixed = linearised(program, &trial, &limits, &present, kept);
-            next.seeds = contacts(program, &trial);
-            let Some(solved) = solved(&next) else {
-                break;
-            };
-            // Where the whole step overshoots, the part of it that comes nearest.
-            let clear = |part: f64| {
-                let some = blend(&trial, &solved, part, program);
-                let limits = sized(&some.extra).with_rho(goal);
-                (clearance(&program.basis.law(&some.x), &limits), some)
-            };
-            let nearest = PARTS
-                .iter()
-                .map(|&part| clear(part))
-                .max_by(|a, b| a.0.total_cmp(&b.0));
-            let Some((room, some)) = nearest else { break };
-            trial = some;
-            there = room >= ROOM;
-            // Low points wander between two programs.
-            if room > -NEARLY {
-                kept = kept.max(-2.0 * room);
+        let share = (reached + step).min(1.0);
+        let level = first + share * (ROOM - first);
+        for k in SIZES {
+            current.extra[k] = start.extra[k] + share * (asked[k] - start.extra[k]);
+        }
+        match kept_at(program, &current, level, sized) {
+            Some(found) if share >= 1.0 => {
+                return Some(Solution {
+                    violation: program.violation(&found.x, &found.extra),
+                    active: Vec::new(),
+                    ..found
+                });
             }
-            if there {
-                break;
+            Some(found) => {
+                (current, reached) = (found, share);
+                step *= 2.0;
             }
-        }
-        if there && goal >= asked {
-            return Some(trial);
-        }
-        if there {
-            (current, reached) = (trial, goal);
-            step *= 1.5;
-        } else {
-            step *= 0.5;
-            if step < SHORTEST * asked {
-                return None;
+            None => {
+                step *= 0.5;
+                if step < SMALLEST_SHARE {
+                    return None;
+                }
             }
         }
     }
     None
+}
+
+/// The law nearest to the one before, of its size, that keeps h ≥ level · w, linearised until it does.
+fn kept_at(
+    program: &Program,
+    before: &Solution,
+    level: f64,
+    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
+) -> Option<Solution> {
+    let mut near = nearest_to(program, before);
+    let mut trial = before.clone();
+    let (mut room, mut nearest) = (Room::above(level - ROOM), f64::NEG_INFINITY);
+    for _ in 0..LINEARISATIONS {
+        let limits = sized(&trial.extra);
+        near.fixed = linearised(program, &trial, &limits, &[false; EXTRAS], &room);
+        near.seeds = contacts(&near, &trial);
+        let mut target = solved(&near)?;
+        for k in SIZES {
+            target.extra[k] = before.extra[k];
+        }
+        // Where the whole step overshoots, the part of it that comes nearest.
+        let part = |part: f64| {
+            let some = blend(&trial, &target, part, &near);
+            (clearances(&program.basis.law(&some.x), &limits), some)
+        };
+        let parts = PARTS.iter().map(|&p| part(p));
+        let (each, some) = parts.max_by(|a, b| least(&a.0).total_cmp(&least(&b.0)))?;
+        let clear = least(&each);
+        trial = some;
+        if clear >= level {
+            return Some(trial);
+        }
+        if clear <= nearest {
+            return None;
+        }
+        nearest = clear;
+        room.widen(&each);
+    }
+    None
+}
+
+/// The program of the law nearest to one in the mean square of the acceleration, of the same size.
+fn nearest_to(program: &Program, before: &Solution) -> Program {
+    let mut near = program.clone();
+    near.limits.retain(|l| !l.is_on_size_alone());
+    let mut near = near.with_sizes_held(before, 0.0);
+    near.settings.tolerance = program.settings.tolerance;
+    // A peak is told, not minimised.
+    let peak = (program.cost[PEAK] * before.extra[PEAK]).abs();
+    let weight = if peak > 0.0 { HEAVY * peak } else { 1.0 };
+    let mut distance = Quadratic::zero(&program.basis);
+    distance.add_energy(&program.basis, 2, weight / program.length.powi(2));
+    let pulled = distance.hessian.times(&before.x[..program.basis.columns()]);
+    distance.gradient = pulled.iter().map(|g| -g).collect();
+    (near.hessian, near.gradient) = (distance.hessian, distance.gradient);
+    (near.lifted, near.constant) = (None, 0.0);
+    near
 }
 
 /// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.

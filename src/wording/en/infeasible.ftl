@@ -3,6 +3,7 @@ reason-demands-contradict = Contradictory conditions: { $demands }.
 reason-demands-infeasible = No law on or above the base circle satisfies these conditions together: { $demands }.
 reason-limit-infeasible = No law that satisfies the conditions satisfies the limit { $limit }.
 reason-limits-infeasible = Conflicting limits: { $limits }. No law satisfies them together.
+reason-no-law-found = No law was found that satisfies these limits together: { $limits }. Not all of them are convex, so this does not prove that none exists.
 reason-solver-stopped = The solver stopped without a result ({ $stop }); this does not prove that no law exists.
 reason-relaxation = Smallest sufficient change: { $changes }.
 reason-relaxations = Smallest sufficient changes, any one of them: { $changes }.

@@ -3,6 +3,7 @@ reason-demands-contradict = Condiciones contradictorias: { $demands }.
 reason-demands-infeasible = Ninguna ley situada en el círculo base o por encima cumple a la vez estas condiciones: { $demands }.
 reason-limit-infeasible = Ninguna ley que cumpla las condiciones cumple el límite «{ $limit }».
 reason-limits-infeasible = Límites incompatibles: { $limits }. Ninguna ley los cumple a la vez.
+reason-no-law-found = No se encontró ninguna ley que cumpla a la vez estos límites: { $limits }. No todos son convexos, así que esto no demuestra que no exista.
 reason-solver-stopped = El algoritmo se detuvo sin resultado ({ $stop }); esto no demuestra que no exista una ley.
 reason-relaxation = Menor cambio suficiente: { $changes }.
 reason-relaxations = Menores cambios suficientes, basta uno de ellos: { $changes }.

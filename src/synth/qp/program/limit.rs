@@ -92,6 +92,11 @@ impl Limit {
         self
     }
 
+    /// Whether it is one on variables beside the law.
+    pub fn is_on_size_alone(&self) -> bool {
+        self.weights == [0.0; 5] && self.extra != [0.0; EXTRAS]
+    }
+
     /// Whether its bound is minimised.
     pub fn is_peak(&self) -> bool {
         self.extra[PEAK] != 0.0

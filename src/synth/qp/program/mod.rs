@@ -199,6 +199,23 @@ impl Program {
         held
     }
 
+    /// Whether limits on the size alone hold.
+    pub fn keeps_sizes(&self, extra: &[f64; EXTRAS]) -> bool {
+        let mut alone = self.limits.iter().filter(|l| l.is_on_size_alone());
+        alone.all(|l| l.room(extra) >= -self.settings.tolerance * l.size(l.bound))
+    }
+
+    /// The sizes that limits on the size alone leave of these.
+    pub fn sizes_within(&self, extra: &[f64; EXTRAS]) -> [f64; EXTRAS] {
+        let mut out = *extra;
+        for limit in self.limits.iter().filter(|l| l.is_on_size_alone()) {
+            for k in SIZES.into_iter().filter(|&k| limit.extra[k] > 0.0) {
+                out[k] = out[k].min(limit.bound / limit.extra[k]);
+            }
+        }
+        out
+    }
+
     /// The same program with every stroke and face left free; `None` without such limits, and beside a program in
     /// which one of them was active.
     pub fn without_windows(&self) -> Option<Program> {
@@ -211,6 +228,7 @@ impl Program {
             return None;
         }
         let mut free = self.clone();
+        free.seeds.retain(|r| !of_window(r));
         for limit in free.limits.iter_mut().filter(|l| l.is_window()) {
             *limit = limit.idle();
         }
