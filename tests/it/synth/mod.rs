@@ -18,3 +18,4 @@ mod spans;
 mod targets;
 mod verdict;
 mod verdict_grid;
+mod witness;
