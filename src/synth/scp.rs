@@ -103,6 +103,10 @@ pub fn refine(
         next.fixed = linearised(program, &current, &here, &present, &Room::above(0.0));
         next.seeds = contacts(program, &current);
         let Some(target) = solved(&next) else {
+            if priced && reach > SHORTEST {
+                reach = 0.5 * reach.min(1.0);
+                continue;
+            }
             ended = Ended::NoSolution;
             break;
         };

@@ -29,7 +29,7 @@ const MIDWAY: f64 = 1e-3;
 const APART: f64 = 100.0;
 
 /// Solves a system that is asked to hold to a part of its limits, from a point on the way to the solution with other rows
-/// where there is one.
+/// where there is one and it leads there.
 pub fn solve(
     system: &System,
     settings: &InteriorPointSettings,
@@ -37,10 +37,23 @@ pub fn solve(
     halt: &Halt,
     from: Option<Midway>,
 ) -> Result<Found, Left> {
-    let mut point = match from.and_then(|from| Point::midway(system, from)) {
-        Some(point) => point,
-        None => Point::first(system).ok_or(Left::Open)?,
-    };
+    if let Some(point) = from.and_then(|from| Point::midway(system, from)) {
+        match solve_from(system, settings, asked, halt, point) {
+            Err(Left::Open) => (),
+            settled => return settled,
+        }
+    }
+    let point = Point::first(system).ok_or(Left::Open)?;
+    solve_from(system, settings, asked, halt, point)
+}
+
+fn solve_from(
+    system: &System,
+    settings: &InteriorPointSettings,
+    asked: f64,
+    halt: &Halt,
+    mut point: Point,
+) -> Result<Found, Left> {
     let mut midway = None;
     // More digits cost a few iterations only.
     let tolerance = match system.matrix {
