@@ -53,6 +53,8 @@ pub const ENLARGED: f64 = 4.0 * STEP_TOLERANCE;
 const WORTH_MENDING: f64 = 0.5;
 /// Limits with this part of their size to spare, or less, may bind after the next step.
 const SOON: f64 = 0.03;
+/// Weight of a size that has to shrink, against what is minimised.
+const FOREMOST: f64 = 1e3;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
@@ -85,7 +87,8 @@ pub fn refine(
         .iter()
         .filter_map(|start| start::feasible(program, start, &sized))
         .min_by(|a, b| merit(a).total_cmp(&merit(b)))
-        .or_else(|| start::tightened(program, starts.last()?, &sized))?;
+        .or_else(|| start::tightened(program, starts.last()?, &sized))
+        .or_else(|| shrunk(program, starts.last()?, limits))?;
     let mut steps = Vec::new();
     let mut ended = Ended::MostSteps;
     // Part by which a step may make the cam smaller: a size alone in the objective draws the law as far as the
@@ -182,6 +185,21 @@ pub fn refine(
         };
     }
     Some((current, steps, ended))
+}
+
+/// A start by shrinking a cam that is larger than allowed: the sequence itself with the size in front of what it minimises.
+fn shrunk(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
+    if program.keeps_sizes(&start.extra) {
+        return None;
+    }
+    let size = SIZES.iter().fold(0.0_f64, |m, &k| m.max(start.extra[k]));
+    let rest = (program.objective(&start.x) + program.constant).abs();
+    let priced = program.with_sizes_priced(&start.extra, FOREMOST * rest / size);
+    let (found, ..) = refine(&priced, std::slice::from_ref(start), limits)?;
+    program.keeps_sizes(&found.extra).then_some(Solution {
+        active: Vec::new(),
+        ..found
+    })
 }
 
 /// The program with the sizes that it prices held above the present ones less this part.

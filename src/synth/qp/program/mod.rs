@@ -213,7 +213,23 @@ impl Program {
                 out[k] = out[k].min(limit.bound / limit.extra[k]);
             }
         }
+        if self.cone && out[RADIUS] < extra[RADIUS] {
+            let part = out[RADIUS] / extra[RADIUS];
+            (out[RISE], out[OFFSET]) = (part * extra[RISE], part * extra[OFFSET]);
+        }
         out
+    }
+
+    /// The same program with limits on the size alone as wide as these sizes ask for, and a cost on each of them.
+    pub fn with_sizes_priced(&self, extra: &[f64; EXTRAS], cost: f64) -> Program {
+        let mut priced = self.clone();
+        for limit in priced.limits.iter_mut().filter(|l| l.is_on_size_alone()) {
+            limit.bound += (-limit.room(extra)).max(0.0);
+            for k in SIZES.into_iter().filter(|&k| limit.extra[k] > 0.0) {
+                priced.cost[k] = priced.cost[k].max(cost);
+            }
+        }
+        priced
     }
 
     /// The same program with every stroke and face left free; `None` without such limits, and beside a program in
