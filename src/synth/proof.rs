@@ -7,7 +7,7 @@ use super::qp::{Certificate, TOLERANCE};
 use crate::wording::{self, Language};
 
 /// Largest relative gap, and part of the gradient left over, of an optimum that is called certified.
-const PROVED: f64 = 1e-6;
+pub const PROVED: f64 = 1e-6;
 
 /// Why a law is not certified to be the optimum.
 ///

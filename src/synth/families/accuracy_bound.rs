@@ -4,7 +4,7 @@
 //! (theory §8). The proof holds as it is for every program with the same objective, the same demands and those limits,
 //! whatever else it asks for: where a limit that has no part in it is relaxed, the answer is known.
 
-use super::touching::{self, Touched};
+use super::touching::Touched;
 use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{self, Program, Solution};
@@ -76,8 +76,7 @@ fn least(proof: &Proof, program: &Program) -> Option<f64> {
         limit.is_some_and(|limit| program.limits.contains(limit))
     });
     let bound = qp::certificate(solved, &shared);
-    (bound.stationarity <= STATIONARY)
-        .then(|| touching::value(solved, solution) - bound.duality_gap)
+    (bound.stationarity <= STATIONARY).then(|| solved.merit(solution) - bound.duality_gap)
 }
 
 /// Whether two programs differ in their limits alone.

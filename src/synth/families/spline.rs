@@ -12,7 +12,7 @@ use crate::synth::design::{Easing, SolverReport, Step, Tier};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::method::{Ended, Method};
 use crate::synth::parameters::Functions;
-use crate::synth::proof::Doubt;
+use crate::synth::proof::{Doubt, PROVED};
 use crate::synth::qp::{
     Certificate, Failure, OFFSET, PEAK, Program, Quadratic, RADIUS, RISE, Solution, Stop,
 };
@@ -43,6 +43,8 @@ struct Fitted {
     force: Quadratic,
     /// What no law that keeps the convex limits betters, where a sequence went on from there.
     least: f64,
+    /// … proved for every touching angle.
+    least_is_proved: bool,
     /// The sequence of convex programs, where one was needed, and why it ended.
     sequence: Option<(Vec<Step>, Ended)>,
     /// Limits that are not convex and that no law was found to keep.
@@ -83,8 +85,10 @@ fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
         );
     }
     let mut evidence = qp::certificate(program, solution);
-    evidence.bounded_by(touching::value(program, solution) - fitted.least);
-    (evidence, Some(Doubt::Local))
+    evidence.bounded_by(program.merit(solution) - fitted.least);
+    // Where the limits that are not convex cost nothing, no law that keeps the others is better.
+    let global = fitted.least_is_proved && evidence.global_gap <= PROVED;
+    (evidence, (!global).then_some(Doubt::Local))
 }
 
 /// The law on a number of spans with every limit, where there is one.
@@ -205,6 +209,7 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
         touched,
         force,
         least: f64::NEG_INFINITY,
+        least_is_proved: false,
         sequence: None,
         left_out: false,
         spans,
@@ -242,7 +247,7 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
     let limits = limits::nonconvex(problem)?;
     limits.loads?;
     let (program, solution) = at_level(problem, fitted, &limits);
-    let here = scp::sized(&limits, &program.present(), limits.size(), &solution.extra);
+    let here = scp::AtSize::new(limits, &program).of(&solution);
     if limits::loaded(&program.basis.law(&solution.x), &here) >= 0.0 {
         return None;
     }
@@ -261,10 +266,13 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits) else {
         return false;
     };
-    if steps.is_empty() && refined.x == solution.x && refined.extra == solution.extra {
+    // The optimum of what is convex, at a size that costs no more.
+    let as_it_was = steps.is_empty() && refined.x == solution.x;
+    if as_it_was && program.merit(&refined) <= program.merit(&solution) {
         return true;
     }
     fitted.least = fitted.touched.least();
+    fitted.least_is_proved = fitted.touched.evidence().1.is_none();
     fitted.touched = Touched::known(program, refined);
     fitted.sequence = Some((steps, ended));
     true

@@ -26,7 +26,7 @@ use crate::scene::Minimise;
 use crate::synth::limits;
 use crate::synth::proof::Doubt;
 use crate::synth::qp::{
-    self, Certificate, Demand, EXTRAS, Equality, Failure, Program, Row, Solution, apply,
+    self, Certificate, Demand, Equality, Failure, Program, Row, Solution, apply,
 };
 
 /// Part of the objective's size to which the least over all angles is proved.
@@ -86,13 +86,13 @@ impl Touched {
         let Some(bound) = self.bound else {
             return (evidence, self.at.map(|_| Doubt::TouchingAngle));
         };
-        evidence.widen(value(&self.program, &self.solution) - bound);
+        evidence.widen(self.program.merit(&self.solution) - bound);
         (evidence, None)
     }
 
     /// A lower bound of the objective over all laws that keep the limits.
     pub fn least(&self) -> f64 {
-        let value = value(&self.program, &self.solution);
+        let value = self.program.merit(&self.solution);
         value - self.evidence().0.duality_gap
     }
 
@@ -355,7 +355,7 @@ fn node(program: &Program, at: f64, solution: Solution) -> Node {
     let rows: &[Row] = &solution.active;
     let counted = rows.iter().filter(|row| !row.touching.is_empty());
     let pull = counted.map(|row| -row.multiplier * row.weights[0]).sum();
-    let value = value(program, &solution);
+    let value = program.merit(&solution);
     let dual = value - qp::certificate(program, &solution).duality_gap;
     let rate = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
     let lows = rate.roots().into_iter().map(|x| (x, law.svaj(x).s));
@@ -369,10 +369,4 @@ fn node(program: &Program, at: f64, solution: Solution) -> Node {
         law,
         solution,
     }
-}
-
-/// The whole objective of a solution.
-pub fn value(program: &Program, solution: &Solution) -> f64 {
-    let beside = (0..EXTRAS).map(|k| program.cost[k] * solution.extra[k]);
-    program.objective(&solution.x) + program.constant + beside.sum::<f64>()
 }

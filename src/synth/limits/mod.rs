@@ -24,9 +24,7 @@ pub use force::{about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};
-pub use nonconvex::{
-    NonconvexLimits, Profile, ProfileSize, clearance, clearances, loaded, relative,
-};
+pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearances, loaded, relative};
 pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks, usual_pressure_angle};
 pub use row::GEOMETRY;
 

@@ -291,12 +291,6 @@ pub fn clearances(law: &Law, limits: &NonconvexLimits) -> Vec<f64> {
     curves.iter().map(|c| c.extremes().0.value).collect()
 }
 
-/// Smallest h/w over the law.
-pub fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
-    let all = clearances(law, limits).into_iter();
-    all.fold(f64::INFINITY, f64::min)
-}
-
 /// The same of the loads alone; ∞ where there are none.
 pub fn loaded(law: &Law, limits: &NonconvexLimits) -> f64 {
     let names: Vec<Criterion> = limits
@@ -329,6 +323,12 @@ mod tests {
         };
         let pi = std::f64::consts::PI;
         program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
+    }
+
+    /// Smallest h/w over the law.
+    fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
+        let all = clearances(law, limits).into_iter();
+        all.fold(f64::INFINITY, f64::min)
     }
 
     /// Central differences of h against the derivatives stated, at places of many kinds.

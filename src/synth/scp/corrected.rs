@@ -1,8 +1,8 @@
 //! Whole steps of a sequence of convex programs, mended where they break what is not convex.
 
-use super::{NEARLY, ROOM, Room, contacts, least, linearised, solved};
-use crate::synth::limits::{NonconvexLimits, clearances};
-use crate::synth::qp::{EXTRAS, Program, Solution};
+use super::linearised::{NEARLY, Room, contacts, least_of, linearised};
+use super::{AtSize, ROOM, solved};
+use crate::synth::qp::{Program, Solution};
 
 /// Linearisations of a step about its own end before it is shortened instead.
 const CORRECTIONS: usize = 5;
@@ -12,15 +12,13 @@ const CORRECTIONS: usize = 5;
 pub fn corrected(
     program: &Program,
     target: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
+    at_size: &AtSize,
 ) -> Option<(Solution, f64)> {
-    let present = program.present();
     let mut end = target.clone();
     let (mut kept, mut before) = (Room::above(0.0), f64::NEG_INFINITY);
     for round in 0..=CORRECTIONS {
-        let here = sized(&end.extra);
-        let each = clearances(&program.basis.law(&end.x), &here);
-        let clear = least(&each);
+        let each = at_size.clear(program, &end);
+        let clear = least_of(&each);
         if clear >= ROOM {
             return Some((end, clear));
         }
@@ -32,7 +30,7 @@ pub fn corrected(
         }
         before = clear;
         let mut next = program.clone();
-        next.fixed = linearised(program, &end, &here, &present, &kept);
+        next.fixed = linearised(program, &end, at_size, &kept);
         next.seeds = contacts(program, &end);
         let solved = solved(&next)?;
         end = Solution {

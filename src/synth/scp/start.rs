@@ -1,8 +1,9 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
-use super::{ROOM, Room, blend, contacts, each_place, least, linearised, row, solved};
+use super::linearised::{Room, contacts, each_place, least_of, linearised, row};
+use super::{AtSize, ROOM, blend, solved};
 use crate::cam::LimitKind;
-use crate::synth::limits::{NonconvexLimits, Profile, ProfileSize, clearance, clearances};
+use crate::synth::limits::{Profile, ProfileSize};
 use crate::synth::qp::{EXTRAS, PEAK, Program, Quadratic, RISE, Row, SIZES, Solution};
 
 /// Steps by which what is asked is tightened, linearisations for each, and the least part that a step may be.
@@ -17,17 +18,12 @@ const PARTS: [f64; 4] = [1.0, 0.7, 0.4, 0.15];
 /// The start itself where it holds; otherwise the optimum under the sufficient restriction, tightened
 /// about its own X a few times. Followers on an arm have no such restriction: there the linearised limits
 /// are solved until they hold.
-pub fn feasible(
-    program: &Program,
-    start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
-) -> Option<Solution> {
+pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let mut current = start.clone();
     let mut room = Room::above(0.0);
     for _ in 0..20 {
-        let here = sized(&current.extra);
-        let clear = clearances(&program.basis.law(&current.x), &here);
-        if least(&clear) >= ROOM
+        let clear = at_size.clear(program, &current);
+        if least_of(&clear) >= ROOM
             && program.violation(&current.x, &current.extra) <= program.settings.tolerance
             && program.keeps_sizes(&current.extra)
         {
@@ -35,15 +31,15 @@ pub fn feasible(
         }
         room.widen(&clear);
         let mut next = program.clone();
-        next.fixed = match here.profile {
+        next.fixed = match at_size.of(&current).profile {
             Some(Profile::Roller(size)) => {
                 // What is sufficient for the curvature says nothing of the loads.
-                let mut rows = linearised(program, &current, &here, &program.present(), &room);
+                let mut rows = linearised(program, &current, at_size, &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
                 rows
             }
-            _ => linearised(program, &current, &here, &program.present(), &room),
+            _ => linearised(program, &current, at_size, &room),
         };
         next.seeds = contacts(program, &current);
         let solved = solved(&next)?;
@@ -58,13 +54,8 @@ pub fn feasible(
 /// A start by tightening: what the law at hand breaks, of limits that are not convex and of limits on the size, is
 /// first relaxed as far as it breaks them, then step by step to what is asked, each time with the law nearest to the one
 /// before: what is minimised may draw it to where the linearised limits say nothing.
-pub fn tightened(
-    program: &Program,
-    start: &Solution,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
-) -> Option<Solution> {
-    let clear = |s: &Solution| clearance(&program.basis.law(&s.x), &sized(&s.extra));
-    let first = clear(start).min(ROOM);
+pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
+    let first = least_of(&at_size.clear(program, start)).min(ROOM);
     let asked = program.sizes_within(&start.extra);
     let mut current = Solution {
         active: Vec::new(),
@@ -80,7 +71,7 @@ pub fn tightened(
         for k in SIZES {
             current.extra[k] = start.extra[k] + share * (asked[k] - start.extra[k]);
         }
-        match kept_at(program, &current, level, sized) {
+        match kept_at(program, &current, level, at_size) {
             Some(found) if share >= 1.0 => {
                 return Some(Solution {
                     violation: program.violation(&found.x, &found.extra),
@@ -104,18 +95,13 @@ pub fn tightened(
 }
 
 /// The law nearest to the one before, of its size, that keeps h ≥ level · w, linearised until it does.
-fn kept_at(
-    program: &Program,
-    before: &Solution,
-    level: f64,
-    sized: &impl Fn(&[f64; EXTRAS]) -> NonconvexLimits,
-) -> Option<Solution> {
+fn kept_at(program: &Program, before: &Solution, level: f64, at_size: &AtSize) -> Option<Solution> {
     let mut near = nearest_to(program, before);
+    let at_size = at_size.held();
     let mut trial = before.clone();
     let (mut room, mut nearest) = (Room::above(level - ROOM), f64::NEG_INFINITY);
     for _ in 0..LINEARISATIONS {
-        let limits = sized(&trial.extra);
-        near.fixed = linearised(program, &trial, &limits, &[false; EXTRAS], &room);
+        near.fixed = linearised(program, &trial, &at_size, &room);
         near.seeds = contacts(&near, &trial);
         let mut target = solved(&near)?;
         for k in SIZES {
@@ -124,11 +110,11 @@ fn kept_at(
         // Where the whole step overshoots, the part of it that comes nearest.
         let part = |part: f64| {
             let some = blend(&trial, &target, part, &near);
-            (clearances(&program.basis.law(&some.x), &limits), some)
+            (at_size.clear(program, &some), some)
         };
         let parts = PARTS.iter().map(|&p| part(p));
-        let (each, some) = parts.max_by(|a, b| least(&a.0).total_cmp(&least(&b.0)))?;
-        let clear = least(&each);
+        let (each, some) = parts.max_by(|a, b| least_of(&a.0).total_cmp(&least_of(&b.0)))?;
+        let clear = least_of(&each);
         trial = some;
         if clear >= level {
             return Some(trial);

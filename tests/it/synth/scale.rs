@@ -40,6 +40,13 @@ fn scenes() -> Vec<(&'static str, String)> {
             ),
         ),
         (
+            "roller, size limited",
+            scene(
+                &law(24),
+                "follower = \"roller-translating\"\nroller_radius = \"{0.006} m\"\n[limits]\npressure_angle = \"30 deg\"\ncurvature = \"{0.002} m\"\nprime_radius = \"{0.012} m\"\n",
+            ),
+        ),
+        (
             "knife edge without a limit",
             scene(
                 &law(16),

@@ -330,6 +330,12 @@ impl Program {
         self.cost[PEAK].abs() * peak.abs().max(f64::MIN_POSITIVE)
     }
 
+    /// The whole objective of a solution.
+    pub fn merit(&self, solution: &Solution) -> f64 {
+        let beside = (0..EXTRAS).map(|k| self.cost[k] * solution.extra[k]);
+        self.objective(&solution.x) + self.constant + beside.sum::<f64>()
+    }
+
     /// Value of the quadratic part of the objective.
     pub fn objective(&self, x: &[f64]) -> f64 {
         if let Some(lifted) = &self.lifted {

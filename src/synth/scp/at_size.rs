@@ -1,0 +1,61 @@
+//! Limits that are not convex, at the size that a solution of a program has.
+
+use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
+use crate::synth::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Solution};
+
+/// The limits beside a program, and which sizes are among its variables.
+pub struct AtSize {
+    limits: NonconvexLimits,
+    /// Sizes that a solution has.
+    present: [bool; EXTRAS],
+    /// Those that a step may change.
+    free: [bool; EXTRAS],
+}
+
+impl AtSize {
+    /// Beside a program: where it has the size among its variables, the follower's own is not looked at.
+    pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
+        let present = program.present();
+        AtSize {
+            limits,
+            present,
+            free: present,
+        }
+    }
+
+    /// The same where no step changes a size.
+    pub fn held(&self) -> Self {
+        AtSize {
+            free: [false; EXTRAS],
+            ..*self
+        }
+    }
+
+    /// The sizes that a step may change.
+    pub fn free(&self) -> [bool; EXTRAS] {
+        self.free
+    }
+
+    /// The limits at a solution.
+    pub fn of(&self, solution: &Solution) -> NonconvexLimits {
+        let given = self.limits.size();
+        let of = |k: usize, given: f64| {
+            if self.present[k] {
+                solution.extra[k]
+            } else {
+                given
+            }
+        };
+        self.limits.at_size(ProfileSize {
+            rise: of(RISE, given.rise),
+            offset: of(OFFSET, given.offset),
+            radius: of(RADIUS, given.radius),
+            rho: given.rho,
+        })
+    }
+
+    /// Smallest h/w of each limit over a solution's law.
+    pub fn clear(&self, program: &Program, solution: &Solution) -> Vec<f64> {
+        clearances(&program.basis.law(&solution.x), &self.of(solution))
+    }
+}

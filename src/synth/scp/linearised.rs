@@ -1,0 +1,190 @@
+//! Linear rows for what is not convex, about a law.
+
+use super::{ROOM, at_size::AtSize};
+use crate::cam::LimitKind;
+use crate::poly::{Peak, PiecewisePoly};
+use crate::synth::limits::relative;
+use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution};
+
+/// Rows per piece of the law.
+const ROWS_PER_PIECE: usize = 4;
+/// Places where h exceeds this part of its largest term are left out of a step; the search along the step
+/// watches them.
+const FAR: f64 = 0.6;
+/// Low points of h/w below this become rows.
+const NEAR: f64 = 0.05;
+/// A place this near (in units of its piece) to another one is the same.
+const COINCIDENT: f64 = 1e-6;
+/// Limits with this part of their size to spare, or less, may bind after the next step.
+const SOON: f64 = 0.03;
+/// A start that misses by less than this, relative to w, is sought with more room.
+pub const NEARLY: f64 = 1e-3;
+
+/// Room kept in h, relative to w, in each of the limits.
+pub struct Room {
+    /// What is kept in every one.
+    level: f64,
+    each: Vec<f64>,
+}
+
+impl Room {
+    pub fn above(level: f64) -> Room {
+        Room {
+            level,
+            each: Vec::new(),
+        }
+    }
+
+    fn of(&self, limit: usize) -> f64 {
+        let least = self.level + 2.0 * ROOM;
+        self.each.get(limit).map_or(least, |own| own.max(least))
+    }
+
+    /// Low points wander between two programs: a limit that they miss by little needs a little more room than that. One
+    /// that holds may have no more to give.
+    pub fn widen(&mut self, clear: &[f64]) {
+        self.each.resize(clear.len(), f64::NEG_INFINITY);
+        for (own, clear) in self.each.iter_mut().zip(clear) {
+            let missed = self.level - clear;
+            if missed > 0.0 && missed < NEARLY {
+                *own = own.max(self.level + 2.0 * missed);
+            }
+        }
+    }
+}
+
+/// The least of the clearances of several limits.
+pub fn least_of(clear: &[f64]) -> f64 {
+    clear.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// Where the limits themselves touched in the last program, or soon may: rows that the next one need not find.
+pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
+    let own = solution.active.iter().filter(|r| r.limit.is_some());
+    let mut out: Vec<Row> = own.cloned().collect();
+    let soon = |limit: &Limit| {
+        let room = program.room(limit, &solution.x, &solution.extra);
+        room - SOON * limit.size(room)
+    };
+    program.each_peak_above(&solution.x, soon, |index, peak| {
+        let known = |r: &Row| r.limit == Some(index) && r.peak.piece == peak.piece;
+        if !out.iter().any(known) {
+            out.push(program.row(index, peak));
+        }
+    });
+    out
+}
+
+/// Rows of h₀ + ∇h·(step) ≥ room·w where h is small enough for one step to matter.
+pub fn linearised(
+    program: &Program,
+    current: &Solution,
+    at_size: &AtSize,
+    room: &Room,
+) -> Vec<Row> {
+    let law = program.basis.law(&current.x);
+    let (limits, free) = (&at_size.of(current), at_size.free());
+    let mut out = Vec::new();
+    let mut places = Vec::new();
+    each_place(program, |place| places.push(place));
+    // The rows of the grid bound h between them only to second order; its own low points are rows too.
+    for curve in relative(&law, limits) {
+        let low = PiecewisePoly::combine(&[(-1.0, &curve)], 0.0).peaks_above(-NEAR, 0.0, f64::MAX);
+        for dip in low {
+            let (piece, u) = law.poly().locate(dip.at);
+            places.push(Peak {
+                piece,
+                u,
+                at: dip.at,
+                value: 0.0,
+            });
+        }
+    }
+    // A low point wanders from one law to the next: rows on both sides of a contact close in on it like a secant.
+    let touched = current.active.iter().filter(|r| r.limit.is_none());
+    for peak in touched.map(|r| r.peak) {
+        let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
+        if !places.iter().any(near) {
+            places.push(peak);
+        }
+    }
+    let size = limits.size();
+    for place in places {
+        let at = law.svaj_on(place.piece, place.u);
+        for (k, s) in limits.slacks(at).into_iter().enumerate() {
+            if s.h > FAR * s.largest {
+                continue;
+            }
+            // Σ −∂h·x ≤ h₀ − Σ ∂h·x₀, with room for the check.
+            let mut bound = s.h
+                - room.of(k) * s.w
+                - s.by_lift * at.s
+                - s.by_velocity * at.v
+                - s.by_acceleration * at.a
+                - s.by_jerk * at.j;
+            let mut extra = [0.0; EXTRAS];
+            if free[RISE] {
+                extra[RISE] = -s.by_rise;
+                bound -= s.by_rise * size.rise;
+            }
+            if free[OFFSET] {
+                extra[OFFSET] = -s.by_offset;
+                bound -= s.by_offset * size.offset;
+            }
+            if free[RADIUS] && s.by_radius != 0.0 {
+                extra[RADIUS] = -s.by_radius;
+                bound -= s.by_radius * size.radius;
+            }
+            let weights = [-s.by_lift, -s.by_velocity, -s.by_acceleration, -s.by_jerk];
+            let one = row(program, place, &weights, extra, bound, s.w);
+            out.push(Row {
+                name: s.name,
+                ..one
+            });
+        }
+    }
+    out
+}
+
+/// Places at which every law of the program is linearised.
+pub fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
+    let breaks = program.basis.breaks();
+    for piece in 0..breaks.len() - 1 {
+        for k in 0..=ROWS_PER_PIECE {
+            let u = k as f64 / ROWS_PER_PIECE as f64;
+            let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);
+            visit(Peak {
+                piece,
+                u,
+                at,
+                value: 0.0,
+            });
+        }
+    }
+}
+
+/// A row that stands for itself.
+pub fn row(
+    program: &Program,
+    peak: Peak,
+    weights: &[f64],
+    extra: [f64; EXTRAS],
+    bound: f64,
+    scale: f64,
+) -> Row {
+    let entries = program.basis.row_on(peak.piece, peak.u, weights);
+    let mut all = [0.0; 5];
+    all[..weights.len()].copy_from_slice(weights);
+    Row {
+        limit: None,
+        name: LimitKind::Curvature.into(),
+        peak,
+        weights: all,
+        entries,
+        touching: Vec::new(),
+        extra,
+        bound,
+        scale,
+        multiplier: 0.0,
+    }
+}
