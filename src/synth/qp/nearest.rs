@@ -16,7 +16,7 @@ impl Program {
     /// is.
     pub(super) fn brought_inside(&self, solution: Solution) -> Solution {
         let outside = solution.violation > self.settings.tolerance && solution.violation < HAIR;
-        if !outside || self.cone {
+        if !outside || self.cone || !self.settings.exchange.moves_inside {
             return solution;
         }
         let Ok(nearest) = self.nearest_to(&solution).solve() else {
@@ -87,6 +87,7 @@ impl Program {
         out.seeds.clear();
         // The size of a range is that of its bound where its beginning is held.
         out.settings.tolerance *= 0.1;
+        out.settings.exchange.moves_inside = false;
         out
     }
 

@@ -134,6 +134,8 @@ pub struct ExchangeSettings {
     pub near: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
+    /// Whether a solution a hair outside its limits is exchanged for the nearest one inside.
+    pub moves_inside: bool,
 }
 
 /// Settings of the interior-point method.
@@ -205,6 +207,7 @@ impl Default for Settings {
                 lifted_margin: 1e-8,
                 near: 0.2,
                 coincident: 1e-4,
+                moves_inside: true,
             },
             interior_point: InteriorPointSettings {
                 tolerance: 1e-9,
