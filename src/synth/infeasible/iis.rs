@@ -32,15 +32,19 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
         }
         Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
-            let limits = conflicting_limits(problem, stuck);
+            let mut limits = conflicting_limits(problem, stuck);
+            if let Some(nonconvex) = stuck.nonconvex {
+                // The demands and all that is convex have a law: it was found first.
+                if limits.is_empty() {
+                    limits = nonconvex.names();
+                }
+                let conflict = limits.iter().copied().map(Conflicting::Limit).collect();
+                return because(Reason::NoLawFound { limits }, conflict);
+            }
             if limits.is_empty() {
                 let demands = conflicting_demands(problem, &stuck.program);
                 let conflict = members(&demands);
                 return because(Reason::DemandsInfeasible { demands }, conflict);
-            }
-            if stuck.nonconvex.is_some() {
-                let conflict = limits.iter().copied().map(Conflicting::Limit).collect();
-                return because(Reason::NoLawFound { limits }, conflict);
             }
             let relaxations = limits
                 .iter()
