@@ -99,7 +99,7 @@ pub fn refine(
             }
         }
     }
-    // A start that no step left is the optimum of what is convex, to rounding.
+    // A start that no step left needs no last program where it keeps what is convex to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact = (!as_it_came).then(|| held(program, &current, &at_size));
     if let Some(exact) = exact.flatten() {
