@@ -27,6 +27,13 @@ pub enum DriveKind {
 }
 
 impl DriveKind {
+    /// Every kind.
+    pub const ALL: [DriveKind; 3] = [
+        DriveKind::MovingAxis,
+        DriveKind::FixedAxis,
+        DriveKind::Hydraulic,
+    ];
+
     /// The name users write in a scene.
     pub fn name(self) -> &'static str {
         match self {

@@ -1,21 +1,11 @@
 //! One row of the key table.
 
+use super::field::Access;
 use super::kind::{Idle, Kind, Measure, Range, Relax};
-
 use super::value::Value;
 use crate::error::Result;
 use crate::scene::{LimitKind, Scene};
 use crate::units::Dimension;
-
-type Get = fn(&Scene, usize) -> Option<Value>;
-type Set = fn(&mut Scene, usize, Value) -> Result<()>;
-
-/// How a row reaches its field; the number counts entries of a list from 0.
-#[derive(Clone, Copy)]
-pub(super) struct Access {
-    pub get: Get,
-    pub set: Set,
-}
 
 /// A key of the scene file.
 ///
@@ -183,15 +173,32 @@ impl Key {
         }
     }
 
-    pub(super) const fn default(mut self, text: &'static str) -> Key {
-        self.default = text;
-        self
+    /// A row without conditions.
+    pub(super) const fn new(
+        path: &'static str,
+        kind: Kind,
+        range: Range,
+        default: &'static str,
+        access: Access,
+    ) -> Key {
+        Key {
+            path,
+            kind,
+            range,
+            default,
+            limit: None,
+            relax: None,
+            exists: |_| true,
+            required: |_| false,
+            idle: |_| None,
+            direct: true,
+            access,
+        }
     }
 
     pub(super) const fn limit(mut self, kind: LimitKind, relax: Relax) -> Key {
         self.limit = Some(kind);
         self.relax = Some(relax);
-        self.default = "";
         self
     }
 
@@ -223,112 +230,4 @@ impl Key {
         self.direct = false;
         self
     }
-}
-
-pub(super) const fn key(path: &'static str, kind: Kind, range: Range, access: Access) -> Key {
-    Key {
-        path,
-        kind,
-        range,
-        default: "",
-        limit: None,
-        relax: None,
-        exists: |_| true,
-        required: |_| false,
-        idle: |_| None,
-        direct: true,
-        access,
-    }
-}
-
-/// A number with a unit.
-pub(super) const fn number(
-    path: &'static str,
-    measure: Measure,
-    range: Range,
-    access: Access,
-) -> Key {
-    key(path, Kind::Number(measure), range, access).default("auto")
-}
-
-/// A number of the same unit for every follower.
-pub(super) const fn plain(
-    path: &'static str,
-    dimension: Dimension,
-    range: Range,
-    access: Access,
-) -> Key {
-    number(path, Measure::same(dimension), range, access)
-}
-
-/// A key of another kind than number.
-pub(super) const fn other(path: &'static str, kind: Kind, access: Access) -> Key {
-    key(path, kind, Range::Any, access)
-}
-
-/// Access to a field that is an `Option<f64>`.
-macro_rules! optional {
-    ($($field:ident).+) => {
-        $crate::scene::keys::row::Access {
-            get: |s, _| s.$($field).+.map($crate::scene::keys::Value::Number),
-            set: |s, _, v| { s.$($field).+ = v.number(); Ok(()) },
-        }
-    };
-}
-
-/// Access to a field that is an `f64` with a default.
-macro_rules! given {
-    ($($field:ident).+) => {
-        $crate::scene::keys::row::Access {
-            get: |s, _| Some($crate::scene::keys::Value::Number(s.$($field).+)),
-            set: |s, _, v| { if let Some(x) = v.number() { s.$($field).+ = x } Ok(()) },
-        }
-    };
-}
-
-/// Access to an `Option<f64>` of an entry of a list.
-macro_rules! optional_entry {
-    ($list:ident . $inner:ident, $field:ident) => {
-        $crate::scene::keys::row::Access {
-            get: |s, i| {
-                s.$list
-                    .$inner
-                    .get(i)?
-                    .$field
-                    .map($crate::scene::keys::Value::Number)
-            },
-            set: |s, i, v| {
-                $crate::scene::keys::row::entry(&mut s.$list.$inner, i).$field = v.number();
-                Ok(())
-            },
-        }
-    };
-}
-
-/// Access to an `f64` of an entry of a list.
-macro_rules! given_entry {
-    ($list:ident . $inner:ident, $field:ident) => {
-        $crate::scene::keys::row::Access {
-            get: |s, i| {
-                Some($crate::scene::keys::Value::Number(
-                    s.$list.$inner.get(i)?.$field,
-                ))
-            },
-            set: |s, i, v| {
-                $crate::scene::keys::row::entry(&mut s.$list.$inner, i).$field =
-                    v.number().unwrap_or(0.0);
-                Ok(())
-            },
-        }
-    };
-}
-
-pub(super) use {given, given_entry, optional, optional_entry};
-
-/// Entry number `index` of a list, made where it is missing.
-pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
-    if list.len() <= index {
-        list.resize(index + 1, T::default());
-    }
-    &mut list[index]
 }

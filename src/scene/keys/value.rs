@@ -2,9 +2,10 @@
 
 use toml::Value as Toml;
 
+use super::field::unknown_word;
 use super::kind::{Kind, Range};
 use super::row::Key;
-use crate::error::{Place, Placed, Result, SceneError, nearest};
+use crate::error::{Place, Placed, Result, SceneError};
 use crate::scene::Scene;
 use crate::units::{Dimension, Quantity, parse};
 
@@ -54,6 +55,14 @@ impl Value {
         match self {
             Value::Text(text) => text,
             _ => String::new(),
+        }
+    }
+
+    /// The texts; empty if it is none.
+    pub fn texts(self) -> Vec<String> {
+        match self {
+            Value::Texts(list) => list,
+            _ => Vec::new(),
         }
     }
 
@@ -144,11 +153,7 @@ fn choice(typed: &Toml, known: &[&'static str]) -> std::result::Result<Value, Sc
     if known.contains(&word.as_str()) {
         return Ok(Value::Text(word.clone()));
     }
-    Err(SceneError::UnknownWord {
-        word: word.clone(),
-        nearest: nearest(word, known.iter().copied()).map(str::to_string),
-        known: known.join(", "),
-    })
+    Err(unknown_word(word, known))
 }
 
 fn number(

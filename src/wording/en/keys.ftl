@@ -1,4 +1,4 @@
-# What each key of a scene file means (src/scene/keys/).
+# What each key of a scene file means (src/scene/keys/table.rs).
 key-name = Name of the scene and of its output folder.
 key-gait-file = Recording or written cycle of the wanted force; relative to the scene file first, then to the working directory.
 key-gait-model = Published load model of the wanted force: young, li-2010, setra, iso-22675 …

@@ -1,4 +1,4 @@
-# Qué significa cada clave de un archivo de escena (src/scene/keys/).
+# Qué significa cada clave de un archivo de escena (src/scene/keys/table.rs).
 key-name = Nombre de la escena y de su carpeta de salida.
 key-gait-file = Registro o ciclo escrito de la fuerza deseada; relativo primero al archivo de la escena y después al directorio de trabajo.
 key-gait-model = Modelo de carga publicado de la fuerza deseada: young, li-2010, setra, iso-22675 …

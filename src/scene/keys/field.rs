@@ -1,0 +1,189 @@
+//! How a key reaches the field that it sets: one way for each type of field.
+
+use super::value::Value;
+use crate::cam::{FollowerKind, Hardness};
+use crate::drive::DriveKind;
+use crate::error::{Result, SceneError, nearest};
+use crate::force::{Feet, Kind as Movement, OpenQuestion};
+use crate::law::Rise;
+use crate::scene::{Band, Family, ForceScale, KeywaySpec, Minimise, Phase, Scene};
+
+/// Getter and setter of a key; the number counts entries of a list from 0.
+#[derive(Clone, Copy)]
+pub struct Access {
+    pub get: fn(&Scene, usize) -> Option<Value>,
+    pub set: fn(&mut Scene, usize, Value) -> Result<()>,
+}
+
+/// Access to a field of the scene. `part?` is a part that a scene may lack, `list[N]` an entry of a list; both are
+/// made where a value is set in them.
+macro_rules! field {
+    ($($field:ident).+) => {
+        Access {
+            get: |s, _| s.$($field).+.value(),
+            set: |s, _, v| s.$($field).+.assign(v),
+        }
+    };
+    ($part:ident ? . $field:ident) => {
+        Access {
+            get: |s, _| s.$part.as_ref()?.$field.value(),
+            set: |s, _, v| s.$part.get_or_insert_default().$field.assign(v),
+        }
+    };
+    ($outer:ident . $part:ident ? . $field:ident) => {
+        Access {
+            get: |s, _| s.$outer.$part.as_ref()?.$field.value(),
+            set: |s, _, v| s.$outer.$part.get_or_insert_default().$field.assign(v),
+        }
+    };
+    ($outer:ident . $list:ident [N] . $field:ident) => {
+        Access {
+            get: |s, i| s.$outer.$list.get(i)?.$field.value(),
+            set: |s, i, v| entry(&mut s.$outer.$list, i).$field.assign(v),
+        }
+    };
+    ($part:ident ? . $list:ident [N] . $field:ident) => {
+        Access {
+            get: |s, i| s.$part.as_ref()?.$list.get(i)?.$field.value(),
+            set: |s, i, v| entry(&mut s.$part.get_or_insert_default().$list, i).$field.assign(v),
+        }
+    };
+}
+pub(super) use field;
+
+/// Entry number `index` of a list, made where it is missing.
+pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
+    if list.len() <= index {
+        list.resize(index + 1, T::default());
+    }
+    &mut list[index]
+}
+
+/// A type of which a key sets a field.
+pub(super) trait Field {
+    /// What a scene file has for it; `None` where it leaves the key out.
+    fn value(&self) -> Option<Value>;
+
+    /// Takes the value of a scene file.
+    ///
+    /// # Errors
+    /// A text that names nothing.
+    fn assign(&mut self, value: Value) -> Result<()>;
+}
+
+/// A [`Field`] from the expressions that read and set it.
+macro_rules! impl_field {
+    ($($type:ty: |$field:ident| $get:expr, |$value:ident| $set:expr;)+) => {$(
+        impl Field for $type {
+            fn value(&self) -> Option<Value> {
+                let $field = self;
+                $get
+            }
+
+            fn assign(&mut self, $value: Value) -> Result<()> {
+                *self = $set;
+                Ok(())
+            }
+        }
+    )+};
+}
+
+impl_field! {
+    f64: |x| Some(Value::Number(*x)), |v| v.number().unwrap_or_default();
+    Option<f64>: |x| x.map(Value::Number), |v| v.number();
+    usize: |n| Some(Value::Count(*n)), |v| v.count().unwrap_or(1);
+    Option<usize>: |n| n.map(Value::Count), |v| v.count();
+    bool: |flag| Some(Value::Flag(*flag)), |v| v == Value::Flag(true);
+    String: |text| Some(Value::Text(text.clone())), |v| v.text();
+    Option<String>: |text| text.clone().map(Value::Text), |v| Some(v.text());
+    Vec<String>: |list| (!list.is_empty()).then(|| Value::Texts(list.clone())), |v| v.texts();
+    Vec<OpenQuestion>: |list| names(list), |v| OpenQuestion::list(&v.text())?;
+    Rise: |rise| Some(Value::Text(rise.written())), |v| Rise::from_name(&v.text())?;
+    Option<Hardness>: |hardness| hardness.map(|h| Value::Text(h.to_string())), |v| Some(hardness(v.text())?);
+    Option<KeywaySpec>: |spec| spec.map(|s| match s {
+        KeywaySpec::Auto => Value::Text("auto".to_string()),
+        KeywaySpec::Width(width) => Value::Number(width),
+    }), |v| Some(v.number().map_or(KeywaySpec::Auto, KeywaySpec::Width));
+    Option<Band>: |band| band.map(|b| match b {
+        Band::Spread => Value::Text("spread".to_string()),
+        Band::Width(newtons) => Value::Number(newtons),
+    }), |v| Some(v.number().map_or(Band::Spread, Band::Width));
+    Phase: |phase| Some(match phase {
+        Phase::Free => Value::Text("free".to_string()),
+        Phase::At(angle) => Value::Number(*angle),
+    }), |v| v.number().map_or(Phase::Free, Phase::At);
+}
+
+fn names(questions: &[OpenQuestion]) -> Option<Value> {
+    let names: Vec<&str> = questions.iter().map(|q| q.name()).collect();
+    (!names.is_empty()).then(|| Value::Text(names.join(", ")))
+}
+
+fn hardness(typed: String) -> Result<Hardness> {
+    Hardness::parse(&typed).ok_or_else(|| SceneError::NotHardness { typed }.into())
+}
+
+/// A closed set of which users write the words.
+pub(super) trait Words: Copy + PartialEq + 'static {
+    fn words() -> Vec<(&'static str, Self)>;
+}
+
+macro_rules! impl_words {
+    ($($type:ty: $words:expr;)+) => {$(
+        impl Words for $type {
+            fn words() -> Vec<(&'static str, $type)> {
+                $words.to_vec()
+            }
+        }
+    )+};
+}
+
+impl_words! {
+    DriveKind: DriveKind::ALL.map(|k| (k.name(), k));
+    FollowerKind: FollowerKind::ALL.map(|k| (k.name(), k));
+    Movement: Movement::ALL.map(|k| (k.name(), k));
+    Feet: Feet::ALL.map(|k| (k.name(), k));
+    ForceScale: ForceScale::ALL.map(|k| (k.name(), k));
+    Family: Family::NAMES;
+    Minimise: Minimise::NAMES;
+}
+
+impl<T: Words> Field for T {
+    fn value(&self) -> Option<Value> {
+        let word = T::words().into_iter().find(|w| w.1 == *self)?.0;
+        Some(Value::Text(word.to_string()))
+    }
+
+    fn assign(&mut self, value: Value) -> Result<()> {
+        *self = named(&value.text())?;
+        Ok(())
+    }
+}
+
+impl<T: Words> Field for Option<T> {
+    fn value(&self) -> Option<Value> {
+        self.as_ref()?.value()
+    }
+
+    fn assign(&mut self, value: Value) -> Result<()> {
+        *self = Some(named(&value.text())?);
+        Ok(())
+    }
+}
+
+fn named<T: Words>(word: &str) -> Result<T> {
+    let words = T::words();
+    match words.iter().find(|w| w.0 == word) {
+        Some((_, value)) => Ok(*value),
+        None => Err(unknown_word(word, &words.iter().map(|w| w.0).collect::<Vec<_>>()).into()),
+    }
+}
+
+/// The error for a word outside a closed set.
+pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> SceneError {
+    SceneError::UnknownWord {
+        word: word.to_string(),
+        nearest: nearest(word, known.iter().copied()).map(str::to_string),
+        known: known.join(", "),
+    }
+}

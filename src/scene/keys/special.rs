@@ -1,0 +1,140 @@
+//! Access of keys that do not stand for one field alone.
+
+use std::path::PathBuf;
+
+use super::field::Access;
+use super::value::Value;
+use crate::scene::{Limits, Minimise, Scene, Source, Weigh};
+
+/// The word that switches a default bound off.
+pub(super) const NONE: &str = "none";
+
+/// `gait.file`: a recording, in place of a model.
+pub(super) const FILE: Access = Access {
+    get: |s, _| match &s.gait.as_ref()?.source {
+        Source::File(path) => Some(Value::Text(path.to_string_lossy().into_owned())),
+        Source::Model(_) => None,
+    },
+    set: |s, _, v| {
+        s.gait.get_or_insert_default().source = Source::File(PathBuf::from(v.text()));
+        Ok(())
+    },
+};
+
+/// `gait.model`: a model, in place of a recording.
+pub(super) const MODEL: Access = Access {
+    get: |s, _| match &s.gait.as_ref()?.source {
+        Source::Model(name) => Some(Value::Text(name.clone())),
+        Source::File(_) => None,
+    },
+    set: |s, _, v| {
+        s.gait.get_or_insert_default().source = Source::Model(v.text());
+        Ok(())
+    },
+};
+
+/// `cam.offset`: without a number it is free, which is not its default.
+pub(super) const OFFSET: Access = Access {
+    get: |s, _| {
+        let offset = s.cam.offset.map(Value::Number);
+        offset.or_else(|| Some(Value::Text("auto".to_string())))
+    },
+    set: |s, _, v| {
+        s.cam.offset = v.number();
+        Ok(())
+    },
+};
+
+/// `cam.material`: an empty text names none.
+pub(super) const MATERIAL: Access = Access {
+    get: |s, _| s.cam.making.material.clone().map(Value::Text),
+    set: |s, _, v| {
+        s.cam.making.material = Some(v.text()).filter(|text| !text.trim().is_empty());
+        Ok(())
+    },
+};
+
+/// `limits.force_min`, which "none" switches off together with its default.
+pub(super) const FORCE_MIN: Access = Access {
+    get: |s, _| bound(s.limits.unjudged.contact_force, s.limits.force_min),
+    set: |s, _, v| {
+        s.limits.unjudged.contact_force = is_none(&v);
+        s.limits.force_min = v.number();
+        Ok(())
+    },
+};
+
+/// `accuracy.rms`, which "none" switches off together with its default.
+pub(super) const ACCURACY: Access = Access {
+    get: |s, _| bound(s.limits.unjudged.accuracy, s.rms),
+    set: |s, _, v| {
+        s.limits.unjudged.accuracy = is_none(&v);
+        s.rms = v.number();
+        Ok(())
+    },
+};
+
+/// `limits.pressure_angle`: one value for both sides.
+pub(super) const PRESSURE_ANGLE: Access = Access {
+    get: |s, _| bound(s.limits.unjudged.pressure_angle, both_sides(&s.limits)),
+    set: |s, _, v| {
+        s.limits.unjudged.pressure_angle = is_none(&v);
+        s.limits.pressure_angle_rise = v.clone().number();
+        s.limits.pressure_angle_fall = v.number();
+        Ok(())
+    },
+};
+
+fn bound(is_off: bool, value: Option<f64>) -> Option<Value> {
+    let off = is_off.then(|| Value::Text(NONE.to_string()));
+    off.or_else(|| value.map(Value::Number))
+}
+
+fn is_none(value: &Value) -> bool {
+    matches!(value, Value::Text(word) if word == NONE)
+}
+
+/// The pressure angle of both sides, where it is one.
+pub(super) fn both_sides(limits: &Limits) -> Option<f64> {
+    limits
+        .pressure_angle_rise
+        .filter(|_| limits.pressure_angle_rise == limits.pressure_angle_fall)
+}
+
+/// Access to the pressure angle of one side, where the other side has another.
+macro_rules! one_side {
+    ($field:ident) => {
+        Access {
+            get: |s, _| match both_sides(&s.limits) {
+                None => s.limits.$field.value(),
+                Some(_) => None,
+            },
+            set: |s, _, v| s.limits.$field.assign(v),
+        }
+    };
+}
+
+/// Access to one weight of the objective.
+macro_rules! weigh {
+    ($field:ident) => {
+        Access {
+            get: |s, _| match s.law.minimise? {
+                Minimise::Weighed(weigh) => weigh.$field.value(),
+                _ => None,
+            },
+            set: |s, _, v| weights(s).$field.assign(v),
+        }
+    };
+}
+pub(super) use {one_side, weigh};
+
+/// The weights of the objective, made where they are missing.
+pub(super) fn weights(scene: &mut Scene) -> &mut Weigh {
+    if !matches!(scene.law.minimise, Some(Minimise::Weighed(_))) {
+        scene.law.minimise = Some(Minimise::Weighed(Weigh::default()));
+    }
+    match &mut scene.law.minimise {
+        Some(Minimise::Weighed(weigh)) => weigh,
+        _ => unreachable!("it was set above"),
+    }
+}

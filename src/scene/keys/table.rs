@@ -1,0 +1,310 @@
+//! The rows of the key table.
+
+use std::f64::consts::TAU;
+
+use super::field::{Access, Field, Words, entry, field};
+use super::kind::Range::{Acute, Any, Between, NotNegative, Positive};
+use super::kind::Relax::{Down, Up};
+use super::kind::{Idle, Kind, Measure, Range};
+use super::row::Key;
+use super::special::{
+    ACCURACY, FILE, FORCE_MIN, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE, both_sides, one_side,
+    weigh, weights,
+};
+use crate::cam::FollowerKind;
+use crate::drive::DriveKind;
+use crate::force::{Feet, Kind as Movement};
+use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
+use crate::units::Dimension::{self, *};
+
+/// Most spans of a spline: beyond this the law is a table, not a law.
+const MOST_SPANS: usize = 10_000;
+/// Highest degree of a polynomial.
+const HIGHEST_DEGREE: usize = 30;
+/// Most harmonics.
+const MOST_HARMONICS: usize = 400;
+/// Largest weight of a phase: beyond it the mean square loses the other phases' digits.
+const LARGEST_WEIGHT: f64 = 1e6;
+/// Most turns of a barrel's groove.
+const MOST_TURNS: usize = 100;
+
+/// Every key, in the order in which a scene is read and written: a row stands after those that decide about it.
+///
+/// A row has its path, what it takes, its value where none is given, its field, and the conditions on it.
+#[rustfmt::skip]
+pub static KEYS: &[Key] = &[
+    row("name", TEXT, "cam", field!(name)),
+
+    row("gait.file",            TEXT,                                 "",      FILE),
+    row("gait.model",           TEXT,                                 "",      MODEL),
+    row("gait.step_frequency",  number(Frequency, Positive),          "auto",  field!(gait?.step_frequency)).idle_when(over_recordings),
+    row("gait.body_weight",     number(Force, Positive),              "auto",  field!(gait?.body_weight)).idle_when(over_recordings),
+    row("gait.time",            TEXT,                                 "",      field!(gait?.time)).idle_when(over_models),
+    row("gait.force",           TEXTS,                                "",      field!(gait?.force)).idle_when(over_models),
+    row("gait.unit",            TEXT,                                 "",      field!(gait?.unit)).idle_when(over_models),
+    row("gait.rate",            number(Frequency, Positive),          "auto",  field!(gait?.rate)).idle_when(over_models),
+    row("gait.mass",            number(Mass, Positive),               "auto",  field!(gait?.mass)).idle_when(over_models),
+    row("gait.period",          number(Time, Positive),               "auto",  field!(gait?.period)).idle_when(over_models),
+    row("gait.span",            number(Angle, Between(0.0, TAU)),    "auto",  field!(gait?.span)).idle_when(over_models),
+    row("gait.kind",            words::<Movement>(),                  "",      field!(gait?.kind)).idle_when(over_models),
+    row("gait.accept",          TEXT,                                 "",      field!(gait?.accept)).idle_when(over_models),
+    row("gait.feet",            words::<Feet>(),                      "both",  field!(gait?.feet)),
+    row("gait.scale",           words::<ForceScale>(),                "none",  field!(gait?.scale)),
+    row("gait.band",            number(Force, Positive).or("spread"), "",      field!(gait?.band)),
+    row("gait.phase",           number(Angle, Any).or("free"),        "0 deg", field!(gait?.phase)),
+    row("gait.weight.N.from",   number(Angle, Any),                   "",      field!(gait?.weights[N].from)).required(),
+    row("gait.weight.N.to",     number(Angle, Any),                   "",      field!(gait?.weights[N].to)).required(),
+    row("gait.weight.N.weight", number(Ratio, Between(0.0, LARGEST_WEIGHT)), "", field!(gait?.weights[N].weight)).required(),
+
+    row("cam.follower",                words::<FollowerKind>(),             "flat-translating", field!(cam.follower)),
+    row("cam.prime_radius",            number(Length, Positive),            "auto",             field!(cam.prime_radius)).relax(Up),
+    row("cam.base_radius",             number(Length, Positive),            "auto",             field!(cam.base_radius)).relax(Up),
+    row("cam.offset",                  number(Length, Any).or("auto"),      "0",                OFFSET).only(translates).idle_when(flat_translating),
+    row("cam.roller_radius",           number(Length, Positive),            "",                 field!(cam.roller_radius)).only(has_roller).required(),
+    row("cam.arc_radius",              number(Length, Positive),            "",                 field!(cam.roller_radius)).only(is_mushroom).required(),
+    row("cam.pivot_distance",          number(Length, Any),                 "",                 field!(cam.pivot_distance)).only(is_on_arm).required(),
+    row("cam.arm",                     number(Length, Positive),            "",                 field!(cam.arm)).only(|s| is_on_arm(s) && !is_flat(s)).required(),
+    row("cam.face_offset",             number(Length, Any),                 "0",                field!(cam.face_offset)).only(|s| is_on_arm(s) && is_flat(s)),
+    row("cam.pivot_beside",            FLAG,                                "false",            field!(cam.pivot_beside)).only(is_on_arm),
+    row("cam.bore",                    number(Length, Positive),            "",                 field!(cam.bore)).relax(Down).only(turns),
+    row("cam.keyway",                  number(Length, Positive).or("auto"), "",                 field!(cam.keyway)).only(turns),
+    row("cam.mark",                    FLAG,                                "false",            field!(cam.mark)).only(turns),
+    row("cam.thickness",               number(Length, Positive),            "10 mm",            field!(cam.thickness)),
+    row("cam.material",                TEXT,                                "",                 MATERIAL),
+    row("cam.hardness",                TEXT,                                "",                 field!(cam.making.hardness)),
+    row("cam.roughness",               number(Length, Positive),            "",                 field!(cam.making.roughness)),
+    row("cam.tolerance",               number(Length, Positive),            "",                 field!(cam.making.tolerance)),
+    row("cam.balance",                 FLAG,                                "false",            field!(cam.making.balance)).only(is_disc),
+    row("cam.hub.diameter",            number(Length, Positive),            "",                 field!(cam.hub_diameter)).only(is_disc),
+    row("cam.hub.length",              number(Length, Positive),            "",                 field!(cam.hub_length)).only(is_disc),
+    row("cam.breadth",                 number(Length, Positive),            "",                 field!(cam.breadth)).only(translates),
+    row("cam.travel",                  number(Length, Positive),            "auto",             field!(cam.travel)).only(is_straight),
+    row("cam.turns",                   count(MOST_TURNS),                   "1",                field!(cam.turns)).only(is_barrel),
+    row("cam.depth",                   number(Length, Positive),            "auto",             field!(cam.depth)).only(is_barrel),
+    row("cam.roller_eccentricity",     number(Length, Positive),            "",                 field!(cam.eccentricity)).only(is_barrel),
+    row("cam.conjugate.distance",      number(Length, Positive),            "",                 field!(cam.conjugate?.distance)).only(|s| is_disc(s) && !is_on_arm(s)),
+    row("cam.conjugate.angle",         number(Angle, Positive),             "",                 field!(cam.conjugate?.angle)).only(is_on_arm),
+    row("cam.conjugate.base_radius",   number(Length, Positive),            "",                 field!(cam.conjugate?.base_radius)).only(is_disc),
+    row("cam.conjugate.roller_radius", number(Length, Positive),            "auto",             field!(cam.conjugate?.roller_radius)).only(|s| is_disc(s) && (has_roller(s) || is_mushroom(s))),
+
+    row("drive.kind",                words::<DriveKind>(),                "",           field!(drive.kind)),
+    row("drive.mass",                number(Mass, Positive),              "auto",       field!(drive.mass)).only(|s| !is_on_arm(s)).idle_when(hydraulic),
+    row("drive.inertia",             number(Inertia, Positive),           "auto",       field!(drive.mass)).only(is_on_arm).idle_when(hydraulic),
+    row("drive.speed",               SPEED,                               "auto",       field!(drive.speed)),
+    row("drive.gravity",             number(Acceleration, Positive),      "9.81 m/s^2", field!(drive.gravity)),
+    row("drive.spring_rate",         by_arm(SpringRate, AngularRate, NotNegative), "0", field!(drive.spring_rate)).only(is_fixed_axis),
+    row("drive.preload",             by_arm(Force, Torque, Any),          "0",          field!(drive.preload)).only(is_fixed_axis),
+    row("drive.damping",             number(Damping, NotNegative),        "0",          field!(drive.damping)).only(|s| is_fixed_axis(s) && !is_on_arm(s)),
+    row("drive.pressure_per_volume", number(PressurePerVolume, Positive), "",           field!(drive.pressure_per_volume)).only(is_hydraulic).required(),
+    row("drive.piston_radius",       number(Length, Positive),            "",           field!(drive.piston_radius)).only(is_hydraulic).required(),
+
+    row("law.family",               words::<Family>(),                   "",      field!(law.family)),
+    row("law.degree",               count(HIGHEST_DEGREE),               "auto",  field!(law.degree)).idle_when(neither_fitted_nor_polynomial),
+    row("law.spans",                count(MOST_SPANS),                   "auto",  field!(law.spans)).idle_when(not_fitted),
+    row("law.harmonics",            count(MOST_HARMONICS),               "auto",  field!(law.harmonics)).idle_when(not_harmonic),
+    row("law.minimise",             words::<Minimise>(),                 "",      field!(law.minimise)).idle_when(not_fitted),
+    row("law.weigh.force_error",    number(Percent, Positive),           "",      weigh!(force_error)).read_again().idle_when(not_fitted),
+    row("law.weigh.prime_radius",   number(Length, Positive),            "",      weigh!(prime_radius)).read_again().idle_when(not_fitted),
+    row("law.weigh.jerk",           by_arm(Jerk, AngularJerk, Positive), "",      weigh!(jerk)).read_again().idle_when(not_fitted),
+    row("law.monotone",             FLAG,                                "false", field!(law.monotone)).idle_when(not_fitted),
+    row("law.polydyne",             FLAG,                                "false", field!(law.polydyne)),
+    row("law.point.N.angle",        number(Angle, Any),                  "",      field!(law.points[N].angle)).required().idle_when(neither_fitted_nor_polynomial),
+    row("law.point.N.lift",         lift(0),                             "",      field!(law.points[N].lift)),
+    row("law.point.N.force",        number(Force, Any),                  "",      field!(law.points[N].force)),
+    row("law.point.N.velocity",     lift(1),                             "",      field!(law.points[N].velocity)),
+    row("law.point.N.acceleration", lift(2),                             "",      field!(law.points[N].acceleration)),
+    row("law.point.N.jerk",         lift(3),                             "",      field!(law.points[N].jerk)),
+    row("law.dwell.N.from",         number(Angle, Any),                  "",      field!(law.dwells[N].from)).required().idle_when(not_fitted),
+    row("law.dwell.N.to",           number(Angle, Any),                  "",      field!(law.dwells[N].to)).required(),
+    row("law.dwell.N.lift",         lift(0),                             "",      field!(law.dwells[N].lift)),
+    row("law.segment.N.motion",     TEXT,                                "dwell", field!(law.segments[N].motion)),
+    row("law.segment.N.lift",       lift(0),                             "0",     field!(law.segments[N].lift)),
+    row("law.segment.N.angle",      number(Angle, Positive),             "",      field!(law.segments[N].angle)).only(|s| !is_straight(s)).required().idle_when(no_program),
+    row("law.segment.N.length",     number(Length, Positive),            "",      field!(law.segments[N].angle)).only(is_straight).required().idle_when(no_program),
+
+    row("limits.stroke",              by_arm(Length, Angle, Positive),       "", field!(limits.stroke)).limit(LimitKind::Stroke, Up),
+    row("limits.velocity",            by_arm(Speed, AngularSpeed, Positive), "", field!(limits.velocity)).limit(LimitKind::Velocity, Up),
+    row("limits.acceleration",        by_arm(Acceleration, AngularAcceleration, Positive), "", field!(limits.acceleration)).limit(LimitKind::Acceleration, Up),
+    row("limits.jerk",                by_arm(Jerk, AngularJerk, Positive),   "", field!(limits.jerk)).limit(LimitKind::Jerk, Up),
+    row("limits.force_min",           by_arm(Force, Torque, Any).or(NONE),   "", FORCE_MIN).limit(LimitKind::ForceMin, Down),
+    row("limits.force_max",           by_arm(Force, Torque, Any),            "", field!(limits.force_max)).limit(LimitKind::ForceMax, Up),
+    row("limits.curvature",           number(Length, NotNegative),           "", field!(limits.curvature)).limit(LimitKind::Curvature, Down),
+    row("limits.pressure_angle",      number(Angle, Acute).or(NONE),         "", PRESSURE_ANGLE).limit(LimitKind::PressureAngle, Up).read_again(),
+    row("limits.pressure_angle_rise", number(Angle, Acute),                  "", one_side!(pressure_angle_rise)).limit(LimitKind::PressureAngleRise, Up),
+    row("limits.pressure_angle_fall", number(Angle, Acute),                  "", one_side!(pressure_angle_fall)).limit(LimitKind::PressureAngleFall, Up),
+    row("limits.prime_radius",        number(Length, Positive),              "", field!(limits.prime_radius)).limit(LimitKind::PrimeRadius, Up),
+    row("limits.face_width",          number(Length, Positive),              "", field!(limits.face_width)).limit(LimitKind::FaceWidth, Up).idle_when(no_flat_face),
+    row("limits.torque",              number(Torque, Positive),              "", field!(limits.torque)).limit(LimitKind::Torque, Up),
+    row("limits.power",               number(Power, Positive),               "", field!(limits.power)).limit(LimitKind::Power, Up),
+    row("limits.torque_rate",         number(AngularRate, Positive),         "", field!(limits.torque_rate)).limit(LimitKind::TorqueRate, Up),
+    row("limits.hertz_pressure",      number(Pressure, Positive),            "", field!(limits.hertz_pressure)).limit(LimitKind::HertzPressure, Up),
+    row("limits.residual",            by_arm(Length, Angle, Positive),       "", field!(limits.residual)).limit(LimitKind::Residual, Up),
+
+    row("machine.natural_frequency", number(Frequency, Positive),               "",     field!(machine.natural_frequency)),
+    row("machine.stiffness",         by_arm(SpringRate, AngularRate, Positive), "",     field!(machine.stiffness)),
+    row("machine.damping_ratio",     number(Ratio, NotNegative),                "0.05", field!(machine.damping_ratio)).idle_when(rigid),
+    row("machine.friction",          number(Ratio, NotNegative),                "0",    field!(machine.friction)),
+    row("machine.restitution",       number(Ratio, Between(0.0, 1.0)),          "0",    field!(machine.restitution)),
+    row("machine.second_cam",        number(Angle, Any),                        "",     field!(machine.second_cam)),
+
+    row("accuracy.rms", number(Percent, Positive).or(NONE), "auto", ACCURACY).relax(Up).idle_when(no_force),
+];
+
+/// What a row takes: kind of value and range.
+struct Takes(Kind, Range);
+
+impl Takes {
+    /// Or a word in place of the number.
+    const fn or(self, word: &'static str) -> Takes {
+        match self {
+            Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),
+            other => other,
+        }
+    }
+}
+
+const FLAG: Takes = Takes(Kind::Flag, Any);
+const TEXT: Takes = Takes(Kind::Text, Any);
+const TEXTS: Takes = Takes(Kind::Texts, Any);
+/// Speed of a cam that turns or travels.
+const SPEED: Takes = Takes(
+    Kind::Number(Measure {
+        straight: Speed,
+        ..Measure::same(AngularSpeed)
+    }),
+    Positive,
+);
+
+/// A number with a unit.
+const fn number(dimension: Dimension, range: Range) -> Takes {
+    by_arm(dimension, dimension, range)
+}
+
+/// A number with one unit for followers on an arm and another for all others.
+const fn by_arm(other: Dimension, arm: Dimension, range: Range) -> Takes {
+    Takes(Kind::Number(Measure::by_arm(other, arm)), range)
+}
+
+/// The derivative of the lift of an order by the cam's angle.
+const fn lift(order: u8) -> Takes {
+    match order {
+        0 => by_arm(Length, Angle, Any),
+        n => by_arm(LengthPerAngle(n), AnglePerAngle(n), Any),
+    }
+}
+
+/// A whole number from 1 on.
+const fn count(most: usize) -> Takes {
+    Takes(Kind::Count(1, most), Any)
+}
+
+/// One of the words of a closed set.
+const fn words<T: Words>() -> Takes {
+    Takes(
+        Kind::Choice(|| T::words().into_iter().map(|w| w.0).collect()),
+        Any,
+    )
+}
+
+const fn row(path: &'static str, takes: Takes, default: &'static str, access: Access) -> Key {
+    Key::new(path, takes.0, takes.1, default, access)
+}
+
+fn has_roller(scene: &Scene) -> bool {
+    scene.cam.follower.has_roller()
+}
+
+fn is_mushroom(scene: &Scene) -> bool {
+    scene.cam.follower.is_mushroom()
+}
+
+fn is_flat(scene: &Scene) -> bool {
+    scene.cam.follower.is_flat()
+}
+
+fn is_on_arm(scene: &Scene) -> bool {
+    scene.cam.is_oscillating()
+}
+
+fn translates(scene: &Scene) -> bool {
+    scene.cam.follower.is_translating()
+}
+
+fn is_straight(scene: &Scene) -> bool {
+    scene.cam.is_straight()
+}
+
+fn turns(scene: &Scene) -> bool {
+    !is_straight(scene)
+}
+
+fn is_barrel(scene: &Scene) -> bool {
+    scene.cam.follower == FollowerKind::Barrel
+}
+
+fn is_disc(scene: &Scene) -> bool {
+    turns(scene) && !is_barrel(scene)
+}
+
+fn is_fixed_axis(scene: &Scene) -> bool {
+    scene.drive.kind == DriveKind::FixedAxis
+}
+
+fn is_hydraulic(scene: &Scene) -> bool {
+    scene.drive.kind == DriveKind::Hydraulic
+}
+
+fn over_recordings(scene: &Scene) -> Option<Idle> {
+    let recording = scene.gait.as_ref().is_some_and(Gait::is_recording);
+    recording.then_some(Idle::Recording)
+}
+
+fn over_models(scene: &Scene) -> Option<Idle> {
+    let model = scene.gait.as_ref().is_some_and(|g| !g.is_recording());
+    model.then_some(Idle::Model)
+}
+
+fn no_force(scene: &Scene) -> Option<Idle> {
+    scene.gait.is_none().then_some(Idle::NoForce)
+}
+
+/// The offset of a flat face changes neither cam nor law.
+fn flat_translating(scene: &Scene) -> Option<Idle> {
+    (is_flat(scene) && translates(scene)).then_some(Idle::Follower)
+}
+
+/// Only a flat face has a width and an end.
+fn no_flat_face(scene: &Scene) -> Option<Idle> {
+    (!is_flat(scene)).then_some(Idle::Follower)
+}
+
+fn hydraulic(scene: &Scene) -> Option<Idle> {
+    is_hydraulic(scene).then_some(Idle::Drive)
+}
+
+/// A rigid follower does not vibrate.
+fn rigid(scene: &Scene) -> Option<Idle> {
+    let machine = &scene.machine;
+    let is_flexible = machine.natural_frequency.is_some() || machine.stiffness.is_some();
+    (!is_flexible).then_some(Idle::RigidFollower)
+}
+
+fn unless(scene: &Scene, families: &[Family]) -> Option<Idle> {
+    (!families.contains(&scene.law.family)).then_some(Idle::Family)
+}
+
+fn not_fitted(scene: &Scene) -> Option<Idle> {
+    unless(scene, &[Family::Auto, Family::Ladder, Family::Spline])
+}
+
+fn neither_fitted_nor_polynomial(scene: &Scene) -> Option<Idle> {
+    not_fitted(scene).filter(|_| scene.law.family != Family::Polynomial)
+}
+
+fn not_harmonic(scene: &Scene) -> Option<Idle> {
+    unless(scene, &[Family::Auto, Family::Ladder, Family::Harmonic])
+}
+
+fn no_program(scene: &Scene) -> Option<Idle> {
+    unless(scene, &[Family::Program])
+}
