@@ -4,8 +4,8 @@
     python3 docs/architecture.py            writes the picture
     python3 docs/architecture.py --check    fails if the committed picture is stale
 
-A box is a top-level module of the library (src/) or a crate (crates/*). An arrow points from a
-module to one that it imports. Arrows that follow from others are left out (transitive reduction). A
+A box is a top-level module of the library (src/) or a crate (crates/*): above the library the crates that use it, below it
+those that it uses. An arrow points from a module to one that it imports. Arrows that follow from others are left out (transitive reduction). A
 module stands one layer above the highest module that it imports. Only code counts, neither comments nor tests.
 """
 
@@ -103,6 +103,19 @@ def crates():
         imports[path.name] = {names[u] for u in used if u in names} - {path.name}
     rooms = {p.name: folders(p / "src") for p in found}
     return imports, rooms
+
+
+def below(imports):
+    """The crates that the library uses, and those that they use."""
+    text = "\n".join(code(p) for p in sources(ROOT / "src"))
+    todo = [n for n in re.findall(r"(?<![\w:])gaitcam_(\w+)::", text) if n in imports]
+    out = set()
+    while todo:
+        crate = todo.pop()
+        if crate not in out:
+            out.add(crate)
+            todo += imports[crate]
+    return out
 
 
 # --- layers ------------------------------------------------------------------------------------
@@ -348,15 +361,25 @@ def picture():
     inside, rooms = library()
     around, crate_rooms = crates()
     left, right = MARGIN, WIDTH - MARGIN
-    top, shapes, _ = diagram(inside, rooms, "box", left + 16, right - 16, -16)
+    under = below(around)
+    floor, foundation = 0, []
+    if under:
+        used = {c: around.pop(c) for c in sorted(under)}
+        top, foundation, rows = diagram(used, crate_rooms, "crate", left + 16, right - 16, -16)
+        floor = top - 30
+        for node in (n for row in rows for n in row if n.name and not n.up):
+            y2 = node.y - node.height / 2 - 7
+            foundation.append(f'<path class="arrow" d="M{node.x:.1f},{floor:.1f} V{y2:.1f}"/>')
+            foundation.append(f'<path class="head" d="M{node.x:.1f},{y2 + 7:.1f} l-4,-8 l8,0 z"/>')
+    top, shapes, _ = diagram(inside, rooms, "box", left + 16, right - 16, floor - 16)
     frame = top - 40
-    shapes = [
-        f'<rect class="frame" x="{left}" y="{frame:.1f}" width="{right - left}" height="{-frame:.1f}" rx="10"/>',
+    shapes = foundation + [
+        f'<rect class="frame" x="{left}" y="{frame:.1f}" width="{right - left}" height="{floor - frame:.1f}" rx="10"/>',
         f'<text class="title" x="{left + 14}" y="{frame + 22:.1f}">library gaitcam (src/)</text>',
     ] + shapes
     if around:
         # All crates rest on the library, so only the arrows between crates are drawn.
-        between = {c: used - {LIBRARY} for c, used in around.items()}
+        between = {c: used - {LIBRARY} - under for c, used in around.items()}
         top, more, rows = diagram(between, crate_rooms, "crate", left + 16, right - 16, frame - 36)
         shapes += more
         users = [n for row in rows for n in row if n.name and LIBRARY in around[n.name] and not n.down]

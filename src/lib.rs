@@ -54,12 +54,9 @@
 #![deny(clippy::missing_errors_doc)]
 
 pub mod criterion;
-pub mod halt;
-mod quantity;
 pub mod wording;
 
 pub mod error;
-pub mod units;
 
 pub mod poly;
 
@@ -86,6 +83,7 @@ pub use drive::Drive;
 pub use dynamics::simulate;
 pub use error::{Error, Result};
 pub use force::ForceCurve;
+pub use gaitcam_base::{halt, units};
 pub use law::Law;
 pub use problem::Problem;
 pub use scene::{Limits, Scene};

@@ -26,7 +26,7 @@ create_exception!(
 
 /// The exception of a fault.
 pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
-    let help = fault.cure();
+    let help = fault.help(Language::En);
     let error = InputError::new_err(fault.sentence(Language::En));
     let value = error.value(py);
     let place = fault.place.to_string();
@@ -34,7 +34,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     let set = |name: &str, attribute: Option<&str>| value.setattr(name, attribute);
     let attributes = set("key", key(&fault.place).as_deref())
         .and_then(|()| set("help", help.as_deref()))
-        .and_then(|()| set("code", Some(&fault.kind.code())))
+        .and_then(|()| set("code", Some(&fault.code())))
         .and_then(|()| set("place", Some(place)));
     match attributes {
         Ok(()) => error,

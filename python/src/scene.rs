@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{Error, ErrorKind, SceneError};
+use gaitcam::error::{Error, SceneError};
 use gaitcam::scene;
 use gaitcam_files::Input;
 use gaitcam_files::scene::parse;
@@ -46,8 +46,8 @@ impl Scene {
             Err(fault) => fault,
         };
         let open = matches!(
-            fault.kind,
-            ErrorKind::Scene(SceneError::NoForceNamed | SceneError::NothingAsked)
+            fault.fault(),
+            Some(SceneError::NoForceNamed | SceneError::NothingAsked)
         );
         if !open {
             return Err(raised(py, fault));

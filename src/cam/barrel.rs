@@ -8,7 +8,7 @@
 use crate::error::{CamError, Result};
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, stand_in};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use serde::Serialize;
 
 /// What runs in the groove.

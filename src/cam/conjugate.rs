@@ -5,8 +5,8 @@
 //! side, and so does a pivot (its sign).
 
 use super::{Cam, Follower, ProfilePoint, SizeLimits, smallest_for};
-use crate::error::{CamError, ErrorKind, Result};
-use crate::quantity::Quantity;
+use crate::error::{CamError, Result};
+use crate::units::Quantity;
 use serde::Serialize;
 
 /// What closes the pair.
@@ -107,14 +107,13 @@ impl Conjugate {
                     .ok_or_else(|| no_conjugate(&second, reach, total))?;
             }
         }
-        if let Err(mut fault) = check(&second) {
-            if let ErrorKind::Cam(because) = fault.kind {
-                fault.kind = ErrorKind::Cam(CamError::SecondCam {
-                    because: Box::new(because),
-                });
+        check(&second).map_err(|e| match e.fault::<CamError>() {
+            Some(because) => CamError::SecondCam {
+                because: Box::new(because.clone()),
             }
-            return Err(fault);
-        }
+            .into(),
+            None => e,
+        })?;
         let total = reach + second.follower.start_place();
         Ok(Conjugate {
             first: first.clone(),

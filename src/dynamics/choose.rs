@@ -10,7 +10,7 @@ use super::run::Run;
 use crate::cam::Measures;
 use crate::error::Result;
 use crate::poly::amplitudes;
-use crate::quantity::{Dimension, Quantity};
+use crate::units::{Dimension, Quantity};
 
 /// Force margin, as part of the mean, below which the contact itself is run.
 pub const MARGIN: f64 = 0.05;

@@ -5,7 +5,7 @@ use strum::VariantNames;
 
 use super::prepared::Prepared;
 use crate::cam::Measures;
-use crate::quantity::{Dimension, Quantity};
+use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
 /// The numbers that decided for a model.

@@ -3,19 +3,19 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// What is wrong with a follower, a size, a conjugate pair or a groove.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{CamError, ErrorKind};
+/// use gaitcam::error::CamError;
 /// use gaitcam::law::Law;
 ///
 /// // A roller as large as its prime circle leaves no cam.
 /// let follower = Follower::RollerTranslating { prime_radius: 0.01, offset: 0.0, roller_radius: 0.01 };
 /// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// let ErrorKind::Cam(CamError::RollerFillsCam { radius, .. }) = error.kind else { panic!("{error}") };
+/// let Some(CamError::RollerFillsCam { radius, .. }) = error.fault() else { panic!("{error}") };
 /// assert_eq!(radius.value, 0.01);
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -127,12 +127,12 @@ pub enum CamError {
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{CamError, CamLength, ErrorKind};
+/// use gaitcam::error::{CamError, CamLength};
 /// use gaitcam::law::Law;
 ///
 /// let follower = Follower::RollerTranslating { prime_radius: 0.05, offset: f64::NAN, roller_radius: 0.01 };
 /// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Cam(CamError::NotFinite { length: CamLength::Offset }));
+/// assert_eq!(error.fault(), Some(&CamError::NotFinite { length: CamLength::Offset }));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -154,14 +154,14 @@ pub enum CamLength {
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
-/// use gaitcam::error::{ArmFault, CamError, ErrorKind};
+/// use gaitcam::error::{ArmFault, CamError};
 /// use gaitcam::law::Law;
 ///
 /// // An arm of 20 mm about a pivot 130 mm away does not reach a prime circle of 68 mm: it has to be 62 mm.
 /// let follower = Follower::RollerOscillating { pivot_distance: 0.13, arm: 0.02, prime_radius: 0.068, roller_radius: 0.01 };
 /// let error = Cam::new(Law::harmonic(0.0, &[]), follower).unwrap_err();
-/// let ErrorKind::Cam(CamError::ArmReach { fault, least, .. }) = error.kind else { panic!("{error}") };
-/// assert_eq!(fault, ArmFault::Short);
+/// let Some(CamError::ArmReach { fault, least, .. }) = error.fault() else { panic!("{error}") };
+/// assert_eq!(fault, &ArmFault::Short);
 /// assert!((least.value - 0.062).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -3,19 +3,19 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// What is wrong with a machine, an emitted profile or the model asked for.
 ///
 /// ```
 /// use gaitcam::drive::Drive;
 /// use gaitcam::dynamics::Train;
-/// use gaitcam::error::{DynamicsError, ErrorKind};
+/// use gaitcam::error::DynamicsError;
 ///
 /// // Without a mass nothing has a natural frequency.
 /// let weightless = Drive::fixed_axis(0.0, 1000.0, 10.0);
 /// let error = Train::from_frequency(&weightless, 50.0, 0.05).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Dynamics(DynamicsError::FrequencyWithoutMass));
+/// assert_eq!(error.fault(), Some(&DynamicsError::FrequencyWithoutMass));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]

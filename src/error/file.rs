@@ -3,15 +3,13 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind};
-
 /// What is wrong with a file or folder. Texts in fields are what the system says.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};
 ///
 /// let error = FileError::NotUtf8.at_byte("walk.csv".as_ref(), 41);
-/// assert_eq!(error.kind.code(), "file-not-utf8");
+/// assert_eq!(error.code(), "file-not-utf8");
 /// assert!(error.to_string().starts_with("walk.csv byte 41: "));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -78,10 +76,4 @@ pub enum FileError {
         key: String,
         typed: String,
     },
-}
-
-impl From<FileError> for Error {
-    fn from(e: FileError) -> Error {
-        Error::from(ErrorKind::File(e))
-    }
 }

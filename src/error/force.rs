@@ -3,16 +3,16 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// Why there is no force curve.
 ///
 /// ```
 /// use gaitcam::ForceCurve;
-/// use gaitcam::error::{ErrorKind, ForceError};
+/// use gaitcam::error::ForceError;
 ///
 /// let error = ForceCurve::from_samples("short", 1.0, vec![700.0; 3]).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Force(ForceError::FewSamples { samples: 3 }));
+/// assert_eq!(error.fault(), Some(&ForceError::FewSamples { samples: 3 }));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]

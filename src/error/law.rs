@@ -3,18 +3,18 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// What is wrong with a motion, a programme of segments or a set of conditions.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, LawError};
+/// use gaitcam::error::LawError;
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
 /// // A rise of a third of a turn, and nothing after it.
 /// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: 120f64.to_radians() };
 /// let error = program(&[up], Extent::TURN).unwrap_err();
-/// let ErrorKind::Law(LawError::Uncovered { missing, .. }) = error.kind else { panic!("{error}") };
+/// let Some(LawError::Uncovered { missing, .. }) = error.fault() else { panic!("{error}") };
 /// assert!((missing.value - 240f64.to_radians()).abs() < 1e-12);
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -189,13 +189,13 @@ pub enum LawError {
 /// A segment of a programme, as messages name it.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, LawError};
+/// use gaitcam::error::LawError;
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
 /// let pi = std::f64::consts::PI;
 /// let segment = |motion, lift| Segment { motion, lift, angle: pi };
 /// let error = program(&[segment(Rise::Poly345, 0.02), segment(Rise::Dwell, -0.02)], Extent::TURN).unwrap_err();
-/// let ErrorKind::Law(LawError::DwellLift { segment, .. }) = error.kind else { panic!("{error}") };
+/// let Some(LawError::DwellLift { segment, .. }) = error.fault() else { panic!("{error}") };
 /// assert_eq!(segment.number(), 2);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, VariantNames)]
@@ -222,7 +222,7 @@ impl SegmentName {
 /// What makes two segments meet in velocity.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, JoinCure, LawError};
+/// use gaitcam::error::{JoinCure, LawError};
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
 /// // A straight line meets a dwell with a jump of velocity: the line is what moves there.
@@ -234,7 +234,7 @@ impl SegmentName {
 ///     segment(Rise::Poly345, -0.02, pi),
 /// ];
 /// let error = program(&list, Extent::TURN).unwrap_err();
-/// let ErrorKind::Law(LawError::VelocityJump { cure, .. }) = error.kind else { panic!("{error}") };
+/// let Some(LawError::VelocityJump { cure, .. }) = error.fault() else { panic!("{error}") };
 /// let JoinCure::PutBetween { segment } = cure else { panic!("{cure:?}") };
 /// assert_eq!(segment.number(), 1);
 /// ```

@@ -3,16 +3,16 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// Why a file cannot be read.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, ReadError};
+/// use gaitcam::error::ReadError;
 /// use gaitcam::force::{ReadOptions, read};
 ///
 /// let error = read("walk.csv".as_ref(), b"", &ReadOptions::default()).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Read(ReadError::Empty));
+/// assert_eq!(error.fault(), Some(&ReadError::Empty));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -120,11 +120,11 @@ pub enum ReadError {
 /// Kinds of file that are told from their first bytes and not read.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, FileKind, ReadError};
+/// use gaitcam::error::{FileKind, ReadError};
 /// use gaitcam::force::{ReadOptions, read};
 ///
 /// let error = read("walk.csv".as_ref(), b"%PDF-1.7", &ReadOptions::default()).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Read(ReadError::Foreign { kind: FileKind::Pdf }));
+/// assert_eq!(error.fault(), Some(&ReadError::Foreign { kind: FileKind::Pdf }));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -146,13 +146,13 @@ pub enum FileKind {
 /// A column that a cycle must have.
 ///
 /// ```
-/// use gaitcam::error::{CycleColumn, ErrorKind, ReadError};
+/// use gaitcam::error::{CycleColumn, ReadError};
 /// use gaitcam::force::{ReadOptions, one_cycle};
 ///
 /// let text = "# cycle, period_s = 1\ntime_s,height\n0,1\n0.5,2\n";
 /// let error = one_cycle("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default()).unwrap_err();
-/// let ErrorKind::Read(ReadError::CycleColumnMissing { column, .. }) = error.kind else { panic!("{error}") };
-/// assert_eq!(column, CycleColumn::Force);
+/// let Some(ReadError::CycleColumnMissing { column, .. }) = error.fault() else { panic!("{error}") };
+/// assert_eq!(column, &CycleColumn::Force);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

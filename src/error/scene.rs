@@ -3,18 +3,17 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// What is wrong with a scene file. Texts in fields are as the user typed them.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, SceneError};
+/// use gaitcam::error::SceneError;
 /// use gaitcam::scene;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let error = scene.with("limits.strok", "40 mm").unwrap_err();
-/// let ErrorKind::Scene(SceneError::NoSuchKey { nearest, .. }) = error.kind else { panic!("{error}") };
+/// let Some(SceneError::NoSuchKey { nearest, .. }) = error.fault() else { panic!("{error}") };
 /// assert_eq!(nearest.as_deref(), Some("stroke"));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -197,10 +196,4 @@ pub enum SceneError {
         nearest: Option<String>,
         known: String,
     },
-}
-
-impl From<SceneError> for Error {
-    fn from(e: SceneError) -> Error {
-        Error::from(ErrorKind::Scene(e))
-    }
 }

@@ -6,11 +6,11 @@ use strum::VariantNames;
 /// What is wrong with a sweep. Texts in fields are as the user typed them.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, SweepError};
+/// use gaitcam::error::SweepError;
 /// use gaitcam::sweep::Axis;
 ///
 /// let error = Axis::parse("limits.stroke", false).unwrap_err();
-/// assert!(matches!(error.kind, ErrorKind::Sweep(SweepError::NoAssignment { .. })));
+/// assert!(matches!(error.fault(), Some(SweepError::NoAssignment { .. })));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]

@@ -4,20 +4,19 @@ use serde::Serialize;
 use serde_json::Value;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// Why a design cannot be sought.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, SynthError};
+/// use gaitcam::error::SynthError;
 /// use gaitcam::scene::Gait;
 /// use gaitcam::{Scene, synthesise};
 ///
 /// // A scene that names a force wants one.
 /// let scene = Scene::default().with_gait(Gait::model("young"));
 /// let error = synthesise(&scene, None).unwrap_err();
-/// assert_eq!(error.kind, ErrorKind::Synth(SynthError::ForceNotRead));
+/// assert_eq!(error.fault(), Some(&SynthError::ForceNotRead));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -108,10 +107,4 @@ pub enum SynthError {
     PointOutside {
         at: Quantity,
     },
-}
-
-impl From<SynthError> for Error {
-    fn from(e: SynthError) -> Error {
-        Error::from(ErrorKind::Synth(e))
-    }
 }

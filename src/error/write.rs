@@ -3,8 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::{Error, ErrorKind};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// Why a file cannot be made or written.
 ///
@@ -13,7 +12,7 @@ use crate::quantity::Quantity;
 /// use gaitcam::units::Quantity;
 ///
 /// let error = WriteError::PlateThickness { thickness: Quantity::length(0.0) }.in_file("cam.stl".as_ref());
-/// assert_eq!(error.kind.code(), "write-plate-thickness");
+/// assert_eq!(error.code(), "write-plate-thickness");
 /// assert!(error.to_string().starts_with("cam.stl: "));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -39,10 +38,4 @@ pub enum WriteError {
     NoCutterPath,
     GrooveCutter { radius: Quantity, roller: Quantity },
     WireTooThick { radius: Quantity },
-}
-
-impl From<WriteError> for Error {
-    fn from(e: WriteError) -> Error {
-        Error::from(ErrorKind::Write(e))
-    }
 }

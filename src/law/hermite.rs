@@ -6,7 +6,7 @@
 
 use crate::error::{LawError, Result};
 use crate::poly::{PiecewisePoly, bernstein};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use nalgebra::{DMatrix, DVector};
 
 /// What a law must do at one angle: its derivative of the given order has the given value there.
@@ -207,7 +207,7 @@ mod tests {
 
     #[test]
     fn sets_that_fix_no_polynomial_are_refused() {
-        let code = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().kind.code();
+        let code = |c: &[Condition]| hermite_birkhoff(c, 0.0, 1.0).unwrap_err().code();
         assert_eq!(code(&[]), "law-no-condition");
         assert_eq!(code(&[on(0.0, 1, 1.0), on(1.0, 1, 0.0)]), "law-not-fixed");
         // Birkhoff's own: s at both ends and v at the middle leave a parabola free.

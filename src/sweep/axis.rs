@@ -288,7 +288,7 @@ mod tests {
             ("limits.stroke=20 mm:60 mm:many", "sweep-not-count"),
         ] {
             let fault = Axis::parse(text, false).unwrap_err();
-            assert_eq!(fault.kind.code(), code, "{text}");
+            assert_eq!(fault.code(), code, "{text}");
         }
     }
 }

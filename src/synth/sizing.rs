@@ -10,7 +10,7 @@ use crate::cam::{
 use crate::error::{Error, Place, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size, USUAL_PRESSURE_ANGLE};
-use crate::quantity::{Dimension, Quantity};
+use crate::units::{Dimension, Quantity};
 
 /// Shear stress that a shaft of mild steel is designed for, Pa.
 const SHEAR: f64 = 40e6;

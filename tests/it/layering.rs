@@ -4,14 +4,13 @@ use std::fs;
 use std::path::Path;
 
 /// Lowest floor first: a module may use those before it. The law stands before the drive, because a force
-/// is computed from a law.
-const FLOORS: [&str; 16] = [
+/// is computed from a law. The first two are of the crate `gaitcam-base`.
+const FLOORS: [&str; 15] = [
     "halt",
+    "units",
     "criterion",
-    "quantity",
     "wording",
     "error",
-    "units",
     "poly",
     "force",
     "law",

@@ -1,8 +1,6 @@
 //! Every code has its sentence, and every sentence its code.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
 
 use gaitcam::cam::LimitKind;
 use gaitcam::dynamics::{ForceMargin, LiftoffMargin, ModelReason, RunNote, Vibration};
@@ -21,7 +19,7 @@ use gaitcam::scene::keys::KEYS;
 use gaitcam::sweep::Difference;
 use gaitcam::synth::{Change, Demand, Doubt, Ended, Method, PassedOver, Reason};
 use gaitcam::units::Quantity;
-use gaitcam::wording::{Language, catalogue};
+use gaitcam::wording::{FILES, Language, catalogue};
 use strum::VariantNames;
 
 use crate::fluent::assert_same_messages;
@@ -104,20 +102,13 @@ fn every_code_has_a_sentence_and_every_sentence_a_code() {
 
 #[test]
 fn spanish_has_the_messages_help_texts_and_arguments_of_english() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/wording");
-    let names = |language: &str| -> BTreeSet<_> {
-        let files = fs::read_dir(folder.join(language)).unwrap();
-        files.map(|f| f.unwrap().file_name()).collect()
-    };
-    assert_eq!(names("en"), names("es"));
-    for name in names("en") {
-        let read = |language: &str| fs::read_to_string(folder.join(language).join(&name)).unwrap();
-        assert_same_messages(&read("en"), &read("es"));
+    for [english, spanish] in FILES {
+        assert_same_messages(english, spanish);
     }
     assert_eq!(
         catalogue(Language::En).keys(),
         catalogue(Language::Es).keys(),
-        "a file is not loaded, or its messages stand in another order"
+        "the messages stand in another order"
     );
 }
 
@@ -140,7 +131,7 @@ fn spanish_sentences_have_spanish_names_and_a_decimal_comma() {
         nearest: Some("spline".to_string()),
         known: "auto, harmonic".to_string(),
     };
-    let help = Error::from(error).kind.help(Language::Es).unwrap();
+    let help = Error::from(error).help(Language::Es).unwrap();
     assert!(
         help.contains("spline") && help.contains("auto, harmonic"),
         "{help}"

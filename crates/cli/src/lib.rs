@@ -141,10 +141,10 @@ fn error_json(error: &Error) -> Value {
     let language = language::current();
     let place = error.place.to_string();
     json!({"error": {
-        "code": error.kind.code(),
+        "code": error.code(),
         "place": place.trim_end_matches(": "),
-        "message": error.kind.sentence(language),
-        "help": error.kind.help(language),
+        "message": error.what(language),
+        "help": error.help(language),
     }})
 }
 

@@ -211,6 +211,6 @@ mod tests {
             4,
             Language::En,
         );
-        assert_eq!(fault.unwrap_err().kind.code(), "file-not-sweep-folder");
+        assert_eq!(fault.unwrap_err().code(), "file-not-sweep-folder");
     }
 }

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use toml::{Table, Value};
 
 use crate::fault::StudioError;
-use gaitcam::error::{Error, ErrorKind, Place, Placed, Result, SceneError};
+use gaitcam::error::{Error, Place, Placed, Result, SceneError};
 use gaitcam::scene::keys::{self, Key, Kind};
 use gaitcam::scene::{self, Scene};
 use gaitcam::units::{Dimension, parse};
@@ -207,7 +207,7 @@ fn mend(table: &mut Table, read: &Read) {
         let Err(fault) = read(table) else {
             return;
         };
-        let (Place::Key(path), ErrorKind::Scene(kind)) = (&fault.place, &fault.kind) else {
+        let (Place::Key(path), Some(kind)) = (&fault.place, fault.fault()) else {
             return;
         };
         match kind {

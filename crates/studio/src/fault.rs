@@ -3,9 +3,9 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use crate::words::Words;
-use gaitcam::error::{Error, ErrorKind};
-use gaitcam::wording::{Language, code};
+use crate::words::WORDS;
+use gaitcam::error::Fault;
+use gaitcam::wording::Catalogue;
 
 /// What is wrong.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -36,24 +36,8 @@ pub enum StudioError {
     FewPoints,
 }
 
-/// Area of the messages.
-const AREA: &str = "fault";
-
-impl StudioError {
-    /// The sentence and the cure in a language.
-    pub fn words(&self, language: Language) -> (String, Option<String>) {
-        let words = Words::of(language).catalogue();
-        (words.sentence(AREA, self), words.help(AREA, self))
-    }
-}
-
-impl From<StudioError> for Error {
-    fn from(fault: StudioError) -> Error {
-        let (what, help) = fault.words(crate::words::current());
-        Error::from(ErrorKind::Own {
-            code: code("studio", &fault),
-            what,
-            help,
-        })
-    }
+impl Fault for StudioError {
+    const AREA: &'static str = "fault";
+    const CODES: &'static str = "studio";
+    const WORDS: &'static Catalogue = &WORDS;
 }

@@ -7,7 +7,7 @@ pub use kind::FollowerKind;
 pub use measures::{Measures, Unit};
 
 use crate::law::Law;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use serde::Serialize;
 
 /// What rides on the cam, with the lengths that fix it, m.

@@ -3,7 +3,7 @@
 use super::Geometry;
 use crate::cam::{Cam, Follower};
 use crate::error::{ArmFault, CamError, CamLength, Result};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {

@@ -14,7 +14,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::{Cam, ProfilePoint};
 use crate::error::{CamError, Result};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use pose::{Pose, middle, wrapped};
 
 /// Fewest points: three unknowns and a shape to tell.

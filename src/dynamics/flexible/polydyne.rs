@@ -18,7 +18,7 @@ use crate::dynamics::flexible;
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Wave};
 use crate::poly::{Extreme, PiecewisePoly, bernstein};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use serde::Serialize;
 
 /// Terms of the damping's series beyond the first; each needs one more continuous derivative.

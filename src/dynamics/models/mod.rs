@@ -12,7 +12,7 @@ use super::outcome::Outcome;
 use super::prepared::Prepared;
 use super::reason::{RunNote, load};
 use super::run::Run;
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// Where a groove or a pair holds the follower from both sides a pull is the other side's push.
 fn note_other_side(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {

@@ -17,7 +17,7 @@ use crate::cam::{Cam, Follower, ProfilePoint};
 use crate::error::{DynamicsError, Error, Result};
 use crate::law::{Law, Svaj};
 use crate::poly::{PiecewisePoly, bernstein};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 use breaks::{Station, between_breaks};
 use slopes::spline_slopes;
 use stance::{height_and_slope, slopes_known};

@@ -134,7 +134,6 @@ fn phases() -> impl Iterator<Item = f64> {
 mod tests {
     use super::single_foot::{iso_22675, li_2010};
     use super::*;
-    use crate::error::ErrorKind;
     use std::f64::consts::{PI, TAU};
 
     /// Local extrema of a sampled stance: (fraction of the stance, value), in order.
@@ -262,9 +261,12 @@ mod tests {
 
     #[test]
     fn wrong_names_frequencies_and_feet_are_refused() {
-        let kind = |n, f, g, feet| match model(n, f, g, feet).unwrap_err().kind {
-            ErrorKind::Force(e) => e,
-            other => panic!("{other:?}"),
+        let kind = |n, f, g, feet| {
+            let error = model(n, f, g, feet).unwrap_err();
+            error
+                .fault::<ForceError>()
+                .cloned()
+                .expect("a fault of the model")
         };
         let both = |n, f, g| kind(n, f, g, Feet::Both);
         assert!(matches!(

@@ -283,7 +283,7 @@ fn spanned(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::{ErrorKind, Place};
+    use crate::error::Place;
 
     fn curve(t: &str) -> Result<ForceCurve> {
         read(Path::new("c.csv"), t.as_bytes(), &ReadOptions::default()).map(|c| c.expect("a cycle"))
@@ -352,10 +352,13 @@ mod tests {
     fn a_faulty_cycle_is_refused_by_line() {
         let fault = |t: &str| {
             let e = curve(t).unwrap_err();
-            match (e.kind, e.place) {
-                (ErrorKind::Read(kind), Place::Line(_, line)) => (kind, Some(line)),
-                (ErrorKind::Read(kind), _) => (kind, None),
-                other => panic!("{other:?}"),
+            let kind = e
+                .fault::<ReadError>()
+                .cloned()
+                .expect("a fault of the file");
+            match e.place {
+                Place::Line(_, line) => (kind, Some(line)),
+                _ => (kind, None),
             }
         };
         assert_eq!(

@@ -11,7 +11,7 @@ use crate::force::interpretation::Interpretation;
 use crate::force::recording::{Foot, Recording};
 use crate::force::stance::{Point, Stances};
 use crate::units::G;
-use crate::wording::{Catalogue, Language, catalogue};
+use crate::wording::{Language, Messages, catalogue};
 
 /// Stances and rejected contacts that the table lists before it sums up the rest.
 const LISTED: usize = 30;
@@ -37,13 +37,13 @@ pub fn table(
 }
 
 /// A label of the table, padded to the width of all of them.
-pub(super) fn label(words: &Catalogue, key: &str) -> String {
+pub(super) fn label(words: &Messages, key: &str) -> String {
     format!("{:<9}", words.text(&format!("gait-{key}")))
 }
 
 fn write_head(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     understood: &Interpretation,
     r: &Recording,
 ) -> std::fmt::Result {
@@ -85,7 +85,7 @@ fn write_head(
 
 fn write_channels(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     r: &Recording,
     stances: &Stances,
 ) -> std::fmt::Result {
@@ -115,7 +115,7 @@ fn write_channels(
 
 fn write_stances(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     r: &Recording,
     stances: &Stances,
 ) -> std::fmt::Result {
@@ -141,7 +141,7 @@ fn write_stances(
 
 fn write_rejected(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     understood: &Interpretation,
 ) -> std::fmt::Result {
     let rejected = understood
@@ -166,7 +166,7 @@ fn write_rejected(
 /// What is open, and how it is closed.
 fn write_doubts(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     understood: &Interpretation,
 ) -> std::fmt::Result {
     let doubts = understood.doubts();
@@ -191,18 +191,18 @@ enum Label {
     Doubts { list: String, names: String },
 }
 
-fn point(words: &Catalogue, p: Option<Point>) -> String {
+fn point(words: &Messages, p: Option<Point>) -> String {
     p.map_or(format!("{:>6}  {:>5}", "-", "-"), |p| {
         let at = words.fixed(100.0 * p.at, 1);
         format!("{:>6.0}  {at:>5}", p.force_n)
     })
 }
 
-fn foot(words: &Catalogue, foot: Option<Foot>) -> String {
+fn foot(words: &Messages, foot: Option<Foot>) -> String {
     foot.map_or("-".to_string(), |f| words.name(f.name()))
 }
 
-fn more(out: &mut String, words: &Catalogue, all: usize) -> std::fmt::Result {
+fn more(out: &mut String, words: &Messages, all: usize) -> std::fmt::Result {
     if all > LISTED {
         let count = all - LISTED;
         writeln!(out, "{}", words.sentence("gait", &Label::More { count }))?;
@@ -212,7 +212,7 @@ fn more(out: &mut String, words: &Catalogue, all: usize) -> std::fmt::Result {
 
 fn write_cycle(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     cycle: Result<&Cycle, &str>,
 ) -> std::fmt::Result {
     writeln!(out)?;
@@ -237,7 +237,7 @@ fn write_cycle(
 /// Duration of a cycle with its standard deviation, where there are several.
 pub(super) fn write_period(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     period_s: f64,
     spread_s: Option<f64>,
 ) -> std::fmt::Result {
@@ -249,7 +249,7 @@ pub(super) fn write_period(
 /// Step-to-step standard deviation and repeatability, where there are several cycles.
 pub(super) fn write_spread(
     out: &mut String,
-    words: &Catalogue,
+    words: &Messages,
     curve: &ForceCurve,
     repeatability_n: Option<f64>,
     weight_n: f64,

@@ -13,7 +13,7 @@ use crate::force::interpretation::{Interpretation, coded};
 use crate::force::joint::{JointMean, LeftOut};
 use crate::force::kind::Kind;
 use crate::units::G;
-use crate::wording::{Catalogue, Language, catalogue};
+use crate::wording::{Language, Messages, catalogue};
 
 /// Widest name of a file in the table.
 const NAME: usize = 40;
@@ -66,7 +66,7 @@ pub fn trials_table(rows: &[TrialRow], joint: Option<&JointMean>, language: Lang
     out
 }
 
-fn write_rows(out: &mut String, words: &Catalogue, rows: &[TrialRow]) -> std::fmt::Result {
+fn write_rows(out: &mut String, words: &Messages, rows: &[TrialRow]) -> std::fmt::Result {
     let head = words.text("gait-trial-columns");
     let head = head.split("  ").map(|c| c.trim().to_string());
     let mut table: Vec<Vec<String>> = vec![head.filter(|c| !c.is_empty()).collect()];
@@ -90,7 +90,7 @@ fn write_rows(out: &mut String, words: &Catalogue, rows: &[TrialRow]) -> std::fm
 }
 
 /// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, part in the joint mean.
-fn cells(words: &Catalogue, row: &TrialRow) -> Vec<String> {
+fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
     let kind = row.understood.and_then(|u| u.kind);
     let kind = match (kind, row.curve, row.understood) {
         (Some(kind), _, _) => words.sentence("kind", &kind),
@@ -116,7 +116,7 @@ fn shortened(name: &str) -> String {
     format!("…{end}")
 }
 
-fn numbers(words: &Catalogue, row: &TrialRow) -> [String; 6] {
+fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     let none = || "-".to_string();
     let (used, rejected) = row.understood.map_or((none(), none()), |u| {
         let (used, rejected) = u.counts();
@@ -137,16 +137,16 @@ fn numbers(words: &Catalogue, row: &TrialRow) -> [String; 6] {
 }
 
 /// Whether a recording takes part in the mean, and why not.
-fn part(words: &Catalogue, row: &TrialRow) -> String {
+fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
-        (Some(fault), _) => fault.kind.sentence(words.language()),
+        (Some(fault), _) => fault.what(words.language()),
         (None, Some(left_out)) => words.sentence("left-out", left_out),
         (None, None) => return words.text("gait-used"),
     };
     words.sentence("gait", &Line::LeftOut { reason })
 }
 
-fn write_joint(out: &mut String, words: &Catalogue, joint: Option<&JointMean>) -> std::fmt::Result {
+fn write_joint(out: &mut String, words: &Messages, joint: Option<&JointMean>) -> std::fmt::Result {
     let Some(joint) = joint else {
         return writeln!(out, "\n{}", words.text("gait-no-joint-mean"));
     };
@@ -180,9 +180,7 @@ pub fn trials_json(rows: &[TrialRow], objects: Vec<Value>, joint: Option<&JointM
         .iter()
         .zip(objects)
         .map(|(row, mut object)| {
-            let fault = row
-                .fault
-                .map(|f| json!({"code": f.kind.code(), "data": {}}));
+            let fault = row.fault.map(|f| json!({"code": f.code(), "data": {}}));
             let left_out = fault.or(row.left_out.map(coded));
             object["in_mean"] = json!(left_out.is_none());
             object["left_out"] = json!(left_out);

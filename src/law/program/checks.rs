@@ -3,7 +3,7 @@
 use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, LawError, Result};
 use crate::law::{Joint, Rise, Svaj};
-use crate::quantity::Quantity;
+use crate::units::Quantity;
 
 /// The sum of the lengths, which must fill the extent to rounding.
 pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {

@@ -4,7 +4,7 @@ mod checks;
 
 use super::{Law, Rise, Svaj, pieces::Pieces, rise::joining};
 use crate::error::{LawError, Result, SegmentName};
-use crate::quantity::{Dimension, Quantity};
+use crate::units::{Dimension, Quantity};
 use std::f64::consts::{PI, TAU};
 
 /// One motion of a programme.
@@ -100,7 +100,7 @@ const JUMP: f64 = 1e-9;
 /// assert!((law.stroke() - 0.02).abs() < 1e-15);
 ///
 /// let short = program(&[segment(Rise::Cycloidal, 0.02)], Extent::TURN);
-/// assert_eq!(short.unwrap_err().kind.code(), "law-uncovered");
+/// assert_eq!(short.unwrap_err().code(), "law-uncovered");
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 ///

@@ -1,5 +1,4 @@
 # Names of followers, limits, families and laws where people read them; without a row they show as typed.
-name-none = none
 
 # Followers.
 name-flat-translating = flat-translating
@@ -81,25 +80,6 @@ name-right = right
 name-vertical = vertical
 name-integers = integers
 name-floats = floats
-name-ratio = ratio
-name-percent = percent
-name-length = length
-name-angle = angle
-name-time = time
-name-mass = mass
-name-force = force
-name-frequency = frequency
-name-angular-speed = angular speed
-name-speed = speed
-name-angular-acceleration = angular acceleration
-name-angular-jerk = angular jerk
-name-pressure = pressure
-name-pressure-per-volume = pressure per volume
-name-spring-rate = spring rate
-name-damping = damping
-name-power = power
-name-angular-rate = angular rate
-name-inertia = inertia
 
 # Objectives and verdicts.
 name-rms-error-n = force error (RMS)

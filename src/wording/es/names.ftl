@@ -1,5 +1,4 @@
 # Nombres de seguidores, límites, familias y leyes tal como se leen; sin entrada aparecen como se escriben.
-name-none = ninguno
 
 # Seguidores.
 name-flat-translating = seguidor de traslación de cara plana
@@ -81,25 +80,6 @@ name-right = derecho
 name-vertical = vertical
 name-integers = con enteros
 name-floats = con coma flotante
-name-ratio = razón
-name-percent = porcentaje
-name-length = longitud
-name-angle = ángulo
-name-time = tiempo
-name-mass = masa
-name-force = fuerza
-name-frequency = frecuencia
-name-angular-speed = velocidad angular
-name-speed = velocidad lineal
-name-angular-acceleration = aceleración angular
-name-angular-jerk = sobreaceleración angular
-name-pressure = presión
-name-pressure-per-volume = presión por volumen
-name-spring-rate = rigidez del muelle
-name-damping = amortiguamiento
-name-power = potencia
-name-angular-rate = rigidez a torsión
-name-inertia = momento de inercia
 
 # Objetivos y veredictos.
 name-rms-error-n = error de fuerza (RMS)

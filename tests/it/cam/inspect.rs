@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use gaitcam::cam::{Cam, Deviation, Follower, Inspection};
-use gaitcam::error::{CamError, Error, ErrorKind};
+use gaitcam::error::{CamError, Error};
 use gaitcam::law::Law;
 use gaitcam::sweep::MadeCam;
 use gaitcam::synth::Design;
@@ -144,10 +144,11 @@ fn a_cam_that_repeats_itself_fits_at_every_repetition() {
 }
 
 fn fault(result: Result<Inspection, Error>) -> CamError {
-    match result.unwrap_err().kind {
-        ErrorKind::Cam(fault) => fault,
-        other => panic!("{other:?}"),
-    }
+    let error = result.unwrap_err();
+    error
+        .fault::<CamError>()
+        .cloned()
+        .expect("a fault of the cam")
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::law::{Extent, Rise, Segment, program};
+use gaitcam::wording::Language;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -77,7 +78,7 @@ proptest! {
     #[test]
     fn programmes_are_refused_in_words_or_joined(list in segments()) {
         match program(&list, Extent::TURN) {
-            Err(e) => prop_assert!(!e.what().is_empty() && e.cure().is_some(), "{e}"),
+            Err(e) => prop_assert!(!e.what(Language::En).is_empty() && e.help(Language::En).is_some(), "{e}"),
             Ok(law) => {
                 let scale = law.extremes(1).1.value.abs().max(law.stroke());
                 for joint in law.joints() {
@@ -103,7 +104,7 @@ proptest! {
         )
         .unwrap();
         match Cam::new(law, follower) {
-            Err(e) => prop_assert!(e.cure().is_some(), "{e}"),
+            Err(e) => prop_assert!(e.help(Language::En).is_some(), "{e}"),
             Ok(cam) => {
                 let (low, high) = cam.pressure_angle_extremes();
                 let curvature = cam.curvature();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::error::{ErrorKind, ReadError};
+use gaitcam::error::ReadError;
 use gaitcam::force::{Foot, Note, ReadOptions, Recording, read, stances};
 
 use super::fault;
@@ -61,8 +61,8 @@ fn a_plate_of_unknown_type_is_refused_by_its_number() {
     let e = read(Path::new("odd.c3d"), &bytes, &ReadOptions::default()).unwrap_err();
     assert_eq!(fault(&e), "odd.c3d: read-plate-type-unknown");
     assert!(matches!(
-        e.kind,
-        ErrorKind::Read(ReadError::PlateTypeUnknown { kind: 21, .. })
+        e.fault(),
+        Some(ReadError::PlateTypeUnknown { kind: 21, .. })
     ));
     // Its vertical channel can still be named.
     let options = ReadOptions {

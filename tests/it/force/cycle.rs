@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gaitcam::error::{ErrorKind, ForceError};
+use gaitcam::error::ForceError;
 use gaitcam::force::{
     Cycle, Feet, Interpretation, ReadOptions, Recording, Stances, csv, cycle, force_curve, json,
     overlay, read, stances, table,
@@ -172,8 +172,8 @@ fn both_feet_on_one_belt_give_their_stride_and_standing_gives_none() {
     let e = open(text(&|t| 700.0 + 20.0 * (9.0 * t).sin())).unwrap_err();
     assert!(
         matches!(
-            e.kind,
-            ErrorKind::Force(ForceError::NotWalking {
+            e.fault(),
+            Some(ForceError::NotWalking {
                 movement: "standing",
                 ..
             })

@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use gaitcam::error::{ErrorKind, FileKind, ReadError};
+use gaitcam::error::{FileKind, ReadError};
 use gaitcam::force::{CycleSource, Feet, Foot, ReadOptions, Recording, cycle, read, stances};
 
 use super::{fault, notes};
@@ -239,6 +239,6 @@ fn what_is_no_force_is_refused_by_its_kind() {
         let bytes = [start, &zeros[..]].concat();
         let e = refused(name, &bytes);
         assert_eq!(fault(&e), format!("{name}: read-foreign"));
-        assert_eq!(e.kind, ErrorKind::Read(ReadError::Foreign { kind }));
+        assert_eq!(e.fault(), Some(&ReadError::Foreign { kind }));
     }
 }

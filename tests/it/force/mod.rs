@@ -22,5 +22,5 @@ fn notes(r: &Recording) -> Vec<String> {
 
 /// Code of an error, with what its place says.
 fn fault(e: &Error) -> String {
-    format!("{}{}", e.place, e.kind.code())
+    format!("{}{}", e.place, e.code())
 }

@@ -1,6 +1,6 @@
 //! Programmes of motions against CAM-DAS's printed figures, and programmes that cannot be.
 
-use gaitcam::error::{ErrorKind, JoinCure, LawError};
+use gaitcam::error::{JoinCure, LawError};
 use gaitcam::law::{Extent, Law, Rise, Segment, constant_breadth, program};
 use gaitcam::units::Quantity;
 use gaitcam_test_support::segments;
@@ -137,9 +137,12 @@ fn general_polynomials_take_their_ends_from_their_neighbours() {
 
 #[test]
 fn refused_programmes_name_the_segment() {
-    let fault = |s: &[(&str, f64, f64)]| match turn(s).unwrap_err().kind {
-        ErrorKind::Law(fault) => fault,
-        other => panic!("{other:?}"),
+    let fault = |s: &[(&str, f64, f64)]| {
+        let error = turn(s).unwrap_err();
+        error
+            .fault::<LawError>()
+            .cloned()
+            .expect("a fault of the law")
     };
     let near = |x: Quantity, wanted: f64| (x.value - wanted).abs() < 1e-9;
     let short = fault(&[
@@ -199,13 +202,13 @@ fn refused_programmes_name_the_segment() {
             if near(length, 30f64.to_radians())),
         "{half:?}"
     );
-    let typo = Rise::from_name("cyclodal").unwrap_err().kind;
+    let typo = Rise::from_name("cyclodal").unwrap_err();
     assert!(
-        matches!(&typo, ErrorKind::Law(LawError::UnknownMotion { nearest: Some(name), .. })
+        matches!(typo.fault(), Some(LawError::UnknownMotion { nearest: Some(name), .. })
             if name == "cycloidal"),
         "{typo:?}"
     );
-    let code = |name: &str| Rise::from_name(name).unwrap_err().kind.code();
+    let code = |name: &str| Rise::from_name(name).unwrap_err().code();
     assert_eq!(code("scca 0.5 0.6 0.1"), "law-scca-shares");
     assert_eq!(code("eccentric 0.5"), "law-eccentric-ratio");
     let moving = fault(&[("dwell", 0.1, 360.0)]);
@@ -277,8 +280,8 @@ fn tables_and_control_points_become_laws() {
     assert!(near(f.cv, 1.875, 1e-12) && near(f.ca, 10.0 / 3.0_f64.sqrt(), 1e-12));
     let table = Rise::table("mine", &[(0.0, 0.0), (0.0, 1.0)], true);
     assert!(matches!(
-        table.unwrap_err().kind,
-        ErrorKind::Law(LawError::TableOrder { row: 2, .. })
+        table.unwrap_err().fault(),
+        Some(LawError::TableOrder { row: 2, .. })
     ));
     assert!(Rise::spline("mine", 5, &[0.0, 1.0]).is_err());
 }
@@ -303,7 +306,7 @@ fn a_scene_writes_tables_and_control_points_behind_the_motion() {
     for rise in [spline, table] {
         assert_eq!(Rise::from_name(&rise.written()).unwrap(), rise);
     }
-    let fault = |text: &str| Rise::from_name(text).unwrap_err().kind.code();
+    let fault = |text: &str| Rise::from_name(text).unwrap_err().code();
     assert_eq!(fault("table"), "law-motion-needs-points");
     assert_eq!(fault("table 0 0 0.5 0.3 1"), "law-table-pairs");
     assert_eq!(fault("table 0 0 0.6 0.3 0.5 1"), "law-table-order");

@@ -132,7 +132,7 @@ fn numbers_without_a_unit_and_outside_their_range_are_refused_at_their_key() {
         let e = scene::read_keys(&table).unwrap_err();
         let place = gaitcam::error::Place::Key(key.path.to_string());
         assert_eq!(e.place, place, "{e}");
-        assert!(e.cure().is_some(), "{e}");
+        assert!(e.help(Language::En).is_some(), "{e}");
     }
 }
 

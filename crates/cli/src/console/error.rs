@@ -4,7 +4,8 @@ use serde::Serialize;
 use strum::VariantNames;
 
 use crate::console::words;
-use gaitcam::error::{Error, ErrorKind};
+use gaitcam::error::Fault;
+use gaitcam::wording::Catalogue;
 
 /// What is wrong. Texts in fields are as the user typed them, or what the system says.
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
@@ -78,16 +79,7 @@ pub enum NameFault {
     NotPlain,
 }
 
-/// Area of the messages.
-const AREA: &str = "cli";
-
-impl From<CliError> for Error {
-    fn from(fault: CliError) -> Error {
-        let words = words::catalogue();
-        Error::from(ErrorKind::Own {
-            code: gaitcam::wording::code(AREA, &fault),
-            what: words.sentence(AREA, &fault),
-            help: words.help(AREA, &fault),
-        })
-    }
+impl Fault for CliError {
+    const AREA: &'static str = "cli";
+    const WORDS: &'static Catalogue = &words::WORDS;
 }

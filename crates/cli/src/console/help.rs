@@ -1,10 +1,8 @@
 //! Help texts in the language of the run. The English ones are the doc comments of the arguments; the Spanish ones
 //! stand in `words/es/help.ftl`, under `VERB`, `VERB-ARGUMENT` and, for arguments of several verbs, `all-ARGUMENT`.
 
-use std::sync::OnceLock;
-
 use clap::{Arg, Command, CommandFactory};
-use gaitcam::wording::{Catalogue, Language};
+use gaitcam::wording::{Catalogue, Language, Messages};
 
 use crate::Cli;
 
@@ -38,9 +36,11 @@ fn lang() -> Arg {
         .help("Language of messages and reports (default: LC_ALL, LANG, else English)")
 }
 
-fn spanish() -> &'static Catalogue {
-    static ES: OnceLock<Catalogue> = OnceLock::new();
-    ES.get_or_init(|| Catalogue::new(Language::Es, &[include_str!("../../words/es/help.ftl")]))
+/// The English texts are those of the arguments themselves.
+static HELP: Catalogue = Catalogue::new(&[&[["", include_str!("../../words/es/help.ftl")]]]);
+
+fn spanish() -> &'static Messages {
+    HELP.of(Language::Es)
 }
 
 /// The message of a key, if there is one.

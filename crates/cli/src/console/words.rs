@@ -1,29 +1,20 @@
 //! The command's own sentences, by language: `words/LANGUAGE/cli.ftl`.
 
-use std::sync::OnceLock;
-
-use gaitcam::wording::{Catalogue, Language};
+use gaitcam::wording::{Catalogue, Language, Messages};
 use serde_json::Value;
 
 use crate::console::language;
 
 /// The messages in the language of the run.
-pub fn catalogue() -> &'static Catalogue {
-    of(language::current())
+pub fn catalogue() -> &'static Messages {
+    WORDS.of(language::current())
 }
 
-fn of(language: Language) -> &'static Catalogue {
-    static EN: OnceLock<Catalogue> = OnceLock::new();
-    static ES: OnceLock<Catalogue> = OnceLock::new();
-    match language {
-        Language::En => {
-            EN.get_or_init(|| Catalogue::new(language, &[include_str!("../../words/en/cli.ftl")]))
-        }
-        Language::Es => {
-            ES.get_or_init(|| Catalogue::new(language, &[include_str!("../../words/es/cli.ftl")]))
-        }
-    }
-}
+/// The command's own messages.
+pub static WORDS: Catalogue = Catalogue::new(&[&[[
+    include_str!("../../words/en/cli.ftl"),
+    include_str!("../../words/es/cli.ftl"),
+]]]);
 
 /// A heading or label.
 pub fn text(key: &str) -> String {
@@ -88,7 +79,8 @@ mod tests {
 
     #[test]
     fn every_fault_has_its_sentence_and_both_languages_the_same_keys() {
-        let keys = |language| -> BTreeSet<String> { of(language).keys().into_iter().collect() };
+        let keys =
+            |language| -> BTreeSet<String> { WORDS.of(language).keys().into_iter().collect() };
         let (english, spanish) = (keys(Language::En), keys(Language::Es));
         for variant in CliError::VARIANTS {
             assert!(english.contains(&format!("cli-{variant}")), "{variant}");
@@ -97,7 +89,11 @@ mod tests {
         assert_eq!(faults, CliError::VARIANTS.len());
         for language in [Language::En, Language::Es] {
             // Each message is read when it is asked for.
-            assert!(english.iter().all(|key| !of(language).text(key).is_empty()));
+            assert!(
+                english
+                    .iter()
+                    .all(|key| !WORDS.of(language).text(key).is_empty())
+            );
         }
         let missing: Vec<_> = english.symmetric_difference(&spanish).collect();
         assert!(missing.is_empty(), "{missing:?}");

@@ -146,7 +146,7 @@ fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
 
 /// A fault of a row of a list, counted from 0 below the header.
 fn list_fault(path: &Path, row: usize, name: &str, fault: &Error) -> Error {
-    let what = fault.kind.sentence(language::current());
+    let what = fault.what(language::current());
     let fault = format!("{name}: {what}");
     CliError::ListValue { fault }.at_line(path, row + 2)
 }
@@ -166,7 +166,7 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
             let mut table = plan.scenes[0].table.clone();
             let written = axis.key.write_words(&mut table, word);
             let read = written.and_then(|()| scene::read(&table));
-            read.is_err_and(|e| e.kind == fault.kind)
+            read.is_err_and(|e| e.placed(fault.place.clone()) == fault)
         };
         Some((path?, words.iter().position(bad)?, name))
     };

@@ -20,7 +20,7 @@ use crate::console::words;
 use crate::input;
 use crate::input::searching::TimeLimit;
 use format::Format;
-use gaitcam::error::{Error, ErrorKind, Placed, Result, SweepError};
+use gaitcam::error::{Error, Placed, Result, SweepError};
 use gaitcam::sweep::{Kernel, Method, Plan, table};
 pub use partial::beside;
 use partial::{Counts, Opened, PartialTable};
@@ -207,9 +207,9 @@ fn file(args: &SweepArgs) -> serde_json::Value {
 
 /// The flag that a fault of the whole plan belongs to.
 fn flag_of(e: &Error) -> &'static str {
-    match e.kind {
-        ErrorKind::Sweep(SweepError::NothingToSample) => "--sample",
-        ErrorKind::Sweep(SweepError::SobolAxes { .. }) => "--design",
+    match e.fault() {
+        Some(SweepError::NothingToSample) => "--sample",
+        Some(SweepError::SobolAxes { .. }) => "--design",
         _ => "--vary",
     }
 }

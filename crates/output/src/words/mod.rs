@@ -1,30 +1,22 @@
 //! Headings, labels and captions of reports and pictures, by language: one Fluent file each.
 
-use std::sync::OnceLock;
-
 use gaitcam::cam::Measures;
-use gaitcam::wording::{self, Catalogue, Language};
+use gaitcam::wording::{self, Catalogue, Language, Messages};
 use serde_json::{Map, Value};
 
-const ENGLISH: &str = include_str!("en.ftl");
-const SPANISH: &str = include_str!("es.ftl");
+static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 
 /// The words of one language.
 #[derive(Clone, Copy)]
 pub struct Words {
     language: Language,
-    own: &'static Catalogue,
+    own: &'static Messages,
 }
 
 impl Words {
     /// The words of `language`.
     pub fn new(language: Language) -> Self {
-        static EN: OnceLock<Catalogue> = OnceLock::new();
-        static ES: OnceLock<Catalogue> = OnceLock::new();
-        let own = match language {
-            Language::En => EN.get_or_init(|| Catalogue::new(language, &[ENGLISH])),
-            Language::Es => ES.get_or_init(|| Catalogue::new(language, &[SPANISH])),
-        };
+        let own = WORDS.of(language);
         Words { language, own }
     }
 

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::http::{Response, Status};
 use crate::lock;
 use crate::studio::Studio;
-use crate::words::Words;
+use crate::words;
 use gaitcam::error::Result;
 use gaitcam::law::Rise;
 use gaitcam::scene::{self, SCENES, built_in, keys};
@@ -22,7 +22,6 @@ const POINTS: usize = 60;
 
 /// Everything that the page needs once.
 pub fn start(studio: &Studio) -> Value {
-    let words = |language| Words::of(language).page();
     let scenes = SCENES.iter().map(|s| {
         json!({
             "name": s.name,
@@ -34,7 +33,7 @@ pub fn start(studio: &Studio) -> Value {
         "scene": studio.start.scene,
         "file": studio.start.file,
         "folder": studio.folder.root().display().to_string(),
-        "words": {"en": words(Language::En), "es": words(Language::Es)},
+        "words": {"en": words::page(Language::En), "es": words::page(Language::Es)},
         "keys": keys::json(),
         "scenes": scenes.collect::<Vec<_>>(),
         "quantities": super::variation::QUANTITIES.map(|q| q.0),

@@ -47,11 +47,11 @@ pub fn fault_json(error: &Error) -> Value {
     };
     let place = error.place.to_string();
     json!({"error": {
-        "code": error.kind.code(),
+        "code": error.code(),
         "key": key,
         "place": place.trim_end_matches(": "),
-        "message": error.kind.sentence(language),
-        "help": error.kind.help(language),
+        "message": error.what(language),
+        "help": error.help(language),
     }})
 }
 

@@ -33,7 +33,7 @@ fn fate(case: &Case) -> (Fate, String) {
     let path = Path::new(case.file);
     let curve = match force_curve(path, &case.bytes, &case.options, case.feet) {
         Ok(curve) => curve,
-        Err(e) => return (Fate::Questioned, e.kind.code().to_string()),
+        Err(e) => return (Fate::Questioned, e.code().to_string()),
     };
     let truth = &case.truth;
     let understood = curve.recording.as_ref().expect("a recording");

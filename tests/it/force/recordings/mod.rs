@@ -10,7 +10,7 @@ mod plates;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use gaitcam::error::{ErrorKind, ReadError};
+use gaitcam::error::ReadError;
 use gaitcam::force::{
     Cycle, CycleSource, Feet, Foot, ReadOptions, Recording, RejectReason, Stance, Stances, cycle,
     metadata_name, read, stances,
@@ -193,13 +193,13 @@ fn unusable_recordings_are_refused_with_their_reason(folder: &Path) {
         let (r, s) = open(folder, file);
         assert!(s.used.is_empty(), "{file}");
         let e = cycle(&r, &s, Feet::Both).unwrap_err();
-        assert_eq!(e.kind.code(), code, "{file}");
+        assert_eq!(e.code(), code, "{file}");
     }
     let path = folder.join("text/children_metadata.csv");
     let bytes = std::fs::read(&path).unwrap();
     let e = read(&path, &bytes, &ReadOptions::default()).unwrap_err();
     assert!(
-        matches!(&e.kind, ErrorKind::Read(ReadError::NoForceColumn { columns }) if columns.contains("BODY_WEIGHT")),
+        matches!(e.fault(), Some(ReadError::NoForceColumn { columns }) if columns.contains("BODY_WEIGHT")),
         "{e:?}"
     );
 }

@@ -22,7 +22,7 @@ pub fn a_person_who_jumps_is_not_tared_away(folder: &Path) {
     assert!((stands / 691.0 - 1.0).abs() < 0.02, "{stands} N");
     for feet in EVERY_FEET {
         let refused = cycle(&r, &s, feet).unwrap_err();
-        assert_eq!(refused.kind.code(), "force-not-walking", "{feet:?}");
+        assert_eq!(refused.code(), "force-not-walking", "{feet:?}");
     }
 }
 
@@ -33,7 +33,7 @@ pub fn running_is_named_and_read_when_asked_for(folder: &Path) {
     assert_eq!(s.recognised, Some(Kind::Running));
     for feet in [Feet::Both, Feet::One, Feet::Left, Feet::Right] {
         let refused = cycle(&r, &s, feet).unwrap_err();
-        assert_eq!(refused.kind.code(), "force-running", "{feet:?}");
+        assert_eq!(refused.code(), "force-running", "{feet:?}");
     }
     let path = folder.join(file);
     let asked = ReadOptions {

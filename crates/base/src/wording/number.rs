@@ -30,7 +30,7 @@ const DIGITS: usize = 6;
 /// A number with six significant digits, without trailing zeros; `−0` is 0, Spanish has a decimal comma.
 ///
 /// ```
-/// use gaitcam::wording::{Language, number};
+/// use gaitcam_base::wording::{Language, number};
 /// assert_eq!(number(Language::En, 13.636), "13.636");
 /// assert_eq!(number(Language::Es, 0.5), "0,5");
 /// assert_eq!(number(Language::En, 3.2e-9), "3.2e-9");
@@ -74,7 +74,7 @@ pub fn number(language: Language, value: f64) -> String {
 /// A number with a fixed count of decimals, for columns of a table.
 ///
 /// ```
-/// use gaitcam::wording::{Language, fixed};
+/// use gaitcam_base::wording::{Language, fixed};
 /// assert_eq!(fixed(Language::Es, 1.05, 3), "1,050");
 /// ```
 pub fn fixed(language: Language, value: f64, decimals: usize) -> String {
@@ -106,7 +106,7 @@ pub fn people(si: &str) -> (&str, f64) {
 /// A quantity given in an SI unit, in the unit that people use: 0.0136 m is `13.6 mm`.
 ///
 /// ```
-/// use gaitcam::wording::{Language, quantity};
+/// use gaitcam_base::wording::{Language, quantity};
 /// assert_eq!(quantity(Language::En, 0.0136, "m"), "13.6 mm");
 /// assert_eq!(quantity(Language::En, 0.005, "ratio"), "0.5 %");
 /// assert_eq!(quantity(Language::En, std::f64::consts::PI, "rad"), "180°");

@@ -74,7 +74,7 @@ impl Hasher for Fnv {
 /// Messages of one language.
 ///
 /// ```
-/// use gaitcam::wording::{Catalogue, Language};
+/// use gaitcam_base::wording::{Catalogue, Language};
 /// use serde::Serialize;
 ///
 /// #[derive(Serialize)]
@@ -82,12 +82,14 @@ impl Hasher for Fnv {
 /// enum Fault {
 ///     TooShort { rows: usize },
 /// }
-/// let words = Catalogue::new(Language::En, &["table-too-short = only { $rows } rows\n    .help = give 16 or more"]);
+/// const ENGLISH: &str = "table-too-short = only { $rows } rows\n    .help = give 16 or more";
+/// static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ""]]]);
+/// let words = WORDS.of(Language::En);
 /// let fault = Fault::TooShort { rows: 3 };
 /// assert_eq!(words.sentence("table", &fault), "only 3 rows");
 /// assert_eq!(words.help("table", &fault).as_deref(), Some("give 16 or more"));
 /// ```
-pub struct Catalogue {
+pub struct Messages {
     language: Language,
     /// Messages that were asked for: to read all of them takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
@@ -96,16 +98,16 @@ pub struct Catalogue {
     texts: HashMap<&'static str, &'static str, BuildHasherDefault<Fnv>>,
 }
 
-type Messages<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
+type Bundle<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
 
-impl Catalogue {
+impl Messages {
     /// Takes the texts of Fluent files; each message is read when it is first asked for.
     ///
     /// # Panics
     ///
     /// On a line that begins no message and a key that stands twice: a mistake of the program, not of its user, which every test of the catalogue
     /// meets.
-    pub fn new(language: Language, files: &[&'static str]) -> Catalogue {
+    pub(super) fn new(language: Language, files: &[&'static str]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
         // Sentences are of one direction: marks that isolate arguments would only disturb terminals.
@@ -121,7 +123,7 @@ impl Catalogue {
             );
             keys.push(key);
         }
-        Catalogue {
+        Messages {
             language,
             bundle: RwLock::new(bundle),
             keys,
@@ -135,7 +137,7 @@ impl Catalogue {
     }
 
     /// The messages read so far, with this one and those it refers to; `None` where there is none of this key.
-    fn messages(&self, key: &str) -> Option<Messages<'_>> {
+    fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
         let known = self.read();
         if known.has_message(key) {
@@ -146,7 +148,7 @@ impl Catalogue {
         Some(self.read())
     }
 
-    fn read(&self) -> Messages<'_> {
+    fn read(&self) -> Bundle<'_> {
         // A panic while a message is added leaves the others as they were.
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }

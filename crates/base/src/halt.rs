@@ -6,7 +6,7 @@ use std::sync::Arc;
 /// Asked by every search between its steps; once it says yes the search returns the best it has.
 ///
 /// ```
-/// use gaitcam::halt::Halt;
+/// use gaitcam_base::halt::Halt;
 /// use std::sync::Arc;
 /// use std::sync::atomic::{AtomicBool, Ordering};
 ///

@@ -9,12 +9,12 @@ pub(crate) type Exponents = [i32; 4];
 /// What a number measures.
 ///
 /// ```
-/// use gaitcam::units::{Dimension, parse};
+/// use gaitcam_base::units::{Dimension, parse};
 ///
 /// assert_eq!(Dimension::SpringRate.si(), "N/m");
 /// assert_eq!(parse("2 in", Dimension::Length)?, 0.0508);
 /// assert!(parse("2 in", Dimension::Mass).is_err());
-/// # Ok::<(), gaitcam::error::Error>(())
+/// # Ok::<(), gaitcam_base::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[allow(missing_docs)] // the names are the documentation
@@ -151,7 +151,7 @@ impl Dimension {
 /// `wording` shows it in the unit that people use, here 13.6 mm.
 ///
 /// ```
-/// use gaitcam::units::{Dimension, Quantity};
+/// use gaitcam_base::units::{Dimension, Quantity};
 ///
 /// let stroke = Quantity::length(0.0136);
 /// assert_eq!(stroke.dimension, Dimension::Length);

@@ -10,7 +10,7 @@ use super::Error;
 /// Where in the input a fault was found.
 ///
 /// ```
-/// use gaitcam::error::Place;
+/// use gaitcam_base::error::Place;
 ///
 /// assert_eq!(Place::Line("walk.csv".into(), 41).to_string(), "walk.csv line 41: ");
 /// assert_eq!(Place::Unplaced.to_string(), "");
@@ -48,9 +48,9 @@ impl fmt::Display for Place {
 /// Gives a fault its place: for every kind of fault, and for errors that have none yet.
 ///
 /// ```
-/// use gaitcam::error::{FileError, Place, Placed};
+/// use gaitcam_base::error::{Error, Place, Placed};
 ///
-/// let error = FileError::Folder.in_file("walk.csv".as_ref());
+/// let error = Error::own("is-folder", "is a folder").in_file("walk.csv".as_ref());
 /// assert_eq!(error.place, Place::File("walk.csv".into()));
 /// // A place that is already known stays.
 /// assert_eq!(error.clone().at_key("gait.file"), error);

@@ -3,14 +3,17 @@
 use serde::Serialize;
 use strum::VariantNames;
 
+use super::Fault;
+use crate::wording::{Catalogue, WORDS};
+
 /// What is wrong with the text of a quantity. `example` is a right one.
 ///
 /// ```
-/// use gaitcam::error::{ErrorKind, UnitsError};
-/// use gaitcam::units::{Dimension, parse};
+/// use gaitcam_base::error::UnitsError;
+/// use gaitcam_base::units::{Dimension, parse};
 ///
 /// let error = parse("2 parsec", Dimension::Length).unwrap_err();
-/// assert!(matches!(error.kind, ErrorKind::Units(UnitsError::UnknownUnit { unit, .. }) if unit == "parsec"));
+/// assert!(matches!(error.fault(), Some(UnitsError::UnknownUnit { unit, .. }) if unit == "parsec"));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
 #[serde(rename_all = "kebab-case")]
@@ -46,4 +49,9 @@ pub enum UnitsError {
         unit: String,
         nearest: Option<String>,
     },
+}
+
+impl Fault for UnitsError {
+    const AREA: &'static str = "units";
+    const WORDS: &'static Catalogue = &WORDS;
 }

@@ -1,0 +1,104 @@
+//! Kinds of fault, and how an error holds one of any area.
+
+use std::any::Any;
+use std::fmt::Debug;
+
+use serde::Serialize;
+
+use crate::wording::{Catalogue, Language, code};
+
+/// The faults of one area: an enum whose variants carry data and whose sentences stand in a catalogue under
+/// `AREA-variant`, the help as the attribute `.help`.
+///
+/// ```
+/// use gaitcam_base::error::{Error, Fault};
+/// use gaitcam_base::wording::{Catalogue, Language};
+/// use serde::Serialize;
+///
+/// #[derive(Debug, PartialEq, Serialize)]
+/// #[serde(rename_all = "kebab-case")]
+/// enum TableError {
+///     TooShort { rows: usize },
+/// }
+///
+/// const ENGLISH: &str = "table-too-short = only { $rows } rows\n    .help = give 16 or more";
+/// static WORDS: Catalogue = Catalogue::new(&[&[[ENGLISH, ""]]]);
+///
+/// impl Fault for TableError {
+///     const AREA: &'static str = "table";
+///     const WORDS: &'static Catalogue = &WORDS;
+/// }
+///
+/// let error = Error::from(TableError::TooShort { rows: 3 });
+/// assert_eq!(error.code(), "table-too-short");
+/// assert_eq!(error.to_string(), "only 3 rows; give 16 or more");
+/// assert_eq!(error.fault(), Some(&TableError::TooShort { rows: 3 }));
+/// ```
+pub trait Fault: Serialize + PartialEq + Debug + Send + Sync + 'static {
+    /// The area of its messages.
+    const AREA: &'static str;
+    /// The area of its codes.
+    const CODES: &'static str = Self::AREA;
+    /// Its sentences.
+    const WORDS: &'static Catalogue;
+}
+
+/// A fault of any area, or one with a sentence of its own.
+pub trait AnyFault: Debug + Send + Sync {
+    fn code(&self) -> String;
+    fn what(&self, language: Language) -> String;
+    fn help(&self, language: Language) -> Option<String>;
+    fn as_any(&self) -> &dyn Any;
+    fn equals(&self, other: &dyn Any) -> bool;
+}
+
+impl<F: Fault> AnyFault for F {
+    fn code(&self) -> String {
+        code(F::CODES, self)
+    }
+
+    fn what(&self, language: Language) -> String {
+        F::WORDS.of(language).sentence(F::AREA, self)
+    }
+
+    fn help(&self, language: Language) -> Option<String> {
+        F::WORDS.of(language).help(F::AREA, self)
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref() == Some(self)
+    }
+}
+
+/// A fault whose sentence stands in no catalogue.
+#[derive(Debug, PartialEq)]
+pub struct Own {
+    pub code: String,
+    pub what: String,
+}
+
+impl AnyFault for Own {
+    fn code(&self) -> String {
+        self.code.clone()
+    }
+
+    fn what(&self, _: Language) -> String {
+        self.what.clone()
+    }
+
+    fn help(&self, _: Language) -> Option<String> {
+        None
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref() == Some(self)
+    }
+}

@@ -1,0 +1,157 @@
+//! Faults in the input: what is wrong, where it is, and what would be right.
+//!
+//! Each area has an enum of its faults, which implements [`Fault`]; an [`Error`] holds any of them with its place. The
+//! sentences stand in the catalogue of the crate that has the enum.
+
+mod fault;
+mod place;
+mod units;
+
+use std::fmt;
+use std::sync::Arc;
+
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
+use crate::wording::Language;
+
+pub use fault::Fault;
+use fault::{AnyFault, Own};
+pub use place::{Place, Placed};
+pub use units::UnitsError;
+
+/// A fault in the input: its place and its kind.
+///
+/// Displays as one English line: `walk.csv line 41: time goes backwards (0.312 s after 0.318 s); …`.
+///
+/// ```
+/// use gaitcam_base::error::{Error, Place, UnitsError};
+/// use gaitcam_base::units::{Dimension, parse};
+/// use gaitcam_base::wording::Language;
+///
+/// let error = parse("2 parsec", Dimension::Length).unwrap_err();
+/// assert_eq!((&error.place, error.code().as_str()), (&Place::Unplaced, "units-unknown-unit"));
+/// let Some(UnitsError::UnknownUnit { unit, .. }) = error.fault() else { panic!("{error}") };
+/// assert_eq!(unit, "parsec");
+/// // Callers may have faults of their own.
+/// assert_eq!(Error::own("no-cam", "there is no cam").what(Language::En), "there is no cam");
+/// ```
+#[derive(Debug, Clone)]
+pub struct Error {
+    /// Where the fault is.
+    pub place: Place,
+    fault: Arc<dyn AnyFault>,
+}
+
+/// Result of everything that reads input.
+///
+/// ```
+/// use gaitcam_base::error::Result;
+/// use gaitcam_base::units::{Dimension, parse};
+///
+/// fn diameter(text: &str) -> Result<f64> {
+///     Ok(2.0 * parse(text, Dimension::Length)?)
+/// }
+/// assert_eq!(diameter("20 mm")?, 0.04);
+/// # Ok::<(), gaitcam_base::error::Error>(())
+/// ```
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl<F: Fault> From<F> for Error {
+    fn from(fault: F) -> Error {
+        Error {
+            place: Place::Unplaced,
+            fault: Arc::new(fault),
+        }
+    }
+}
+
+impl Error {
+    /// A fault with a code and an English sentence of the caller's own.
+    pub fn own(code: &str, what: impl Into<String>) -> Self {
+        let (code, what) = (code.to_string(), what.into());
+        Error {
+            place: Place::Unplaced,
+            fault: Arc::new(Own { code, what }),
+        }
+    }
+
+    /// Places the fault, unless a more exact place is already known.
+    #[must_use]
+    pub fn at(mut self, place: Place) -> Self {
+        if self.place == Place::Unplaced {
+            self.place = place;
+        }
+        self
+    }
+
+    /// Places the fault anew.
+    #[must_use]
+    pub fn placed(mut self, place: Place) -> Self {
+        self.place = place;
+        self
+    }
+
+    /// The fault, where it is one of this area.
+    pub fn fault<F: Fault>(&self) -> Option<&F> {
+        self.fault.as_any().downcast_ref()
+    }
+
+    /// The code of the fault, for scripts and tests: area and variant in kebab-case. Sentences may change, codes do not.
+    pub fn code(&self) -> String {
+        self.fault.code()
+    }
+
+    /// What is wrong, without the place.
+    pub fn what(&self, language: Language) -> String {
+        self.fault.what(language)
+    }
+
+    /// What would be right.
+    pub fn help(&self, language: Language) -> Option<String> {
+        self.fault.help(language)
+    }
+
+    /// Place, fault and help as one line.
+    pub fn sentence(&self, language: Language) -> String {
+        let what = self.what(language);
+        match self.help(language) {
+            None => format!("{}{what}", self.place),
+            Some(help) => format!("{}{what}; {help}", self.place),
+        }
+    }
+}
+
+impl PartialEq for Error {
+    fn eq(&self, other: &Error) -> bool {
+        self.place == other.place && self.fault.equals(other.fault.as_any())
+    }
+}
+
+/// Place, code, and what is wrong in English.
+impl Serialize for Error {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Error", 3)?;
+        out.serialize_field("place", &self.place)?;
+        out.serialize_field("code", &self.code())?;
+        out.serialize_field("message", &self.what(Language::En))?;
+        out.end()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence(Language::En))
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The candidate nearest to `word` by edit distance, if one is within typing distance.
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    candidates
+        .into_iter()
+        .map(|c| (strsim::damerau_levenshtein(word, c), c))
+        .filter(|(d, c)| *d <= 1 + c.len().max(word.len()) / 3)
+        .min_by_key(|(d, _)| *d)
+        .map(|(_, c)| c)
+}

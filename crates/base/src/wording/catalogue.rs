@@ -1,0 +1,39 @@
+//! The messages of a crate in both languages.
+
+use std::sync::OnceLock;
+
+use super::{Language, Messages};
+
+/// A Fluent file in English and in Spanish.
+pub type File = [&'static str; 2];
+
+/// The messages of a crate and of those below it whose messages it shows; each language is read when it is first asked for.
+pub struct Catalogue {
+    files: &'static [&'static [File]],
+    english: OnceLock<Messages>,
+    spanish: OnceLock<Messages>,
+}
+
+impl Catalogue {
+    /// A catalogue of the files of one or more crates.
+    pub const fn new(files: &'static [&'static [File]]) -> Catalogue {
+        Catalogue {
+            files,
+            english: OnceLock::new(),
+            spanish: OnceLock::new(),
+        }
+    }
+
+    /// The messages in a language.
+    pub fn of(&self, language: Language) -> &Messages {
+        let (messages, place) = match language {
+            Language::En => (&self.english, 0),
+            Language::Es => (&self.spanish, 1),
+        };
+        messages.get_or_init(|| {
+            let files = self.files.iter().copied().flatten();
+            let texts: Vec<&'static str> = files.map(|file| file[place]).collect();
+            Messages::new(language, &texts)
+        })
+    }
+}

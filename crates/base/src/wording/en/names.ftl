@@ -1,0 +1,21 @@
+# Names of quantities where people read them; without a row they show as typed.
+name-none = none
+name-ratio = ratio
+name-percent = percent
+name-length = length
+name-angle = angle
+name-time = time
+name-mass = mass
+name-force = force
+name-frequency = frequency
+name-angular-speed = angular speed
+name-speed = speed
+name-angular-acceleration = angular acceleration
+name-angular-jerk = angular jerk
+name-pressure = pressure
+name-pressure-per-volume = pressure per volume
+name-spring-rate = spring rate
+name-damping = damping
+name-power = power
+name-angular-rate = angular rate
+name-inertia = inertia

@@ -1,0 +1,21 @@
+# Nombres de las magnitudes; sin fila se muestran como se escriben.
+name-none = ninguno
+name-ratio = razón
+name-percent = porcentaje
+name-length = longitud
+name-angle = ángulo
+name-time = tiempo
+name-mass = masa
+name-force = fuerza
+name-frequency = frecuencia
+name-angular-speed = velocidad angular
+name-speed = velocidad lineal
+name-angular-acceleration = aceleración angular
+name-angular-jerk = sobreaceleración angular
+name-pressure = presión
+name-pressure-per-volume = presión por volumen
+name-spring-rate = rigidez del muelle
+name-damping = amortiguamiento
+name-power = potencia
+name-angular-rate = rigidez a torsión
+name-inertia = momento de inercia

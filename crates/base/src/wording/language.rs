@@ -1,0 +1,54 @@
+//! Languages of messages.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// A language of messages, reports and pictures.
+///
+/// ```
+/// use gaitcam_base::wording::Language;
+///
+/// assert_eq!(Language::of_tag("es"), Some(Language::Es));
+/// assert_eq!(Language::En.tag(), "en");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// Spanish.
+    Es,
+}
+
+impl Language {
+    /// The language of a tag such as `es`, `es_MX.UTF-8` or `en-GB`; `None` for others.
+    ///
+    /// ```
+    /// use gaitcam_base::wording::Language;
+    /// assert_eq!(Language::of_tag("es_ES.UTF-8"), Some(Language::Es));
+    /// assert_eq!(Language::of_tag("fr"), None);
+    /// ```
+    pub fn of_tag(tag: &str) -> Option<Language> {
+        match tag.split(['_', '-', '.', '@']).next()? {
+            "en" | "C" | "POSIX" => Some(Language::En),
+            "es" => Some(Language::Es),
+            _ => None,
+        }
+    }
+
+    /// The tag: `en`, `es`.
+    pub fn tag(self) -> &'static str {
+        match self {
+            Language::En => "en",
+            Language::Es => "es",
+        }
+    }
+}
+
+impl fmt::Display for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.tag())
+    }
+}

@@ -1,0 +1,34 @@
+//! Words: code + data + language → sentence.
+//!
+//! The crates answer with data: an error, a note, a reason is an enum variant with fields. Its sentence stands in a Fluent
+//! file under the key `area-variant`, both in kebab-case, the fields being its arguments; the help of a fault is the
+//! attribute `.help` of the same message:
+//!
+//! ```text
+//! law-uncovered = the segments cover { $covered } of { $wanted }
+//!     .help = lengthen or add segments until they cover the turn
+//! ```
+//!
+//! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the unit that people use, a plain number with
+//! six significant digits, a list joined by commas; a unit variant (a follower, a limit, a law) by the
+//! message `name-…` of that variant, where there is one, otherwise as it is typed in scenes. `None` is the
+//! word `none`, for selectors.
+
+mod catalogue;
+mod language;
+mod messages;
+mod number;
+
+pub use catalogue::{Catalogue, File};
+pub use language::Language;
+pub use messages::{Messages, code};
+pub use number::{fixed, number, people, quantity};
+
+/// The messages of this crate: names of quantities, faults of quantities.
+pub const FILES: &[File] = &[
+    [include_str!("en/names.ftl"), include_str!("es/names.ftl")],
+    [include_str!("en/units.ftl"), include_str!("es/units.ftl")],
+];
+
+/// The catalogue of this crate.
+pub static WORDS: Catalogue = Catalogue::new(&[FILES]);
