@@ -58,6 +58,12 @@ pub enum SceneError {
         low: usize,
         high: usize,
     },
+    /// No number of spans whose optimum is certified in reasonable time.
+    NotSpans {
+        typed: String,
+        low: usize,
+        high: usize,
+    },
     /// No number with its unit.
     NotQuantity { typed: String, example: String },
     /// A word that names nothing, and the one that may be meant.

@@ -17,7 +17,7 @@ type Content = (PathBuf, Vec<u8>);
 
 /// Largest file of a motion, bytes.
 pub const LARGEST_MOTION: u64 = 64 << 20;
-/// Most rows of a motion, as many as a law may have spans.
+/// Most rows of a motion.
 const MOST_ROWS: usize = 10_000;
 /// How far the angle and the lift that a segment states may be from those of its file, as a share.
 const AGREEMENT: f64 = 1e-6;

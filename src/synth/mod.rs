@@ -29,9 +29,7 @@
 //! about the target. From the optimum without limits the exact worst points of the law (roots in Bernstein
 //! form) enter as rows of a dual active-set method; once all contacts are known Newton's method moves them
 //! to where a(θ)ᵀx touches b(θ) with equal slope. Ends when no limit is exceeded on the continuum by 4·10⁻¹⁰
-//! of its size. Where rows are many, or the active set's own proof fails, Clarabel takes its place; from 40 spans on an
-//! interior-point method over the coefficients of s and all derivatives, which takes them out span by span: cost linear in
-//! the spans (`qp/interior/chain`).
+//! of its size. Where rows are many, or the active set does not end, Clarabel takes its place.
 //!
 //! **SOCP.** Prime radius R, height D and offset e join x (theory §6):
 //!

@@ -269,7 +269,6 @@ fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solut
         last.fixed = linearised(program, &about, &at_size, &kept);
         // Nearest to the law at hand, so that the linearised curvature stays true.
         last.gradient.clone_from(&gradient);
-        last.lifted = None;
         let mut exact = solved(&last.with_sizes_held(current, room))?;
         exact.extra = about.extra;
         let clear = at_size.clear(program, &exact);

@@ -17,8 +17,8 @@ use crate::force::{Feet, Kind as Movement};
 use crate::scene::{Family, ForceScale, Gait, LimitKind, Minimise, Scene};
 use crate::units::Dimension::{self, *};
 
-/// Most spans of a spline: beyond this the law is a table, not a law.
-const MOST_SPANS: usize = 10_000;
+/// Most spans of a spline: beyond this a certified optimum is not assured in reasonable time.
+const MOST_SPANS: usize = 400;
 /// Highest degree of a polynomial.
 const HIGHEST_DEGREE: usize = 30;
 /// Most harmonics.

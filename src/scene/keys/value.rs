@@ -108,10 +108,11 @@ pub fn read(key: &Key, typed: &Toml, scene: &Scene, path: &str) -> Result<Option
                 .filter(|n| (low..=high).contains(n))
                 .map(|n| Some(Value::Count(n)))
                 .ok_or_else(|| {
-                    fault(SceneError::NotCount {
-                        typed: shown(typed),
-                        low,
-                        high,
+                    let typed = shown(typed);
+                    fault(if key.path == "law.spans" {
+                        SceneError::NotSpans { typed, low, high }
+                    } else {
+                        SceneError::NotCount { typed, low, high }
                     })
                 })
         }

@@ -24,9 +24,7 @@ struct Proof {
 /// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use. Remembered for the
 /// problems that follow.
 pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
-    // A program of many spans costs far more than its proof, which the search for relaxations may use.
-    let is_of_use = problem.only_passing || touched.program.lifted.is_some();
-    let Some(allowed) = judged(problem).filter(|_| is_of_use) else {
+    let Some(allowed) = judged(problem).filter(|_| problem.only_passing) else {
         return false;
     };
     let missed = is_beyond(touched.least(), allowed);
@@ -35,7 +33,7 @@ pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
         let (program, solution) = (touched.program.clone(), touched.solution.clone());
         problem.memo.keep((), Proof { program, solution });
     }
-    missed && problem.only_passing
+    missed
 }
 
 /// Whether an earlier proof holds for this program too.

@@ -2,7 +2,6 @@
 
 mod accuracy_bound;
 mod choose;
-mod coarse_start;
 mod demands;
 mod double_harmonic;
 mod polynomial;

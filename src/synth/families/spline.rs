@@ -1,10 +1,10 @@
 //! The spline family: least squares in force space under demands and limits.
 
+use super::accuracy_bound;
 use super::spline_program::unlimited_program;
 use super::spline_spans::Forecast;
 use super::touching::{self, Touched};
 use super::{Found, NoLaw, Stuck, gathered, proved, report};
-use super::{accuracy_bound, coarse_start};
 use crate::problem::{Note, Problem, Size, SpanKey};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
@@ -89,13 +89,6 @@ fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
     // Where the limits that are not convex cost nothing, no law that keeps the others is better.
     let global = fitted.least_is_proved && evidence.global_gap <= PROVED;
     (evidence, (!global).then_some(Doubt::Local))
-}
-
-/// The law on a number of spans with every limit, where there is one.
-pub fn on_spans(problem: &Problem, spans: usize) -> Option<Touched> {
-    let mut fitted = solve(problem, spans).ok()?;
-    with_profile(problem, &mut fitted);
-    Some(fitted.touched)
 }
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
@@ -257,7 +250,7 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
 /// Goes on with the sequence that keeps limits that are not convex; false where that has no start.
 fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
     let (program, solution) = at_level(problem, fitted, &limits);
-    let mut starts = Vec::from_iter(coarse_start::found(problem, &program, fitted.spans));
+    let mut starts = Vec::new();
     // The least radius of an arm is no place to linearise about.
     if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
         starts.push(solution.clone());

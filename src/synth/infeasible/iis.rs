@@ -191,7 +191,6 @@ fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
     let nothing = Quadratic::zero(&elastic.basis);
     elastic.hessian = nothing.hessian;
     elastic.gradient = nothing.gradient;
-    elastic.lifted = nothing.lifted;
     elastic.limits.retain(|l| !l.is_peak());
     elastic.cost = [0.0; EXTRAS];
     elastic.cost[PEAK] = 1.0;

@@ -29,7 +29,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         program.add_neighbours(&mut rows, &set.x);
         add_rows(program, &mut rows, program.broken(&set.x, &none), &mut set);
     }
-    if rows.iter().filter(|r| lies_on_arcs(program, r)).count() > settings.rows {
+    if rows.len() > settings.rows {
         return Err(rows);
     }
     let mut best: Option<Solution> = None;
@@ -57,8 +57,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         {
             attempts += 1;
             let level = set.pinned_at;
-            let refined =
-                local_reduction::refine(program, Some(unlimited), &candidate, peaks, level);
+            let refined = local_reduction::refine(program, unlimited, &candidate, peaks, level);
             if let Some(refined) = refined {
                 return Ok(refined);
             }
@@ -80,15 +79,6 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         add_rows(program, &mut rows, broken, &mut set);
     }
     Err(rows)
-}
-
-/// Whether a law can lie on a row's limit over an arc, so that most of the limit's rows stay active. A limit on a lower
-/// derivative than the objective's highest is touched at a few places, however many pieces break it.
-fn lies_on_arcs(program: &Program, row: &Row) -> bool {
-    let Some(lifted) = &program.lifted else {
-        return true;
-    };
-    lifted.highest(&row.weights) >= lifted.used()
 }
 
 fn add_rows(

@@ -13,8 +13,8 @@
 //! turn and not for samples of it.
 
 use super::basis::{Basis, apply};
+use super::equality;
 use super::program::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
-use super::{equality, interior};
 use serde::Serialize;
 
 use crate::criterion::Criterion;
@@ -43,8 +43,7 @@ pub struct Certificate {
     pub global_gap: f64,
     /// Size of the objective: its value, or a millionth of the terms that it is the sum of, which rounding leaves.
     pub size: f64,
-    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it; of many spans by the
-    /// coefficients of the highest derivative that is asked for.
+    /// Largest entry of the Lagrangian's gradient, as a part of the largest term in it.
     pub stationarity: f64,
     /// Largest violation of any limit on the continuum, as a part of its scale.
     pub violation: f64,
@@ -98,11 +97,6 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     for (r, g) in residual.iter_mut().zip(&program.gradient) {
         *r += g;
     }
-    // With many spans the same sum is taken over the derivatives' coefficients, which keep its digits.
-    let mut lifted = program
-        .lifted
-        .as_ref()
-        .map(|l| (l, l.pull(&l.derivatives(x))));
     let mut beside = program.cost;
     let mut pushed_beside = program.cost.map(f64::abs);
     // The push on the law as a whole, where its level is open: H has no part in it but rounding, and no factor sees it.
@@ -117,12 +111,6 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
             push += row.multiplier * a;
             pushed = pushed.max((row.multiplier * a).abs());
         }
-        if let Some((l, pull)) = &mut lifted {
-            let own = l.row(row.peak.piece, row.peak.u, &row.weights);
-            for (i, a) in own.into_iter().chain(row.touching.iter().copied()) {
-                pull[i] += row.multiplier * a;
-            }
-        }
         for (k, e) in row.extra.iter().enumerate() {
             beside[k] += row.multiplier * e;
             pushed_beside[k] += (row.multiplier * e).abs();
@@ -131,46 +119,17 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let present = program.present();
     let size = scale(program, solution);
     let mut gap = slack;
-    if let Some((l, pull)) = lifted {
-        if program.level_is_open() {
-            let push: f64 = pull[..x.len()].iter().sum();
-            gap += push.abs() * largest(x);
-        }
-        residual = l.folded(pull);
-    }
     off_the_demands(program, &mut residual);
     let mut left = largest(&residual) / pushed.max(f64::MIN_POSITIVE);
-    let fall = || {
-        residual
-            .iter()
-            .zip(x)
-            .map(|(r, x)| r * x)
-            .sum::<f64>()
-            .abs()
+    let product = residual.iter().zip(x).map(|(r, x)| r * x);
+    let plain = product.sum::<f64>().abs();
+    let known = (plain > SMALL * size).then(|| equality::fall(program, &residual));
+    let level = match program.basis {
+        _ if !program.level_is_open() => 0.0,
+        Basis::Spline { .. } => push * largest(x),
+        Basis::Harmonic { .. } => residual[0] * x[0],
     };
-    gap += match &program.lifted {
-        Some(lifted) => {
-            let rows = solution.active.iter();
-            let highest = rows.map(|r| lifted.highest(&r.weights)).max();
-            let order = highest.unwrap_or(0).max(lifted.used());
-            let whole = largest(&lifted.summed(lifted.folded(lifted.gradient().to_vec()), order));
-            // Without a wanted curve there is no such size, and the pushes of the rows stand for it.
-            if whole > 0.0 {
-                left = largest(&lifted.summed(residual.clone(), order)) / whole;
-            }
-            interior::fall(program, lifted, &residual).unwrap_or_else(fall)
-        }
-        None => {
-            let plain = fall();
-            let known = (plain > SMALL * size).then(|| equality::fall(program, &residual));
-            let level = match program.basis {
-                _ if !program.level_is_open() => 0.0,
-                Basis::Spline { .. } => push * largest(x),
-                Basis::Harmonic { .. } => residual[0] * x[0],
-            };
-            known.flatten().map_or(plain, |own| own + level.abs())
-        }
-    };
+    gap += known.flatten().map_or(plain, |own| own + level.abs());
     // A push on a variable beside the law is small beside the others on it, or where a change as large as the lift or the
     // variable moves the objective by nothing.
     let lengths = solution.extra.iter().skip(PEAK + 1);

@@ -1,15 +1,11 @@
 //! The one place that speaks to Clarabel.
 
-use std::borrow::Cow;
-
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverError, SolverStatus,
     SupportedConeT,
 };
 
-use super::basis::Entries;
-use super::lifted::Lifted;
 use super::program::{EXTRAS, Failure, OFFSET, PEAK, Program, RADIUS, RISE, Row, Stop};
 
 /// Minimise ½xᵀPx + qᵀx with b − Ax in the cones, in the solver's hands. Clarabel's code is generic: every crate that makes or
@@ -41,8 +37,6 @@ pub struct Point {
     pub extra: [f64; EXTRAS],
     /// Iterations.
     pub iterations: usize,
-    /// Coefficients of a law on the way there, well inside the rows, where one was kept.
-    pub inside: Option<Vec<f64>>,
 }
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
@@ -50,16 +44,16 @@ pub struct Point {
 pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
     let length = program.length;
     let weight = program.objective_unit();
-    let law = Unknowns::new(program, rows);
-    let columns = Columns::new(program, rows, law.count);
+    let n = program.basis.columns();
+    let columns = Columns::new(program, rows, n);
 
     let p = upper_triangle(
-        &law.hessian(program),
+        &program.hessian.lower_entries(),
         columns.total,
         length * length / weight,
     );
-    let mut q: Vec<f64> = law
-        .gradient(program)
+    let mut q: Vec<f64> = program
+        .gradient
         .iter()
         .map(|g| g * length / weight)
         .collect();
@@ -83,12 +77,11 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         triplets.extend(r, e.entries.iter().map(|&(i, v)| (i, v * length / unit)));
         b.push(e.value / unit);
     }
-    law.tie(&mut triplets, &mut b);
     let equalities = b.len();
     let mut units = Vec::with_capacity(rows.len());
     for row in rows.iter() {
-        let entries = law.entries(row);
-        let unit = row_unit(&entries, length);
+        let entries = &row.entries;
+        let unit = row_unit(entries, length);
         let r = b.len();
         triplets.extend(r, entries.iter().map(|&(i, v)| (i, v * length / unit)));
         for k in 0..EXTRAS {
@@ -96,7 +89,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
                 triplets.push(r, column, row.extra[k] * columns.unit[k] / unit);
             }
         }
-        b.push((row.bound - margin * row.scale - law.rounding(row, length)) / unit);
+        b.push((row.bound - margin * row.scale) / unit);
         units.push(unit);
     }
     let mut cones = vec![
@@ -143,10 +136,9 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         }
     }
     Ok(Point {
-        x: law.coefficients(&answer.x, length),
+        x: answer.x[..n].iter().map(|y| y * length).collect(),
         extra,
         iterations: answer.iterations as usize,
-        inside: None,
     })
 }
 
@@ -164,104 +156,6 @@ fn accepted(status: SolverStatus) -> Result<(), Failure> {
         SolverStatus::CallbackTerminated => Stop::OutOfTime.into(),
         SolverStatus::Unsolved | SolverStatus::NumericalError => Stop::NumericalError.into(),
     })
-}
-
-/// The unknowns that stand for the law: its coefficients, or for many spans those of its derivatives too.
-struct Unknowns<'a> {
-    roundings: f64,
-    lifted: Option<&'a Lifted>,
-    /// Highest derivative among them.
-    order: usize,
-    count: usize,
-}
-
-impl<'a> Unknowns<'a> {
-    fn new(program: &'a Program, rows: &[Row]) -> Self {
-        let roundings = program.settings.interior_point.roundings;
-        let lifted = program.lifted.as_ref();
-        let lifted = lifted.filter(|l| rows.iter().all(|r| l.carries(&r.weights)));
-        let Some(lifted) = lifted else {
-            return Unknowns {
-                roundings,
-                lifted,
-                order: 0,
-                count: program.basis.columns(),
-            };
-        };
-        let needed = rows.iter().map(|r| lifted.highest(&r.weights)).max();
-        let order = lifted.used().max(needed.unwrap_or(0));
-        Unknowns {
-            roundings,
-            lifted: Some(lifted),
-            order,
-            count: (order + 1) * lifted.dimension(),
-        }
-    }
-
-    fn hessian(&self, program: &Program) -> Vec<(usize, usize, f64)> {
-        match self.lifted {
-            Some(lifted) => lifted.blocks().to_vec(),
-            None => program.hessian.lower_entries(),
-        }
-    }
-
-    fn gradient(&self, program: &'a Program) -> &'a [f64] {
-        match self.lifted {
-            Some(lifted) => &lifted.gradient()[..self.count],
-            None => &program.gradient,
-        }
-    }
-
-    /// c′ᵢ = fᵢ (cᵢ − cᵢ₋₁) from each order to the next.
-    fn tie(&self, triplets: &mut Triplets, b: &mut Vec<f64>) {
-        let Some(lifted) = self.lifted else {
-            return;
-        };
-        let n = lifted.dimension();
-        for (order, factors) in lifted.factors()[..self.order].iter().enumerate() {
-            for (i, &f) in factors.iter().enumerate() {
-                let (own, before) = (order * n + i, order * n + (i + n - 1) % n);
-                let r = b.len();
-                triplets.push(r, own, f);
-                triplets.push(r, before, -f);
-                triplets.push(r, own + n, -1.0);
-                b.push(0.0);
-            }
-        }
-    }
-
-    fn entries<'r>(&self, row: &'r Row) -> Cow<'r, Entries> {
-        match self.lifted {
-            Some(lifted) => {
-                let mut entries = lifted.row(row.peak.piece, row.peak.u, &row.weights);
-                entries.extend(&row.touching);
-                Cow::Owned(entries)
-            }
-            None => Cow::Borrowed(&row.entries),
-        }
-    }
-
-    /// What differences of the lift's coefficients will leave uncertain of a limit, where room can be kept.
-    fn rounding(&self, row: &Row, length: f64) -> f64 {
-        if self.lifted.is_none() || row.scale == 0.0 {
-            return 0.0;
-        }
-        let size: f64 = row.entries.iter().map(|e| e.1.abs()).sum();
-        self.roundings * f64::EPSILON * size * length
-    }
-
-    fn coefficients(&self, y: &[f64], length: f64) -> Vec<f64> {
-        let Some(lifted) = self.lifted else {
-            return y[..self.count].iter().map(|y| y * length).collect();
-        };
-        let n = lifted.dimension();
-        let highest: Vec<f64> = y[self.order * n..self.count]
-            .iter()
-            .map(|y| y * length)
-            .collect();
-        let level = length * y[..n].iter().sum::<f64>() / n as f64;
-        lifted.integrated(&vec![0.0; n], &highest, self.order, level)
-    }
 }
 
 /// Where the variables beside the law stand among the columns, and their units.

@@ -83,7 +83,7 @@ impl<'a> Contacts<'a> {
         let present = program.present();
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.exchange.polish_size;
-        if program.cone || program.lifted.is_some() || too_large {
+        if program.cone || too_large {
             return None;
         }
         Some(Contacts {

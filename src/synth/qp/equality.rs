@@ -34,16 +34,6 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
     let pull: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
     let mut x = pull.clone();
     factor.solve(&mut x);
-    if let Some(lifted) = &program.lifted {
-        for _ in 0..program.settings.equality.refinements {
-            let mut off = lifted.folded(lifted.pull(&lifted.derivatives(&x)));
-            augment(program, pin, &x, &mut off);
-            factor.solve(&mut off);
-            for (x, d) in x.iter_mut().zip(off) {
-                *x -= d;
-            }
-        }
-    }
     if !program.equalities.is_empty() {
         x = correct(program, &factor, x)?;
     }
@@ -54,21 +44,6 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
         x,
         pin,
     })
-}
-
-/// Adds what `regular` adds to the objective to its gradient at `x`.
-fn augment(program: &Program, pin: Option<(usize, f64)>, x: &[f64], gradient: &mut [f64]) {
-    let rho = penalty(program);
-    for e in local(program) {
-        let norm: f64 = e.entries.iter().map(|e| e.1 * e.1).sum();
-        let miss = apply(&e.entries, x) - e.value;
-        for &(i, a) in e.entries.iter().filter(|_| norm > 0.0) {
-            gradient[i] += rho / norm * miss * a;
-        }
-    }
-    if let Some((at, weight)) = pin {
-        gradient[at] += weight * x[at];
-    }
 }
 
 /// Weight of the demands' outer products, in units of H.

@@ -9,13 +9,8 @@
 use super::active_set::ActiveSet;
 use super::basis::{Basis, apply};
 use super::equality::Unlimited;
-use super::interior;
-use super::lifted::Lifted;
 use super::program::{EXTRAS, Limit, Program, Row, Solution};
 use crate::poly::Peak;
-
-/// A law of many spans that ends further from its limits than its band's digits explain has lost its contacts.
-const FAR: f64 = 1e-3;
 
 /// A row of the law's contact with a limit.
 struct Contact {
@@ -25,12 +20,12 @@ struct Contact {
 }
 
 /// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open
-/// level is pinned. Without the optimum without limits, and its band, a law of many spans is solved over its windows.
+/// level is pinned.
 ///
 /// Returns `None` where contacts are not of the simple kind or a limit is broken at a place that was none.
 pub fn refine(
     program: &Program,
-    unlimited: Option<&Unlimited>,
+    unlimited: &Unlimited,
     start: &Solution,
     mut peaks: Vec<(usize, Peak)>,
     level: f64,
@@ -41,14 +36,8 @@ pub fn refine(
     let settings = &program.settings.local_reduction;
     let none = [0.0; EXTRAS];
     let mut contacts = gathered(program, &start.x, &start.active, &peaks);
-    // Digits of the band say nothing of where a law of many spans stands.
-    let known = unlimited.map_or(FAR, |_| start.violation);
     for step in 1..=settings.steps {
-        let (x, active) = match (unlimited, &program.lifted) {
-            (Some(unlimited), _) => on_band(program, unlimited, &contacts, level)?,
-            (None, Some(lifted)) => on_windows(program, lifted, &contacts)?,
-            (None, None) => return None,
-        };
+        let (x, active) = on_band(program, unlimited, &contacts, level)?;
         peaks = program.peaks_near(&x, &none, settings.below);
         let violation = program.worst(&peaks, &x, &none);
         // A row moved to where its contact went takes the curvature's part of the gradient along.
@@ -64,7 +53,7 @@ pub fn refine(
                 violation,
             });
         }
-        if violation > settings.divergence * known {
+        if violation > settings.divergence * start.violation {
             return None;
         }
     }
@@ -96,26 +85,6 @@ fn on_band(
     let negative = program.settings.local_reduction.negative_multiplier;
     let active = set.pushing(|i| &contacts[i].row);
     (set.weakest() >= -negative).then_some((set.x, active))
-}
-
-/// The same over the windows of many spans.
-fn on_windows(
-    program: &Program,
-    lifted: &Lifted,
-    contacts: &[Contact],
-) -> Option<(Vec<f64>, Vec<Row>)> {
-    let held: Vec<Row> = contacts.iter().map(|c| c.row.clone()).collect();
-    if held.iter().any(|r| !lifted.carries(&r.weights)) {
-        return None;
-    }
-    let stiff: Vec<(Row, f64)> = contacts.iter().filter_map(|c| stiff(program, c)).collect();
-    let (x, pushes) = interior::on_contacts(program, lifted, &held, &stiff)?;
-    let negative = program.settings.local_reduction.negative_multiplier;
-    let largest = pushes.iter().fold(0.0_f64, |m, p| m.max(p.abs()));
-    let weakest = pushes.iter().fold(f64::INFINITY, |m, p| m.min(*p));
-    let pushing = held.into_iter().zip(pushes).filter(|(_, push)| *push > 0.0);
-    let active = pushing.map(|(row, multiplier)| Row { multiplier, ..row });
-    (weakest >= -negative * largest).then(|| (x, active.collect()))
 }
 
 /// Active rows brought to the exact local maxima beside them; rows that share one are one contact.

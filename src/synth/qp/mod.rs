@@ -14,7 +14,6 @@
 //! | `program` | the program, its limits, rows and solution |
 //! | `basis` | B-splines or harmonics, rows on their coefficients |
 //! | `objective` | H and g of a distance or an energy |
-//! | `lifted` | the same over the derivatives' coefficients, for many spans |
 //! | `band` | Cholesky factor of a banded matrix with a border |
 //! | `equality` | the optimum under equalities alone |
 //! | `pieces` | derivatives in Bernstein form on all spans at once |
@@ -23,8 +22,7 @@
 //! | `frame` | active planes as an orthonormal basis and a triangle |
 //! | `local_reduction` | Newton's method on the contact points |
 //! | `exchange` | which method solves; rounds of separation and solution |
-//! | `interior` | the interior-point method with cost in proportion to the spans: many of them, and between the steps of a sequence |
-//! | `clarabel` | the interior-point method for few spans, and the last word where the other settles nothing |
+//! | `clarabel` | interior-point method, by Clarabel |
 //! | `contacts` | Newton's method on the contacts, where variables stand beside the law or a proof is open |
 //! | `quadratic_step` | its steps: small dense programs |
 //! | `polish` | active rows solved as equalities, for the last digits |
@@ -42,8 +40,6 @@ mod demand;
 mod equality;
 mod exchange;
 mod frame;
-mod interior;
-mod lifted;
 mod local_reduction;
 mod nearest;
 mod objective;

@@ -4,9 +4,7 @@
 //! the coefficients the program is perfectly conditioned: the dual active-set method ends inside to rounding,
 //! and the objective moves by no more than the hair.
 
-use super::basis::apply;
 use super::program::{EXTRAS, Limit, PEAK, Program, Solution};
-use crate::poly::Peak;
 
 /// A law that misses by more is no last digit.
 const HAIR: f64 = 1e-6;
@@ -35,40 +33,6 @@ impl Program {
         }
     }
 
-    /// A law a hair outside its limits at these places, drawn towards one that lies inside there by as much as that takes:
-    /// limits are linear in the law. What the hair would cost by another solution with more rows this costs in the proof.
-    pub(super) fn drawn_inside(
-        &self,
-        solution: &Solution,
-        inside: &[f64],
-        broken: &[(usize, Peak)],
-    ) -> Option<Solution> {
-        if solution.violation > HAIR || self.present().iter().any(|p| *p) {
-            return None;
-        }
-        let mut part = 0.0_f64;
-        for (limit, peak) in broken {
-            let row = self.row(*limit, *peak);
-            let over = apply(&row.entries, &solution.x) - row.bound;
-            let room = row.bound - apply(&row.entries, inside);
-            if over > 0.0 {
-                if room <= over {
-                    return None;
-                }
-                part = part.max(over / (over + room));
-            }
-        }
-        let drawn = solution.x.iter().zip(inside);
-        let x: Vec<f64> = drawn.map(|(x, i)| x + part * (i - x)).collect();
-        let violation = self.violation(&x, &solution.extra);
-        let moved = Solution {
-            x,
-            violation,
-            ..solution.clone()
-        };
-        (violation <= self.settings.tolerance).then_some(moved)
-    }
-
     /// ½‖x − x₀‖² under the limits, the variables beside the law held.
     fn nearest_to(&self, solution: &Solution) -> Program {
         let mut out = self.clone();
@@ -77,7 +41,6 @@ impl Program {
             out.hessian.add(i, i, 1.0);
         }
         out.gradient = solution.x.iter().map(|x| -x).collect();
-        out.lifted = None;
         out.cost = [0.0; EXTRAS];
         out.limits.retain(|limit| !limit.is_peak());
         for limit in &mut out.limits {

@@ -2,7 +2,6 @@
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries};
-use super::lifted::Lifted;
 use crate::poly::{SplineSpace, gauss_legendre};
 
 /// ½xᵀHx + gᵀx + constant.
@@ -14,8 +13,6 @@ pub struct Quadratic {
     pub gradient: Vec<f64>,
     /// The constant, so that the value means something.
     pub constant: f64,
-    /// The same over the coefficients of the derivatives too, where the spans are many.
-    pub lifted: Option<Lifted>,
 }
 
 impl Quadratic {
@@ -27,7 +24,6 @@ impl Quadratic {
             hessian: ArrowMatrix::zero(n, band, border),
             gradient: vec![0.0; n],
             constant: 0.0,
-            lifted: Lifted::new(basis),
         }
     }
 
@@ -48,8 +44,6 @@ impl Quadratic {
         let rule = gauss_legendre(nodes);
         let mut values = vec![0.0; rule.len()];
         let mut table = Table::default();
-        self.lifted = self.lifted.take().filter(|l| l.carries(weights));
-        let mut all = Vec::new();
         let alike = match basis {
             Basis::Spline { space, .. } => weight.is_none() && space.is_uniform(),
             Basis::Harmonic { .. } => false,
@@ -57,9 +51,6 @@ impl Quadratic {
         for (i, ends) in breaks.windows(2).enumerate() {
             let (start, width) = (ends[0], ends[1] - ends[0]);
             wanted(start, width, &rule, &mut values);
-            if self.lifted.is_some() {
-                all.extend_from_slice(&values);
-            }
             match basis {
                 Basis::Spline { space, .. } => {
                     let as_before = table.fit(space, i, &rule, weights);
@@ -85,14 +76,6 @@ impl Quadratic {
                     }
                 }
             }
-        }
-        if let Some(lifted) = &mut self.lifted {
-            lifted.add_distance(weights, &rule, |i, node| {
-                let (start, width) = (breaks[i], breaks[i + 1] - breaks[i]);
-                let (u, w) = rule[node];
-                let own = weight.map_or(1.0, |f| f(start + u * width));
-                (w * width / total * own, all[i * rule.len() + node])
-            });
         }
     }
 
@@ -166,13 +149,6 @@ impl Quadratic {
             *own += factor * g;
         }
         self.constant += factor * other.constant;
-        self.lifted = match (self.lifted.take(), &other.lifted) {
-            (Some(mut own), Some(other)) => {
-                own.add(other, factor);
-                Some(own)
-            }
-            _ => None,
-        };
     }
 
     /// The same objective, `factor` times.
@@ -182,17 +158,11 @@ impl Quadratic {
         out.hessian.scale(factor);
         out.gradient.iter_mut().for_each(|g| *g *= factor);
         out.constant *= factor;
-        if let Some(lifted) = &mut out.lifted {
-            lifted.scale(factor);
-        }
         out
     }
 
     /// The value at `x`.
     pub fn value(&self, x: &[f64]) -> f64 {
-        if let Some(lifted) = &self.lifted {
-            return lifted.value(x) + self.constant;
-        }
         let hx = self.hessian.times(x);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()

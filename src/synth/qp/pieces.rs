@@ -50,26 +50,6 @@ impl Pieces {
         }
     }
 
-    /// From the coefficients of the lift and of each derivative in its own space: of many spans a derivative's have the
-    /// digits that differences of the lift's Bernstein coefficients lose.
-    pub fn of_derivatives<'a>(orders: impl Iterator<Item = (&'a SplineSpace, &'a [f64])>) -> Self {
-        let (mut spans, mut degree) = (0, 0);
-        let mut rows = Vec::new();
-        for (space, x) in orders {
-            if rows.is_empty() {
-                (spans, degree) = (space.spans().len(), space.degree());
-            }
-            let from = rows.len();
-            rows.resize(from + spans * (space.degree() + 1), 0.0);
-            fill_with_lift(space, x, &mut rows[from..]);
-        }
-        Pieces {
-            spans,
-            degree,
-            rows,
-        }
-    }
-
     /// Smallest lift.
     pub fn lowest(&self) -> f64 {
         let lift = Curve {

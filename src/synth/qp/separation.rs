@@ -1,7 +1,6 @@
 //! Where a law breaks its limits: exact worst points, from the roots of the limits' own derivatives.
 
-use super::basis::{Basis, Entries, WIDEST, add, apply};
-use super::lifted::Lifted;
+use super::basis::{Basis, Entries, WIDEST, add};
 use super::pieces::{Curve, Pieces};
 use super::program::{EXTRAS, Limit, Meaning, Program, Row};
 use crate::law::Law;
@@ -98,10 +97,7 @@ impl Program {
     fn pieces(&self, space: &SplineSpace, x: &[f64]) -> Pieces {
         let highest = self.limits.iter().map(Limit::highest_order).max();
         let highest = highest.unwrap_or(0);
-        match &self.lifted {
-            Some(lifted) => lifted.pieces(x, highest),
-            None => Pieces::new(space, x, highest),
-        }
+        Pieces::new(space, x, highest)
     }
 
     /// The row of a limit at a place.
@@ -175,29 +171,6 @@ impl Program {
                             value: 0.0,
                         };
                         rows.push(self.row(index, peak));
-                    }
-                }
-            });
-        }
-    }
-
-    /// Starts and middles of pieces, for laws of many spans. A limit on a derivative that the objective does not reach
-    /// down to is written down on all of them, or it escapes as a spike into the next piece, round after round; of the
-    /// others places are enough where a law is no further below the limit than half its size.
-    pub fn add_everywhere(&self, rows: &mut Vec<Row>, x: &[f64]) {
-        let breaks = self.basis.breaks();
-        let reached = self.lifted.as_ref().map_or(0, Lifted::used);
-        for (index, limit) in self.limits.iter().enumerate() {
-            let far = if limit.highest_order() < reached {
-                0.5 * limit.size(limit.bound)
-            } else {
-                f64::INFINITY
-            };
-            ends_and_middles(&breaks, limit, |peak| {
-                if peak.u < 1.0 {
-                    let row = self.row(index, peak);
-                    if row.bound - apply(&row.entries, x) < far {
-                        rows.push(row);
                     }
                 }
             });

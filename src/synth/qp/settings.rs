@@ -1,7 +1,5 @@
 //! Every tuning constant of the solvers, with its reason. Nothing here is seen by users of a scene.
 
-use crate::law::MANY_SPANS;
-
 /// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
 pub const TOLERANCE: f64 = 4e-10;
 
@@ -10,8 +8,6 @@ pub const TOLERANCE: f64 = 4e-10;
 pub struct Settings {
     /// A limit counts as kept when it is exceeded by no more than this part of its scale.
     pub tolerance: f64,
-    /// Spans from which on the derivatives' coefficients are unknowns of their own.
-    pub lifted_from: usize,
     /// Least squares under equalities.
     pub equality: EqualitySettings,
     /// Dual active-set method.
@@ -33,8 +29,6 @@ pub struct EqualitySettings {
     pub dependent: f64,
     /// A dependent equality may miss its value by this part of its own scale before it is a contradiction.
     pub consistent: f64,
-    /// Steps of iterative refinement that give a law of many spans back the digits its matrix loses.
-    pub refinements: usize,
     /// Weight, in units of H, that holds a level which limits may move.
     pub light_pin: f64,
 }
@@ -48,16 +42,8 @@ pub struct ActiveSetSettings {
     pub steps_per_unknown: usize,
     /// More rows than this at the start are cheaper without a dense basis.
     pub rows: usize,
-    /// … and than this where the spans are many.
-    pub few_rows: usize,
-    /// More active rows than this are left to the interior-point method …
+    /// More active rows than this are left to the interior-point method.
     pub active: usize,
-    /// … and than this where the spans are many.
-    pub few_active: usize,
-    /// Part of a law's digits that the lift's coefficients of many spans may lose; beyond it is not asked.
-    pub digits: f64,
-    /// Gap and stationarity with which its law stands there; otherwise the interior-point method is asked too.
-    pub proved: f64,
     /// A row counts as violated beyond this part of its limit's size; far below the rounds' own tolerance.
     pub resolved: f64,
     /// When progress ends, a law that violates limits by less than this is as good as numbers allow.
@@ -121,17 +107,10 @@ pub struct ExchangeSettings {
     pub polish_below: f64,
     /// Larger systems are not polished.
     pub polish_size: usize,
-    /// Room inside a limit never exceeds this part of its scale …
+    /// Room inside a limit never exceeds this part of its scale.
     pub largest_margin: f64,
-    /// … and this one with lifted unknowns: differences of many coefficients leave a jerk uncertain by more.
-    pub largest_lifted_margin: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
-    /// The same of Clarabel with lifted unknowns.
-    pub lifted_margin: f64,
-    /// After the first round with lifted unknowns only rows with less slack than this part of their scale
-    /// stay.
-    pub near: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
     /// Whether a solution a hair outside its limits is exchanged for the nearest one inside.
@@ -144,34 +123,24 @@ pub struct InteriorPointSettings {
     /// Gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits, and
     /// polishing restores the digits.
     pub tolerance: f64,
-    /// The same over the windows of many spans, which lose no digits.
-    pub many_spans_tolerance: f64,
     /// Iterations; 20 are usual.
     pub iterations: u32,
-    /// As many roundings are kept free inside limits with lifted unknowns.
-    pub roundings: f64,
 }
 
 impl Default for Settings {
     fn default() -> Self {
         Settings {
             tolerance: TOLERANCE,
-            lifted_from: MANY_SPANS,
             equality: EqualitySettings {
                 dependent: 1e-11,
                 consistent: 1e-8,
-                refinements: 3,
                 light_pin: 1e-6,
             },
             active_set: ActiveSetSettings {
                 rounds: 60,
                 steps_per_unknown: 60,
                 rows: 400,
-                few_rows: 160,
                 active: 400,
-                few_active: 64,
-                digits: 0.5,
-                proved: 1e-6,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,
                 dependent: 1e-13,
@@ -202,18 +171,13 @@ impl Default for Settings {
                 polish_below: 1e-5,
                 polish_size: 500,
                 largest_margin: 1e-6,
-                largest_lifted_margin: 1e-5,
                 cone_margin: 1e-7,
-                lifted_margin: 1e-8,
-                near: 0.2,
                 coincident: 1e-4,
                 moves_inside: true,
             },
             interior_point: InteriorPointSettings {
                 tolerance: 1e-9,
-                many_spans_tolerance: 1e-12,
                 iterations: 200,
-                roundings: 256.0,
             },
         }
     }

@@ -142,7 +142,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     let pulled = distance.hessian.times(&before.x[..program.basis.columns()]);
     distance.gradient = pulled.iter().map(|g| -g).collect();
     (near.hessian, near.gradient) = (distance.hessian, distance.gradient);
-    (near.lifted, near.constant) = (None, 0.0);
+    near.constant = 0.0;
     near
 }
 

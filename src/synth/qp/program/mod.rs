@@ -14,7 +14,6 @@ pub use limit::{EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
 use super::demand::Demand;
-use super::lifted::Lifted;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
 use crate::criterion::Criterion;
@@ -43,8 +42,6 @@ pub struct Program {
     pub gradient: Vec<f64>,
     /// What the quadratic leaves out of the whole objective.
     pub constant: f64,
-    /// The quadratic over the coefficients of the derivatives too, where the spans are many.
-    pub lifted: Option<Lifted>,
     /// Exact demands.
     pub equalities: Vec<Equality>,
     /// Limits over ranges.
@@ -121,7 +118,6 @@ impl Program {
             hessian: objective.hessian,
             gradient: objective.gradient,
             constant: objective.constant,
-            lifted: objective.lifted,
             equalities,
             limits: Vec::new(),
             shapes: Vec::new(),
@@ -311,12 +307,8 @@ impl Program {
 
     /// Size by which solvers divide the objective: its value for coefficients of typical size.
     pub fn objective_unit(&self) -> f64 {
-        let (h, gradient) = match &self.lifted {
-            Some(lifted) => (lifted.largest_diagonal(), lifted.gradient()),
-            None => (self.hessian.largest_diagonal(), &self.gradient[..]),
-        };
-        let h = h * self.length * self.length;
-        let g = gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
+        let h = self.hessian.largest_diagonal() * self.length * self.length;
+        let g = self.gradient.iter().fold(0.0_f64, |m, g| m.max(g.abs())) * self.length;
         let linear = (1..EXTRAS).fold(0.0_f64, |m, k| m.max(self.cost[k].abs())) * self.length;
         let unit = h.max(g).max(linear);
         if unit > 0.0 { unit } else { 1.0 }
@@ -338,9 +330,6 @@ impl Program {
 
     /// Value of the quadratic part of the objective.
     pub fn objective(&self, x: &[f64]) -> f64 {
-        if let Some(lifted) = &self.lifted {
-            return lifted.value(x);
-        }
         let hx = self.hessian.times(&x[..self.basis.columns()]);
         hx.iter().zip(x).map(|(h, x)| 0.5 * h * x).sum::<f64>()
             + self.gradient.iter().zip(x).map(|(g, x)| g * x).sum::<f64>()
