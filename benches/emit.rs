@@ -1,10 +1,8 @@
 //! What the hand-over costs, file by file and together.
 
-#[path = "../crates/output/tests/it/designs.rs"]
-mod designs;
-
 use divan::{Bencher, black_box};
 use gaitcam_output::{self, Timing};
+use gaitcam_test_support::designs;
 
 fn main() {
     divan::main();
@@ -25,8 +23,8 @@ fn all_default_files(bencher: Bencher) {
             gaitcam_output::csv::law(s, 1440),
             gaitcam_output::csv::profile(s, 1440),
             gaitcam_output::json::summary(s, Timing::default()).to_string(),
-            gaitcam_output::dxf::profile(s, 1440, gaitcam_output::dxf::Content::All),
-            gaitcam_output::svg::profile(s, 1440),
+            gaitcam_cad::dxf::profile(s, 1440, gaitcam_cad::dxf::Content::All),
+            gaitcam_cad::svg::profile(s, 1440),
             pictures.each_ref().map(gaitcam_output::plots::Picture::svg),
             pictures.each_ref().map(gaitcam_output::plots::Picture::png),
             gaitcam_output::report::html(s, Timing::default(), gaitcam_output::Language::En),
@@ -56,5 +54,5 @@ fn one_png(bencher: Bencher) {
 #[divan::bench(args = [1e-4, 1e-5, 1e-6])]
 fn arcs(bencher: Bencher, tolerance: f64) {
     let s = designs::heel_tester();
-    bencher.bench(|| gaitcam_output::biarc::fit(black_box(&s.cam), tolerance));
+    bencher.bench(|| gaitcam_cad::biarc::fit(black_box(&s.cam), tolerance));
 }

@@ -2,10 +2,10 @@
 
 use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
+use gaitcam_cad::drawing::Title;
+use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::design::Contents;
 use gaitcam_output::Language;
-use gaitcam_output::drawing::Title;
-use gaitcam_output::dxf::{Content, Curves};
 use pyo3::prelude::*;
 
 use crate::error::{Raise, argument};

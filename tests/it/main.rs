@@ -3,7 +3,6 @@
 mod cam;
 mod dynamics;
 mod examples;
-mod fluent;
 mod force;
 mod law;
 mod layering;

@@ -22,7 +22,7 @@ use gaitcam::units::Quantity;
 use gaitcam::wording::{FILES, Language, catalogue};
 use strum::VariantNames;
 
-use crate::fluent::assert_same_messages;
+use gaitcam_test_support::words::assert_same_messages;
 
 /// Areas with the variants of their messages. An area that is missing here fails the test below.
 fn areas() -> Vec<(&'static str, &'static [&'static str])> {

@@ -3,6 +3,7 @@
 //! - [`error`]: a fault in the input, with its place, a code for programs and its data;
 //! - [`units`]: quantities with units as users write them, `"3 in"` or `"30 psi/in^3"`;
 //! - [`wording`]: sentences made from data, in English and Spanish;
+//! - [`text`]: numbers and text as files and pages show them;
 //! - [`halt`]: how a caller ends a computation.
 //!
 //! ```
@@ -20,6 +21,7 @@
 pub mod error;
 pub mod halt;
 mod quantity;
+pub mod text;
 pub mod units;
 pub mod wording;
 

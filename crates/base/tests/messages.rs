@@ -4,7 +4,7 @@ use gaitcam_base::error::{Fault, UnitsError};
 use gaitcam_base::wording::{FILES, Language, WORDS};
 use strum::VariantNames;
 
-#[path = "../../../tests/it/fluent.rs"]
+#[path = "../../test-support/src/fluent.rs"]
 mod fluent;
 
 #[test]

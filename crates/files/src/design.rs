@@ -35,11 +35,11 @@ pub struct Contents {
     /// Half the diameter of a wire and its spark gap, m: its path is written.
     pub wire: Option<f64>,
     /// Layers of the DXF drawings.
-    pub drawn: output::dxf::Content,
+    pub drawn: gaitcam_cad::dxf::Content,
     /// As what profile.dxf has the edges.
-    pub curves: output::dxf::Curves,
+    pub curves: gaitcam_cad::dxf::Curves,
     /// What stands in the title block of the drawing beside the design.
-    pub title: output::drawing::Title,
+    pub title: gaitcam_cad::drawing::Title,
     /// Language of pictures and report.
     pub language: Language,
 }
@@ -52,9 +52,9 @@ impl Default for Contents {
             solid: false,
             tool: None,
             wire: None,
-            drawn: output::dxf::Content::All,
-            curves: output::dxf::Curves::default(),
-            title: output::drawing::Title::default(),
+            drawn: gaitcam_cad::dxf::Content::All,
+            curves: gaitcam_cad::dxf::Curves::default(),
+            title: gaitcam_cad::drawing::Title::default(),
             language: Language::En,
         }
     }
@@ -81,9 +81,9 @@ pub fn write(
     tables(folder, design, contents.points)?;
     folder.write(
         "profile.dxf",
-        &output::dxf::profile_as(design, contents.points, contents.drawn, contents.curves),
+        &gaitcam_cad::dxf::profile_as(design, contents.points, contents.drawn, contents.curves),
     )?;
-    let outline = output::svg::profile(design, contents.points);
+    let outline = gaitcam_cad::svg::profile(design, contents.points);
     folder.write("profile.svg", outline.as_bytes())?;
     pictures(folder, design, contents)?;
     if contents.solid {

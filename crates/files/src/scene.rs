@@ -10,7 +10,7 @@ use crate::{read, target};
 use gaitcam::error::{Error, FileError, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene, Source};
-use gaitcam_output::drawing::{Title, revision};
+use gaitcam_cad::drawing::{Title, revision};
 
 /// A scene with the folder that its paths are relative to.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,8 @@
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
-use gaitcam_output::{self as output, Timing, cutter::Gouge};
+use gaitcam_cad::cutter::Gouge;
+use gaitcam_output::{self as output, Timing};
 
 use crate::design::Contents;
 use crate::result_folder::Sink;
@@ -57,37 +58,37 @@ pub fn write(
     if design.making.balance && design.balance_holes().contains(&None) {
         remarks.push(Remark::NoBalanceHole);
     }
-    let drawing = output::drawing::pdf(design, &contents.title, contents.language);
+    let drawing = gaitcam_cad::drawing::pdf(design, &contents.title, contents.language);
     folder.write("drawing.pdf", &drawing)?;
     if let Some(groove) = &design.groove {
         for (name, wall) in [("upper", Wall::Upper), ("lower", Wall::Lower)] {
-            let mesh = output::groove::wall(groove, wall, ALONG, THROUGH);
-            let bytes = output::solid::binary_stl(&mesh)?;
+            let mesh = gaitcam_cad::solid::wall(groove, wall, ALONG, THROUGH);
+            let bytes = gaitcam_cad::solid::binary_stl(&mesh)?;
             folder.write(&format!("groove_{name}.stl"), &bytes)?;
         }
         remarks.extend(step(folder, design)?);
         return Ok(remarks);
     }
-    let plate = output::solid::Plate {
+    let plate = gaitcam_cad::solid::Plate {
         thickness: design.thickness,
         bore: design.bore,
         points: VERTICES,
     };
-    match output::solid::stl(design, plate) {
+    match gaitcam_cad::solid::stl(design, plate) {
         Ok(bytes) => {
             folder.write("profile.stl", &bytes)?;
-            folder.write("profile.3mf", &output::solid::threemf(design, plate)?)?;
+            folder.write("profile.3mf", &gaitcam_cad::solid::threemf(design, plate)?)?;
         }
         Err(fault) => remarks.push(Remark::NoSolid(fault)),
     }
     remarks.extend(step(folder, design)?);
-    let options = output::dxf::Options {
+    let options = gaitcam_cad::dxf::Options {
         points: VERTICES,
-        version: output::dxf::Version::R2000,
+        version: gaitcam_cad::dxf::Version::R2000,
         bore: design.bore,
         content: contents.drawn,
     };
-    match output::dxf::arcs(design, ARCS, options) {
+    match gaitcam_cad::dxf::arcs(design, ARCS, options) {
         Some(drawing) => {
             folder.write("profile_arcs.dxf", &drawing.bytes)?;
             remarks.push(Remark::Arcs {
@@ -102,7 +103,7 @@ pub fn write(
 
 /// Writes cam.step, or says why not.
 fn step(folder: &impl Sink, design: &Design) -> Result<Option<Remark>> {
-    match output::step::solid(design) {
+    match gaitcam_cad::step::solid(design) {
         Ok(bytes) => {
             folder.write("cam.step", &bytes)?;
             Ok(None)
@@ -118,12 +119,12 @@ pub fn cutter(
     radius: f64,
     points: usize,
 ) -> Result<Vec<Remark>> {
-    let path = output::cutter::path(design, radius, points)?;
-    folder.write("cutter.csv", output::cutter::csv(&path).as_bytes())?;
+    let path = gaitcam_cad::cutter::path(design, radius, points)?;
+    folder.write("cutter.csv", gaitcam_cad::cutter::csv(&path).as_bytes())?;
     if !path.gouges.is_empty() {
         return Ok(path.gouges.into_iter().map(Remark::Gouge).collect());
     }
-    match output::gcode::milling(design, radius) {
+    match gaitcam_cad::gcode::milling(design, radius) {
         Ok(programs) => {
             for program in programs {
                 folder.write(program.file, program.text.as_bytes())?;
@@ -136,7 +137,7 @@ pub fn cutter(
 
 /// Writes wire.nc, or says why not.
 pub fn wire(folder: &impl Sink, design: &Design, radius: f64) -> Result<Option<Remark>> {
-    match output::gcode::wire(design, radius) {
+    match gaitcam_cad::gcode::wire(design, radius) {
         Ok(program) => {
             folder.write(program.file, program.text.as_bytes())?;
             Ok(None)

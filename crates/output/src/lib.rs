@@ -1,4 +1,4 @@
-//! What a design is handed over as: tables, drawings, pictures, a report, solids, a cutter path.
+//! What a design is handed over as: tables, pictures, a report; drawings and solids are made by `gaitcam_cad`.
 //!
 //! Every emitter is pure: it takes a finished [`Design`](gaitcam::synth::Design) and returns text or
 //! bytes; writing files is the command's business. Drawings are at true scale in millimetres, tables in
@@ -7,13 +7,10 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-mod cad;
 mod data;
-mod escape;
 mod figures;
 pub mod files;
 pub mod folder;
-mod number;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod plot;
@@ -21,7 +18,6 @@ mod pose;
 pub mod report;
 mod words;
 
-pub use cad::{biarc, cutter, drawing, dxf, gcode, groove, mesh as solid, step, svg};
 pub use data::{csv, json, xlsx};
 pub use figures::{inspection, overlay, recording, sweep as sweep_plots};
 pub use gaitcam::wording::Language;

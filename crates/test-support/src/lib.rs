@@ -3,6 +3,11 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod designs;
+mod fluent;
+pub mod readers;
+pub mod words;
+
 use std::path::Path;
 
 use gaitcam::error::Result;

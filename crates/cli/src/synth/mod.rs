@@ -23,12 +23,10 @@ use gaitcam::force::ForceCurve;
 use gaitcam::problem::Shared;
 use gaitcam::synth::{Design, relaxed_with, synthesise_with};
 use gaitcam::units::Dimension;
+use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{self, Contents, check_inputs_stay};
-use gaitcam_output::{
-    Timing,
-    dxf::{Content, Curves},
-};
+use gaitcam_output::Timing;
 
 const EXAMPLES: &str = "Examples:
   gaitcam synth

@@ -5,8 +5,8 @@ use crate::chart::{Across, Chart};
 use gaitcam::cam::{Cam, Follower};
 use gaitcam::error::Result;
 use gaitcam::law::{Extent, Rise, Segment, program};
-use gaitcam_output::biarc;
-use gaitcam_output::dxf::FAITHFUL;
+use gaitcam_cad::biarc;
+use gaitcam_cad::dxf::FAITHFUL;
 
 /// Points between two neighbours at which the chord is held against the profile.
 const BETWEEN: usize = 16;

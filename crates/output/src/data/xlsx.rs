@@ -7,7 +7,7 @@ use super::json;
 use crate::Timing;
 use crate::pose::lift_unit;
 use crate::pose::oscillates;
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::{Measures, ProfilePoint};
 use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
@@ -23,7 +23,7 @@ const FIRST: u32 = 10;
 /// Lengths in mm, angles in degrees, v a j by time at the cam's speed. Fails only if the workbook cannot
 /// be put together.
 pub fn workbook(synthesis: &Design, time: Timing, language: Language) -> Result<Vec<u8>> {
-    build(synthesis, time, &Words::new(language)).map_err(|e| {
+    build(synthesis, time, &words::words(language)).map_err(|e| {
         let fault = e.to_string();
         WriteError::NotPutTogether { fault }.into()
     })

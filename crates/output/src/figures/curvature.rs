@@ -2,15 +2,15 @@
 
 use plotters_backend::text_anchor::VPos;
 
-use crate::number::{millimetres, number};
 use crate::plot::axes::padded;
 use crate::plot::layout::{Layout, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, GREEN, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::LimitKind;
 use gaitcam::synth::Design;
+use gaitcam_base::text::{millimetres, number};
 
 /// Largest radius of curvature shown, in prime radii: what is beyond is straight to the eye.
 const CAP: f64 = 2.2;
@@ -74,7 +74,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
             panel.mark_on_ground(across(high.at), 1000.0 * high.value, true, GREEN)?;
             panel.mark_on_ground(across(low.at), 1000.0 * low.value, false, GREEN)?;
             panel.quantity(&words.text("figure-contact-travel"), 5.7 * e)?;
-            return panel.across(&words.across(measures));
+            return panel.across(&words::across(words, measures));
         }
         let (low, high) = synthesis.pressure_angle_extremes();
         let limits = synthesis.checks.iter().filter_map(pressure_limit);
@@ -101,7 +101,7 @@ pub(crate) fn geometry_in(synthesis: &Design, layout: Layout, words: &Words) -> 
         panel.mark_on_ground(across(high.at), ends[1], true, GREEN)?;
         panel.mark_on_ground(across(low.at), ends[0], false, GREEN)?;
         panel.quantity(&words.text("figure-pressure-angle"), 5.7 * e)?;
-        panel.across(&words.across(measures))
+        panel.across(&words::across(words, measures))
     })
     .in_language(words.language())
 }

@@ -2,7 +2,6 @@
 
 use plotters::prelude::*;
 
-use crate::number::number;
 use crate::plot::axes::{Frame, Panel, padded};
 use crate::plot::layout::{Layout, ends_of, key, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, ORANGE, QUIET, RED};
@@ -10,18 +9,19 @@ use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn};
 use crate::pose::motion;
 use crate::pose::{angles, target_at};
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::force::ForceCurve;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
+use gaitcam_base::text::number;
 
 /// Points of the target and of its band.
 const TARGET_POINTS: usize = 720;
 
 /// Achieved force on the target with the error below; the step-to-step spread as a band.
 pub fn force(synthesis: &Design, language: Language) -> Picture {
-    force_in(synthesis, Layout::ALONE, &Words::new(language))
+    force_in(synthesis, Layout::ALONE, &words::words(language))
 }
 
 pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
@@ -38,7 +38,7 @@ pub(crate) fn force_in(synthesis: &Design, layout: Layout, words: &Words) -> Pic
             achieved.marks(&panel)?;
             panel.quantity(&names.axis, 5.7 * e)?;
             let measures = synthesis.cam.follower.measures();
-            panel.across(&words.across(measures))?;
+            panel.across(&words::across(words, measures))?;
             return key(canvas, legend, e, &[(BLUE, 2.6, &names.curve)]);
         };
         let wanted = wanted(synthesis, target);
@@ -193,7 +193,7 @@ fn difference(
         }),
         5.7 * e,
     )?;
-    panel.across(&words.across(measures))
+    panel.across(&words::across(words, measures))
 }
 
 /// What the diagram of forces is about.

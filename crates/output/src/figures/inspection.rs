@@ -6,9 +6,9 @@ use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 
 use super::overlay::{Strip, diagrams_over, profiles};
-use crate::number::number;
 use crate::plot::picture::Picture;
-use crate::words::Words;
+use crate::words;
+use gaitcam_base::text::number;
 
 /// Points of the curves.
 const POINTS: usize = 1440;
@@ -22,7 +22,7 @@ pub fn diagram(
     made: Option<&MadeCam>,
     language: Language,
 ) -> Picture {
-    let words = Words::new(language);
+    let words = words::words(language);
     let measures = design.cam.follower.measures();
     let points = found
         .deviations
@@ -55,14 +55,14 @@ pub fn diagram(
         });
     }
     let names = ["figure-as-made", "figure-as-designed"].map(|key| words.text(key));
-    let across = words.across(measures);
+    let across = words::across(&words, measures);
     let what = words.text("figure-inspection");
     diagrams_over(&across, &design.name, &what, &names, &rows)
 }
 
 /// The profile with the deviations drawn along its normals, exaggerated by a round factor.
 pub fn polar(design: &Design, found: &Inspection, language: Language) -> Picture {
-    let words = Words::new(language);
+    let words = words::words(language);
     let cam = &design.cam;
     let largest = found
         .deviations

@@ -5,7 +5,7 @@ use crate::plot::layout::{Layout, over_the_law, strips, title};
 use crate::plot::palette::{BLUE, GREEN, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::pose::motion;
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::{Cam, Unit};
 use gaitcam::law::Svaj;
 use gaitcam::synth::Design;
@@ -13,7 +13,7 @@ use gaitcam::wording::Language;
 
 /// Lift, velocity, acceleration and jerk over the cam angle, extremes marked.
 pub fn svaj(synthesis: &Design, language: Language) -> Picture {
-    svaj_in(synthesis, Layout::ALONE, &Words::new(language))
+    svaj_in(synthesis, Layout::ALONE, &words::words(language))
 }
 
 pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {
@@ -50,7 +50,7 @@ pub(crate) fn svaj_in(synthesis: &Design, layout: Layout, words: &Words) -> Pict
             }
             panel.quantity(&format!("{}, {unit}", names[k]), 5.7 * layout.letters)?;
             if k == 3 {
-                panel.across(&words.across(measures))?;
+                panel.across(&words::across(words, measures))?;
             }
         }
         Ok(())

@@ -8,7 +8,7 @@ use crate::plot::layout::{Layout, key, strips};
 use crate::plot::palette::{BLUE, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::picture::Picture;
 use crate::pose::target_at;
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Model, Outcome};
 use gaitcam::synth::Design;
@@ -101,9 +101,9 @@ pub(crate) fn run_in(
             let gaps = panel(frames[2], [0.0, top])?;
             gaps.curve(&gap, RED, 2.0)?;
             gaps.quantity(&words.fill("figure-gap", &[("unit", lift.name)]), 5.7 * e)?;
-            gaps.across(&words.across(measures))?;
+            gaps.across(&words::across(words, measures))?;
         } else {
-            torques.across(&words.across(measures))?;
+            torques.across(&words::across(words, measures))?;
         }
         key(canvas, [frame.left, frame.top - 1.1 * e], e, &entries)
     })

@@ -4,10 +4,10 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
-use crate::number::number;
 use crate::plot::palette;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, units, write};
 use crate::plot::text::text_width;
+use gaitcam_base::text::number;
 
 /// Where a diagram stands on its sheet, points.
 #[derive(Debug, Clone, Copy)]

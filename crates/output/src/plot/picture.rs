@@ -8,9 +8,9 @@ use super::palette;
 
 use super::raster;
 use super::sheet::{Canvas, Drawn, FAMILY, Ink, Recorder, Shape};
-use crate::escape::escaped;
-use crate::number::{append, append_decimal, in_language};
 use gaitcam::wording::Language;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{append, append_decimal, in_language};
 
 /// A finished picture on a white ground.
 #[derive(Debug, Clone, PartialEq)]

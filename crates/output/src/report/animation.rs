@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 use super::Running;
 use super::motion::{STEPS, angle_unit, motion, placed, slide};
-use crate::escape::escaped;
-use crate::number::append;
 use crate::pose::{Pose, angles, face_reach, pose};
 use crate::words::Words;
 use gaitcam::cam::{Cam, Follower, ProfilePoint};
 use gaitcam::dynamics::contact::two_cams::shifted;
 use gaitcam::synth::Design;
+use gaitcam_base::text::append;
+use gaitcam_base::text::escaped;
 
 const MM: f64 = 1000.0;
 /// Vertices of the outline.

@@ -3,19 +3,19 @@
 use std::fmt::Write;
 
 use super::{heading, paragraph};
-use crate::escape::escaped;
 use crate::figures::cam::cam_in;
 use crate::figures::curvature::geometry_in;
 use crate::figures::force::{force_frame, force_in};
 use crate::figures::law::svaj_in;
 use crate::figures::recording::{figure_layout, recording_in};
-use crate::number::{millimetres, number, range};
 use crate::plot::axes::Frame;
 use crate::plot::layout::Layout;
 use crate::plot::picture::Picture;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{millimetres, number, range};
 
 /// The diagrams.
 pub fn section(out: &mut String, synthesis: &Design, words: &Words) {

@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::{head, paragraph};
-use crate::escape::escaped;
-use crate::number::{number, page_in_language};
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::error::Result;
 use gaitcam::law::{Factors, Law, Rise};
 use gaitcam::wording::Language;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{number, page_in_language};
 
 /// Points of a curve.
 const POINTS: usize = 160;
@@ -21,7 +21,7 @@ const MARGIN: f64 = 12.0;
 /// # Errors
 /// None that a law of the catalogue has.
 pub fn html(language: Language) -> Result<String> {
-    let words = Words::new(language);
+    let words = words::words(language);
     let mut out = String::with_capacity(1 << 17);
     let title = words.text("laws-title");
     head(&mut out, &title, &words);
@@ -40,7 +40,7 @@ pub fn html(language: Language) -> Result<String> {
 
 /// When to choose a law of the catalogue, in the words of a language.
 pub fn advice(rise: &Rise, language: Language) -> String {
-    Words::new(language).text(&format!("laws-use-{}", rise.name()))
+    words::words(language).text(&format!("laws-use-{}", rise.name()))
 }
 
 fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {

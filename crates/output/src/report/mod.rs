@@ -13,13 +13,13 @@ mod workshop;
 use std::fmt::Write;
 
 use crate::Timing;
-use crate::escape::escaped;
-use crate::number::{millimetres, number, page_in_language, range};
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::{Follower, Measures, Verdict};
 use gaitcam::dynamics::Outcome;
 use gaitcam::synth::{Conflicting, Design};
 use gaitcam::wording::Language;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{millimetres, number, page_in_language, range};
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -52,7 +52,7 @@ pub fn html_of_run(
 }
 
 fn page(synthesis: &Design, time: Timing, running: Option<&Running>, language: Language) -> String {
-    let words = Words::new(language);
+    let words = words::words(language);
     let mut out = String::with_capacity(1 << 18);
     let title = words.fill("report-title", &[("name", &synthesis.name)]);
     head(&mut out, &title, &words);

@@ -5,7 +5,7 @@ use serde::Serialize;
 pub use super::motion::Motion;
 use super::{animation, cards_of, motion, tables};
 use crate::Timing;
-use crate::words::Words;
+use crate::words;
 use gaitcam::cam::Criterion;
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
@@ -23,7 +23,7 @@ pub struct Figure {
 
 /// The figures at the top: force error, force, stroke, base circle, smallest radius, speed.
 pub fn figures(design: &Design, language: Language) -> Vec<Figure> {
-    let cards = cards_of(design, &Words::new(language)).into_iter();
+    let cards = cards_of(design, &words::words(language)).into_iter();
     let figure = |(name, value, more)| Figure { name, value, more };
     cards.map(figure).collect()
 }
@@ -43,7 +43,7 @@ pub struct Tables {
 
 /// The tables of a design.
 pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
-    let words = Words::new(language);
+    let words = words::words(language);
     let of = |write: &dyn Fn(&mut String)| {
         let mut out = String::new();
         write(&mut out);
@@ -61,7 +61,7 @@ pub fn tables(design: &Design, time: Timing, language: Language) -> Tables {
 /// `cam-second`, `cam-push` and `cam-contact`.
 pub fn drawing(design: &Design, language: Language) -> String {
     let mut out = String::with_capacity(1 << 16);
-    animation::drawing(&mut out, design, None, &Words::new(language));
+    animation::drawing(&mut out, design, None, &words::words(language));
     out
 }
 
@@ -77,5 +77,5 @@ pub fn shown(design: &Design, limit: Criterion, value: f64) -> String {
 
 /// The name of a limit, follower or law in a language.
 pub fn name(typed: &str, language: Language) -> String {
-    Words::new(language).name(typed)
+    words::words(language).name(typed)
 }

@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use super::{Card, Running, animation, cards, figures, heading, paragraph};
-use crate::escape::escaped;
 use crate::figures::force::force_frame;
 use crate::figures::run::run_in;
-use crate::number::{number, range};
 use crate::plot::layout::Layout;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::Outcome;
 use gaitcam::synth::Design;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{number, range};
 
 /// Impacts listed; a bounce that dies out has dozens.
 const LISTED: usize = 12;

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 
 use super::{Card, cards, figures, head, heading, paragraph};
-use crate::escape::escaped;
-use crate::number::page_in_language;
 use crate::plot::picture::Picture;
-use crate::words::Words;
+use crate::words;
 use gaitcam::wording::Language;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::page_in_language;
 
 /// A table of the report: head and rows of text.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Page<'a> {
 
 /// The page.
 pub fn html(page: &Page, language: Language) -> String {
-    let words = Words::new(language);
+    let words = words::words(language);
     let mut out = String::with_capacity(1 << 16);
     head(&mut out, &page.title, &words);
     // Writing to a String cannot fail, here and below.

@@ -7,8 +7,8 @@ use gaitcam::synth::Design;
 
 use super::heading;
 use super::tables::{Rows, table};
-use crate::number::{millimetres, number};
 use crate::words::Words;
+use gaitcam_base::text::{millimetres, number};
 
 /// Density of steel, kg/m³.
 const STEEL: f64 = 7850.0;

@@ -331,48 +331,6 @@ laws-use-freudenstein-1-3-at-rest = Two harmonics with a small peak acceleration
 laws-use-freudenstein-1-3-5 = Three harmonics: close to the smallest peak acceleration that a sum of three allows.
 laws-use-eccentric = Half a turn of an eccentric disc: the cheapest cam to make. Followed by its own return.
 
-# The workshop drawing.
-drawing-first = first cam
-drawing-second = second cam
-drawing-base-circle = base circle
-drawing-prime-circle = prime circle
-drawing-largest-radius = largest radius
-drawing-bore = bore
-drawing-keyway = keyway, height
-drawing-balance = balance hole
-drawing-hub = hub
-drawing-heights = x: distance from the left end. y: height of the profile above the foot.
-drawing-heights-ball = b: height at which the centre of a ball R { $radius } mm stands that is lowered until it touches.
-drawing-motion = the cam moves
-drawing-unrolled = surface unrolled, seen from outside: θ grows to the left
-drawing-surface = surface
-drawing-floor = floor of the groove
-drawing-groove-cutter = cutter and roller
-drawing-stations = θ: angle from the mark θ = 0, clockwise in the view of the end.
-drawing-stations-height = z: height of the axis of the cutter (with two rollers: of their stud) above the lower end.
-drawing-radii = φ: angle at the centre from the mark θ = 0, clockwise in this view. r: radius of the profile.
-drawing-radii-ball = b: radius at which the centre of a ball R { $radius } mm stands that is moved along the ray until it touches.
-drawing-material = Material
-drawing-steel = steel
-drawing-roughness = Roughness, µm: profile (other faces)
-drawing-tolerance = Profile tolerance, normal to the profile
-drawing-force-error = Force error, RMS, of 95 % of cams made so
-drawing-force = { $error } % of mean (designed { $own } %)
-drawing-no-force = no force given
-drawing-follower = Follower
-drawing-face = Contact length on the face
-drawing-roller = Roller
-drawing-convex = Smallest convex radius
-drawing-concave = Smallest concave radius (largest cutter)
-drawing-speed = Speed
-drawing-scale = Scale (sheet)
-drawing-revision = Revision (hash of the scene)
-drawing-date = Date of the scene
-drawing-sheet = Sheet
-drawing-units = Units
-drawing-mm = mm, degrees
-drawing-program = Drawn by
-
 # The picture of a measured cam.
 figure-inspection = measured profile
 figure-deviation = deviation along the normal, µm

@@ -336,48 +336,6 @@ laws-use-freudenstein-1-3-at-rest = Dos armónicos con poca aceleración de pico
 laws-use-freudenstein-1-3-5 = Tres armónicos: cerca de la menor aceleración de pico que permite una suma de tres.
 laws-use-eccentric = Media vuelta de un disco excéntrico: la leva más barata de hacer. Le sigue su propio retorno.
 
-# El plano de taller.
-drawing-first = primera leva
-drawing-second = segunda leva
-drawing-base-circle = círculo base
-drawing-prime-circle = círculo primario
-drawing-largest-radius = radio máximo
-drawing-bore = agujero
-drawing-keyway = chavetero, altura
-drawing-balance = agujero de equilibrado
-drawing-hub = cubo
-drawing-heights = x: distancia desde el extremo izquierdo. y: altura del perfil sobre la base.
-drawing-heights-ball = b: altura en que queda el centro de una bola R { $radius } mm que se baja hasta tocar.
-drawing-motion = la leva se mueve
-drawing-unrolled = superficie desarrollada, vista desde fuera: θ crece hacia la izquierda
-drawing-surface = superficie
-drawing-floor = fondo de la ranura
-drawing-groove-cutter = fresa y rodillo
-drawing-stations = θ: ángulo desde la marca θ = 0, en sentido horario en la vista del extremo.
-drawing-stations-height = z: altura del eje de la fresa (con dos rodillos: de su perno) sobre el extremo inferior.
-drawing-radii = φ: ángulo en el centro desde la marca θ = 0, en sentido horario en esta vista. r: radio del perfil.
-drawing-radii-ball = b: radio en que queda el centro de una bola R { $radius } mm que se acerca por el rayo hasta tocar.
-drawing-material = Material
-drawing-steel = acero
-drawing-roughness = Rugosidad, µm: perfil (otras caras)
-drawing-tolerance = Tolerancia del perfil, según la normal
-drawing-force-error = Error de fuerza, RMS, del 95 % de las levas así hechas
-drawing-force = { $error } % de la media (diseñado { $own } %)
-drawing-no-force = sin fuerza dada
-drawing-follower = Seguidor
-drawing-face = Longitud de contacto en la cara
-drawing-roller = Rodillo
-drawing-convex = Radio convexo mínimo
-drawing-concave = Radio cóncavo mínimo (fresa mayor)
-drawing-speed = Velocidad
-drawing-scale = Escala (hoja)
-drawing-revision = Revisión (resumen de la escena)
-drawing-date = Fecha de la escena
-drawing-sheet = Hoja
-drawing-units = Unidades
-drawing-mm = mm, grados
-drawing-program = Dibujado por
-
 # La imagen de una leva medida.
 figure-inspection = perfil medido
 figure-deviation = desviación según la normal, µm

@@ -1,77 +1,20 @@
 //! Headings, labels and captions of reports and pictures, by language: one Fluent file each.
 
 use gaitcam::cam::Measures;
-use gaitcam::wording::{self, Catalogue, Language, Messages};
-use serde_json::{Map, Value};
+use gaitcam::wording::{Catalogue, Language};
+pub use gaitcam_cad::words::Words;
 
 static WORDS: Catalogue = Catalogue::new(&[&[[include_str!("en.ftl"), include_str!("es.ftl")]]]);
 
-/// The words of one language.
-#[derive(Clone, Copy)]
-pub struct Words {
-    language: Language,
-    own: &'static Messages,
+/// The words of a language.
+pub fn words(language: Language) -> Words {
+    Words::new(WORDS.of(language))
 }
 
-impl Words {
-    /// The words of `language`.
-    pub fn new(language: Language) -> Self {
-        let own = WORDS.of(language);
-        Words { language, own }
-    }
-
-    /// The language itself.
-    pub fn language(&self) -> Language {
-        self.language
-    }
-
-    /// The tag of the language, for `html lang`.
-    pub fn tag(&self) -> &'static str {
-        self.language.tag()
-    }
-
-    /// A number that is written already, with the decimal sign of the language.
-    pub fn decimal(&self, written: String) -> String {
-        match self.language {
-            Language::En => written,
-            Language::Es => written.replace('.', ","),
-        }
-    }
-
-    /// A heading or label.
-    pub fn text(&self, key: &str) -> String {
-        self.own.text(key)
-    }
-
-    /// A sentence with its arguments, which stand in it as they are.
-    pub fn fill(&self, key: &str, arguments: &[(&str, &str)]) -> String {
-        let values = arguments.iter().map(|&(name, text)| {
-            // Whole numbers choose plural forms.
-            let value = text.parse::<i64>().map_or(Value::from(text), Value::from);
-            (name.to_string(), value)
-        });
-        let fields: Map<String, Value> = values.collect();
-        let (area, variant) = key.split_once('-').unwrap_or(("", key));
-        let message = Map::from_iter([(variant.to_string(), Value::from(fields))]);
-        self.own.sentence(area, &Value::from(message))
-    }
-
-    /// The name of a follower, law, limit or machine where the language has one, otherwise as it is typed but
-    /// with spaces.
-    pub fn name(&self, typed: &str) -> String {
-        let name = wording::catalogue(self.language).name(typed);
-        if name == typed {
-            typed.replace(['_', '-'], " ")
-        } else {
-            name
-        }
-    }
-
-    /// What diagrams of a design lie over.
-    pub fn across(&self, measures: Measures) -> String {
-        self.text(match measures {
-            Measures::Straight => "figure-travel",
-            _ => "figure-angle",
-        })
-    }
+/// What diagrams of a design lie over.
+pub fn across(words: &Words, measures: Measures) -> String {
+    words.text(match measures {
+        Measures::Straight => "figure-travel",
+        _ => "figure-angle",
+    })
 }

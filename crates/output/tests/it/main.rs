@@ -1,19 +1,11 @@
 //! What is written, read back by readers that did not write it.
 
-mod cad;
-mod designs;
-mod drawing;
-mod drawings;
 mod every_format;
-mod machining;
 mod pictures;
-mod readers;
 mod report;
-mod sheets;
 mod summary;
 mod tables;
 mod words;
-mod workshop;
 
 use gaitcam_output::Timing;
 

@@ -2,37 +2,8 @@
 
 use gaitcam_output::Language;
 
-use crate::designs::{footbridge, heel_tester, impossible};
-use crate::readers::{attribute, elements};
-
-#[test]
-fn profile_svg_is_as_large_as_the_cam() {
-    for s in [footbridge(), heel_tester(), impossible()] {
-        let svg = gaitcam_output::svg::profile(&s, 1440);
-        let all = elements(&svg);
-        assert_eq!(all[0], "svg");
-        let width: f64 = attribute(&svg, "width")
-            .strip_suffix("mm")
-            .unwrap()
-            .parse()
-            .unwrap();
-        let view: Vec<f64> = attribute(&svg, "viewBox")
-            .split(' ')
-            .map(|x| x.parse().unwrap())
-            .collect();
-        assert_eq!(width, view[2]);
-        let rows = s.cam.profile(1440);
-        let (left, right) = rows.iter().fold((0.0_f64, 0.0_f64), |(l, r), p| {
-            (l.min(p.pitch_x), r.max(p.pitch_x))
-        });
-        let prime = s.cam.follower.prime_radius();
-        let extent = 1000.0 * (right.max(prime) - left.min(-prime)) + 10.0;
-        assert!((width - extent).abs() < 1e-3);
-        let path = svg.split("id=\"profile\" d=\"").nth(1).unwrap();
-        let path = path.split('"').next().unwrap();
-        assert!(path.ends_with('Z') && path.matches('L').count() == 1439);
-    }
-}
+use gaitcam_test_support::designs::{footbridge, heel_tester};
+use gaitcam_test_support::readers::elements;
 
 #[test]
 fn pictures_are_whole_and_nothing_is_cut_off() {

@@ -4,8 +4,8 @@ use gaitcam_output::Language;
 use serde_json::Value;
 
 use crate::TIME;
-use crate::designs::{footbridge, heel_tester, impossible};
-use crate::readers::elements;
+use gaitcam_test_support::designs::{footbridge, heel_tester, impossible};
+use gaitcam_test_support::readers::elements;
 
 #[test]
 fn report_is_one_file_that_asks_nothing_of_the_network() {

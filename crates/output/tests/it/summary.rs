@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use crate::TIME;
-use crate::designs::{footbridge, heel_tester, impossible};
+use gaitcam_test_support::designs::{footbridge, heel_tester, impossible};
 
 /// The keys of summary.json that other programs rely on.
 const CONTRACT: &str = r#"{"name": "", "outcome": "built|infeasible", "verdict": "acceptable|not-for-high-speed|unacceptable",

@@ -7,8 +7,8 @@ use calamine::{Data, Reader, Xlsx};
 use gaitcam_output::Language;
 
 use crate::TIME;
-use crate::designs::{footbridge, heel_tester};
-use crate::readers::table;
+use gaitcam_test_support::designs::{footbridge, heel_tester};
+use gaitcam_test_support::readers::table;
 
 #[test]
 fn law_csv_has_the_promised_columns_and_reads_back_to_the_same_bits() {
@@ -113,4 +113,13 @@ fn the_workbook_has_the_columns_of_cam_das() {
             .unwrap();
         assert_eq!(stroke[1], Data::Float(s.cam.law.stroke()));
     }
+}
+
+#[test]
+fn the_profile_of_a_barrel_is_the_wall_of_its_drawing() {
+    let s = gaitcam_test_support::designed("thesis_barrel");
+    let (_, rows) = table(&gaitcam_output::csv::profile(&s, 720));
+    // At rest in height the rollers of 5.25 mm stand 0.25 mm off their stud.
+    assert!((rows[0][2].unwrap() + 5.5e-3).abs() < 1e-12);
+    assert!((rows[0][4].unwrap() + 0.25e-3).abs() < 1e-12);
 }

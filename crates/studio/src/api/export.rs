@@ -8,7 +8,8 @@ use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
 use gaitcam::units::{Dimension, parse};
-use gaitcam_output::{self as output, cutter, dxf, files, gcode, solid};
+use gaitcam_cad::{self as cad, cutter, dxf, gcode, solid};
+use gaitcam_output::{self as output, files};
 
 /// Rows of the tables, as `synth` writes them.
 const ROWS: usize = 1440;
@@ -78,7 +79,7 @@ fn contents(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8
             text(output::csv::points(&second))
         }
         "profile.dxf" => Some(Ok(dxf::profile(design, ROWS, dxf::Content::All))),
-        "profile.svg" => text(output::svg::profile(design, ROWS)),
+        "profile.svg" => text(cad::svg::profile(design, ROWS)),
         "svaj.svg" => text(output::plots::svaj(design, language).svg()),
         "svaj.png" => Some(Ok(output::plots::svaj(design, language).png())),
         "force.svg" => text(output::plots::force(design, language).svg()),
@@ -104,7 +105,7 @@ fn workshop(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8
         "cutter.csv" | "cutter.nc" | "cutter_second.nc" => Some(cut(design, name, tool)),
         "profile.stl" => Some(solid::stl(design, plate)),
         "profile.3mf" => Some(solid::threemf(design, plate)),
-        "cam.step" => Some(output::step::solid(design)),
+        "cam.step" => Some(cad::step::solid(design)),
         "profile_arcs.dxf" => {
             let options = dxf::Options {
                 points: VERTICES,
@@ -119,20 +120,20 @@ fn workshop(kept: &Kept, name: &str, tool: Option<&str>) -> Option<Result<Vec<u8
 }
 
 fn wall(design: &Design, wall: Wall) -> Option<Result<Vec<u8>>> {
-    let mesh = output::groove::wall(design.groove.as_ref()?, wall, WALL.0, WALL.1);
+    let mesh = solid::wall(design.groove.as_ref()?, wall, WALL.0, WALL.1);
     Some(solid::binary_stl(&mesh))
 }
 
 /// The drawing, its revision that of the scene.
 fn drawing(kept: &Kept) -> Vec<u8> {
     let scene = toml::to_string(&kept.whole).unwrap_or_default();
-    let usual = output::drawing::Title::default();
-    let title = output::drawing::Title {
-        revision: Some(output::drawing::revision(&scene)),
+    let usual = cad::drawing::Title::default();
+    let title = cad::drawing::Title {
+        revision: Some(cad::drawing::revision(&scene)),
         accuracy: kept.scene.rms.unwrap_or(usual.accuracy),
         ..usual
     };
-    output::drawing::pdf(&kept.design, &title, words::current())
+    cad::drawing::pdf(&kept.design, &title, words::current())
 }
 
 /// The path of a cutter, or the program for it.

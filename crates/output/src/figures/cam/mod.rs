@@ -8,16 +8,16 @@ use std::f64::consts::TAU;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
-use crate::cad::outline::Edge;
 use crate::plot::layout::{Layout, scale_bar, title};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PAPER, PURPLE, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Plane, plane, stroke, units};
 use crate::pose::{Pose, face_reach, pose, turned};
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::{Follower, ProfilePoint};
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
+use gaitcam_cad::outline::Edge;
 
 const MM: f64 = 1000.0;
 /// Vertices of the drawn curves.
@@ -31,7 +31,7 @@ const MARGIN: f64 = 0.04;
 
 /// The cam at θ = 0 with base and prime circle, pitch curve, follower, and its main dimensions.
 pub fn cam(synthesis: &Design, language: Language) -> Picture {
-    cam_in(synthesis, Layout::ALONE, &Words::new(language))
+    cam_in(synthesis, Layout::ALONE, &words::words(language))
 }
 
 pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Picture {

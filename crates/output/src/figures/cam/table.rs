@@ -4,10 +4,10 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use super::{BASE, PITCH, PRIME, Scene};
-use crate::number::{degrees, millimetres, number};
 use crate::plot::palette::{BLUE, GREEN, INK, ORANGE, PURPLE, QUIET, RED};
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
 use crate::words::Words;
+use gaitcam_base::text::{degrees, millimetres, number};
 
 impl Scene<'_> {
     /// Names the lines and gives the main dimensions, in a column.

@@ -7,7 +7,7 @@ use crate::plot::layout::{Layout, title};
 use crate::plot::palette::QUIET;
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Lettering, write};
-use crate::words::Words;
+use crate::words;
 use gaitcam::force::JointMean;
 use gaitcam::wording::{Language, catalogue};
 
@@ -15,7 +15,7 @@ use gaitcam::wording::{Language, catalogue};
 ///
 /// `files`: names of the recordings in the mean.
 pub fn joint_mean(joint: &JointMean, files: &[&str], language: Language) -> Picture {
-    let words = &Words::new(language);
+    let words = &words::words(language);
     let layout = Layout {
         size: (1200, 720),
         ..Layout::ALONE

@@ -14,7 +14,7 @@ use crate::plot::layout::{Layout, key_and_levels, strips, title};
 use crate::plot::palette::{BLUE, GREEN, ORANGE, QUIET};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn};
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::force::{Foot, ForceCurve, Interpretation};
 use gaitcam::units::G;
 use gaitcam::wording::Language;
@@ -36,7 +36,7 @@ pub fn recording(
     cycle: Option<&ForceCurve>,
     language: Language,
 ) -> Picture {
-    let words = &Words::new(language);
+    let words = &words::words(language);
     let lanes = whole::height(understood, Layout::ALONE.letters, words) as u32;
     let layout = Layout {
         size: (

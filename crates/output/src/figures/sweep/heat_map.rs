@@ -5,11 +5,11 @@ use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::axes::{Axis, axes, border};
 use super::{LETTERS, Quantity, SIZE, frame, shown};
-use crate::number::number;
 use crate::plot::axes::{Frame, padded};
 use crate::plot::palette::{INK, QUIET};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, units, write};
+use gaitcam_base::text::number;
 
 /// Bins across a heat map of scattered points.
 const BINS: usize = 40;

@@ -9,7 +9,7 @@ use crate::plot::axes::{padded, tick_text, ticks};
 use crate::plot::palette::{BLUE, INK, ORANGE};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Lettering, stroke, write};
-use crate::words::Words;
+use crate::words;
 use gaitcam::wording::Language;
 
 /// Bars of a histogram.
@@ -28,7 +28,7 @@ pub fn histogram(title: &str, q: &Quantity, levels: &[(f64, &str)], language: La
     // Designs are counted whole.
     let whole = ticks(0.0, 1.08 * most, 10.0);
     let whole = whole.into_iter().filter(|v| v.fract() == 0.0);
-    let label = Words::new(language).text("figure-designs");
+    let label = words::words(language).text("figure-designs");
     Picture::drawn(SIZE.0, SIZE.1, |canvas| {
         let f = frame(2.0 * LETTERS);
         let count = Axis {

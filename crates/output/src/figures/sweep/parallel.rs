@@ -4,12 +4,12 @@ use plotters::prelude::*;
 use plotters_backend::text_anchor::{HPos, VPos};
 
 use super::{LETTERS, Quantity, SIZE};
-use crate::number::number;
 use crate::plot::axes::{Frame, padded};
 use crate::plot::palette::{AXIS, BLUE, INK, QUIET, RED};
 use crate::plot::picture::Picture;
 use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, units, write};
 use crate::plot::text::text_width;
+use gaitcam_base::text::number;
 
 /// One line per design over parallel axes, each from its smallest to its largest value; designs on the
 /// front in colour, the best in red.

@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::{Rows, cells, row, table};
-use crate::escape::escaped;
-use crate::number::{degrees, millimetres, number, range};
 use crate::report::heading;
 use crate::words::Words;
 use gaitcam::cam::{Follower, Measures, Unit};
 use gaitcam::synth::Design;
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::{degrees, millimetres, number, range};
 
 /// Drive, law and cam in numbers.
 pub fn numbers(out: &mut String, synthesis: &Design, words: &Words) {

@@ -9,11 +9,11 @@ pub use solution::solution;
 use std::fmt::Write;
 
 use super::heading;
-use crate::escape::escaped;
-use crate::number::number;
 use crate::words::Words;
 use gaitcam::cam::{Check, Criterion, Measures};
 use gaitcam::synth::{Design, unit};
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::number;
 
 /// Share of a limit that counts as standing on it.
 const ON_THE_LIMIT: f64 = 0.005;

@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 use super::note;
 use crate::Timing;
-use crate::escape::escaped;
-use crate::number::number;
 use crate::report::{heading, paragraph};
 use crate::words::Words;
 use gaitcam::synth::{Design, Tier};
+use gaitcam_base::text::escaped;
+use gaitcam_base::text::number;
 
 /// How the answer was found, and what was remarked on the way.
 pub fn solution(out: &mut String, synthesis: &Design, time: Timing, words: &Words) {

@@ -1,0 +1,9 @@
+//! Numbers and text as files and pages show them.
+
+mod escape;
+mod number;
+
+pub use escape::escaped;
+pub use number::{
+    append, append_decimal, degrees, in_language, millimetres, number, page_in_language, range,
+};

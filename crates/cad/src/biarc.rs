@@ -1,0 +1,208 @@
+//! The profile as circular arcs that follow it to a stated tolerance.
+//!
+//! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
+//! biarc). Where they stray too far the interval is halved.
+
+use crate::outline::{Edge, EdgePoint};
+use gaitcam::cam::Cam;
+
+/// Widest interval that one biarc is tried on, rad.
+const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
+/// Points of an interval held against the arcs while fitting, and again for the report.
+const TRIED: usize = 16;
+const PROVED: usize = 64;
+/// Halvings of an interval after which the profile is taken to have a corner.
+const DEEPEST: usize = 14;
+/// Arcs flatter than this are chords: the radius would be lost in rounding.
+const FLAT: f64 = 1e-10;
+
+/// A chain of arcs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arcs {
+    /// x, y (m) and the bulge of the edge that follows: tan of a quarter of the arc's angle, positive
+    /// counter-clockwise. An open chain's last bulge is 0.
+    pub vertices: Vec<[f64; 3]>,
+    /// Whether the last edge leads back to the first vertex.
+    pub closed: bool,
+    /// Largest distance between the true profile and the arcs, m, found on 64 points of each pair.
+    pub deviation: f64,
+}
+
+/// Two arcs: start, joint, end, and their bulges.
+struct Biarc {
+    points: [[f64; 2]; 3],
+    bulges: [f64; 2],
+    /// Tangent at the joint.
+    tangent: [f64; 2],
+}
+
+/// Arcs within `tolerance` m of the profile.
+///
+/// `None` where no chain of arcs does it: an undercut profile (its tangent turns back in cusps), a law
+/// whose velocity jumps, a tolerance that is not positive or lies below rounding.
+pub fn fit(cam: &Cam, tolerance: f64) -> Option<Arcs> {
+    along(&Edge::of(cam), tolerance)
+}
+
+/// The same for any edge that is cut.
+pub(super) fn along(edge: &Edge, tolerance: f64) -> Option<Arcs> {
+    let sensible = tolerance.is_finite() && tolerance > 0.0;
+    if !sensible || edge.is_undercut() {
+        return None;
+    }
+    let mut out = Arcs {
+        vertices: Vec::new(),
+        closed: edge.is_closed(),
+        deviation: 0.0,
+    };
+    let mut last = None;
+    for w in edge.breaks().windows(2) {
+        let parts = ((w[1] - w[0]) / WIDEST).ceil().max(1.0) as usize;
+        let at = |k: usize| edge.at(w[0] + (w[1] - w[0]) * k as f64 / parts as f64);
+        for k in 0..parts {
+            let (from, to) = (at(k), at(k + 1));
+            follow(edge, from, to, tolerance, DEEPEST, &mut out)?;
+            last = Some(to);
+        }
+    }
+    if let Some(EdgePoint { p: [x, y], .. }) = last.filter(|_| !out.closed) {
+        out.vertices.push([x, y, 0.0]);
+    }
+    (out.deviation <= tolerance).then_some(out)
+}
+
+fn follow(
+    edge: &Edge,
+    from: EdgePoint,
+    to: EdgePoint,
+    tolerance: f64,
+    depth: usize,
+    out: &mut Arcs,
+) -> Option<()> {
+    let biarc = Biarc::between(from, to);
+    let circles = biarc.circles();
+    // The largest distance; of an interval that strays too far, where it first does.
+    let stray = |count: usize| {
+        let mut most: f64 = 0.0;
+        for k in 1..count {
+            let theta = from.theta + (to.theta - from.theta) * k as f64 / count as f64;
+            most = most.max(biarc.distance(edge.at(theta).p, circles));
+            if most > tolerance {
+                break;
+            }
+        }
+        most
+    };
+    let fits = stray(TRIED) <= tolerance;
+    let proved = if fits { stray(PROVED) } else { f64::INFINITY };
+    if proved <= tolerance {
+        for k in 0..2 {
+            let [x, y] = biarc.points[k];
+            out.vertices.push([x, y, biarc.bulges[k]]);
+        }
+        out.deviation = out.deviation.max(proved);
+        return Some(());
+    }
+    let depth = depth.checked_sub(1)?;
+    let middle = edge.at(0.5 * (from.theta + to.theta));
+    follow(edge, from, middle, tolerance, depth, out)?;
+    follow(edge, middle, to, tolerance, depth, out)
+}
+
+impl Biarc {
+    /// The biarc whose arms at both ends have one length d: |P₁ − P₀ − d(T₀ + T₁)| = 2d.
+    fn between(from: EdgePoint, to: EdgePoint) -> Self {
+        let v = [to.p[0] - from.p[0], to.p[1] - from.p[1]];
+        let t = [from.t[0] + to.t[0], from.t[1] + to.t[1]];
+        let vv = dot(v, v);
+        let vt = dot(v, t);
+        // d²·2(1 − T₀·T₁) + 2d·v·t − v·v = 0, in the form that survives T₀ = T₁.
+        let bend = 2.0 * (1.0 - dot(from.t, to.t));
+        let root = (vt * vt + bend * vv).sqrt();
+        let d = if vt + root > 0.0 {
+            vv / (vt + root)
+        } else {
+            0.5 * vv.sqrt()
+        };
+        let joint = [0, 1].map(|k| 0.5 * (from.p[k] + d * from.t[k] + to.p[k] - d * to.t[k]));
+        let first = [joint[0] - from.p[0], joint[1] - from.p[1]];
+        let second = [to.p[0] - joint[0], to.p[1] - joint[1]];
+        // Chord and tangent enclose half the arc; the bulge is the tangent of a quarter.
+        let bulge = |a: [f64; 2], b: [f64; 2]| (0.5 * cross(a, b).atan2(dot(a, b))).tan();
+        let arms = [
+            to.p[0] - d * to.t[0] - from.p[0] - d * from.t[0],
+            to.p[1] - d * to.t[1] - from.p[1] - d * from.t[1],
+        ];
+        Biarc {
+            points: [from.p, joint, to.p],
+            bulges: [bulge(from.t, first), bulge(second, to.t)],
+            tangent: arms,
+        }
+    }
+
+    /// The circles of its arcs.
+    fn circles(&self) -> [Option<Circle>; 2] {
+        [0, 1].map(|k| circle(self.points[k], self.points[k + 1], self.bulges[k]))
+    }
+
+    /// Distance of a point near the biarc from it.
+    fn distance(&self, q: [f64; 2], circles: [Option<Circle>; 2]) -> f64 {
+        let joint = self.points[1];
+        let k = usize::from(dot([q[0] - joint[0], q[1] - joint[1]], self.tangent) > 0.0);
+        match circles[k] {
+            Some((centre, radius)) => ((q[0] - centre[0]).hypot(q[1] - centre[1]) - radius).abs(),
+            None => from_chord(q, self.points[k], self.points[k + 1]),
+        }
+    }
+}
+
+/// Distance of `q` from the line through `a` and `b`.
+fn from_chord(q: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
+    let c = [b[0] - a[0], b[1] - a[1]];
+    let length = c[0].hypot(c[1]);
+    if length == 0.0 {
+        return (q[0] - a[0]).hypot(q[1] - a[1]);
+    }
+    (cross(c, [q[0] - a[0], q[1] - a[1]]) / length).abs()
+}
+
+/// Centre and radius.
+pub(super) type Circle = ([f64; 2], f64);
+
+/// Centre and radius of the arc from `a` to `b`; `None` where it is flat.
+pub(super) fn circle(a: [f64; 2], b: [f64; 2], bulge: f64) -> Option<Circle> {
+    let c = [b[0] - a[0], b[1] - a[1]];
+    let length = c[0].hypot(c[1]);
+    if length == 0.0 || bulge.abs() < FLAT {
+        return None;
+    }
+    let radius = length * (1.0 + bulge * bulge) / (4.0 * bulge);
+    let rise = length * (1.0 - bulge * bulge) / (4.0 * bulge);
+    let centre = [
+        0.5 * (a[0] + b[0]) - rise * c[1] / length,
+        0.5 * (a[1] + b[1]) + rise * c[0] / length,
+    ];
+    Some((centre, radius.abs()))
+}
+
+/// Where an arc of less than half a circle reaches farthest to ±x and ±y beyond its ends.
+pub(super) fn crests(a: [f64; 2], b: [f64; 2], bulge: f64) -> Vec<[f64; 2]> {
+    let Some(([x, y], r)) = circle(a, b, bulge) else {
+        return Vec::new();
+    };
+    let c = [b[0] - a[0], b[1] - a[1]];
+    // A counter-clockwise arc lies to the right of its chord.
+    let on_arc = |q: &[f64; 2]| bulge * cross(c, [q[0] - a[0], q[1] - a[1]]) < 0.0;
+    [[x + r, y], [x - r, y], [x, y + r], [x, y - r]]
+        .into_iter()
+        .filter(on_arc)
+        .collect()
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}

@@ -1,0 +1,217 @@
+//! The title block: what is made of what, how exactly, and which revision of which scene it is.
+
+use gaitcam::cam::{Cam, Measures};
+use gaitcam::sweep::{Part, Scatter, Spread, Tolerance};
+use gaitcam::synth::Design;
+
+use super::Title;
+use super::layout::Layout;
+use super::pen::{Pen, Stroke};
+use crate::words::Words;
+use gaitcam_base::text::number;
+
+/// Letters of a field's value, of its name and of the title, mm per em.
+const VALUE: f64 = 2.9;
+const NAME: f64 = 1.9;
+const HEAD: f64 = 4.6;
+/// Height of the title's field and of the others, mm.
+const FIRST: f64 = 10.0;
+const FIELD: f64 = 8.0;
+
+/// Roughness Ra of a profile where the scene gives none, m: ground.
+const USUAL_ROUGHNESS: f64 = 0.8e-6;
+/// Profile tolerances that are offered, m, the widest first.
+const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
+/// Made cams per tolerance, and the seed of their errors.
+const MADE: u64 = 1000;
+const SEED: u64 = 1;
+
+/// A tolerance on the profile and what it does to the force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Scattered {
+    /// Half width, m.
+    tolerance: f64,
+    /// RMS force error that 95 % of the made cams stay below, percent of the mean force.
+    error: f64,
+}
+
+/// The tolerance that the scene gives, or the widest one offered with which making adds at most half of the error `allowed` (part of the mean
+/// force) to the design's own, squares added, for 95 % of the cams; the narrowest where none does. `None` where
+/// no force is wanted.
+fn making(design: &Design, allowed: f64) -> Option<Scattered> {
+    let scatter = Scatter::new(design).ok()?;
+    let of = |tolerance: f64| {
+        let part = [Tolerance {
+            part: Part::Profile,
+            half_width: tolerance,
+            relative: false,
+        }];
+        let errors: Vec<f64> = (0..MADE)
+            .map(|i| scatter.sample(&part, i, MADE, SEED).force_rms_error_percent)
+            .collect();
+        let error = Spread::of(&errors, None).map_or(f64::NAN, |s| s.quantiles[2]);
+        Scattered { tolerance, error }
+    };
+    if let Some(given) = design.making.tolerance {
+        return Some(of(given));
+    }
+    let own = design.force.rms_error_percent_of_mean;
+    let keeps = |m: &Scattered| m.error.powi(2) - own.powi(2) <= (50.0 * allowed).powi(2);
+    let narrowest = OFFERED[OFFERED.len() - 1];
+    let found = OFFERED.into_iter().map(of).find(keeps);
+    found.or_else(|| Some(of(narrowest)))
+}
+
+/// A field: its name and value.
+type Field = (String, String);
+
+/// Draws the title block of one piece; `sheet` counts from 1.
+pub fn draw(
+    pen: &mut Pen,
+    (design, cam, name): (&Design, &Cam, Option<&str>),
+    title: &Title,
+    sheet: [usize; 2],
+    layout: &Layout,
+    words: &Words,
+) {
+    let area = layout.title;
+    let (left, right) = (area.left, area.right);
+    pen.frame([left, area.bottom], [right, area.top], Stroke::Outline);
+    let under = area.top - FIRST;
+    pen.line(&[[left, under], [right, under]], Stroke::Thin);
+    let head = match name {
+        Some(which) => format!("{} – {}", design.name, words.text(which)),
+        None => design.name.clone(),
+    };
+    pen.text_within(&head, [left + 2.0, under + 3.0], HEAD, right - left - 4.0);
+    let wide = (right - left) / layout.columns as f64;
+    let fields = fields(design, cam, title, sheet, layout, words);
+    for (i, (name, value)) in fields.iter().enumerate() {
+        let (row, column) = (i / layout.columns, i % layout.columns);
+        let x = left + wide * column as f64;
+        let top = under - FIELD * row as f64;
+        pen.text_within(name, [x + 1.5, top - 2.5], NAME, wide - 3.0);
+        pen.text_within(value, [x + 1.5, top - 6.6], VALUE, wide - 3.0);
+        pen.frame([x, top - FIELD], [x + wide, top], Stroke::Thin);
+    }
+}
+
+fn fields(
+    design: &Design,
+    cam: &Cam,
+    title: &Title,
+    [sheet, sheets]: [usize; 2],
+    layout: &Layout,
+    words: &Words,
+) -> Vec<Field> {
+    let field = |key: &str, value: String| (words.text(key), value);
+    let mm = |x: f64| words.decimal(format!("{:.3} mm", 1e3 * x));
+    let blank = || "–".to_string();
+    let curvature = cam.curvature();
+    let concave = curvature.concave.map_or_else(blank, |c| mm(-c.value));
+    let roller = cam.follower.roller_radius();
+    let contact = match cam.face_width() {
+        Some(width) => field("drawing-face", mm(width)),
+        None => field("drawing-roller", format!("Ø {}", mm(2.0 * roller))),
+    };
+    let speed = match cam.follower.measures() {
+        Measures::Straight => format!("{} m/s", number(design.drive.speed.abs(), 4)),
+        Measures::Translating | Measures::Oscillating => {
+            let rpm = design.drive.speed * 30.0 / std::f64::consts::PI;
+            format!("{} rpm", number(rpm.abs(), 4))
+        }
+    };
+    let made = &design.making;
+    let steel = || words.text("drawing-steel");
+    let material = made.material.clone().unwrap_or_else(steel);
+    let material = match made.hardness {
+        Some(hardness) => format!("{material}, {hardness}"),
+        None => material,
+    };
+    let roughness = made.roughness.unwrap_or(USUAL_ROUGHNESS);
+    let roughness = format!("Ra {} (Ra 3.2)", short(1e6 * roughness));
+    let (tolerance, error) = match making(design, title.accuracy) {
+        Some(m) => {
+            let error = number(m.error, 3);
+            let own = number(design.force.rms_error_percent_of_mean, 3);
+            let arguments = [("error", error.as_str()), ("own", &own)];
+            (
+                words.decimal(format!("± {} mm", short(1e3 * m.tolerance))),
+                words.decimal(words.fill("drawing-force", &arguments)),
+            )
+        }
+        None => {
+            let given = design.making.tolerance;
+            let given = given.map_or("±".to_string(), |t| format!("± {} mm", short(1e3 * t)));
+            (words.decimal(given), words.text("drawing-no-force"))
+        }
+    };
+    vec![
+        field("drawing-material", material),
+        field("drawing-roughness", words.decimal(roughness)),
+        field("drawing-tolerance", tolerance),
+        field("drawing-force-error", error),
+        field("drawing-follower", words.name(cam.follower.kind().name())),
+        contact,
+        field("drawing-convex", mm(curvature.convex.value)),
+        field("drawing-concave", concave),
+        field("drawing-speed", words.decimal(speed)),
+        field(
+            "drawing-scale",
+            format!("{}  ({})", layout.scale.text(), layout.name),
+        ),
+        field(
+            "drawing-revision",
+            title.revision.map_or_else(blank, |r| format!("{r:08x}")),
+        ),
+        field("drawing-date", title.date.map_or_else(blank, civil_date)),
+        field("drawing-sheet", format!("{sheet} / {sheets}")),
+        field("drawing-units", words.text("drawing-mm")),
+        field(
+            "drawing-program",
+            format!("gaitcam {}", env!("CARGO_PKG_VERSION")),
+        ),
+    ]
+}
+
+/// A number to a millionth, without zeros at its end.
+fn short(x: f64) -> String {
+    format!("{}", (1e6 * x).round() / 1e6)
+}
+
+/// The Gregorian date `days` after 1970-01-01, as 2026-01-31.
+fn civil_date(days: u64) -> String {
+    let leap = |y: u64| y.is_multiple_of(4) && (!y.is_multiple_of(100) || y.is_multiple_of(400));
+    let (mut year, mut left) = (1970, days);
+    while left >= 365 + u64::from(leap(year)) {
+        left -= 365 + u64::from(leap(year));
+        year += 1;
+    }
+    let february = 28 + u64::from(leap(year));
+    let months = [31, february, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    let mut month = 0;
+    while left >= months[month] {
+        left -= months[month];
+        month += 1;
+    }
+    format!("{year}-{:02}-{:02}", month + 1, left + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::civil_date;
+
+    #[test]
+    fn days_are_dates_of_the_gregorian_calendar() {
+        // Days since 1970 of known dates, leap years and centuries among them.
+        for (days, date) in [
+            (0, "1970-01-01"),
+            (59, "1970-03-01"),
+            (11_016, "2000-02-29"),
+            (20_454, "2026-01-01"),
+            (47_541, "2100-03-01"),
+        ] {
+            assert_eq!(civil_date(days), date);
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The sheet of a cam that slides: its profile above its foot, from the side, heights.
+
+use gaitcam::synth::Design;
+
+use super::BALL;
+use super::layout::{Area, Layout};
+use super::leader;
+use super::pen::{Anchor, Pen, Stroke};
+use super::radii::height;
+use super::table::Table;
+use crate::outline::Edge;
+use crate::words::Words;
+
+const MM: f64 = 1000.0;
+/// Points of the profile.
+const POINTS: usize = 1440;
+/// Most rows of the table.
+const ROWS: usize = 72;
+/// Room around the views for dimensions, mm: left, between both views, right, below, above.
+const LEFT: f64 = 26.0;
+const BETWEEN: f64 = 34.0;
+const RIGHT: f64 = 24.0;
+const BELOW: f64 = 20.0;
+const ABOVE: f64 = 22.0;
+
+/// A slide.
+pub struct Slide<'a> {
+    design: &'a Design,
+    edge: Edge<'a>,
+    points: Vec<[f64; 2]>,
+    pitch: Vec<[f64; 2]>,
+    /// Left and right end, and largest height, m.
+    ends: [f64; 2],
+    top: f64,
+}
+
+impl<'a> Slide<'a> {
+    pub fn new(design: &'a Design) -> Self {
+        let edge = Edge::of(&design.cam);
+        let all = edge.points(POINTS);
+        let points: Vec<[f64; 2]> = all.iter().map(|e| e.p).collect();
+        Slide {
+            design,
+            edge,
+            ends: [points[0][0], points[points.len() - 1][0]],
+            top: points.iter().map(|p| p[1]).fold(0.0, f64::max),
+            pitch: all.iter().map(|e| e.pitch).collect(),
+            points,
+        }
+    }
+
+    /// Height of everything drawn, m: the pitch curve is above the profile.
+    fn high(&self) -> f64 {
+        let pitch = self.pitch.iter().map(|p| p[1]);
+        pitch.fold(self.top, f64::max)
+    }
+
+    pub fn layout(&self) -> Layout {
+        let (long, high) = (MM * (self.ends[1] - self.ends[0]), MM * self.high());
+        let thick = MM * self.design.thickness;
+        Layout::fitting(|scale| {
+            [
+                scale * (long + thick) + LEFT + BETWEEN + RIGHT,
+                scale * high + BELOW + ABOVE,
+            ]
+        })
+    }
+
+    /// Draws the views; returns the table of heights.
+    pub fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
+        let scale = MM * layout.scale.factor();
+        let Area {
+            left,
+            bottom,
+            right,
+            top,
+        } = layout.views;
+        let long = scale * (self.ends[1] - self.ends[0]);
+        let wide = long + scale * self.design.thickness + LEFT + BETWEEN + RIGHT;
+        let origin = [
+            left + 0.5 * (right - left - wide) + LEFT,
+            bottom + BELOW + 0.5 * (top - bottom - BELOW - ABOVE - scale * self.high()),
+        ];
+        let place = |p: &[f64; 2]| {
+            [
+                origin[0] + scale * (p[0] - self.ends[0]),
+                origin[1] + scale * p[1],
+            ]
+        };
+        let mm = |x: f64| words.decimal(format!("{:.3}", MM * x));
+        let mut ring: Vec<[f64; 2]> = self.points.iter().map(place).collect();
+        ring.push([origin[0] + long, origin[1]]);
+        ring.push(origin);
+        pen.ring(&ring, Stroke::Outline);
+        let pitch: Vec<[f64; 2]> = self.pitch.iter().map(place).collect();
+        pen.line(&pitch, Stroke::Centre);
+        let text = mm(self.ends[1] - self.ends[0]);
+        leader::level(
+            pen,
+            &text,
+            [origin[0], origin[0] + long],
+            origin[1],
+            origin[1] - 10.0,
+        );
+        let first = scale * self.points[0][1];
+        let text = mm(self.points[0][1]);
+        leader::upright(
+            pen,
+            &text,
+            [origin[1], origin[1] + first],
+            origin[0],
+            origin[0] - 8.0,
+        );
+        self.side(pen, origin[0] + long + BETWEEN, origin[1], scale, words);
+        // The mark of θ = 0 and the way that the cam goes, above everything.
+        let level = origin[1] + scale * self.high() + 6.0;
+        pen.line(
+            &[[origin[0], level - 3.0], [origin[0], level + 2.0]],
+            Stroke::Outline,
+        );
+        pen.text(
+            "θ = 0",
+            [origin[0], level + 4.0],
+            leader::LETTERS,
+            Anchor::Middle,
+        );
+        let sense = if self.design.drive.speed < 0.0 {
+            1.0
+        } else {
+            -1.0
+        };
+        let middle = origin[0] + 0.5 * long;
+        let tip = [middle + sense * 12.0, level];
+        pen.line(&[[middle - sense * 12.0, level], tip], Stroke::Thin);
+        pen.arrowhead(tip, [sense, 0.0]);
+        let at = [middle, level + 1.5];
+        pen.text(
+            &words.text("drawing-motion"),
+            at,
+            leader::LETTERS,
+            Anchor::Middle,
+        );
+        self.table(words)
+    }
+
+    /// From the right.
+    fn side(&self, pen: &mut Pen, left: f64, foot: f64, scale: f64, words: &Words) {
+        let right = left + scale * self.design.thickness;
+        let top = foot + scale * self.top;
+        pen.frame([left, foot], [right, top], Stroke::Outline);
+        for end in [0, self.points.len() - 1] {
+            let y = foot + scale * self.points[end][1];
+            let hidden = if end == 0 {
+                Stroke::Hidden
+            } else {
+                Stroke::Thin
+            };
+            pen.line(&[[left, y], [right, y]], hidden);
+        }
+        let mm = |x: f64| words.decimal(format!("{:.3}", MM * x));
+        let thick = words.decimal(format!("{:.2}", MM * self.design.thickness));
+        leader::level(pen, &thick, [left, right], foot, foot - 10.0);
+        leader::upright(pen, &mm(self.top), [foot, top], left, left - 8.0);
+    }
+
+    fn table(&self, words: &Words) -> Table {
+        let ball = words.decimal(format!("{:.3}", MM * BALL));
+        let [first, last] = self.ends;
+        let step = step((last - first) / (ROWS - 2) as f64);
+        let mut places: Vec<f64> = (0..ROWS)
+            .map(|k| first + step * k as f64)
+            .take_while(|x| last - x > 0.5 * step)
+            .collect();
+        places.push(last);
+        let row = |&x: &f64| {
+            let mm = |y: Option<f64>| match y {
+                Some(y) => words.decimal(format!("{:.3}", MM * y)),
+                None => "–".to_string(),
+            };
+            vec![
+                words.decimal(format!("{:.3}", MM * (x - first))),
+                mm(height(&self.edge, x, 0.0)),
+                mm(height(&self.edge, x, BALL)),
+            ]
+        };
+        Table {
+            heading: vec![
+                words.text("drawing-heights"),
+                words.fill("drawing-heights-ball", &[("radius", &ball)]),
+            ],
+            columns: vec!["x, mm", "y, mm", "b, mm"],
+            rows: places.iter().map(row).collect(),
+        }
+    }
+}
+
+/// The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `least`, m.
+fn step(least: f64) -> f64 {
+    let ten = 10f64.powf(least.log10().floor());
+    let steps = [1.0, 2.0, 2.5, 5.0, 10.0];
+    let found = steps.into_iter().find(|s| s * ten >= least * (1.0 - 1e-9));
+    ten * found.unwrap_or(10.0)
+}

@@ -1,0 +1,140 @@
+//! The path around the outside of a profile, in arcs and lines.
+//!
+//! The arcs that follow the profile have parallels that are arcs about the same centres, so the path is as
+//! true as they are. The cam is passed clockwise, the cutter on its left: climb milling with a spindle that
+//! turns clockwise.
+
+use super::{ACCELERATION, FEED, Move, Path};
+use crate::biarc::{self, circle};
+use crate::outline::Edge;
+
+const MM: f64 = 1000.0;
+/// Largest distance of the arcs from the profile, m: with the rounding of the program below one micrometre.
+const ARCS: f64 = 5e-7;
+/// Radius of the arcs that lead to the profile and away, in radii of the cutter; at least so much, m.
+const LEAD: f64 = 1.0;
+const LEAST_LEAD: f64 = 0.002;
+/// Length of the straight way from where a wire is threaded to the profile, m.
+const WAY_IN: f64 = 0.003;
+
+/// How the path is entered and left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lead {
+    /// Quarter circles, tangential: a milling cutter leaves no mark.
+    Arcs,
+    /// Straight along the normal: a wire, which has to come from outside the blank or from its own hole.
+    Lines,
+}
+
+/// The path around the outside of an edge, how it is entered and left being `lead`.
+///
+/// `None` where no chain of arcs follows the edge (undercut, jumps of the velocity) and where the cutter does not fit a
+/// hollow.
+pub fn path(edge: &Edge, tool: f64, lead: Lead) -> Option<Path> {
+    let arcs = biarc::along(edge, ARCS)?;
+    let mut ends = arcs.vertices;
+    if arcs.closed {
+        // From the farthest point on: nothing of the cam lies beyond its tangent, so the leads are free.
+        let far = |v: &[f64; 3]| v[0].hypot(v[1]);
+        let start = (0..ends.len()).max_by(|&a, &b| far(&ends[a]).total_cmp(&far(&ends[b])))?;
+        ends.rotate_left(start);
+        ends.push(ends[0]);
+    }
+    let mut moves = Vec::with_capacity(ends.len() + 1);
+    let mut sides = Vec::with_capacity(2 * ends.len());
+    for pair in ends.windows(2) {
+        let (step, normals) = parallel(pair[0], pair[1], tool)?;
+        moves.push(step);
+        sides.extend(normals);
+    }
+    let (first, last) = (*sides.first()?, *sides.last()?);
+    let begin = [ends[0][0] + tool * first[0], ends[0][1] + tool * first[1]];
+    let end = moves.last()?.to;
+    Some(match lead {
+        Lead::Arcs => with_arcs(moves, [begin, end], [first, last], tool),
+        Lead::Lines => with_lines(moves, [begin, end], [first, last], tool),
+    })
+}
+
+/// Quarter circles before and after the path.
+fn with_arcs(
+    mut moves: Vec<Move>,
+    [begin, end]: [[f64; 2]; 2],
+    [first, last]: [[f64; 2]; 2],
+    tool: f64,
+) -> Path {
+    let lead = (LEAD * tool).max(LEAST_LEAD);
+    // The tangent is the outward normal turned to the right: n = (0, 1) goes with t = (1, 0).
+    let along = |n: [f64; 2], by: f64| [by * n[1], -by * n[0]];
+    let centre = |p: [f64; 2], n: [f64; 2]| [p[0] + lead * n[0], p[1] + lead * n[1]];
+    let from = centre(begin, first);
+    let back = along(first, -lead);
+    let away = centre(end, last);
+    let on = along(last, lead);
+    let leading = |to, about| Move {
+        to,
+        arc: Some((about, true)),
+        feed: FEED,
+    };
+    moves.insert(0, leading(begin, from));
+    moves.push(leading([away[0] + on[0], away[1] + on[1]], away));
+    Path {
+        start: [from[0] + back[0], from[1] + back[1]],
+        moves,
+    }
+}
+
+/// Straight ways along the normals, from outside the blank and back.
+fn with_lines(
+    mut moves: Vec<Move>,
+    [begin, end]: [[f64; 2]; 2],
+    [first, last]: [[f64; 2]; 2],
+    tool: f64,
+) -> Path {
+    let lead = WAY_IN + tool;
+    let out = |p: [f64; 2], n: [f64; 2]| [p[0] + lead * n[0], p[1] + lead * n[1]];
+    let line = |to| Move {
+        to,
+        arc: None,
+        feed: FEED,
+    };
+    moves.insert(0, line(begin));
+    moves.push(line(out(end, last)));
+    Path {
+        start: out(begin, first),
+        moves,
+    }
+}
+
+/// The parallel of one arc of the profile at the distance `tool` on its left, with the outward normals at its
+/// ends; `None` where the cutter does not fit into it.
+fn parallel(a: [f64; 3], b: [f64; 3], tool: f64) -> Option<(Move, [[f64; 2]; 2])> {
+    let (from, to) = ([a[0], a[1]], [b[0], b[1]]);
+    let Some((centre, radius)) = circle(from, to, a[2]) else {
+        let c = [to[0] - from[0], to[1] - from[1]];
+        let long = c[0].hypot(c[1]);
+        let n = [-c[1] / long, c[0] / long];
+        let step = Move {
+            to: [to[0] + tool * n[0], to[1] + tool * n[1]],
+            arc: None,
+            feed: FEED,
+        };
+        return Some((step, [n, n]));
+    };
+    // A hollow turns counter-clockwise: its centre lies outside the cam.
+    let hollow = a[2] > 0.0;
+    let outward = if hollow { -1.0 } else { 1.0 };
+    let path = radius + outward * tool;
+    if path <= 0.0 {
+        return None;
+    }
+    let normal = |p: [f64; 2]| [0, 1].map(|k| outward * (p[k] - centre[k]) / radius);
+    let (first, last) = (normal(from), normal(to));
+    let most = 60.0 * (ACCELERATION * MM * path).sqrt();
+    let step = Move {
+        to: [to[0] + tool * last[0], to[1] + tool * last[1]],
+        arc: Some((centre, hollow)),
+        feed: (FEED * path / radius).min(most),
+    };
+    Some((step, [first, last]))
+}

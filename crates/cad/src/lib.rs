@@ -1,0 +1,45 @@
+//! A finished cam as files for CAD, printing and machining.
+//!
+//! A [`Design`](gaitcam::synth::Design) determines one or more edges to cut: the profile of a disc, both profiles
+//! of a conjugate pair, the walls of a barrel's groove ([`outline`]). Every exporter is a pure function from the
+//! design to the bytes of one file, in millimetres at true scale; the same design gives the same bytes.
+//!
+//! | module | makes | accuracy |
+//! |---|---|---|
+//! | [`dxf`] | outline as polyline, arcs or splines (R12, R2000) | vertices on the profile; arcs and splines within a tolerance |
+//! | [`svg`] | outline for a laser or a page | vertices on the profile |
+//! | [`step`] | solid with B-spline faces (AP214) | [`step::FAITHFUL`] |
+//! | [`solid`] | STL and 3MF of the plate, walls of a barrel's groove | vertices on the profile |
+//! | [`drawing`] | PDF sheet with views, dimensions, table of radii | three decimals of a millimetre |
+//! | [`gcode`], [`cutter`] | programs for a mill, a rotary axis, a wire; gouging | [`biarc`] within a tolerance |
+//!
+//! ```
+//! use gaitcam::scene::built_in;
+//! use gaitcam::synth::synthesise;
+//! use gaitcam_cad::{dxf, step};
+//!
+//! let scene = built_in("camdas_01_roller").unwrap().scene().unwrap();
+//! let design = synthesise(&scene, None).unwrap();
+//! let outline = dxf::profile(&design, 720, dxf::Content::CutOnly);
+//! let solid = step::solid(&design).unwrap();
+//! assert!(outline.len() > 10_000 && solid.starts_with(b"ISO-10303-21;"));
+//! ```
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![warn(unused_crate_dependencies)]
+
+pub mod biarc;
+pub mod cutter;
+pub mod drawing;
+pub mod dxf;
+pub mod gcode;
+pub mod outline;
+pub mod solid;
+mod spline;
+pub mod step;
+pub mod svg;
+pub mod words;
+
+#[cfg(test)]
+use gaitcam_test_support as _;

@@ -1,0 +1,36 @@
+//! The cam as a body: a plate with its holes, the walls of a barrel's groove, as STL and 3MF.
+
+mod plate;
+mod stl;
+mod threemf;
+mod wall;
+
+use gaitcam::error::Result;
+use gaitcam::synth::Design;
+
+pub use plate::{Plate, plate};
+pub use wall::wall;
+
+/// A triangle mesh, mm; triangles are counter-clockwise seen from outside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Vertices x, y, z.
+    pub vertices: Vec<[f64; 3]>,
+    /// Indices of each triangle's vertices.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// The plate as binary STL, mm. Fails as [`plate`] does.
+pub fn stl(design: &Design, form: Plate) -> Result<Vec<u8>> {
+    stl::file(&plate(design, form)?)
+}
+
+/// The plate as 3MF, mm. Fails as [`plate`] does.
+pub fn threemf(design: &Design, form: Plate) -> Result<Vec<u8>> {
+    threemf::package(&plate(design, form)?, &design.name)
+}
+
+/// Any mesh as binary STL, mm. Fails only if the bytes cannot be put together.
+pub fn binary_stl(mesh: &Mesh) -> Result<Vec<u8>> {
+    stl::file(mesh)
+}

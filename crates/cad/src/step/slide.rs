@@ -1,0 +1,40 @@
+//! A cam that slides: its profile above its foot, extruded.
+
+use gaitcam::error::{Result, WriteError};
+use gaitcam::synth::Design;
+
+use super::file::{File, Piece};
+use super::{FAITHFUL, positive};
+use crate::outline::Edge;
+use crate::spline;
+
+const MM: f64 = 1000.0;
+
+/// Adds the slide's solid to a file.
+pub fn add(file: &mut File, design: &Design) -> Result<usize> {
+    let z = [0.0, MM * positive(design.thickness)?];
+    let edge = Edge::of(&design.cam);
+    if edge.is_undercut() {
+        return Err(WriteError::UndercutProfile.into());
+    }
+    let outline = outline(&edge)?;
+    let mut faces = Vec::new();
+    let rims = file.wall(&outline, z, false, &mut faces);
+    file.cap(z[0], false, &rims.low, &[], &mut faces);
+    file.cap(z[1], true, &rims.high, &[], &mut faces);
+    Ok(file.solid("slide", &faces))
+}
+
+/// Counter-clockwise from the foot's left end: foot, right side, profile backwards, left side; mm.
+fn outline(edge: &Edge) -> Result<Vec<Piece>> {
+    let breaks = edge.breaks();
+    let [first, last] = [breaks[0], breaks[breaks.len() - 1]].map(|x| edge.at(x).p.map(|x| MM * x));
+    let foot = [[first[0], 0.0], [last[0], 0.0]];
+    let mut out = vec![Piece::Line(foot), Piece::Line([foot[1], last])];
+    for pair in breaks.windows(2).rev() {
+        let piece = spline::piece(edge, [pair[1], pair[0]], FAITHFUL);
+        out.push(Piece::Spline(piece.ok_or(WriteError::TooSharp)?));
+    }
+    out.push(Piece::Line([first, foot[0]]));
+    Ok(out)
+}

@@ -1,0 +1,334 @@
+//! `cutter.nc`, run by a machine that knows nothing of its writer: what the cutter leaves is the cam.
+
+use std::f64::consts::TAU;
+
+use gaitcam::cam::{Bore, Follower, Keyway, Wall};
+use gaitcam::law::Law;
+use gaitcam::synth::Design;
+use gaitcam_cad::gcode;
+
+use gaitcam_test_support::designed;
+
+use gaitcam_test_support::designs::{footbridge, heel_tester};
+
+/// One cut: a line or an arc, mm, with its feed.
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    from: [f64; 2],
+    to: [f64; 2],
+    /// Centre, and angle turned through, positive counter-clockwise.
+    arc: Option<([f64; 2], f64)>,
+    feed: f64,
+}
+
+/// Runs a program of G0, G1, G2 and G3 in the plane; comments and words it does not know are refused.
+fn run(program: &str) -> Vec<Cut> {
+    let mut cuts = Vec::new();
+    let (mut at, mut feed) = ([0.0, 0.0], 0.0);
+    for line in program.lines() {
+        let line = line.split('(').next().unwrap().trim();
+        let mut word = std::collections::BTreeMap::new();
+        for w in line.split_whitespace().filter(|w| *w != "%") {
+            let (letter, value) = w.split_at(1);
+            word.insert(
+                letter.to_string() + if letter == "G" { value } else { "" },
+                value,
+            );
+        }
+        let value = |letter: &str| word.get(letter).map(|v| v.parse::<f64>().unwrap());
+        feed = value("F").unwrap_or(feed);
+        let to = [value("X").unwrap_or(at[0]), value("Y").unwrap_or(at[1])];
+        let centre = || [at[0] + value("I").unwrap(), at[1] + value("J").unwrap()];
+        let angle = |c: [f64; 2], p: [f64; 2]| (p[1] - c[1]).atan2(p[0] - c[0]);
+        let arc = if word.contains_key("G2") {
+            let c = centre();
+            Some((c, -(angle(c, at) - angle(c, to)).rem_euclid(TAU)))
+        } else if word.contains_key("G3") {
+            let c = centre();
+            Some((c, (angle(c, to) - angle(c, at)).rem_euclid(TAU)))
+        } else {
+            None
+        };
+        if arc.is_some() || word.contains_key("G1") {
+            cuts.push(Cut {
+                from: at,
+                to,
+                arc,
+                feed,
+            });
+        }
+        at = to;
+    }
+    cuts
+}
+
+impl Cut {
+    /// Distance of a point from this part of the path.
+    fn distance(&self, p: [f64; 2]) -> f64 {
+        let to = |q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
+        let ends = to(self.from).min(to(self.to));
+        let Some((c, turned)) = self.arc else {
+            let d = [self.to[0] - self.from[0], self.to[1] - self.from[1]];
+            let along = d[0] * (p[0] - self.from[0]) + d[1] * (p[1] - self.from[1]);
+            let part = along / (d[0] * d[0] + d[1] * d[1]);
+            let foot = [self.from[0] + part * d[0], self.from[1] + part * d[1]];
+            return if (0.0..=1.0).contains(&part) {
+                to(foot)
+            } else {
+                ends
+            };
+        };
+        let start = (self.from[1] - c[1]).atan2(self.from[0] - c[0]);
+        let place = (p[1] - c[1]).atan2(p[0] - c[0]);
+        let passed = (turned.signum() * (place - start)).rem_euclid(TAU);
+        if passed <= turned.abs() {
+            (to(c) - self.radius()).abs()
+        } else {
+            ends
+        }
+    }
+
+    fn radius(&self) -> f64 {
+        let (c, _) = self.arc.unwrap();
+        (self.from[0] - c[0]).hypot(self.from[1] - c[1])
+    }
+}
+
+/// Deepest gouge and highest ridge that the program leaves on the true profile, mm.
+fn swept(design: &Design, cuts: &[Cut], tool: f64) -> [f64; 2] {
+    let mut out = [0.0_f64; 2];
+    for p in design.cam.profile(5000) {
+        let p = [1e3 * p.x, 1e3 * p.y];
+        let near = cuts
+            .iter()
+            .map(|c| c.distance(p))
+            .fold(f64::INFINITY, f64::min);
+        out = [out[0].max(tool - near), out[1].max(near - tool)];
+    }
+    out
+}
+
+/// A cycloid-like cam under a roller with hollow flanks.
+fn hollow() -> Design {
+    let mut design = heel_tester();
+    design.cam.law = Law::harmonic(0.02, &[(0.0, 0.0), (0.0, 0.0), (0.012, 0.0)]);
+    design.cam.follower = Follower::RollerTranslating {
+        prime_radius: 0.05,
+        offset: 0.0,
+        roller_radius: 0.01,
+    };
+    design
+}
+
+#[test]
+fn the_swept_cutter_leaves_the_cam_to_a_micrometre() {
+    let concave = hollow().cam.curvature().concave.map(|c| -c.value);
+    assert!(concave.is_some_and(|r| r > 0.006), "{concave:?}");
+    for (design, tool) in [
+        (footbridge(), 0.006),
+        (heel_tester(), 0.003),
+        (hollow(), 0.005),
+    ] {
+        let program = &gcode::milling(&design, tool).unwrap()[0];
+        let cuts = run(&program.text);
+        assert!(cuts.len() > 10, "{}", design.name);
+        for pair in cuts.windows(2) {
+            assert_eq!(pair[0].to, pair[1].from);
+        }
+        // Both leads are tangential: without them the path is closed.
+        let n = cuts.len();
+        let ends = [cuts[1].from, cuts[n - 2].to];
+        assert!((ends[0][0] - ends[1][0]).hypot(ends[0][1] - ends[1][1]) < 2e-4);
+        let [gouged, left] = swept(&design, &cuts, 1e3 * tool);
+        assert!(
+            gouged < 1e-3 && left < 1e-3,
+            "{}: {gouged} {left}",
+            design.name
+        );
+        // A wider cutter on this path would gouge: the sweep is able to see it.
+        let [gouged, _] = swept(&design, &cuts, 1e3 * tool + 0.01);
+        assert!(gouged > 0.009);
+    }
+}
+
+#[test]
+fn the_contact_moves_with_one_feed() {
+    let tool = 5.0;
+    let program = &gcode::milling(&hollow(), 1e-3 * tool).unwrap()[0];
+    let cuts = run(&program.text);
+    let (mut convex, mut concave) = (0, 0);
+    for cut in &cuts[1..cuts.len() - 1] {
+        let Some((_, turned)) = cut.arc else { continue };
+        let path = cut.radius();
+        // Clockwise arcs run around the cam, others through its hollows.
+        let profile = if turned < 0.0 {
+            path - tool
+        } else {
+            path + tool
+        };
+        let feed = cut.feed * profile / path;
+        // Written anew at 1 %, in whole mm/min.
+        assert!((feed / 200.0 - 1.0).abs() < 0.02, "{cut:?}: {feed}");
+        if turned < 0.0 {
+            convex += 1
+        } else {
+            concave += 1
+        }
+    }
+    assert!(convex > 5 && concave > 5, "{convex} {concave}");
+}
+
+#[test]
+fn a_cutter_wider_than_a_hollow_has_no_program() {
+    let design = hollow();
+    let radius = -design.cam.curvature().concave.unwrap().value;
+    assert!(gcode::milling(&design, 1.05 * radius).is_err());
+    assert!(gcode::milling(&design, 0.95 * radius).is_ok());
+    assert!(gcode::milling(&design, 0.0).is_err());
+    assert!(gcode::wire(&design, f64::NAN).is_err());
+}
+
+#[test]
+fn both_cams_of_a_pair_are_left_by_their_programs() {
+    let design = designed("camdas_07_conjugate_roller");
+    let tool = 4.0;
+    let programs = gcode::milling(&design, 1e-3 * tool).unwrap();
+    let files: Vec<&str> = programs.iter().map(|p| p.file).collect();
+    assert_eq!(files, ["cutter.nc", "cutter_second.nc"]);
+    let cuts = run(&programs[1].text);
+    let pair = design.conjugate.as_ref().unwrap();
+    for p in pair.second.profile(3000) {
+        // As it stands on the shaft: turned by half a turn.
+        let p = [-1e3 * p.x, -1e3 * p.y];
+        let near = cuts
+            .iter()
+            .map(|c| c.distance(p))
+            .fold(f64::INFINITY, f64::min);
+        assert!((near - tool).abs() < 1e-3, "{p:?}: {near}");
+    }
+}
+
+/// The stations of a program for a rotary axis: X, mm, and A, rad, with the time of each line, min.
+fn stations(program: &str) -> Vec<[f64; 3]> {
+    let mut at = [0.0; 3];
+    let mut out = Vec::new();
+    for line in program
+        .lines()
+        .filter(|line| line.starts_with("G0 ") || line.starts_with("G1 "))
+    {
+        for word in line.split_whitespace().skip(1) {
+            let value: f64 = word[1..].parse().unwrap();
+            match &word[..1] {
+                "X" => at[0] = value,
+                "A" => at[1] = value.to_radians(),
+                "F" => at[2] = 1.0 / value,
+                other => panic!("{other}"),
+            }
+        }
+        out.push(at);
+    }
+    out
+}
+
+#[test]
+fn the_swept_cutter_leaves_the_groove_of_a_barrel_to_a_micrometre() {
+    let design = designed("thesis_barrel");
+    let groove = design.groove.as_ref().unwrap();
+    let tool = 5.25;
+    let program = &gcode::milling(&design, 1e-3 * tool).unwrap()[0];
+    let path = stations(&program.text);
+    // The barrel turns by A, the cutter's axis is its x axis at height X: distance of a point of the barrel from that
+    // axis while a line is run, smallest over all lines.
+    let distance = |p: [f64; 3]| {
+        let off = |x: f64, a: f64| {
+            let (sin, cos) = a.sin_cos();
+            let along = cos * p[0] - sin * p[1];
+            let aside = sin * p[0] + cos * p[1];
+            if along > 0.0 {
+                aside.hypot(p[2] - x)
+            } else {
+                f64::INFINITY
+            }
+        };
+        let mut least = f64::INFINITY;
+        for pair in path.windows(2) {
+            let at = |u: f64| {
+                off(
+                    pair[0][0] + u * (pair[1][0] - pair[0][0]),
+                    pair[0][1] + u * (pair[1][1] - pair[0][1]),
+                )
+            };
+            // Far lines cannot touch: a line is at most 5 degrees long.
+            if at(0.5) > 2.0 * tool {
+                continue;
+            }
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..60 {
+                let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+                if at(a) < at(b) { high = b } else { low = a }
+            }
+            least = least.min(at(0.5 * (low + high)));
+        }
+        least
+    };
+    let (floor, surface) = groove.depth();
+    let (mut gouged, mut left) = (0.0_f64, 0.0_f64);
+    for i in 0..400 {
+        let theta = 2.0 * TAU * (f64::from(i) + 0.37) / 400.0;
+        for radius in [floor, 0.5 * (floor + surface), surface] {
+            for wall in [Wall::Lower, Wall::Upper] {
+                let p = groove.wall_point(theta, radius, wall).map(|x| 1e3 * x);
+                // Where the groove crosses itself, both ways round, the other turn takes the wall away.
+                let near = distance(p);
+                let crossed = (theta.rem_euclid(TAU) - 0.5 * TAU).abs() < 0.9;
+                if !crossed {
+                    gouged = gouged.max(tool - near);
+                }
+                left = left.max(near - tool);
+            }
+        }
+    }
+    assert!(gouged < 1e-3 && left < 1e-3, "{gouged} {left}");
+    // The feed along the surface is never above what is stated, nor needlessly below.
+    let fastest = path.windows(2).skip(1).map(|pair| {
+        let turned = 30.0 * (pair[1][1] - pair[0][1]);
+        turned.hypot(pair[1][0] - pair[0][0]) / pair[1][2]
+    });
+    let fastest = fastest.fold(0.0, f64::max);
+    assert!((199.0..201.0).contains(&fastest), "{fastest}");
+    // Another cutter leaves another groove.
+    assert!(gcode::milling(&design, 5e-3).is_err());
+}
+
+#[test]
+fn a_wire_cuts_hole_keyway_and_outside_from_its_start_holes() {
+    let mut design = hollow();
+    let bore = Bore {
+        diameter: 0.02,
+        keyway: Keyway::for_shaft(0.02),
+    };
+    design.bore = Some(bore);
+    let wire = 0.14;
+    let program = gcode::wire(&design, 1e-3 * wire).unwrap();
+    let cuts = run(&program.text);
+    let [gouged, left] = swept(&design, &cuts, wire);
+    assert!(gouged < 1e-3 && left < 1e-3, "{gouged} {left}");
+    // The hole, from its centre: every point of its edge, but the two corners that the wire cannot reach, is cut.
+    let corner = [0.5 * 6.0, 10.0 + 2.8];
+    for i in 0..20_000 {
+        let a = TAU * f64::from(i) / 20_000.0;
+        let r = 1e3 * bore.edge(a);
+        let p = [r * a.cos(), r * a.sin()];
+        let near = cuts
+            .iter()
+            .map(|c| c.distance(p))
+            .fold(f64::INFINITY, f64::min);
+        assert!(near > wire - 1e-3, "{p:?}: gouged, {near}");
+        let in_corner = (p[0].abs() - corner[0]).hypot(p[1] - corner[1]) < 1.01 * wire;
+        assert!(in_corner || near < wire + 1e-3, "{p:?}: left, {near}");
+    }
+    let first = cuts[0];
+    assert_eq!(first.from, [0.0, 0.0]);
+    // A wire wider than the keyway.
+    assert!(gcode::wire(&design, 3.1e-3).is_err());
+}

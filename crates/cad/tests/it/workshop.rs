@@ -1,0 +1,333 @@
+//! What a workshop takes beside the outline: solids of barrels and slides, splines, balance hole, sheets.
+
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+
+use gaitcam::cam::{Bore, Follower, Hub, Keyway};
+use gaitcam::law::Law;
+use gaitcam::synth::Design;
+use gaitcam::wording::Language;
+use gaitcam_cad::drawing::Title;
+use gaitcam_cad::{drawing, dxf, solid, step};
+
+use gaitcam_test_support::designed;
+
+use crate::drawing::groups;
+use crate::sheets::sheets;
+use gaitcam_test_support::designs::{footbridge, heel_tester};
+
+/// A disc of little eccentricity with keyway, hub and balance hole.
+fn furnished() -> Design {
+    let mut design = heel_tester();
+    design.cam.law = Law::harmonic(0.0015, &[(0.0, 0.0015), (0.0, 0.0005)]);
+    design.cam.follower = Follower::RollerTranslating {
+        prime_radius: 0.07,
+        offset: 0.0,
+        roller_radius: 0.01,
+    };
+    design.bore = Some(Bore {
+        diameter: 0.02,
+        keyway: Keyway::for_shaft(0.02),
+    });
+    design.making.balance = true;
+    design.making.hub = Some(Hub {
+        diameter: 0.036,
+        length: 0.012,
+    });
+    design.mark = true;
+    design
+}
+
+/// How often each edge of a STEP file is run along and against.
+fn uses(text: &str) -> HashMap<&str, [usize; 2]> {
+    let mut out: HashMap<&str, [usize; 2]> = HashMap::new();
+    for line in text.lines().filter(|line| line.contains("=ORIENTED_EDGE(")) {
+        let edge = line
+            .split(['#', ','])
+            .find(|part| part.chars().all(|c| c.is_ascii_digit()) && !part.is_empty());
+        let along = usize::from(line.contains(",.T.)"));
+        out.entry(edge.unwrap()).or_default()[along] += 1;
+    }
+    out
+}
+
+#[test]
+fn every_edge_of_a_solid_bounds_two_faces_in_opposite_senses() {
+    let slide = designed("translating_cam");
+    let barrel = designed("thesis_barrel");
+    let mut bored = barrel.clone();
+    bored.bore = furnished().bore;
+    bored.mark = true;
+    let pair = designed("camdas_07_conjugate_roller");
+    for design in [footbridge(), furnished(), pair, slide, barrel, bored] {
+        let text = String::from_utf8(step::solid(&design).unwrap()).unwrap();
+        let edges = text
+            .lines()
+            .filter(|line| line.contains("=EDGE_CURVE("))
+            .count();
+        let uses = uses(&text);
+        assert_eq!(uses.len(), edges, "{}", design.name);
+        assert!(uses.values().all(|n| *n == [1, 1]), "{}", design.name);
+    }
+}
+
+#[test]
+fn a_hub_wider_than_the_cam_and_a_bore_wider_than_the_groove_make_no_solid() {
+    let mut design = furnished();
+    let hub = design.making.hub.as_mut().unwrap();
+    hub.diameter = 0.2;
+    assert!(step::solid(&design).is_err());
+    let mut barrel = designed("thesis_barrel");
+    barrel.bore = Some(Bore::plain(0.041));
+    assert!(step::solid(&barrel).is_err());
+}
+
+#[test]
+fn the_bored_mesh_is_closed_and_its_centre_lies_on_the_shaft() {
+    let mut design = furnished();
+    let plate = |design: &Design| solid::Plate {
+        thickness: design.thickness,
+        bore: design.bore,
+        points: 2880,
+    };
+    // Volume and moment of a closed mesh by the tetrahedra over its triangles.
+    let moments = |mesh: &solid::Mesh| {
+        let mut sums = [0.0; 3];
+        for t in &mesh.triangles {
+            let [a, b, c] = t.map(|i| mesh.vertices[i]);
+            let volume = (a[0] * (b[1] * c[2] - b[2] * c[1])
+                + a[1] * (b[2] * c[0] - b[0] * c[2])
+                + a[2] * (b[0] * c[1] - b[1] * c[0]))
+                / 6.0;
+            sums[0] += volume;
+            sums[1] += volume * (a[0] + b[0] + c[0]) / 4.0;
+            sums[2] += volume * (a[1] + b[1] + c[1]) / 4.0;
+        }
+        sums
+    };
+    let balanced = solid::plate(&design, plate(&design)).unwrap();
+    let mut edges: HashMap<(usize, usize), usize> = HashMap::new();
+    for t in &balanced.triangles {
+        for k in 0..3 {
+            *edges.entry((t[k], t[(k + 1) % 3])).or_default() += 1;
+        }
+    }
+    assert!(
+        edges
+            .iter()
+            .all(|((a, b), n)| *n == 1 && edges.contains_key(&(*b, *a)))
+    );
+    let [volume, x, y] = moments(&balanced);
+    design.making.balance = false;
+    let [whole, u, v] = moments(&solid::plate(&design, plate(&design)).unwrap());
+    assert!(whole > volume);
+    // Polygons in place of circles leave a little.
+    let (left, was) = (x.hypot(y), u.hypot(v));
+    assert!(was > 100.0 && left < 1e-3 * was, "{left} of {was}");
+}
+
+/// A spline of a DXF: degree 3, knots, control points.
+fn splines(bytes: &[u8]) -> Vec<(Vec<f64>, Vec<[f64; 2]>)> {
+    let all = groups(bytes);
+    let starts: Vec<usize> = (0..all.len()).filter(|&i| all[i].0 == 0).collect();
+    let objects = starts.windows(2).map(|w| &all[w[0]..w[1]]);
+    objects
+        .filter(|object| object[0].1 == "SPLINE")
+        .map(|object| {
+            let of = |code: i32| -> Vec<f64> {
+                let own = object.iter().filter(|g| g.0 == code);
+                own.map(|g| g.1.parse().unwrap()).collect()
+            };
+            let points: Vec<[f64; 2]> = of(10)
+                .into_iter()
+                .zip(of(20))
+                .map(|(x, y)| [x, y])
+                .collect();
+            assert_eq!(of(71), [3.0]);
+            assert_eq!(of(72), [of(40).len() as f64]);
+            assert_eq!(of(73), [points.len() as f64]);
+            assert_eq!(of(40).len(), points.len() + 4);
+            (of(40), points)
+        })
+        .collect()
+}
+
+/// The point of a spline by de Boor's algorithm.
+fn de_boor(knots: &[f64], control: &[[f64; 2]], t: f64) -> [f64; 2] {
+    let last = control.len() - 1;
+    let k = (3..=last).rev().find(|&k| knots[k] <= t).unwrap();
+    let mut d: Vec<[f64; 2]> = (0..4).map(|j| control[j + k - 3]).collect();
+    for r in 1..4 {
+        for j in (r..4).rev() {
+            let (low, high) = (knots[j + k - 3], knots[j + 1 + k - r]);
+            let a = (t - low) / (high - low);
+            d[j] = [0, 1].map(|i| (1.0 - a) * d[j - 1][i] + a * d[j][i]);
+        }
+    }
+    d[3]
+}
+
+#[test]
+fn splines_of_a_drawing_follow_the_profile_to_a_tenth_of_a_micrometre() {
+    for design in [footbridge(), furnished()] {
+        let bytes = dxf::profile_as(&design, 720, dxf::Content::All, dxf::Curves::Splines);
+        let drawn = crate::drawing::read(&bytes);
+        assert_eq!(drawn.header["$ACADVER"][1].1, "AC1015");
+        let all = splines(&bytes);
+        assert_eq!(all.len(), 1, "{}", design.name);
+        let (knots, control) = &all[0];
+        let profile = design.cam.profile(400_000);
+        let n = profile.len();
+        for i in 0..2000 {
+            let t = knots[knots.len() - 1] * (f64::from(i) + 0.31) / 2000.0;
+            let p = de_boor(knots, control, t);
+            let near = (0..n).step_by(100).min_by(|&a, &b| {
+                let far = |k: usize| (1e3 * profile[k].x - p[0]).hypot(1e3 * profile[k].y - p[1]);
+                far(a).total_cmp(&far(b))
+            });
+            let near = near.unwrap() + n;
+            let off = (near - 150..near + 150).map(|k| {
+                let (a, b) = (&profile[k % n], &profile[(k + 1) % n]);
+                let (dx, dy) = (1e3 * (b.x - a.x), 1e3 * (b.y - a.y));
+                let (px, py) = (p[0] - 1e3 * a.x, p[1] - 1e3 * a.y);
+                let u = ((px * dx + py * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+                (px - u * dx).hypot(py - u * dy)
+            });
+            let off = off.fold(f64::INFINITY, f64::min);
+            assert!(off < 1e-4, "{}: {off} mm at {p:?}", design.name);
+        }
+    }
+    let barrel = designed("thesis_barrel");
+    let bytes = dxf::profile_as(&barrel, 720, dxf::Content::All, dxf::Curves::Splines);
+    assert!(splines(&bytes).len() >= 4);
+}
+
+const TITLE: Title = Title {
+    revision: None,
+    date: None,
+    accuracy: 0.005,
+};
+
+/// Numbers of a sheet's table: rows of so many cells, the first with `first` decimals, the others with three.
+fn rows(sheet: &[crate::sheets::Shown], cells: usize, first: usize) -> Vec<Vec<f64>> {
+    let decimals = |i: usize| sheet[i].text.split_once('.').map_or(0, |p| p.1.len());
+    let mut out = Vec::new();
+    let mut i = 0;
+    while i + cells <= sheet.len() {
+        let row: Option<Vec<f64>> = (i..i + cells).map(|k| sheet[k].text.parse().ok()).collect();
+        let shaped = (0..cells).all(|k| decimals(i + k) == if k == 0 { first } else { 3 });
+        match row.filter(|_| shaped) {
+            Some(row) => {
+                out.push(row);
+                i += cells;
+            }
+            None => i += 1,
+        }
+    }
+    out
+}
+
+#[test]
+fn the_sheet_of_a_barrel_has_the_height_of_the_roller_every_five_degrees() {
+    let design = designed("thesis_barrel");
+    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let sheets = sheets(&pdf);
+    assert_eq!(sheets.len(), 1);
+    let rows = rows(&sheets[0], 2, 0);
+    let rows: Vec<&Vec<f64>> = rows
+        .iter()
+        .filter(|row| row[0] % 5.0 == 0.0 && row[1] > 10.0)
+        .collect();
+    assert_eq!(rows.len(), 144);
+    for (k, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], 5.0 * k as f64);
+        // Both turns mirror each other; the lowest roller stands 5.25 + 5.25 + 0.25 mm above the end.
+        let mirrored = rows[(144 - k) % 144][1];
+        assert!((row[1] - mirrored).abs() < 1e-9);
+    }
+    assert_eq!((rows[0][1], rows[72][1]), (10.75, 50.75));
+    assert!((rows[36][1] - 30.75).abs() < 1e-9);
+}
+
+#[test]
+fn the_sheet_of_a_slide_has_the_heights_under_the_roller() {
+    let design = designed("translating_cam");
+    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let rows = rows(&sheets(&pdf)[0], 3, 3);
+    assert_eq!(rows.len(), 65);
+    // The scene's own numbers: cycloidal 20 mm in 60, dwell 30, 3-4-5 back in 70; the roller of 6 mm rolls on 15 mm.
+    let pitch = |x: f64| {
+        let s = if x < 60.0 {
+            20.0 * (x / 60.0 - (TAU * x / 60.0).sin() / TAU)
+        } else if x < 90.0 {
+            20.0
+        } else {
+            let u: f64 = (x - 90.0) / 70.0;
+            20.0 * (1.0 - u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u))
+        };
+        21.0 + s
+    };
+    // The cam is what no roller covers; the ball touches it from above.
+    let under = |x: f64, radius: f64| {
+        let lowest = |t: f64| pitch(t) - (radius * radius - (x - t).powi(2)).sqrt();
+        (0..=120_000)
+            .map(|i| x - radius + 2.0 * radius * f64::from(i) / 120_000.0)
+            .filter(|t| (0.0..=160.0).contains(t))
+            .map(lowest)
+            .fold(f64::INFINITY, f64::min)
+    };
+    for (k, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], 2.5 * k as f64);
+        let profile = under(row[0], 6.0);
+        assert!((row[1] - profile).abs() < 6e-4, "{row:?}: {profile}");
+        // Both rolls have the ball's centre on one parallel of the pitch curve: that of a roller 1 mm thinner.
+        let ball = under(row[0], 5.0);
+        assert!((row[2] - ball).abs() < 6e-4, "{row:?}: {ball}");
+    }
+}
+
+#[test]
+fn hub_balance_hole_material_and_tolerance_stand_on_the_sheet() {
+    let mut design = furnished();
+    design.making.material = Some("42CrMo4".to_string());
+    design.making.hardness = gaitcam::cam::Hardness::parse("55 HRC");
+    design.making.roughness = Some(4e-7);
+    design.making.tolerance = Some(1e-5);
+    let hole = design.balance_holes()[0].unwrap();
+    let pdf = drawing::pdf(&design, &TITLE, Language::En);
+    let sheets = sheets(&pdf);
+    let has = |text: &str| sheets[0].iter().any(|s| s.text.contains(text));
+    let bored = format!(
+        "\u{d8} {:.2}  R {:.3}",
+        1e3 * hole.diameter,
+        1e3 * hole.centre[0].hypot(hole.centre[1])
+    );
+    for text in [
+        &bored,
+        "\u{d8} 36.00",
+        "22.00",
+        "42CrMo4, 55 HRC",
+        "Ra 0.4",
+        "\u{b1} 0.01 mm",
+    ] {
+        assert!(has(text), "{text}");
+    }
+    // The hole takes away what is too much: area times distance is the moment of the plate.
+    let moment = design.cam.body(design.bore).unwrap().moment();
+    let taken = 0.25 * PI * hole.diameter.powi(2) * hole.centre[0].hypot(hole.centre[1]);
+    assert!((taken / moment - 1.0).abs() < 1e-9);
+    for design in [
+        design,
+        designed("thesis_barrel"),
+        designed("translating_cam"),
+    ] {
+        for s in crate::sheets::sheets(&drawing::pdf(&design, &TITLE, Language::Es))
+            .iter()
+            .flatten()
+        {
+            let mm = s.at.map(|x| x * 25.4 / 72.0);
+            assert!(mm[0] > 20.0 && mm[0] < 410.0, "{}: {mm:?}", s.text);
+            assert!(mm[1] > 10.0 && mm[1] < 287.0, "{}: {mm:?}", s.text);
+        }
+    }
+}

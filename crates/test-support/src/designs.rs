@@ -1,0 +1,295 @@
+//! Designs with known answers, built from the public types.
+
+use gaitcam::cam::{
+    Cam, Check, Criterion, Follower, LimitKind, Making, Verdict, smallest_base_radius,
+};
+use gaitcam::drive::Drive;
+use gaitcam::force::ForceCurve;
+use gaitcam::law::Law;
+use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
+use gaitcam::problem::Note;
+use gaitcam::synth::{
+    Binding, Conflicting, Design, ForceReport, Functions, Infeasible, Method, Reason, Relaxation,
+    SolverReport, Tier,
+};
+use gaitcam::units::{G, LBF, Quantity};
+
+const TAU: f64 = std::f64::consts::TAU;
+const INCH: f64 = 0.0254;
+
+fn spectral() -> SolverReport {
+    SolverReport {
+        tier: Tier::Spectral,
+        method: Method::NoLimitActive,
+        passed_over: Vec::new(),
+        iterations: 0,
+        certified: true,
+        doubt: None,
+        certificate: None,
+        steps: Vec::new(),
+    }
+}
+
+/// Both feet at 1.85 Hz by four harmonics, a flat face, moving axis: the law is the spectral inverse
+/// plus a third of a per cent in the fourth harmonic, so that there is an error to show.
+pub fn footbridge() -> Design {
+    let (weight, speed) = (700.0, TAU * 1.85);
+    let mass = weight / G;
+    let factors = [(0.37, 0.0), (0.054, 0.7), (0.026, 1.9), (0.01, 2.4)];
+    let force = |theta: f64| {
+        let waves = factors
+            .iter()
+            .enumerate()
+            .map(|(i, (a, p))| a * ((i + 1) as f64 * theta + p).sin());
+        weight * (1.0 + waves.sum::<f64>())
+    };
+    let samples: Vec<f64> = (0..360)
+        .map(|i| force(TAU * f64::from(i) / 360.0))
+        .collect();
+    let mut target =
+        ForceCurve::from_samples("Young, 1.85 Hz, 700 N", 1.0 / 1.85, samples).unwrap();
+    let spread = (0..360).map(|i| 24.0 + 10.0 * (TAU * f64::from(i) / 180.0).sin());
+    target.spread_n = Some(spread.collect());
+    let mut terms = Vec::new();
+    for (i, (a, p)) in factors.iter().enumerate() {
+        let n = (i + 1) as f64;
+        let scale = -weight * a / (mass * n * n * speed * speed);
+        let scale = if i == 3 { 1.33 * scale } else { scale };
+        terms.push((scale * p.sin(), scale * p.cos()));
+    }
+    let law = Law::harmonic(0.0, &terms);
+    let (low, _) = law.extremes(0);
+    let law = law.raised(-low.value);
+    let rho = 0.005;
+    // A shaft of 40 mm has to pass as well.
+    let base_radius = smallest_base_radius(&law, rho).max(0.025);
+    let drive = Drive::moving_axis(mass, G, speed);
+    let (low, high) = drive.force_curve(&law).extremes();
+    let amplitude = 0.33 * 0.01 * weight;
+    let stroke = law.stroke();
+    let cam = Cam {
+        law,
+        follower: Follower::FlatTranslating { base_radius },
+    };
+    let sharpest = cam.curvature().convex;
+    Design {
+        name: "footbridge".into(),
+        weight_n: None,
+        target: Some(target),
+        drive,
+        family: "harmonic".into(),
+        functions: Functions::Fourier,
+        coefficients: terms.iter().flat_map(|t| [t.0, t.1]).collect(),
+        degree: 0,
+        end: None,
+        conjugate: None,
+        groove: None,
+        bore: None,
+        mark: false,
+        thickness: 0.01,
+        making: Making::default(),
+        force: ForceReport {
+            rms_error_n: amplitude / 2f64.sqrt(),
+            max_error_n: amplitude,
+            rms_error_percent_of_mean: 100.0 * amplitude / 2f64.sqrt() / weight,
+            target_mean_n: weight,
+            mean_n: weight,
+            min_n: low.value,
+            max_n: high.value,
+        },
+        infeasible: None,
+        relaxations: Vec::new(),
+        together: Vec::new(),
+        verdict: Verdict::Acceptable,
+        easing: Vec::new(),
+        phase: 0.0,
+        band: None,
+        reasons: vec![Reason::AllHold],
+        checks: vec![
+            Check::at_most(
+                LimitKind::Stroke,
+                Extreme {
+                    at: 0.0,
+                    value: stroke,
+                },
+                0.06,
+                1e-9,
+            ),
+            Check::at_least(LimitKind::Curvature, sharpest, rho, 1e-9),
+            Check::at_least(LimitKind::ForceMin, low, 0.0, 1e-9),
+        ],
+        binding: vec![Binding {
+            limit: LimitKind::Curvature.into(),
+            multiplier: 1.0,
+            at: sharpest.at,
+        }],
+        solver: spectral(),
+        out_of_time: false,
+        notes: vec![
+            Note::NoBaseCircle,
+            Note::Phase {
+                phase: Quantity::angle(0.5),
+            },
+        ],
+        cam,
+    }
+}
+
+/// The degree-8 polynomial of Vargas and León (2024) on its roller (theory §2): Rp 3 in, roller 1 in, no offset.
+pub fn heel_tester() -> Design {
+    let (speed, beta) = (4.0 * std::f64::consts::PI, 256.32_f64.to_radians());
+    let c = [
+        0.0, 0.0, 0.0, 612.721, -4057.255, 10696.565, -13873.375, 8822.470, -2201.126,
+    ];
+    // s = Σ Cₖ (θ/β)ᵏ in inches.
+    let rise: Vec<f64> = bernstein::from_power(&c.map(|x| x * INCH));
+    let dwell = vec![0.0; 9];
+    let law = Law::from_poly(
+        PiecewisePoly::new(vec![0.0, beta, TAU], 8, [rise, dwell].concat()),
+        true,
+    );
+    let psi = LBF / INCH.powi(2);
+    let drive = Drive::hydraulic(30.0 * psi / INCH.powi(3), 0.75 * INCH, speed);
+    let points: [(f64, f64); 6] = [
+        (0.0, 0.0),
+        (0.079, 110.282),
+        (0.172, 79.338),
+        (0.276, 106.667),
+        (0.356, 0.0),
+        (0.5, 0.0),
+    ];
+    let force = |t: f64| {
+        let i = points.windows(2).position(|w| t < w[1].0).unwrap_or(4);
+        let (a, b) = (points[i], points[i + 1]);
+        let u = (t - a.0) / (b.0 - a.0);
+        LBF * (a.1 + (b.1 - a.1) * u * u * (3.0 - 2.0 * u))
+    };
+    let samples: Vec<f64> = (0..500).map(|i| force(f64::from(i) / 1000.0)).collect();
+    let target =
+        ForceCurve::from_samples("Vargas and León 2024, critical points", 0.5, samples).unwrap();
+    let cam = Cam {
+        law,
+        follower: Follower::RollerTranslating {
+            prime_radius: 3.0 * INCH,
+            offset: 0.0,
+            roller_radius: INCH,
+        },
+    };
+    let (low, high) = drive.force_curve(&cam.law).extremes();
+    let (phi_low, phi_high) = cam.pressure_angle_extremes();
+    let limit = 30.0_f64.to_radians();
+    let falling = Extreme {
+        at: phi_low.at,
+        value: -phi_low.value,
+    };
+    Design {
+        name: "heel_tester".into(),
+        weight_n: None,
+        target: Some(target),
+        drive,
+        family: "polynomial".into(),
+        functions: Functions::Monomial {
+            range: [0.0, std::f64::consts::TAU],
+        },
+        coefficients: c.map(|x| x * INCH).to_vec(),
+        degree: 8,
+        end: None,
+        conjugate: None,
+        groove: None,
+        bore: None,
+        mark: false,
+        thickness: 0.01,
+        making: Making::default(),
+        force: ForceReport {
+            rms_error_n: 36.0,
+            max_error_n: 84.0,
+            rms_error_percent_of_mean: 15.0,
+            target_mean_n: 285.0,
+            mean_n: 305.0,
+            min_n: low.value,
+            max_n: high.value,
+        },
+        infeasible: None,
+        relaxations: Vec::new(),
+        together: Vec::new(),
+        verdict: Verdict::NotForHighSpeed,
+        easing: Vec::new(),
+        phase: 0.0,
+        band: None,
+        reasons: vec![Reason::AccelerationJumps {
+            at: Quantity::angle(0.0),
+        }],
+        checks: vec![
+            Check::at_most(LimitKind::PressureAngleRise, phi_high, limit, 1e-9),
+            Check::at_most(LimitKind::PressureAngleFall, falling, limit, 1e-9),
+            Check::at_least(LimitKind::Curvature, cam.curvature().convex, 0.005, 1e-9),
+        ],
+        binding: Vec::new(),
+        solver: SolverReport {
+            tier: Tier::Equality,
+            method: Method::NoLimitActive,
+            passed_over: Vec::new(),
+            iterations: 1,
+            certified: true,
+            doubt: None,
+            certificate: None,
+            steps: Vec::new(),
+        },
+        out_of_time: false,
+        notes: Vec::new(),
+        cam,
+    }
+}
+
+/// A scene that cannot be: the footbridge with far too little stroke.
+#[allow(dead_code)] // not every user of these designs needs it
+pub fn impossible() -> Design {
+    let mut s = footbridge();
+    s.name = "footbridge <stroke & limit>".into();
+    s.infeasible = Some(Infeasible {
+        conflict: vec![
+            Conflicting::Limit(LimitKind::Stroke.into()),
+            Conflicting::Limit(Criterion::Accuracy),
+        ],
+        relaxations: vec![
+            Relaxation {
+                limit: LimitKind::Stroke.into(),
+                key: "limits.stroke",
+                from: 0.03,
+                to: Some(0.0483),
+            },
+            Relaxation {
+                limit: Criterion::Accuracy,
+                key: "accuracy.rms",
+                from: 0.005,
+                to: None,
+            },
+        ],
+        reasons: vec![Reason::LimitInfeasible {
+            limit: LimitKind::Stroke.into(),
+        }],
+    });
+    s.verdict = Verdict::Unacceptable;
+    s.checks[0].limit = 0.03;
+    s.checks[0].pass = false;
+    s.force.rms_error_n = f64::NAN;
+    s
+}
+
+/// Designs at the edge of what there is: no lift at all, a knife edge, an open law, no target.
+pub fn odd_ones() -> Vec<Design> {
+    let mut still = footbridge();
+    still.cam.law = Law::harmonic(0.0, &[]);
+    let mut knife = heel_tester();
+    knife.cam.follower = Follower::RollerTranslating {
+        prime_radius: 0.06,
+        offset: 0.01,
+        roller_radius: 0.0,
+    };
+    knife.target = None;
+    let mut open = footbridge();
+    let rise = PiecewisePoly::new(vec![0.5, 2.0], 3, vec![0.0, 0.0, 0.01, 0.01]);
+    open.cam.law = Law::from_poly(rise, false);
+    open.name = String::new();
+    vec![still, knife, open]
+}
