@@ -9,7 +9,7 @@ use strum::VariantNames;
 use super::Problem;
 use crate::drive::DriveKind;
 use crate::force;
-use crate::scene::SceneNote;
+use crate::scene::{LimitKind, SceneNote};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
@@ -171,7 +171,7 @@ impl Problem {
         notes.push(Note::LargestStroke {
             acceleration: Quantity::new(hardest, Dimension::Acceleration),
             stroke: Quantity::length(largest_stroke),
-            idle: self.limits.stroke.is_some_and(|h| h > largest_stroke),
+            idle: self.limits[LimitKind::Stroke].is_some_and(|h| h > largest_stroke),
         });
         notes
     }

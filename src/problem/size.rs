@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Problem;
-use crate::scene::{CamSpec, Minimise};
+use crate::scene::{CamSpec, LimitKind, Minimise};
 
 /// Part of the range of prime radii, at either end, that no arm is used in.
 const STRETCHED: f64 = 1e-4;
@@ -47,10 +47,10 @@ impl Problem {
         let priced = match self.objective() {
             Minimise::Size => true,
             Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
-            _ => self.limits.prime_radius.is_some(),
+            _ => self.limits[LimitKind::PrimeRadius].is_some(),
         };
         // Where the lengths leave no size, they are told as they are when one is looked for.
-        let limit = self.limits.prime_radius.unwrap_or(f64::INFINITY);
+        let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
         let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
         priced
             && self.cam.follower.has_size_beside_law()
@@ -97,8 +97,8 @@ impl Problem {
     /// have any, and where neither is, the usual rule holds on both.
     pub fn sizing_pressure_angles(&self) -> [f64; 2] {
         let sides = [
-            self.limits.pressure_angle_rise,
-            self.limits.pressure_angle_fall,
+            self.limits[LimitKind::PressureAngleRise],
+            self.limits[LimitKind::PressureAngleFall],
         ];
         let other = if sides == [None, None] {
             USUAL_PRESSURE_ANGLE

@@ -1,8 +1,8 @@
 //! Scenes made in Rust: every method takes a part and returns it with one thing set, lengths in m, angles in rad.
 
 use super::{
-    Band, CamSpec, DriveSpec, Dwell, Family, ForceScale, Gait, LawPoint, LawSpec, LimitKind,
-    Limits, MachineSpec, Minimise, Phase, PhaseWeight, Scene, SegmentSpec, Source,
+    Band, CamSpec, DriveSpec, Dwell, Family, ForceScale, Gait, LawPoint, LawSpec, Limits,
+    MachineSpec, Minimise, Phase, PhaseWeight, Scene, SegmentSpec, Source,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -355,18 +355,6 @@ impl CamSpec {
     #[must_use]
     pub fn with_thickness(mut self, thickness: f64) -> CamSpec {
         self.thickness = thickness;
-        self
-    }
-}
-
-impl Limits {
-    /// With one limit set, SI; a pressure angle limits both sides.
-    #[must_use]
-    pub fn with(mut self, kind: LimitKind, value: f64) -> Limits {
-        *self.slot(kind) = Some(value);
-        if kind == LimitKind::PressureAngle {
-            self.pressure_angle_fall = Some(value);
-        }
         self
     }
 }

@@ -8,10 +8,10 @@ use crate::error::{Error, Result, SceneError, nearest};
 /// A scene that comes with the program.
 ///
 /// ```
-/// use gaitcam::scene;
+/// use gaitcam::{LimitKind, scene};
 ///
 /// let footbridge = scene::built_in("footbridge")?;
-/// assert_eq!(footbridge.scene()?.limits.stroke, Some(0.06));
+/// assert_eq!(footbridge.scene()?.limits[LimitKind::Stroke], Some(0.06));
 /// assert!(scene::built_in("foot-bridge").is_err());
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use toml::{Table, Value as Toml};
 
-use super::{Family, KeywaySpec, Minimise, Scene, Source, Weigh};
+use super::{Family, KeywaySpec, LimitKind, Minimise, Scene, Source, Weigh};
 use crate::cam::Keyway;
 use crate::drive::DriveKind;
 use crate::error::{Placed, Result, SceneError};
@@ -177,7 +177,7 @@ fn objective(scene: &Scene, typed: Typed) -> Verdict {
 
 fn limits(scene: &Scene, typed: Typed) -> Verdict {
     let limits = &scene.limits;
-    if let (Some(low), Some(high)) = (limits.force_min, limits.force_max)
+    if let (Some(low), Some(high)) = (limits[LimitKind::ForceMin], limits[LimitKind::ForceMax])
         && low >= high
     {
         let pressing = if scene.cam.is_oscillating() {
@@ -197,7 +197,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
     if machine.stiffness.is_some() && machine.natural_frequency.is_some() {
         return Err(("machine.stiffness", SceneError::FrequencyAndStiffness));
     }
-    if scene.limits.residual.is_some() && machine.natural_frequency.is_none() {
+    if scene.limits[LimitKind::Residual].is_some() && machine.natural_frequency.is_none() {
         return Err((
             "machine.natural_frequency",
             SceneError::ResidualWithoutFrequency,

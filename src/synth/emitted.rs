@@ -8,7 +8,7 @@ use crate::drive::Drive;
 use crate::dynamics::hertz::STEEL;
 use crate::dynamics::{Face, Machine, Run};
 use crate::error::Result;
-use crate::scene::{MachineSpec, Scene};
+use crate::scene::{LimitKind, MachineSpec, Scene};
 use crate::wording::Language;
 
 /// Rows of the emitted profile that is run.
@@ -59,5 +59,5 @@ impl Design {
 /// Whether a scene leaves it to the verdict that contact is kept.
 pub fn contact_is_judged(scene: &Scene) -> bool {
     let limits = &scene.limits;
-    !limits.unjudged.contact_force && limits.force_min.is_none_or(|low| low >= 0.0)
+    !limits.unjudged.contact_force && limits[LimitKind::ForceMin].is_none_or(|low| low >= 0.0)
 }

@@ -9,7 +9,7 @@ use crate::drive::DriveKind;
 use crate::error::{Error, Placed, Result, SweepError, SynthError};
 use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
-use crate::scene::{Family, Minimise, Scene};
+use crate::scene::{Family, LimitKind, Minimise, Scene};
 
 /// What the force error is traded against.
 ///
@@ -196,19 +196,20 @@ impl Against {
             // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
             let drive = &problem.drive;
             let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
-            limits.force_min = Some(limits.force_min.map_or(least, |own| own.max(least)));
+            limits[LimitKind::ForceMin] =
+                Some(limits[LimitKind::ForceMin].map_or(least, |own| own.max(least)));
             return out;
         }
         let at = match self {
-            Against::PrimeRadius => &mut limits.prime_radius,
-            Against::Jerk => &mut limits.jerk,
-            Against::Acceleration => &mut limits.acceleration,
-            Against::Velocity => &mut limits.velocity,
-            Against::Stroke => &mut limits.stroke,
-            Against::Torque => &mut limits.torque,
-            Against::Power => &mut limits.power,
-            Against::HertzPressure => &mut limits.hertz_pressure,
-            Against::LiftoffSpeed => &mut limits.force_min,
+            Against::PrimeRadius => &mut limits[LimitKind::PrimeRadius],
+            Against::Jerk => &mut limits[LimitKind::Jerk],
+            Against::Acceleration => &mut limits[LimitKind::Acceleration],
+            Against::Velocity => &mut limits[LimitKind::Velocity],
+            Against::Stroke => &mut limits[LimitKind::Stroke],
+            Against::Torque => &mut limits[LimitKind::Torque],
+            Against::Power => &mut limits[LimitKind::Power],
+            Against::HertzPressure => &mut limits[LimitKind::HertzPressure],
+            Against::LiftoffSpeed => &mut limits[LimitKind::ForceMin],
         };
         *at = Some(at.map_or(value, |own| own.min(value)));
         out

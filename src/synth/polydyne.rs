@@ -136,7 +136,7 @@ const OTHERS: [LimitKind; 4] = [
 /// The scene's number behind a check, where rows of the program can hold it.
 fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     let kind = check.limit().filter(|kind| !OTHERS.contains(kind))?;
-    limits.slot(kind).as_mut()
+    limits[kind].as_mut()
 }
 
 /// What the flexible machine makes of the cam, and of one cut to the wanted law itself.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::limits::{self, NEARLY_RIGHT};
 use crate::cam::{
-    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, Measures, Rollers, SizeLimits,
+    BarrelGroove, Cam, Conjugate, Follower, FollowerKind, LimitKind, Measures, Rollers, SizeLimits,
     smallest_base_radius, smallest_for, smallest_prime_circle,
 };
 use crate::error::{Error, Place, Placed, Result, SynthError};
@@ -94,7 +94,7 @@ pub fn groove(problem: &Problem, cam: &Cam) -> Result<Option<BarrelGroove>> {
 /// `cam`; `None` when no size does.
 pub fn smallest_without_undercut(problem: &Problem, cam: &Cam) -> Option<f64> {
     let limits = SizeLimits {
-        rho_min: problem.limits.curvature.unwrap_or(0.0),
+        rho_min: problem.limits[LimitKind::Curvature].unwrap_or(0.0),
         pivot_beside: problem.cam.pivot_beside,
         ..SizeLimits::no_undercut()
     };
@@ -107,7 +107,7 @@ fn depth(problem: &Problem) -> f64 {
 }
 
 fn flat(problem: &Problem, law: &Law, pressing: &Law) -> Follower {
-    let rho = problem.limits.curvature.unwrap_or(0.0);
+    let rho = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let base_radius = problem.base_radius().unwrap_or_else(|| {
         smallest_base_radius(law, rho)
             .max(problem.outside_bore())
@@ -205,7 +205,8 @@ pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
         return Some(Note::NoBaseCircle);
     }
     let limits = &problem.limits;
-    let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
+    let asked = limits[LimitKind::PressureAngleRise].is_some()
+        || limits[LimitKind::PressureAngleFall].is_some();
     let by_curvature_alone = matches!(
         cam.follower,
         Follower::FlatTranslating { .. }
@@ -244,7 +245,7 @@ fn roller(problem: &Problem, law: &Law, pressing: &Law) -> Result<Follower> {
         circle.offset,
     );
     let least = (problem.outside_bore() + spec.roller_radius).max(next_to_nothing(problem, law));
-    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let bearable = limits::bearable_on_some_size(problem, pressing);
     let press = limits::Press {
         drive: &problem.drive,
@@ -315,7 +316,8 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
         return new(law, follower).map_err(|e| e.at(place));
     }
     let limits = &problem.limits;
-    let asked = limits.pressure_angle_rise.is_some() || limits.pressure_angle_fall.is_some();
+    let asked = limits[LimitKind::PressureAngleRise].is_some()
+        || limits[LimitKind::PressureAngleFall].is_some();
     // The usual rule is one for rollers: the size of a flat face changes its pressure angle little.
     let [pressure_rise, pressure_fall] = if follower.is_flat() && !asked {
         [std::f64::consts::FRAC_PI_2; 2]
@@ -323,7 +325,7 @@ fn sized(problem: &Problem, law: Law) -> Result<Cam> {
         problem.sizing_pressure_angles()
     };
     let limits = SizeLimits {
-        rho_min: limits.curvature.unwrap_or(0.0),
+        rho_min: limits[LimitKind::Curvature].unwrap_or(0.0),
         pressure_rise,
         pressure_fall,
         pivot_beside: spec.pivot_beside,

@@ -134,7 +134,7 @@ fn cusp(problem: &Problem, cam: &Cam, checks: &[Check]) -> Option<Reason> {
     let convex = checks.iter().find(|c| c.name == LimitKind::Curvature)?;
     let prime = cam.follower.prime_radius();
     let sharp = convex.worst.abs() <= GEOMETRY * prime;
-    let round = problem.limits.curvature.is_some_and(|rho| rho > 0.0);
+    let round = problem.limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0);
     let turns = !matches!(
         cam.follower,
         Follower::Barrel { .. } | Follower::TranslatingCam { .. }
@@ -200,7 +200,7 @@ fn broken(problem: &Problem, cam: &Cam, force: &ForceReport, check: &Check) -> V
             angle: value,
             allowed,
         },
-        Criterion::Limit(LimitKind::ForceMin) if problem.limits.force_min.is_none() => {
+        Criterion::Limit(LimitKind::ForceMin) if problem.limits[LimitKind::ForceMin].is_none() => {
             lifts_off(problem, cam, force, check)
         }
         Criterion::RmsError => Reason::ForceError {

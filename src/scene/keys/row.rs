@@ -17,7 +17,7 @@ use crate::units::Dimension;
 /// assert_eq!((key.section(), key.name(), key.limit), ("limits", "stroke", Some(LimitKind::Stroke)));
 /// let mut scene = Scene::default();
 /// key.set(&mut scene, 0, Value::Number(0.04))?;
-/// assert_eq!((scene.limits.stroke, key.number(&scene)), (Some(0.04), Some(0.04)));
+/// assert_eq!((scene.limits[LimitKind::Stroke], key.number(&scene)), (Some(0.04), Some(0.04)));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::field::Access;
 use super::value::Value;
-use crate::scene::{Limits, Minimise, Scene, Source, Weigh};
+use crate::scene::{LimitKind, Limits, Minimise, Scene, Source, Weigh};
 
 /// The word that switches a default bound off.
 pub(super) const NONE: &str = "none";
@@ -56,10 +56,15 @@ pub(super) const MATERIAL: Access = Access {
 
 /// `limits.force_min`, which "none" switches off together with its default.
 pub(super) const FORCE_MIN: Access = Access {
-    get: |s, _| bound(s.limits.unjudged.contact_force, s.limits.force_min),
+    get: |s, _| {
+        bound(
+            s.limits.unjudged.contact_force,
+            s.limits[LimitKind::ForceMin],
+        )
+    },
     set: |s, _, v| {
         s.limits.unjudged.contact_force = is_none(&v);
-        s.limits.force_min = v.number();
+        s.limits[LimitKind::ForceMin] = v.number();
         Ok(())
     },
 };
@@ -79,8 +84,7 @@ pub(super) const PRESSURE_ANGLE: Access = Access {
     get: |s, _| bound(s.limits.unjudged.pressure_angle, both_sides(&s.limits)),
     set: |s, _, v| {
         s.limits.unjudged.pressure_angle = is_none(&v);
-        s.limits.pressure_angle_rise = v.clone().number();
-        s.limits.pressure_angle_fall = v.number();
+        s.limits.set(LimitKind::PressureAngle, v.number());
         Ok(())
     },
 };
@@ -96,21 +100,36 @@ fn is_none(value: &Value) -> bool {
 
 /// The pressure angle of both sides, where it is one.
 pub(super) fn both_sides(limits: &Limits) -> Option<f64> {
-    limits
-        .pressure_angle_rise
-        .filter(|_| limits.pressure_angle_rise == limits.pressure_angle_fall)
+    let [rise, fall] = limits.pressure_angles();
+    rise.filter(|_| rise == fall)
 }
 
 /// Access to the pressure angle of one side, where the other side has another.
 macro_rules! one_side {
-    ($field:ident) => {
+    ($kind:ident) => {
         Access {
             get: |s, _| match both_sides(&s.limits) {
-                None => s.limits.$field.value(),
+                None => s.limits[LimitKind::$kind].value(),
                 Some(_) => None,
             },
-            set: |s, _, v| s.limits.$field.assign(v),
+            set: |s, _, v| s.limits[LimitKind::$kind].assign(v),
         }
+    };
+}
+
+/// The row of a limit: path, limit, direction that permits more, what it takes.
+macro_rules! limit {
+    ($path:literal, $kind:ident, $relax:ident, $takes:expr) => {
+        row(
+            $path,
+            $takes,
+            "",
+            Access {
+                get: |s, _| s.limits[LimitKind::$kind].value(),
+                set: |s, _, v| s.limits[LimitKind::$kind].assign(v),
+            },
+        )
+        .limit(LimitKind::$kind, $relax)
     };
 }
 
@@ -126,7 +145,7 @@ macro_rules! weigh {
         }
     };
 }
-pub(super) use {one_side, weigh};
+pub(super) use {limit, one_side, weigh};
 
 /// The weights of the objective, made where they are missing.
 pub(super) fn weights(scene: &mut Scene) -> &mut Weigh {

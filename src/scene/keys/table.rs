@@ -8,8 +8,8 @@ use super::kind::Relax::{Down, Up};
 use super::kind::{Idle, Kind, Measure, Range};
 use super::row::Key;
 use super::special::{
-    ACCURACY, FILE, FORCE_MIN, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE, both_sides, one_side,
-    weigh, weights,
+    ACCURACY, FILE, FORCE_MIN, MATERIAL, MODEL, NONE, OFFSET, PRESSURE_ANGLE, both_sides, limit,
+    one_side, weigh, weights,
 };
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
@@ -122,23 +122,23 @@ pub static KEYS: &[Key] = &[
     row("law.segment.N.angle",      number(Angle, Positive),             "",      field!(law.segments[N].angle)).only(|s| !is_straight(s)).required().idle_when(no_program),
     row("law.segment.N.length",     number(Length, Positive),            "",      field!(law.segments[N].angle)).only(is_straight).required().idle_when(no_program),
 
-    row("limits.stroke",              by_arm(Length, Angle, Positive),       "", field!(limits.stroke)).limit(LimitKind::Stroke, Up),
-    row("limits.velocity",            by_arm(Speed, AngularSpeed, Positive), "", field!(limits.velocity)).limit(LimitKind::Velocity, Up),
-    row("limits.acceleration",        by_arm(Acceleration, AngularAcceleration, Positive), "", field!(limits.acceleration)).limit(LimitKind::Acceleration, Up),
-    row("limits.jerk",                by_arm(Jerk, AngularJerk, Positive),   "", field!(limits.jerk)).limit(LimitKind::Jerk, Up),
-    row("limits.force_min",           by_arm(Force, Torque, Any).or(NONE),   "", FORCE_MIN).limit(LimitKind::ForceMin, Down),
-    row("limits.force_max",           by_arm(Force, Torque, Any),            "", field!(limits.force_max)).limit(LimitKind::ForceMax, Up),
-    row("limits.curvature",           number(Length, NotNegative),           "", field!(limits.curvature)).limit(LimitKind::Curvature, Down),
-    row("limits.pressure_angle",      number(Angle, Acute).or(NONE),         "", PRESSURE_ANGLE).limit(LimitKind::PressureAngle, Up).read_again(),
-    row("limits.pressure_angle_rise", number(Angle, Acute),                  "", one_side!(pressure_angle_rise)).limit(LimitKind::PressureAngleRise, Up),
-    row("limits.pressure_angle_fall", number(Angle, Acute),                  "", one_side!(pressure_angle_fall)).limit(LimitKind::PressureAngleFall, Up),
-    row("limits.prime_radius",        number(Length, Positive),              "", field!(limits.prime_radius)).limit(LimitKind::PrimeRadius, Up),
-    row("limits.face_width",          number(Length, Positive),              "", field!(limits.face_width)).limit(LimitKind::FaceWidth, Up).idle_when(no_flat_face),
-    row("limits.torque",              number(Torque, Positive),              "", field!(limits.torque)).limit(LimitKind::Torque, Up),
-    row("limits.power",               number(Power, Positive),               "", field!(limits.power)).limit(LimitKind::Power, Up),
-    row("limits.torque_rate",         number(AngularRate, Positive),         "", field!(limits.torque_rate)).limit(LimitKind::TorqueRate, Up),
-    row("limits.hertz_pressure",      number(Pressure, Positive),            "", field!(limits.hertz_pressure)).limit(LimitKind::HertzPressure, Up),
-    row("limits.residual",            by_arm(Length, Angle, Positive),       "", field!(limits.residual)).limit(LimitKind::Residual, Up),
+    limit!("limits.stroke",         Stroke,        Up,   by_arm(Length, Angle, Positive)),
+    limit!("limits.velocity",       Velocity,      Up,   by_arm(Speed, AngularSpeed, Positive)),
+    limit!("limits.acceleration",   Acceleration,  Up,   by_arm(Acceleration, AngularAcceleration, Positive)),
+    limit!("limits.jerk",           Jerk,          Up,   by_arm(Jerk, AngularJerk, Positive)),
+    row("limits.force_min",         by_arm(Force, Torque, Any).or(NONE), "", FORCE_MIN).limit(LimitKind::ForceMin, Down),
+    limit!("limits.force_max",      ForceMax,      Up,   by_arm(Force, Torque, Any)),
+    limit!("limits.curvature",      Curvature,     Down, number(Length, NotNegative)),
+    row("limits.pressure_angle",    number(Angle, Acute).or(NONE), "", PRESSURE_ANGLE).limit(LimitKind::PressureAngle, Up).read_again(),
+    row("limits.pressure_angle_rise", number(Angle, Acute), "", one_side!(PressureAngleRise)).limit(LimitKind::PressureAngleRise, Up),
+    row("limits.pressure_angle_fall", number(Angle, Acute), "", one_side!(PressureAngleFall)).limit(LimitKind::PressureAngleFall, Up),
+    limit!("limits.prime_radius",   PrimeRadius,   Up,   number(Length, Positive)),
+    limit!("limits.face_width",     FaceWidth,     Up,   number(Length, Positive)).idle_when(no_flat_face),
+    limit!("limits.torque",         Torque,        Up,   number(Torque, Positive)),
+    limit!("limits.power",          Power,         Up,   number(Power, Positive)),
+    limit!("limits.torque_rate",    TorqueRate,    Up,   number(AngularRate, Positive)),
+    limit!("limits.hertz_pressure", HertzPressure, Up,   number(Pressure, Positive)),
+    limit!("limits.residual",       Residual,      Up,   by_arm(Length, Angle, Positive)),
 
     row("machine.natural_frequency", number(Frequency, Positive),               "",     field!(machine.natural_frequency)),
     row("machine.stiffness",         by_arm(SpringRate, AngularRate, Positive), "",     field!(machine.stiffness)),

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::error::{Placed, Result, SynthError};
 use crate::poly::{Span, SplineSpace};
 use crate::problem::Problem;
-use crate::scene::Dwell;
+use crate::scene::{Dwell, LimitKind};
 use crate::synth::qp::{Basis, Demand, Entries, Equality, Given};
 use crate::units::Quantity;
 
@@ -158,7 +158,8 @@ pub fn implied_by_limits(problem: &Problem, basis: &Basis) -> Vec<Equality> {
         (a.min(lift), b.max(lift))
     });
     let near = TOUCHES * (most - least).abs();
-    let filled = (problem.limits.stroke).is_some_and(|h| (most - least - h).abs() <= near);
+    let filled =
+        (problem.limits[LimitKind::Stroke]).is_some_and(|h| (most - least - h).abs() <= near);
     let touches = |lift: f64| {
         let base = problem.above_base_circle && lift.abs() <= near;
         base || filled && (lift - least <= near || most - lift <= near)

@@ -16,7 +16,7 @@ use crate::error::{Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
-use crate::scene::Family;
+use crate::scene::{Family, LimitKind};
 use crate::synth::design::{SolverReport, Tier};
 use crate::synth::method::Method;
 use crate::synth::parameters::Functions;
@@ -48,7 +48,7 @@ const NODES: usize = 256;
 /// The problem's double harmonic with how it was found.
 pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
-    let hump = fit(target, &problem.drive, problem.limits.stroke)?;
+    let hump = fit(target, &problem.drive, problem.limits[LimitKind::Stroke])?;
     let [from, rise, fall] = hump.angles.map(Quantity::angle);
     let method = Method::Search {
         rise,

@@ -157,7 +157,7 @@ fn can_hold(
 
 /// A bore around which no cam fits under the limit on the prime radius, where the size is open.
 pub fn bore_against_size(problem: &Problem) -> Option<Infeasible> {
-    let (bore, limit) = (problem.cam.bore?, problem.limits.prime_radius?);
+    let (bore, limit) = (problem.cam.bore?, problem.limits[LimitKind::PrimeRadius]?);
     let least = problem.outside_bore() + problem.cam.roller_radius;
     if matches!(problem.size(), Size::Given { .. }) || least <= limit {
         return None;

@@ -21,7 +21,10 @@ const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
 /// Under a flat face on a given base circle: Rb + s + a ≥ ρ.
 pub fn row(problem: &Problem) -> Option<Limit> {
-    let (base, rho) = (problem.base_radius()?, problem.limits.curvature?);
+    let (base, rho) = (
+        problem.base_radius()?,
+        problem.limits[LimitKind::Curvature]?,
+    );
     let meaning = Meaning::Value {
         factor: -1.0,
         offset: base,
@@ -32,7 +35,7 @@ pub fn row(problem: &Problem) -> Option<Limit> {
 
 /// The same with the base radius among the variables.
 pub fn row_with_size(problem: &Problem) -> Limit {
-    let rho = problem.limits.curvature.unwrap_or(0.0);
+    let rho = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let meaning = Meaning::Value {
         factor: -1.0,
         offset: 0.0,
@@ -46,7 +49,7 @@ pub fn row_with_size(problem: &Problem) -> Limit {
 /// there are none, or where the size is found after the law.
 pub fn nonconvex(problem: &Problem) -> Option<Profile> {
     let (cam, limits) = (&problem.cam, &problem.limits);
-    let rho = limits.curvature.unwrap_or(0.0);
+    let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
     let pitch = rho + cam.roller_radius;
     match cam.follower {
         FollowerKind::RollerTranslating
@@ -67,7 +70,10 @@ pub fn nonconvex(problem: &Problem) -> Option<Profile> {
         }
         FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
             let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
-            let asked = [limits.pressure_angle_rise, limits.pressure_angle_fall];
+            let asked = [
+                limits[LimitKind::PressureAngleRise],
+                limits[LimitKind::PressureAngleFall],
+            ];
             let (prime, angles) = match problem.size() {
                 Size::Given { prime, .. } => (prime, asked),
                 Size::Sought => (
@@ -167,7 +173,7 @@ pub fn face_slack(at: Svaj, c: f64, offset: f64, rest: f64, rho: f64) -> Slack {
 /// itself.
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let curvature = cam.curvature();
-    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     let mut convex = Check::at_least(LimitKind::Curvature, curvature.convex, wanted, GEOMETRY);
     // The smallest cam that may come to a point does so to rounding of its own size.
     let rounding = GEOMETRY * cam.follower.prime_radius();
@@ -217,6 +223,6 @@ pub fn interference(cam: &Cam) -> Option<Check> {
 
 /// A wall of a barrel's groove against the smallest convex radius.
 pub fn wall_check(problem: &Problem, name: Criterion, radius: Extreme) -> Check {
-    let wanted = problem.limits.curvature.unwrap_or(0.0);
+    let wanted = problem.limits[LimitKind::Curvature].unwrap_or(0.0);
     Check::at_least(name, radius, wanted, GEOMETRY)
 }

@@ -21,14 +21,14 @@ const SLACK: f64 = 1e-6;
 /// Whether a dwell is left with more vibration than the scene allows. A polydyne follower's end rests where
 /// its law does, whatever the natural frequency.
 pub fn rings(problem: &Problem, law: &Law) -> bool {
-    let silenced = problem.limits.residual.filter(|_| !problem.law.polydyne);
+    let silenced = problem.limits[LimitKind::Residual].filter(|_| !problem.law.polydyne);
     silenced.is_some_and(|r| left_over(problem, law).is_some_and(|x| x.value > r * (1.0 + SLACK)))
 }
 
 /// The vibration of the finished cam: of a polydyne follower's end, what it misses of its law.
 pub fn check(design: &Finished) -> Option<Check> {
     let problem = design.problem;
-    let limit = problem.limits.residual?;
+    let limit = problem.limits[LimitKind::Residual]?;
     let worst = match problem.train() {
         Ok(Some(train)) if problem.law.polydyne => {
             let miss = end_error(&design.cam.law, design.pressing, &problem.drive, &train);

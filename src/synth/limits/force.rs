@@ -27,7 +27,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
         offset: rest,
     };
     let mut out = Vec::new();
-    if let Some(low) = problem.limits.force_min {
+    if let Some(low) = problem.limits[LimitKind::ForceMin] {
         let weights = [-s, -v, -a, 0.0, 0.0];
         out.push(row(
             LimitKind::ForceMin,
@@ -37,7 +37,7 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
             meaning(-1.0),
         ));
     }
-    if let Some(high) = problem.limits.force_max {
+    if let Some(high) = problem.limits[LimitKind::ForceMax] {
         let weights = [s, v, a, 0.0, 0.0];
         out.push(row(
             LimitKind::ForceMax,
@@ -138,7 +138,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let (low, high) = design.problem.drive.force_extremes(design.pressing);
     let mut out = Vec::new();
-    if let Some(limit) = limits.force_min {
+    if let Some(limit) = limits[LimitKind::ForceMin] {
         let mut check = Check::at_least(LimitKind::ForceMin, low, limit, SLACK);
         check.pass = low.value >= limit - slack(design);
         out.push(check);
@@ -147,7 +147,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
         check.pass = low.value >= limit - TOUCHES * high.value.abs().max(low.value.abs());
         out.push(check);
     }
-    if let Some(limit) = limits.force_max {
+    if let Some(limit) = limits[LimitKind::ForceMax] {
         out.push(Check::at_most(LimitKind::ForceMax, high, limit, SLACK));
     }
     out

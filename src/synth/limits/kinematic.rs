@@ -11,7 +11,7 @@ const DIP: f64 = 1e-7;
 
 /// The law stays above its base circle.
 pub fn base_circle(problem: &Problem) -> Vec<Limit> {
-    let stroke = problem.limits.stroke;
+    let stroke = problem.limits[LimitKind::Stroke];
     if !problem.above_base_circle || !(problem.level_is_known() || stroke.is_some()) {
         return Vec::new();
     }
@@ -47,7 +47,7 @@ pub fn base_circle_check(cam: &Cam) -> Option<Check> {
 
 /// Lift within the stroke, counted from the base circle, or from the lowest lift where the level is known.
 pub fn stroke(problem: &Problem) -> Vec<Limit> {
-    let Some(h) = problem.limits.stroke else {
+    let Some(h) = problem.limits[LimitKind::Stroke] else {
         return Vec::new();
     };
     let window = problem.level_is_known().then_some(LOWEST);
@@ -58,9 +58,9 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
 fn limited(problem: &Problem) -> Vec<(LimitKind, usize, f64)> {
     let limits = &problem.limits;
     [
-        (LimitKind::Velocity, 1, limits.velocity),
-        (LimitKind::Acceleration, 2, limits.acceleration),
-        (LimitKind::Jerk, 3, limits.jerk),
+        (LimitKind::Velocity, 1, limits[LimitKind::Velocity]),
+        (LimitKind::Acceleration, 2, limits[LimitKind::Acceleration]),
+        (LimitKind::Jerk, 3, limits[LimitKind::Jerk]),
     ]
     .into_iter()
     .filter_map(|(name, order, limit)| Some((name, order, limit?)))
@@ -85,7 +85,7 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let mut out = Vec::new();
     let (bottom, top) = cam.law.extremes(0);
-    if let Some(h) = problem.limits.stroke {
+    if let Some(h) = problem.limits[LimitKind::Stroke] {
         let stroke = Extreme {
             at: top.at,
             value: top.value - bottom.value,

@@ -44,11 +44,11 @@ pub fn nonconvex(problem: &Problem, profile: Option<Profile>) -> Option<Loads> {
     };
     let loads = Loads {
         drive: problem.drive,
-        torque: limits.torque,
+        torque: limits[LimitKind::Torque],
         power: power::as_torque(problem),
-        torque_rate: limits.torque_rate,
+        torque_rate: limits[LimitKind::TorqueRate],
         pressure: roller
-            .zip(limits.hertz_pressure)
+            .zip(limits[LimitKind::HertzPressure])
             .map(|(roller, most)| Pressure {
                 spread: PI * problem.cam.thickness / modulus(STEEL, STEEL),
                 roller,
@@ -60,7 +60,7 @@ pub fn nonconvex(problem: &Problem, profile: Option<Profile>) -> Option<Loads> {
 
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
 fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
-    let (cam, pressure) = (&problem.cam, problem.limits.hertz_pressure?);
+    let (cam, pressure) = (&problem.cam, problem.limits[LimitKind::HertzPressure]?);
     if cam.follower != FollowerKind::FlatTranslating {
         return None;
     }
@@ -224,7 +224,7 @@ pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
     let mut out = Vec::new();
-    if let Some(limit) = limits.torque {
+    if let Some(limit) = limits[LimitKind::Torque] {
         out.push(Check::at_most(
             LimitKind::Torque,
             largest(&torque()),
@@ -232,11 +232,11 @@ pub fn checks(design: &Finished) -> Vec<Check> {
             SLACK,
         ));
     }
-    if let Some(limit) = limits.torque_rate {
+    if let Some(limit) = limits[LimitKind::TorqueRate] {
         let worst = largest(&torque().derivative());
         out.push(Check::at_most(LimitKind::TorqueRate, worst, limit, SLACK));
     }
-    if let Some(limit) = limits.hertz_pressure {
+    if let Some(limit) = limits[LimitKind::HertzPressure] {
         let press = Press {
             drive: &design.problem.drive,
             thickness: design.problem.cam.thickness,
@@ -297,7 +297,10 @@ pub fn smallest_base_radius(problem: &Problem, law: &Law, pressing: &Law) -> f64
 /// The pressure limit, where a roller cam that is large enough keeps it: the roller itself is curved, and
 /// that presses on any cam.
 pub fn bearable_on_some_size(problem: &Problem, pressing: &Law) -> Option<f64> {
-    let (most, roller) = (problem.limits.hertz_pressure?, problem.cam.roller_radius);
+    let (most, roller) = (
+        problem.limits[LimitKind::HertzPressure]?,
+        problem.cam.roller_radius,
+    );
     let force = problem.drive.force_extremes(pressing).1.value;
     let least = force * modulus(STEEL, STEEL) / (PI * problem.cam.thickness * roller);
     (roller > 0.0 && least < WORTH_GROWING * most * most).then_some(most)

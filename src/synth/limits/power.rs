@@ -8,12 +8,12 @@ use crate::problem::Problem;
 
 /// The torque that the limit on the power leaves, N·m.
 pub fn as_torque(problem: &Problem) -> Option<f64> {
-    Some(problem.limits.power? / problem.drive.speed)
+    Some(problem.limits[LimitKind::Power]? / problem.drive.speed)
 }
 
 /// Largest power of the finished cam against the limit.
 pub fn check(design: &Finished) -> Option<Check> {
-    let limit = design.problem.limits.power?;
+    let limit = design.problem.limits[LimitKind::Power]?;
     let drive = &design.problem.drive;
     let torque = largest(&torque_curve(drive, design.pressing, &design.cam.law));
     let worst = Extreme {

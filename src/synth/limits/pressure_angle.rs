@@ -29,8 +29,8 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let rise = (prime * prime - e * e).max(0.0).sqrt();
     let limits = &problem.limits;
     let sides = [
-        (RISING, limits.pressure_angle_rise, 1.0),
-        (FALLING, limits.pressure_angle_fall, -1.0),
+        (RISING, limits[LimitKind::PressureAngleRise], 1.0),
+        (FALLING, limits[LimitKind::PressureAngleFall], -1.0),
     ];
     sides
         .into_iter()
@@ -77,7 +77,7 @@ pub fn arm_slack(at: Svaj, c: f64, arm: f64, rest: f64, tan: f64, side: f64) -> 
 /// side: the bounds of CAM-DAS (Serrano Muñoz 2010). A flat face has none to judge.
 pub fn usual_pressure_angle(problem: &Problem) -> Option<[f64; 2]> {
     let limits = &problem.limits;
-    let written = limits.pressure_angle_rise.or(limits.pressure_angle_fall);
+    let written = limits[LimitKind::PressureAngleRise].or(limits[LimitKind::PressureAngleFall]);
     if written.is_some() || limits.unjudged.pressure_angle {
         return None;
     }
@@ -104,8 +104,12 @@ pub fn checks(problem: &Problem, (low, high): (Extreme, Extreme)) -> Vec<Check> 
         value: -low.value,
     };
     [
-        (RISING, high, limits.pressure_angle_rise.or(usual)),
-        (FALLING, falling, limits.pressure_angle_fall.or(usual)),
+        (RISING, high, limits[LimitKind::PressureAngleRise].or(usual)),
+        (
+            FALLING,
+            falling,
+            limits[LimitKind::PressureAngleFall].or(usual),
+        ),
     ]
     .into_iter()
     .filter_map(|(name, worst, limit)| Some(Check::at_most(name, worst, limit?, GEOMETRY)))

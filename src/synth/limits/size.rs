@@ -10,7 +10,7 @@ use crate::synth::scp::ENLARGED;
 
 /// The contact on a flat face moves by v (theory §6): its range is the face's width.
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
-    match (problem.limits.face_width, problem.cam.follower) {
+    match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
         (Some(width), FollowerKind::FlatTranslating) => range(
             LimitKind::FaceWidth,
             1,
@@ -29,7 +29,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
         Minimise::Weighed(weigh) => weigh.prime_radius.map_or(0.0, |one| 1.0 / one),
         _ => 0.0,
     };
-    let limit = problem.limits.prime_radius;
+    let limit = problem.limits[LimitKind::PrimeRadius];
     if let Some([least, most]) = problem.reach_of_arm() {
         // A limit of which the arm falls short is none.
         let limit = limit.filter(|limit| *limit <= most);
@@ -93,14 +93,14 @@ fn of_arm(problem: &Problem, weight: f64, bound: f64) -> Limit {
 pub fn checks(problem: &Problem, cam: &Cam) -> Vec<Check> {
     let size = |value: f64| Extreme { at: 0.0, value };
     let mut out = Vec::new();
-    if let (Some(limit), Some(width)) = (problem.limits.face_width, cam.face_width()) {
+    if let (Some(limit), Some(width)) = (problem.limits[LimitKind::FaceWidth], cam.face_width()) {
         let worst = Extreme {
             at: cam.law.extremes(1).1.at,
             value: width,
         };
         out.push(Check::at_most(LimitKind::FaceWidth, worst, limit, SLACK));
     }
-    if let Some(limit) = problem.limits.prime_radius {
+    if let Some(limit) = problem.limits[LimitKind::PrimeRadius] {
         let worst = size(cam.follower.prime_radius());
         out.push(Check::at_most(
             LimitKind::PrimeRadius,

@@ -156,7 +156,7 @@ fn kept(
     });
     let (slowest, fastest) = motion.range(1);
     let bend = motion.level + motion.factor * motion.unit.bend;
-    let wanted = scene.limits.curvature.unwrap_or(0.0);
+    let wanted = scene.limits[LimitKind::Curvature].unwrap_or(0.0);
     let given = scene.cam.base_radius.or(scene.cam.prime_radius);
     let base = given.unwrap_or_else(|| (wanted - bend).max(0.0).max(outside_bore(&scene.cam)));
     let mut figures = Figures {
@@ -230,7 +230,7 @@ const CLOSED: f64 = 1e-6;
 /// Whether force, contact and mean are what the verdict asks for where no limit says otherwise; what is left
 /// in doubt here the synthesis judges.
 fn is_judged_well(scene: &Scene, drive: &Drive, force: &ForceReport) -> bool {
-    let pressed = drive.kind != DriveKind::Hydraulic && scene.limits.force_min.is_none();
+    let pressed = drive.kind != DriveKind::Hydraulic && scene.limits[LimitKind::ForceMin].is_none();
     let allowed = scene.rms.unwrap_or(USUAL_ACCURACY) * force.target_mean_n;
     let gap = (force.mean_n - force.target_mean_n).abs();
     (!pressed || force.min_n >= 0.0)
@@ -243,21 +243,23 @@ fn is_judged_well(scene: &Scene, drive: &Drive, force: &ForceReport) -> bool {
 fn keeps_limits(scene: &Scene, figures: &Figures, highest: f64, least_radius: f64) -> bool {
     let limits = &scene.limits;
     let within = |value: f64, limit: Option<f64>| limit.is_none_or(|l| value <= l);
-    let mut given = limits.clone();
     let mut others = LimitKind::ALL.iter().filter(|kind| !HERE.contains(kind));
-    let machine = others.any(|&kind| given.slot(kind).is_some());
+    let machine = others.any(|&kind| limits[kind].is_some());
     let force = &figures.force;
     !machine
-        && within(highest, limits.stroke)
-        && within(figures.peaks[0], limits.velocity)
-        && within(figures.peaks[1], limits.acceleration)
-        && within(figures.peaks[2], limits.jerk)
-        && within(force.max_n, limits.force_max)
-        && limits.force_min.is_none_or(|l| force.min_n >= l)
-        && within(figures.face_width.unwrap_or(0.0), limits.face_width)
-        && within(figures.base_radius, limits.prime_radius)
+        && within(highest, limits[LimitKind::Stroke])
+        && within(figures.peaks[0], limits[LimitKind::Velocity])
+        && within(figures.peaks[1], limits[LimitKind::Acceleration])
+        && within(figures.peaks[2], limits[LimitKind::Jerk])
+        && within(force.max_n, limits[LimitKind::ForceMax])
+        && limits[LimitKind::ForceMin].is_none_or(|l| force.min_n >= l)
+        && within(
+            figures.face_width.unwrap_or(0.0),
+            limits[LimitKind::FaceWidth],
+        )
+        && within(figures.base_radius, limits[LimitKind::PrimeRadius])
         && figures.smallest_convex_radius >= least_radius
-        && (limits.curvature.is_some_and(|rho| rho > 0.0)
+        && (limits[LimitKind::Curvature].is_some_and(|rho| rho > 0.0)
             || figures.smallest_convex_radius > GEOMETRY * figures.base_radius)
         && figures.base_radius >= scene.cam.hole().map_or(0.0, |hole| hole.reach())
         && within(
