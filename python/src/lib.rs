@@ -1,7 +1,6 @@
 //! The Python package `gaitcam`: bindings, no more. What a call does stands in the library, in `gaitcam-files` and in
 //! `gaitcam-output`, where the command finds it too.
 
-mod arrow;
 mod asked;
 mod convert;
 mod design;

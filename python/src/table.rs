@@ -1,27 +1,19 @@
-//! A table of named columns that numpy, pandas, polars and pyarrow read where it lies.
-
-use std::sync::Arc;
+//! A table of named columns that numpy, pandas, polars and pyarrow read without copies.
 
 use gaitcam::sweep::{Field, FieldValues, Records, Words};
 use numpy::ndarray::ArrayView1;
 use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::types::{PyCapsule, PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyList, PyString};
 
-use crate::arrow;
 use crate::convert::{self, Reduced};
-
-/// Columns with what is known of the whole table.
-pub struct Data {
-    /// The columns.
-    pub records: Records,
-    /// Keys and values for those who read the table elsewhere.
-    pub metadata: Vec<(String, String)>,
-}
 
 /// Keys and values.
 type Pairs = Vec<(String, String)>;
+
+/// Places of the words of a column in their list.
+type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 
 /// A table of named columns of equal length.
 ///
@@ -29,18 +21,19 @@ type Pairs = Vec<(String, String)>;
 /// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
 ///
 /// The table exports the Arrow PyCapsule interface: ``pyarrow.table(t)``, ``polars.DataFrame(t)`` and
-/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories).
+/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories). It needs
+/// pyarrow.
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
-    data: Arc<Data>,
+    records: Records,
+    /// Keys and values for readers of the exported table.
+    metadata: Pairs,
 }
 
 impl Table {
     /// A table of columns.
-    pub fn new(records: Records, metadata: Vec<(String, String)>) -> Table {
-        Table {
-            data: Arc::new(Data { records, metadata }),
-        }
+    pub fn new(records: Records, metadata: Pairs) -> Table {
+        Table { records, metadata }
     }
 
     /// A table of numbers by name.
@@ -51,7 +44,7 @@ impl Table {
     }
 
     fn field(&self, name: &str) -> Option<&Field> {
-        self.data.records.fields.iter().find(|f| f.name == name)
+        self.records.fields.iter().find(|f| f.name == name)
     }
 }
 
@@ -60,10 +53,7 @@ impl Table {
     /// Table(columns): a table of a mapping from names to arrays of numbers or lists of words.
     #[new]
     #[pyo3(signature = (columns, metadata = None))]
-    fn of_columns(
-        columns: &Bound<'_, PyDict>,
-        metadata: Option<Vec<(String, String)>>,
-    ) -> PyResult<Table> {
+    fn of_columns(columns: &Bound<'_, PyDict>, metadata: Option<Pairs>) -> PyResult<Table> {
         let py = columns.py();
         let mut fields: Vec<Field> = Vec::new();
         for (name, values) in columns {
@@ -89,7 +79,7 @@ impl Table {
     /// Names of the columns, in order.
     #[getter]
     fn column_names(&self) -> Vec<&str> {
-        let fields = self.data.records.fields.iter();
+        let fields = self.records.fields.iter();
         fields.map(|f| f.name.as_str()).collect()
     }
 
@@ -101,13 +91,13 @@ impl Table {
     /// Number of rows.
     #[getter]
     fn num_rows(&self) -> usize {
-        self.data.records.len()
+        self.records.len()
     }
 
     /// Unit of each column that has one, SI.
     #[getter]
     fn units(&self) -> std::collections::BTreeMap<&str, &str> {
-        let fields = self.data.records.fields.iter();
+        let fields = self.records.fields.iter();
         let units = fields.map(|f| (f.name.as_str(), f.unit()));
         units.filter(|u| !u.1.is_empty()).collect()
     }
@@ -116,14 +106,14 @@ impl Table {
     #[getter]
     fn metadata<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let out = PyDict::new(py);
-        for (key, value) in &self.data.metadata {
+        for (key, value) in &self.metadata {
             out.set_item(key, value)?;
         }
         Ok(out)
     }
 
     fn __len__(&self) -> usize {
-        self.data.records.len()
+        self.records.len()
     }
 
     fn __contains__(&self, name: &str) -> bool {
@@ -146,31 +136,36 @@ impl Table {
         }
     }
 
+    /// Codes and words of a column of words, `None` of numbers; a missing word has the code -1.
+    fn _coded<'py>(this: Bound<'py, Self>, name: &str) -> PyResult<Option<Coded<'py>>> {
+        let field = this.get().field(name);
+        let Some(FieldValues::Words(words)) = field.map(|f| &f.values) else {
+            return Ok(None);
+        };
+        let names = PyList::new(this.py(), &words.names)?;
+        Ok(Some((shared(&words.codes, this.as_any())?, names)))
+    }
+
     #[pyo3(signature = (requested_schema = None))]
     fn __arrow_c_stream__<'py>(
-        &self,
-        py: Python<'py>,
+        this: Bound<'py, Self>,
         requested_schema: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<Bound<'py, PyCapsule>> {
-        // The interface lets a producer give its own types where it cannot give those requested.
-        let _ = requested_schema;
-        PyCapsule::new_with_value(py, arrow::stream(&self.data), c"arrow_array_stream")
+    ) -> PyResult<Bound<'py, PyAny>> {
+        arrow(&this)?.call_method1("__arrow_c_stream__", (requested_schema,))
     }
 
     #[pyo3(signature = (requested_schema = None))]
     fn __arrow_c_array__<'py>(
-        &self,
-        py: Python<'py>,
+        this: Bound<'py, Self>,
         requested_schema: Option<Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyCapsule>, Bound<'py, PyCapsule>)> {
-        let _ = requested_schema;
-        let schema = self.__arrow_c_schema__(py)?;
-        let array = PyCapsule::new_with_value(py, arrow::array(&self.data), c"arrow_array")?;
-        Ok((schema, array))
+    ) -> PyResult<Bound<'py, PyAny>> {
+        arrow(&this)?.call_method1("__arrow_c_array__", (requested_schema,))
     }
 
-    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
-        PyCapsule::new_with_value(py, arrow::schema(&self.data), c"arrow_schema")
+    fn __arrow_c_schema__(this: Bound<'_, Self>) -> PyResult<Bound<'_, PyAny>> {
+        arrow(&this)?
+            .getattr("schema")?
+            .call_method0("__arrow_c_schema__")
     }
 
     fn __reduce__<'py>(this: Bound<'py, Self>) -> Reduced<'py, (Bound<'py, PyDict>, Pairs)> {
@@ -179,7 +174,7 @@ impl Table {
         for name in this.get().column_names() {
             columns.set_item(name, Table::__getitem__(this.clone(), name)?)?;
         }
-        let metadata = this.get().data.metadata.clone();
+        let metadata = this.get().metadata.clone();
         Ok((this.get_type().into_any(), (columns, metadata)))
     }
 
@@ -187,6 +182,12 @@ impl Table {
         let names = self.column_names().join(", ");
         format!("<gaitcam.Table of {} rows: {names}>", self.__len__())
     }
+}
+
+/// The table as a record batch of pyarrow.
+fn arrow<'py>(table: &Bound<'py, Table>) -> PyResult<Bound<'py, PyAny>> {
+    let module = table.py().import("gaitcam._arrow")?;
+    module.call_method1("batch", (table,))
 }
 
 /// A column that shares the table's memory and cannot be written to.

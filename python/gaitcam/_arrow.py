@@ -1,0 +1,28 @@
+"""Tables as record batches of pyarrow, which exports the Arrow PyCapsule interface."""
+
+from importlib import import_module
+from typing import Any
+
+
+def batch(table: Any) -> Any:
+    """The ``pyarrow.RecordBatch`` of a table: numbers without copies, NaN as null, words as a dictionary array."""
+    try:
+        pyarrow: Any = import_module("pyarrow")
+    except ImportError as fault:
+        what = "reading a table through Arrow needs pyarrow (pip install 'gaitcam[parquet]'); dict(table) does not"
+        raise ImportError(what) from fault
+    arrays, fields = [], []
+    for name in table.column_names:
+        if (coded := table._coded(name)) is None:
+            array = pyarrow.array(table[name], from_pandas=True)
+        else:
+            codes, words = coded
+            indices = pyarrow.array(codes, mask=codes < 0)
+            array = pyarrow.DictionaryArray.from_arrays(indices, pyarrow.array(words, pyarrow.utf8()))
+        is_row_number = pyarrow.types.is_uint64(array.type)
+        unit = table.units.get(name)
+        metadata = {"unit": unit} if unit else None
+        arrays.append(array)
+        fields.append(pyarrow.field(name, array.type, nullable=not is_row_number, metadata=metadata))
+    schema = pyarrow.schema(fields, metadata=table.metadata or None)
+    return pyarrow.RecordBatch.from_arrays(arrays, schema=schema)
