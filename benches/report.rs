@@ -19,7 +19,7 @@ use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances}
 use gaitcam::halt::Halt;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
+use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::synthesise;
 use gaitcam_evidence::tiers::{Bound, Task, spectral};
 use rayon::prelude::*;
@@ -467,24 +467,8 @@ fn swept(changes: &[&str], vary: &[&str], rows: u64, threads: usize) -> Times {
             seed: 1,
         },
     };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
-    let blocks: Vec<Batch> = (0..16)
-        .map(|b| {
-            let (from, to) = (b * rows / 16, (b + 1) * rows / 16);
-            plan.batch(from, (to - from) as usize)
-        })
-        .collect();
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .expect("threads");
-    let run = || {
-        blocks
-            .par_iter()
-            .map(|b| kernel.run(b).len())
-            .sum::<usize>()
-    };
-    times(|| pool.install(run))
+    let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+    times(|| runner.run(0..rows, threads, &|| false).len())
 }
 
 fn sweeps(report: &mut Report) {

@@ -1,6 +1,6 @@
 //! Designs a second of the sweep kernel, on one thread and on all.
 //!
-//! `cargo bench --bench sweep`. Numbers are rows a second of the kernel alone: no table.
+//! `cargo bench --bench sweep`. Numbers are rows a second in memory: no file.
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
@@ -8,8 +8,7 @@ use gaitcam::error::{Error, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Batch, Kernel, Method, NamedScene, Plan, Sampling};
-use rayon::prelude::*;
+use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 
 fn main() {
     divan::main();
@@ -43,26 +42,10 @@ fn plan(changes: &[&str], vary: &[&str], sample: Option<u64>) -> Plan {
 }
 
 fn rate(bencher: Bencher, plan: &Plan, threads: usize) {
-    let rows = plan.rows() as usize;
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
-    let blocks: Vec<Batch> = (0..16)
-        .map(|b| {
-            let (from, to) = (b * rows / 16, (b + 1) * rows / 16);
-            plan.batch(from as u64, to - from)
-        })
-        .collect();
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .expect("threads");
-    bencher.counter(ItemsCount::new(rows)).bench_local(|| {
-        pool.install(|| {
-            blocks
-                .par_iter()
-                .map(|b| kernel.run(b).len())
-                .sum::<usize>()
-        })
-    });
+    let rows = plan.rows() as u64;
+    let runner = Runner::of_plan(plan, &none, &Halt::never, None);
+    let bencher = bencher.counter(ItemsCount::new(rows));
+    bencher.bench_local(|| runner.run(0..rows, threads, &|| false).len());
 }
 
 /// Walking speed × body weight × curvature on a grid: 100 speeds share their shapes.

@@ -6,7 +6,7 @@ use gaitcam::force;
 use gaitcam::halt::Halt;
 use gaitcam::problem::Shared;
 use gaitcam::scene::{self, Source};
-use gaitcam::sweep::{Axis, Kernel, Method, NamedScene, Plan, Sampling};
+use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::{relaxed_with, synthesise_with};
 
 /// Processor time of this thread, s: a busy machine does not lengthen it. Elapsed time where there is no such clock.
@@ -65,13 +65,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         },
     };
     let none = |_: usize, _: &scene::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
+    let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
     let sweep_s = mean(5, || {
-        // Blocks as the command takes them.
-        for first in (0..100_000).step_by(4096) {
-            let count = 4096.min(100_000 - first);
-            std::hint::black_box(kernel.run(&plan.batch(first as u64, count)));
-        }
+        std::hint::black_box(runner.run(0..100_000, 1, &|| false));
     });
     println!("{{\"synth_s\": {synth_s}, \"sweep_s\": {sweep_s}}}");
     Ok(())

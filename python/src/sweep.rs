@@ -9,7 +9,7 @@ use std::sync::Arc;
 use gaitcam::halt::Halt;
 use gaitcam::sweep::Study;
 use gaitcam::wording::Language;
-use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
+use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 
@@ -160,9 +160,9 @@ impl Sweep {
         }
         let folder = std::path::absolute(&folder).unwrap_or(folder);
         let blocks = py.detach(|| {
-            let blocks = Blocks::open(&folder, &self.study, block_rows, Language::En)?;
+            let blocks = SharedBlocks::open(&folder, &self.study, block_rows, Language::En)?;
             let missing = blocks.missing()?;
-            Ok((blocks, missing))
+            Ok((blocks.blocks, missing))
         });
         let (blocks, missing) = blocks.raise(py)?;
         let entry = |rows: Range<u64>| (rows.start, rows.end, blocks.path(&rows));

@@ -5,12 +5,6 @@ use std::sync::Arc;
 use super::axis::AxisValue;
 
 /// Values of one key, row by row.
-///
-/// ```
-/// use gaitcam::sweep::Column;
-///
-/// assert_eq!(Column::Numbers(vec![0.04, 0.05]).len(), 2);
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Column {
     /// In SI.
@@ -45,19 +39,6 @@ impl Column {
 }
 
 /// Parameters of a run of rows: which base scene, and one column per varied key.
-///
-/// ```
-/// use gaitcam::sweep::{Axis, Column, NamedScene, Plan, Sampling};
-///
-/// let scene = NamedScene { name: "a".to_string(), table: toml::Table::new() };
-/// let axes = vec![Axis::parse("limits.stroke=40 mm:60 mm:3", false)?];
-/// let plan = Plan { scenes: vec![scene], list: None, axes, sampling: Sampling::Grid };
-/// // Rows 1 and 2 of three.
-/// let batch = plan.batch(1, 2);
-/// let Column::Numbers(stroke) = &batch.columns[0] else { panic!() };
-/// assert_eq!((batch.len(), stroke[1]), (2, 0.06));
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Batch {
     /// Index of the base scene of each row.

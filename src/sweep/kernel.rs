@@ -22,74 +22,22 @@ use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::synthesise_with;
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
-///
-/// ```
-/// use gaitcam::error::SweepError;
-/// use gaitcam::sweep::Targets;
-/// use gaitcam::{Scene, scene};
-///
-/// // Scenes that name load models only need no file.
-/// let none: Targets = &|_, _: &Scene| Err(SweepError::NoForceError.into());
-/// assert!(none(0, &scene::built_in("footbridge")?.scene()?).is_err());
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
-
-/// Seconds on any clock; a caller without one gives 0 always.
-///
-/// ```
-/// use gaitcam::sweep::Clock;
-///
-/// // The library looks at no clock: who wants times brings one.
-/// let begun = std::time::Instant::now();
-/// let clock: Clock = &|| begun.elapsed().as_secs_f64();
-/// assert!(clock() >= 0.0);
-/// ```
+/// Seconds since any moment.
 pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
-/// When the searches of a row that begins now are to end.
-///
-/// ```
-/// use gaitcam::halt::Halt;
-/// use gaitcam::sweep::Halts;
-///
-/// // Every row may take as long as it takes.
-/// let halts: Halts = &Halt::never;
-/// assert!(!halts().is_asked());
-/// ```
+/// Gives the end of the searches of a row that begins now.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
 /// Targets kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
 const KEPT_TARGETS: usize = 1024;
 
 /// Turns batches into results.
-///
-/// ```
-/// use gaitcam::error::SweepError;
-/// use gaitcam::halt::Halt;
-/// use gaitcam::sweep::{Axis, Kernel, NamedScene, NUMBERS, Outcome, Plan, Sampling};
-/// use gaitcam::{Scene, scene};
-///
-/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
-/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
-/// let axes = vec![Axis::parse("law.harmonics=2,3,4", false)?];
-/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
-/// let none = |_: usize, _: &Scene| Err(SweepError::NoForceError.into());
-/// let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
-/// let results = kernel.run(&plan.batch(0, 3));
-/// assert_eq!(results.len(), 3);
-/// // Every walker of 700 N is carried by the same mass.
-/// let mass = NUMBERS.iter().position(|name| *name == "mass_kg").unwrap();
-/// for row in 0..3 {
-///     assert!(results.outcome(row) == Outcome::Error || (results.numbers(mass)[row] - 700.0 / 9.81).abs() < 1e-9);
-/// }
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 pub struct Kernel<'a> {
     scenes: &'a [NamedScene],
     keys: Vec<Key>,
     targets: Targets<'a>,
-    clock: Clock<'a>,
     halts: Halts<'a>,
+    clock: Option<Clock<'a>>,
     harmonics: RwLock<HashMap<TargetName, Option<Arc<HarmonicTarget>>>>,
     wanted: Mutex<Vec<Arc<Wanted>>>,
 }
@@ -132,21 +80,20 @@ impl Wanted {
 }
 
 impl<'a> Kernel<'a> {
-    /// A kernel for base scenes and varied keys. `targets` gives the force curves of recordings, `halts` when
-    /// the searches of a row that begins are to end.
+    /// A kernel for base scenes and varied keys.
     pub fn new(
         scenes: &'a [NamedScene],
         keys: Vec<Key>,
         targets: Targets<'a>,
-        clock: Clock<'a>,
         halts: Halts<'a>,
+        clock: Option<Clock<'a>>,
     ) -> Self {
         Kernel {
             scenes,
             keys,
             targets,
-            clock,
             halts,
+            clock,
             harmonics: RwLock::new(HashMap::new()),
             wanted: Mutex::default(),
         }
@@ -157,13 +104,18 @@ impl<'a> Kernel<'a> {
         &self.keys
     }
 
-    /// Answers every row; a scene at fault is a row with its error.
-    pub fn run(&self, batch: &Batch) -> Results {
-        self.run_until(batch, &|| false).unwrap_or_default()
+    /// Whether rows are timed.
+    pub fn has_clock(&self) -> bool {
+        self.clock.is_some()
     }
 
-    /// The same, given up between two rows once `stop` says so.
-    pub fn run_until(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Results> {
+    fn now(&self) -> f64 {
+        self.clock.map_or(0.0, |clock| clock())
+    }
+
+    /// Computes every row; a scene at fault is a row with its error. `None` where `stop` ended the work between two
+    /// rows.
+    pub fn run(&self, batch: &Batch, stop: &dyn Fn() -> bool) -> Option<Results> {
         let mut results = Results::with_capacity(batch.len());
         let mut bases: Vec<Base> = Vec::new();
         let mut known: HashMap<(u32, Vec<&str>), usize> = HashMap::new();
@@ -180,7 +132,7 @@ impl<'a> Kernel<'a> {
             if stop() {
                 return None;
             }
-            let start = (self.clock)();
+            let start = self.now();
             let same = previous.filter(|&(other, _)| {
                 batch.scene[other] == batch.scene[row]
                     && words.iter().all(|w| Arc::ptr_eq(&w[other], &w[row]))
@@ -199,7 +151,7 @@ impl<'a> Kernel<'a> {
             previous = Some((row, index));
             let answer = guarded(|| self.row(batch, row, &mut bases[index]));
             let mut answer = answer.unwrap_or_else(Row::error);
-            answer.time_s = (self.clock)() - start;
+            answer.time_s = self.now() - start;
             results.push(answer);
         }
         Some(results)

@@ -200,6 +200,35 @@ impl Records {
         out
     }
 
+    fn column(&self, name: &str) -> Option<&Values> {
+        let field = self.fields.iter().find(|f| f.name == name)?;
+        Some(&field.values)
+    }
+
+    /// A column of numbers.
+    pub fn numbers(&self, name: &str) -> Option<&[f64]> {
+        match self.column(name)? {
+            Values::Numbers(x) => Some(x),
+            Values::Rows(_) | Values::Words(_) => None,
+        }
+    }
+
+    /// A column of words.
+    pub fn words(&self, name: &str) -> Option<&Words> {
+        match self.column(name)? {
+            Values::Words(words) => Some(words),
+            Values::Rows(_) | Values::Numbers(_) => None,
+        }
+    }
+
+    /// Number of the first row.
+    pub fn first_row(&self) -> Option<u64> {
+        match self.column("row")? {
+            Values::Rows(rows) => rows.first().copied(),
+            Values::Numbers(_) | Values::Words(_) => None,
+        }
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.fields.first().map_or(0, |f| f.values.len())

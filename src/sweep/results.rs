@@ -90,7 +90,7 @@ const TIERS: [Tier; 5] = [
 /// Code of a verdict or tier that does not exist.
 const NONE: u8 = 255;
 
-/// One answer.
+/// One row of the table.
 ///
 /// ```
 /// use gaitcam::sweep::{NUMBERS, Outcome, Row};
@@ -139,28 +139,6 @@ impl Row {
             warnings: String::new(),
             time_s: 0.0,
         }
-    }
-
-    /// The row that a line of a table holds, from its fields: the last ones are results and time.
-    pub fn of_fields(fields: &[&str]) -> Row {
-        let mut row = Row::error(String::new());
-        let results = NUMBERS.len() + WORDS.len() + 1;
-        let own = &fields[fields.len().saturating_sub(results)..];
-        let (numbers, rest) = own.split_at(NUMBERS.len().min(own.len()));
-        for (number, field) in row.numbers.iter_mut().zip(numbers) {
-            *number = field.parse().unwrap_or(f64::NAN);
-        }
-        let word = |i: usize| rest.get(i).copied().unwrap_or("");
-        row.outcome = Outcome::ALL
-            .into_iter()
-            .find(|o| o.name() == word(0))
-            .unwrap_or(Outcome::Error);
-        row.verdict = VERDICTS.into_iter().find(|v| v.name() == word(1));
-        row.tier = TIERS.into_iter().find(|t| t.name() == word(2));
-        [row.binding, row.failed, row.error, row.warnings] =
-            [3, 4, 5, 6].map(|i| word(i).to_string());
-        row.time_s = word(WORDS.len()).parse().unwrap_or(0.0);
-        row
     }
 
     /// The row of a spectral design that keeps every limit, for a force.
@@ -268,14 +246,6 @@ fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
 type Sparse = Vec<(u32, String)>;
 
 /// Answers of many rows.
-///
-/// ```
-/// use gaitcam::sweep::{Outcome, Results, Row};
-///
-/// let mut results = Results::with_capacity(1);
-/// results.push(Row::error("no force".to_string()));
-/// assert_eq!((results.len(), results.outcome(0)), (1, Outcome::Error));
-/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Results {
     numbers: Vec<Vec<f64>>,

@@ -54,25 +54,6 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
 ];
 
 /// Samples of a design that is made.
-///
-/// ```
-/// use gaitcam::halt::Halt;
-/// use gaitcam::scene;
-/// use gaitcam::sweep::{NamedScene, Scattered, SAMPLE_COLUMNS};
-///
-/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
-/// let scattered = Scattered {
-///     scene: NamedScene { name: "footbridge".to_string(), table },
-///     tolerances: vec!["mass=1 %".to_string()],
-///     count: 1000,
-///     seed: 1,
-/// };
-/// let none = |_: usize, _: &gaitcam::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
-/// let records = scattered.samples(&none, Halt::never())?.records(0..10);
-/// assert_eq!(records.len(), 10);
-/// assert!(records.fields.iter().any(|field| field.name == SAMPLE_COLUMNS[2]));
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,

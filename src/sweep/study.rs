@@ -5,18 +5,16 @@
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
 
 use serde_json::{Value, json};
 
 use super::axis::Values as AxisValues;
-use super::kernel::{Halts, Kernel, Targets};
+use super::kernel::Halts;
 use super::plan::Plan;
 use super::records::Records;
-use super::scatter::{Samples, Scattered};
+use super::runner::Runner;
+use super::scatter::Scattered;
 use crate::error::{Error, Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::scene::{Scene, Source};
@@ -25,14 +23,6 @@ use crate::scene::{Scene, Source};
 const KEPT_CURVES: usize = 256;
 
 /// A file that rows name: index of the base scene, and the path as the scene writes it.
-///
-/// ```
-/// use gaitcam::sweep::Named;
-///
-/// // The file that the second base scene calls so.
-/// let named: Named = (1, "walk.csv".to_string());
-/// assert_eq!(named.0, 1);
-/// ```
 pub type Named = (usize, String);
 
 /// Files that rows name, with their content.
@@ -194,23 +184,30 @@ impl Study {
         ]
     }
 
-    /// What computes rows, on any thread; `halts` gives the end of the searches of a row that begins.
+    /// The rows of a range over `jobs` threads; `None` where `stop` ended the work before all were computed. `halts`
+    /// gives the end of the search of a row that begins now. Without times: they do not follow from the plan.
     ///
     /// # Errors
     /// A design that is to be scattered and cannot be made.
-    pub fn worker<'a>(&'a self, targets: Targets<'a>, halts: Halts<'a>) -> Result<Worker<'a>> {
-        Ok(match &self.subject {
-            Subject::Designs(plan) => {
-                // What a clock says does not follow from the plan.
-                let kernel = Kernel::new(&plan.scenes, plan.keys(), targets, &|| 0.0, halts);
-                Worker::Designs(plan, plan.scene_names(), kernel)
-            }
-            Subject::Scatter(scatter) => Worker::Scatter(scatter.samples(targets, halts())?),
-        })
+    pub fn run(
+        &self,
+        rows: Range<u64>,
+        jobs: usize,
+        halts: Halts,
+        stop: &dyn Fn() -> bool,
+    ) -> Result<Option<Records>> {
+        let targets = self.targets();
+        let runner = match &self.subject {
+            Subject::Designs(plan) => Runner::of_plan(plan, &targets, halts, None),
+            Subject::Scatter(scatter) => Runner::of_samples(scatter.samples(&targets, halts())?),
+        };
+        let count = rows.end - rows.start;
+        let records = runner.run(rows, jobs, stop);
+        Ok((records.len() as u64 == count).then_some(records))
     }
 
     /// The force curves of the recordings, each read once while it is in use.
-    pub fn targets(&self) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync + '_ {
+    fn targets(&self) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync + '_ {
         remembered(|index, scene| self.target(index, scene))
     }
 
@@ -266,53 +263,6 @@ fn file_of(table: &toml::Table) -> Option<String> {
     Some(name.to_string())
 }
 
-/// Computes rows of a study.
-///
-/// ```
-/// use gaitcam::halt::Halt;
-/// use gaitcam::scene;
-/// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
-///
-/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
-/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
-/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
-/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
-/// let study = Study::with_files(Subject::Designs(plan), Default::default())?;
-/// let targets = study.targets();
-/// let worker = study.worker(&targets, &Halt::never)?;
-/// let records = worker.run(1..3, &|| false).unwrap();
-/// assert_eq!(records.len(), 2);
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-pub enum Worker<'a> {
-    /// Designs; with the names of the base scenes where there are several.
-    Designs(&'a Plan, Option<Vec<String>>, Kernel<'a>),
-    /// Samples of one design.
-    Scatter(Samples),
-}
-
-impl Worker<'_> {
-    /// The rows of a range; `None` where `stop` said so before all were there.
-    pub fn run(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
-        let count = (rows.end - rows.start) as usize;
-        match self {
-            Worker::Designs(plan, names, kernel) => {
-                let batch = plan.batch(rows.start, count);
-                let results = kernel.run_until(&batch, stop)?;
-                let names = names.as_deref();
-                Some(Records::of(
-                    rows.start,
-                    kernel.keys(),
-                    &batch,
-                    &results,
-                    names,
-                ))
-            }
-            Worker::Scatter(samples) => (!stop()).then(|| samples.records(rows)),
-        }
-    }
-}
-
 /// Reads the force curves that scenes name, each once while it is in use.
 pub fn remembered(
     read: impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync,
@@ -339,104 +289,4 @@ fn checksum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &b| {
         (sum ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3)
     })
-}
-
-/// Rows of one part of the work at most: bounds the memory.
-const LARGEST_PART: u64 = 4096;
-/// Parts per thread: enough that no thread waits long for another.
-const PARTS_PER_THREAD: u64 = 16;
-/// Time between two looks at `stop` while threads work.
-const LOOK: Duration = Duration::from_millis(20);
-
-impl Study {
-    /// The rows of a range, over `jobs` threads; `None` where `stop` said so before all were there. It is asked from
-    /// this thread only.
-    ///
-    /// # Errors
-    /// As [`Study::worker`].
-    pub fn run(
-        &self,
-        rows: Range<u64>,
-        jobs: usize,
-        halts: Halts,
-        stop: &dyn Fn() -> bool,
-    ) -> Result<Option<Records>> {
-        let targets = self.targets();
-        let worker = self.worker(&targets, halts)?;
-        let parts = Parts::new(rows.clone(), jobs);
-        if parts.count == 0 {
-            // The columns alone.
-            return Ok(worker.run(rows, stop));
-        }
-        let done = if jobs <= 1 {
-            let each = (0..parts.count).map(|k| worker.run(parts.rows(k), stop));
-            each.collect::<Option<Vec<Records>>>()
-        } else {
-            over_threads(&worker, &parts, jobs, stop)
-        };
-        Ok(done.map(Records::joined))
-    }
-}
-
-/// Ranges into which work is cut.
-struct Parts {
-    all: Range<u64>,
-    size: u64,
-    count: u64,
-}
-
-impl Parts {
-    fn new(all: Range<u64>, jobs: usize) -> Parts {
-        let rows = all.end - all.start;
-        let size = (rows / (PARTS_PER_THREAD * jobs.max(1) as u64)).clamp(1, LARGEST_PART);
-        let count = rows.div_ceil(size);
-        Parts { all, size, count }
-    }
-
-    fn rows(&self, k: u64) -> Range<u64> {
-        let start = self.all.start + k * self.size;
-        start..(start + self.size).min(self.all.end)
-    }
-}
-
-/// All parts in order; `None` where `stop` ended the work.
-fn over_threads(
-    worker: &Worker,
-    parts: &Parts,
-    jobs: usize,
-    stop: &dyn Fn() -> bool,
-) -> Option<Vec<Records>> {
-    let (next, ended) = (AtomicU64::new(0), AtomicBool::new(false));
-    let (send, receive) = channel();
-    let mut done: Vec<Option<Records>> = (0..parts.count).map(|_| None).collect();
-    std::thread::scope(|scope| {
-        for _ in 0..(jobs as u64).min(parts.count) {
-            let (send, next, ended) = (send.clone(), &next, &ended);
-            scope.spawn(move || {
-                let is_ended = || ended.load(Ordering::Relaxed);
-                loop {
-                    let k = next.fetch_add(1, Ordering::Relaxed);
-                    let rows = (k < parts.count).then(|| worker.run(parts.rows(k), &is_ended));
-                    let Some(records) = rows.flatten() else {
-                        return;
-                    };
-                    if send.send((k, records)).is_err() {
-                        return;
-                    }
-                }
-            });
-        }
-        drop(send);
-        loop {
-            match receive.recv_timeout(LOOK) {
-                Ok((k, records)) => done[k as usize] = Some(records),
-                Err(RecvTimeoutError::Timeout) => {}
-                Err(RecvTimeoutError::Disconnected) => return,
-            }
-            if stop() {
-                ended.store(true, Ordering::Relaxed);
-            }
-        }
-    });
-    done.into_iter().collect()
 }

@@ -2,71 +2,49 @@
 
 use std::fmt::Write;
 
-use super::batch::{Batch, Column};
-use super::key::Key;
-use super::results::{NUMBERS, Results, TIME, WORDS};
+use super::records::{Records, Values};
+use super::results::TIME;
 
-/// Names of all columns: row, base scene (where there are several), varied keys, results, time.
-pub fn header(keys: &[Key], several_scenes: bool) -> Vec<String> {
-    let mut out = vec!["row".to_string()];
-    if several_scenes {
-        out.push("scene".to_string());
-    }
-    out.extend(keys.iter().map(Key::column));
-    out.extend(NUMBERS.iter().chain(&WORDS).map(|s| (*s).to_string()));
-    out.push(TIME.to_string());
-    out
-}
-
-/// The head line.
-pub fn csv_header(keys: &[Key], several_scenes: bool) -> String {
-    let mut out = String::new();
-    for (i, name) in header(keys, several_scenes).iter().enumerate() {
-        if i > 0 {
-            out.push(',');
-        }
-        quoted(&mut out, name);
-    }
-    out.push('\n');
-    out
-}
-
-/// The rows `first …` as lines. `scenes` are the names of the base scenes where there are several.
-pub fn csv_rows(first: u64, batch: &Batch, results: &Results, scenes: Option<&[String]>) -> String {
-    let rows = results.len();
-    let mut out = String::with_capacity(rows * 24 * (NUMBERS.len() + batch.columns.len() + 4));
-    let words: Vec<Vec<&str>> = (0..WORDS.len()).map(|c| results.words(c)).collect();
-    for row in 0..rows {
-        // Writing to a String cannot fail.
-        let _ = write!(out, "{}", first + row as u64);
-        if let Some(names) = scenes {
-            out.push(',');
-            quoted(
-                &mut out,
-                names
-                    .get(batch.scene[row] as usize)
-                    .map_or("", String::as_str),
-            );
-        }
-        for column in &batch.columns {
-            out.push(',');
-            match column {
-                Column::Numbers(x) => number(&mut out, x[row]),
-                Column::Words(x) => quoted(&mut out, &x[row]),
+impl Records {
+    /// The names of the columns as a line of CSV.
+    pub fn csv_header(&self) -> String {
+        let mut out = String::new();
+        for (i, field) in self.fields.iter().enumerate() {
+            if i > 0 {
+                out.push(',');
             }
+            quoted(&mut out, &field.name);
         }
-        for column in 0..NUMBERS.len() {
-            out.push(',');
-            number(&mut out, results.numbers(column)[row]);
-        }
-        for column in &words {
-            out.push(',');
-            quoted(&mut out, column[row]);
-        }
-        out.push(',');
-        let _ = writeln!(out, "{:.3e}", results.times()[row]);
+        out.push('\n');
+        out
     }
-    out
+
+    /// The rows as lines of CSV; times with four digits.
+    pub fn csv_rows(&self) -> String {
+        let mut out = String::with_capacity(self.len() * 20 * (self.fields.len() + 4));
+        for row in 0..self.len() {
+            for (i, field) in self.fields.iter().enumerate() {
+                if i > 0 {
+                    out.push(',');
+                }
+                // Writing to a String cannot fail.
+                let _ = match &field.values {
+                    Values::Rows(rows) => write!(out, "{}", rows[row]),
+                    Values::Numbers(x) if field.name == TIME => write!(out, "{:.3e}", x[row]),
+                    Values::Numbers(x) => {
+                        number(&mut out, x[row]);
+                        Ok(())
+                    }
+                    Values::Words(words) => {
+                        quoted(&mut out, words.at(row).unwrap_or(""));
+                        Ok(())
+                    }
+                };
+            }
+            out.push('\n');
+        }
+        out
+    }
 }
 
 /// Endings of columns with the units they stand for.
@@ -140,27 +118,30 @@ fn quoted(out: &mut String, text: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::{Outcome, Row};
+    use crate::sweep::Field;
 
     #[test]
-    fn lines_have_as_many_fields_as_the_header() {
-        let keys = [Key::words("law.family")];
-        let mut results = Results::with_capacity(1);
-        results.push(Row::error("a, \"b\"".to_string()));
-        let batch = Batch {
-            scene: vec![0],
-            columns: vec![Column::Words(vec!["spline".into()])],
+    fn a_csv_reader_reads_the_cells_back() {
+        let records = Records {
+            fields: vec![
+                Field::rows(9, 1),
+                Field::words("error", ["a, \"b\""].into_iter()),
+                Field::numbers("limits.stroke_m", vec![f64::NAN]),
+                Field::numbers(TIME, vec![1.0 / 3.0]),
+            ],
         };
-        let text =
-            csv_header(&keys, true) + &csv_rows(9, &batch, &results, Some(&["x.toml".to_string()]));
+        let text = records.csv_header() + &records.csv_rows();
         let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let error = reader.headers().unwrap().iter().position(|h| h == "error");
+        let names: Vec<String> = reader
+            .headers()
+            .unwrap()
+            .iter()
+            .map(str::to_string)
+            .collect();
+        assert_eq!(names, ["row", "error", "limits.stroke_m", "time_s"]);
         let record = reader.records().next().unwrap().unwrap();
-        assert_eq!(&record[0], "9");
-        assert_eq!(&record[error.unwrap()], "a, \"b\"");
-        let fields: Vec<&str> = record.iter().collect();
-        let row = Row::of_fields(&fields);
-        assert_eq!((row.outcome, &*row.error), (Outcome::Error, "a, \"b\""));
+        let cells: Vec<&str> = record.iter().collect();
+        assert_eq!(cells, ["9", "a, \"b\"", "", "3.333e-1"]);
     }
 
     #[test]

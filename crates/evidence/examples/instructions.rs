@@ -20,7 +20,7 @@ use gaitcam::force::{Feet, ForceCurve, ReadOptions, cycle, model, read, stances}
 use gaitcam::halt::Halt;
 use gaitcam::law::{Extent, Law, Rise, Segment, program};
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Kernel, NamedScene, Plan, Sampling};
+use gaitcam::sweep::{Axis, NamedScene, Plan, Runner, Sampling};
 use gaitcam::synth::{Design, synthesise};
 use gaitcam_evidence::tiers::{Bound, Task};
 use gaitcam_output::{Language, Timing, csv, plots, report};
@@ -209,7 +209,7 @@ fn none(_: usize, _: &Scene) -> Result<ForceCurve> {
     Err(Error::own("no-recordings", "no recordings"))
 }
 
-/// The rows of a sweep, each time by a kernel that knows nothing yet.
+/// The rows of a sweep, each time with empty caches.
 fn sweep(changes: &[&str], vary: &str) -> Box<dyn FnMut()> {
     let plan = Plan {
         scenes: vec![NamedScene {
@@ -220,9 +220,9 @@ fn sweep(changes: &[&str], vary: &str) -> Box<dyn FnMut()> {
         axes: vec![Axis::parse(vary, false).expect("an axis")],
         sampling: Sampling::Grid,
     };
-    let batch = plan.batch(0, plan.rows() as usize);
+    let rows = plan.rows() as u64;
     Box::new(move || {
-        let kernel = Kernel::new(&plan.scenes, plan.keys(), &none, &|| 0.0, &Halt::never);
-        drop(black_box(kernel.run(&batch)));
+        let runner = Runner::of_plan(&plan, &none, &Halt::never, None);
+        drop(black_box(runner.run(0..rows, 1, &|| false)));
     })
 }

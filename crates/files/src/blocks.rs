@@ -1,10 +1,10 @@
 //! A folder that holds a sweep in blocks: one file per range of rows, each whole or not there.
 //!
-//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`; whoever
-//! writes one writes it beside and renames it, so that any number of processes on any number of machines may share
-//! the folder, and a second start does only what is missing.
+//! `_plan.json` says which sweep it is. A block is named by its rows, `rows-000000131072-000000262144.parquet`. It is
+//! written beside its place and renamed, so that any number of processes on any number of machines may share the folder,
+//! and a second start computes only what is missing.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::ffi::OsStr;
 use std::fs;
 use std::ops::Range;
@@ -19,77 +19,49 @@ use serde_json::{Value, json};
 use crate::read::read_bytes;
 use crate::scene::not_json;
 
-/// What sweep the folder holds.
+/// The file that says which sweep the folder holds.
 ///
 /// Readers of folders of Parquet pass over names that begin with an underscore or a dot.
 pub const PLAN: &str = "_plan.json";
-/// Rows of a block where nobody says how many.
+/// Rows of a block by default.
 pub const BLOCK_ROWS: u64 = 131_072;
-/// Name and ending of a block.
+/// Beginning of the name of a block.
 const NAME: &str = "rows-";
-const ENDING: &str = ".parquet";
 
 /// The folder of a sweep that is computed in blocks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Blocks {
     folder: PathBuf,
-    rows: u64,
-    block_rows: u64,
+    ending: &'static str,
 }
 
 impl Blocks {
-    /// The folder of a sweep, begun now or earlier.
+    /// The folder of the sweep that `plan` describes, begun now or earlier; its blocks are files with `ending`.
     ///
     /// # Errors
     /// A folder that cannot be written, that holds another sweep (with every difference, in `language`), or blocks
     /// without the plan that they belong to.
     pub fn open(
         folder: &Path,
-        study: &Study,
-        block_rows: u64,
+        plan: &Value,
+        ending: &'static str,
         language: Language,
     ) -> Result<Blocks> {
-        let rows = study.rows()?;
-        let mut plan = study.description();
-        plan["block_rows"] = json!(block_rows);
         let place = folder.join(PLAN);
         if place.exists() {
             let begun: Value =
                 serde_json::from_slice(&read_bytes(&place)?).map_err(|e| not_json(&place, &e))?;
-            agree(folder, &begun, &plan, language)?;
+            agree(folder, &begun, plan, language)?;
         } else {
-            begin(folder, &place, &plan)?;
+            begin(folder, &place, plan)?;
         }
-        Ok(Blocks {
-            folder: folder.to_path_buf(),
-            rows,
-            block_rows: block_rows.max(1),
-        })
+        let folder = folder.to_path_buf();
+        Ok(Blocks { folder, ending })
     }
 
-    /// Every block, by its rows.
-    pub fn all(&self) -> impl Iterator<Item = Range<u64>> + '_ {
-        (0..self.rows.div_ceil(self.block_rows)).map(|k| self.block(k))
-    }
-
-    fn block(&self, k: u64) -> Range<u64> {
-        let start = k * self.block_rows;
-        start..(start + self.block_rows).min(self.rows)
-    }
-
-    /// Blocks that are not there yet.
-    ///
-    /// # Errors
-    /// A folder that cannot be read.
-    pub fn missing(&self) -> Result<Vec<Range<u64>>> {
-        let there: BTreeSet<PathBuf> = files(&self.folder)?.into_iter().collect();
-        let lacks = |rows: &Range<u64>| !there.contains(&self.path(rows));
-        Ok(self.all().filter(lacks).collect())
-    }
-
-    /// Where a block lies.
+    /// The place of a block.
     pub fn path(&self, rows: &Range<u64>) -> PathBuf {
-        let name = format!("{NAME}{:012}-{:012}{ENDING}", rows.start, rows.end);
+        let name = format!("{NAME}{:012}-{:012}.{}", rows.start, rows.end, self.ending);
         self.folder.join(name)
     }
 
@@ -101,10 +73,60 @@ impl Blocks {
         put_whole(&self.path(rows), bytes)
     }
 
+    /// The blocks that are there, in the order of their rows.
+    ///
+    /// # Errors
+    /// A folder that cannot be read.
+    pub fn present(&self) -> Result<Vec<Range<u64>>> {
+        Ok(files(&self.folder)?.into_iter().map(|f| f.0).collect())
+    }
+}
+
+/// The blocks of equal length in which several processes share a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SharedBlocks {
+    /// The folder.
+    pub blocks: Blocks,
+    rows: u64,
+    block_rows: u64,
+}
+
+impl SharedBlocks {
+    /// The folder of a study, begun now or earlier, whose blocks have `block_rows` rows.
+    ///
+    /// # Errors
+    /// As [`Blocks::open`].
+    pub fn open(
+        folder: &Path,
+        study: &Study,
+        block_rows: u64,
+        language: Language,
+    ) -> Result<SharedBlocks> {
+        let rows = study.rows()?;
+        let mut plan = study.description();
+        plan["block_rows"] = json!(block_rows);
+        Ok(SharedBlocks {
+            blocks: Blocks::open(folder, &plan, "parquet", language)?,
+            rows,
+            block_rows: block_rows.max(1),
+        })
+    }
+
+    /// Blocks that are not there yet.
+    ///
+    /// # Errors
+    /// A folder that cannot be read.
+    pub fn missing(&self) -> Result<Vec<Range<u64>>> {
+        let present: HashSet<Range<u64>> = self.blocks.present()?.into_iter().collect();
+        let starts = (0..self.rows).step_by(self.block_rows as usize);
+        let all = starts.map(|start| start..(start + self.block_rows).min(self.rows));
+        Ok(all.filter(|rows| !present.contains(rows)).collect())
+    }
+
     /// The blocks of one of `parts` equal shares, counted from 1, that are not there yet.
     ///
     /// # Errors
-    /// As [`Blocks::missing`].
+    /// As [`SharedBlocks::missing`].
     pub fn missing_of(&self, part: u64, parts: u64) -> Result<Vec<Range<u64>>> {
         let mut out = self.missing()?;
         out.retain(|rows| (rows.start / self.block_rows) % parts == part - 1);
@@ -117,7 +139,7 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
         let fault = e.to_string();
         WriteError::FolderRefuses { fault }.in_file(folder)
     })?;
-    if let [first, ..] = &files(folder)?[..] {
+    if let [(_, first), ..] = &files(folder)?[..] {
         let file = first.file_name().unwrap_or_default().to_string_lossy();
         let file = file.into_owned();
         return Err(FileError::NotSweepFolder { file }.in_file(folder));
@@ -126,11 +148,11 @@ fn begin(folder: &Path, place: &Path, plan: &Value) -> Result<()> {
     write_whole(place, text.as_bytes())
 }
 
-/// The blocks in a folder, in the order of their rows.
+/// The blocks in a folder with their rows, in the order of these.
 ///
 /// # Errors
 /// A folder that cannot be read.
-pub fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+pub fn files(folder: &Path) -> Result<Vec<(Range<u64>, PathBuf)>> {
     let fault = |e: std::io::Error| {
         let fault = e.to_string();
         FileError::CannotRead { fault }.in_file(folder)
@@ -138,24 +160,24 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     let mut out = Vec::new();
     for entry in fs::read_dir(folder).map_err(fault)? {
         let path = entry.map_err(fault)?.path();
-        if path
-            .file_name()
-            .and_then(OsStr::to_str)
-            .is_some_and(is_block)
-        {
-            out.push(path);
+        if let Some(rows) = path.file_name().and_then(OsStr::to_str).and_then(rows_of) {
+            out.push((rows, path));
         }
     }
-    // Numbers beyond twelve digits are longer: by length first.
-    out.sort_by_key(|p| (p.as_os_str().len(), p.clone()));
+    out.sort_by_key(|(rows, _)| (rows.start, rows.end));
     Ok(out)
 }
 
-fn is_block(name: &str) -> bool {
-    let inner = name.strip_prefix(NAME).and_then(|n| n.strip_suffix(ENDING));
-    let ends = inner.and_then(|n| n.split_once('-'));
-    let digits = |t: &str| !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
-    ends.is_some_and(|(a, b)| digits(a) && digits(b))
+/// The rows that the name of a block says.
+fn rows_of(name: &str) -> Option<Range<u64>> {
+    let (rows, ending) = name.strip_prefix(NAME)?.split_once('.')?;
+    let (start, end) = rows.split_once('-')?;
+    let number = |text: &str| {
+        let is_number = text.bytes().all(|b| b.is_ascii_digit());
+        text.parse::<u64>().ok().filter(|_| is_number)
+    };
+    let rows = number(start)?..number(end)?;
+    matches!(ending, "csv" | "parquet").then_some(rows)
 }
 
 #[cfg(test)]
@@ -182,10 +204,10 @@ mod tests {
     fn blocks_cover_every_row_once_and_only_missing_ones_are_asked_for() {
         let folder = tempfile::tempdir().unwrap();
         let study = study("limits.stroke=40 mm:60 mm:10");
-        let open = || Blocks::open(folder.path(), &study, 4, Language::En).unwrap();
-        let blocks = open();
-        assert_eq!(blocks.missing().unwrap(), [0..4, 4..8, 8..10]);
-        fs::write(blocks.path(&(4..8)), b"").unwrap();
+        let open = || SharedBlocks::open(folder.path(), &study, 4, Language::En).unwrap();
+        let first = open();
+        assert_eq!(first.missing().unwrap(), [0..4, 4..8, 8..10]);
+        fs::write(first.blocks.path(&(4..8)), b"").unwrap();
         fs::write(folder.path().join(".rows-1-2.parquet.7.partial"), b"").unwrap();
         assert_eq!(open().missing().unwrap(), [0..4, 8..10]);
         assert_eq!(open().missing_of(1, 2).unwrap(), [0..4, 8..10]);
@@ -196,7 +218,7 @@ mod tests {
     fn another_sweep_is_refused_with_what_differs() {
         let folder = tempfile::tempdir().unwrap();
         let open = |vary: &str, rows| {
-            Blocks::open(folder.path(), &study(vary), rows, Language::En).map(|_| ())
+            SharedBlocks::open(folder.path(), &study(vary), rows, Language::En).map(|_| ())
         };
         open("limits.stroke=40 mm:60 mm:10", 4).unwrap();
         let fault = open("limits.stroke=40 mm:50 mm:10", 4).unwrap_err();
@@ -205,7 +227,7 @@ mod tests {
         assert!(fault.to_string().contains("block_rows"), "{fault}");
         let other = tempfile::tempdir().unwrap();
         fs::write(other.path().join("rows-0-4.parquet"), b"").unwrap();
-        let fault = Blocks::open(
+        let fault = SharedBlocks::open(
             other.path(),
             &study("limits.stroke=1 mm:2 mm:3"),
             4,

@@ -7,7 +7,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::{FileError, Placed, Result, WriteError};
@@ -179,28 +179,44 @@ fn remove_abandoned_stages(path: &Path) {
     }
 }
 
-/// A lock file that is gone when nobody holds it.
-struct Lock {
+/// A lock file, removed when the lock is released.
+pub struct Lock {
     path: PathBuf,
     _file: File,
 }
 
 impl Lock {
+    fn open(path: &Path) -> std::io::Result<File> {
+        let mut options = OpenOptions::new();
+        options.write(true).create(true).truncate(false).open(path)
+    }
+
+    /// The lock if the file is still at its path: its last holder may have removed it between opening and locking.
+    fn if_still_there(file: File, path: &Path) -> Option<Lock> {
+        let path = path.to_path_buf();
+        is_still_there(&file, &path).then_some(Lock { path, _file: file })
+    }
+
     fn wait(path: &Path) -> std::io::Result<Lock> {
         loop {
-            let file = OpenOptions::new()
-                .write(true)
-                .create(true)
-                .truncate(false)
-                .open(path)?;
+            let file = Lock::open(path)?;
             file.lock()?;
-            // Whoever held it before may have removed it between our opening and our locking.
-            if is_still_there(&file, path) {
-                return Ok(Lock {
-                    path: path.to_path_buf(),
-                    _file: file,
-                });
+            if let Some(lock) = Lock::if_still_there(file, path) {
+                return Ok(lock);
             }
+        }
+    }
+
+    /// The lock, `None` where another process holds it.
+    ///
+    /// # Errors
+    /// A file that cannot be created or locked.
+    pub fn unless_held(path: &Path) -> std::io::Result<Option<Lock>> {
+        let file = Lock::open(path)?;
+        match file.try_lock() {
+            Ok(()) => Ok(Lock::if_still_there(file, path)),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(e)) => Err(e),
         }
     }
 }
@@ -213,7 +229,7 @@ impl Drop for Lock {
 
 /// Whether an open file is still the one at its path.
 #[cfg(unix)]
-pub fn is_still_there(file: &File, path: &Path) -> bool {
+fn is_still_there(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     match (file.metadata(), fs::metadata(path)) {
         (Ok(a), Ok(b)) => a.ino() == b.ino() && a.dev() == b.dev(),
@@ -223,7 +239,7 @@ pub fn is_still_there(file: &File, path: &Path) -> bool {
 
 /// Whether an open file is still the one at its path.
 #[cfg(not(unix))]
-pub fn is_still_there(_: &File, path: &Path) -> bool {
+fn is_still_there(_: &File, path: &Path) -> bool {
     path.exists()
 }
 

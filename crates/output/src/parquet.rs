@@ -1,7 +1,9 @@
 //! Tables of a sweep as Parquet.
 
 use std::collections::HashMap;
+use std::fs::File;
 use std::io::Write;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use arrow_array::cast::AsArray;
@@ -15,7 +17,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::ChunkReader;
 use parquet::schema::types::ColumnPath;
 
-use gaitcam::error::{Error, Result, SweepError};
+use gaitcam::error::{Error, FileError, Placed, Result, SweepError};
 use gaitcam::sweep::{self, FieldValues, NUMBERS, Records, TIME, Words};
 
 pub use arrow_array::RecordBatch;
@@ -132,6 +134,29 @@ impl<W: Write + Send> Writer<W> {
     pub fn close(self) -> Result<W> {
         self.inner.into_inner().map_err(parquet_fault)
     }
+}
+
+/// Writes the rows of several files of equal columns as one file.
+///
+/// # Errors
+/// A file that cannot be read, and a sink that refuses the rows.
+pub fn join<W: Write + Send>(files: &[PathBuf], sink: W) -> Result<W> {
+    let mut sink = Some(sink);
+    let mut writer = None;
+    for path in files {
+        let fault = |e: std::io::Error| {
+            let fault = e.to_string();
+            FileError::CannotRead { fault }.in_file(path)
+        };
+        read(File::open(path).map_err(fault)?, |batch| {
+            if let Some(sink) = sink.take() {
+                writer = Some(Writer::new(sink, &batch.schema())?);
+            }
+            writer.iter_mut().try_for_each(|w| w.write(batch))
+        })?;
+    }
+    let empty = || SweepError::NoRows.into();
+    writer.ok_or_else(empty)?.close()
 }
 
 /// Reads a table's columns by their names, batch by batch, everything as text or numbers: `each` gets the

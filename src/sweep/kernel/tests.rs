@@ -26,7 +26,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
             seed: 7,
         },
     };
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
     let batch = plan.batch(0, count as usize);
     let mut bases: HashMap<Vec<String>, Base> = HashMap::new();
     (0..count as usize)
@@ -43,7 +43,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
                 Ok(scene) => {
                     // By a kernel that has found nothing yet.
                     let other =
-                        Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
+                        Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
                     other.answer(0, &scene, &mut None)
                 }
                 Err(e) => Row::error(e.to_string()),
@@ -202,13 +202,13 @@ fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
         sampling: Sampling::Grid,
     };
     plan.validate().unwrap();
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
     let batch = plan.batch(0, 1);
     let row = kernel.row(&batch, 0, &mut kernel.base(&batch, 0));
     scene::set(&mut table, vary).unwrap();
     let scene = scene::read(&table).unwrap();
     // By a kernel that has found nothing yet.
-    let other = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &|| 0.0, &Halt::never);
+    let other = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
     (row, other.answer(0, &scene, &mut None))
 }
 

@@ -2,7 +2,7 @@
 
 mod objective;
 mod page;
-mod read;
+pub mod read;
 
 use std::path::{Path, PathBuf};
 

@@ -1,20 +1,23 @@
-//! Kinds of tables.
+//! Formats of tables.
 
-use std::path::Path;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Write, copy};
+use std::path::{Path, PathBuf};
 
 use crate::console::error::CliError;
+use gaitcam::error::{Error, Placed, Result};
+use gaitcam::sweep::Records;
+use gaitcam_files::read::cannot_be_read;
 #[cfg(feature = "parquet")]
-use gaitcam::error::FileError;
-use gaitcam::error::{Placed, Result};
-#[cfg(feature = "parquet")]
-use gaitcam::sweep::Plan;
+use gaitcam_output::parquet;
 
-/// Kind of table.
+/// Format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Comma-separated text.
     Csv,
     /// Apache Parquet.
+    #[cfg(feature = "parquet")]
     Parquet,
 }
 
@@ -24,7 +27,9 @@ impl Format {
         let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("csv") => Ok(Format::Csv),
-            Some("parquet") if cfg!(feature = "parquet") => Ok(Format::Parquet),
+            #[cfg(feature = "parquet")]
+            Some("parquet") => Ok(Format::Parquet),
+            #[cfg(not(feature = "parquet"))]
             Some("parquet") => Err(CliError::NoParquet.at_argument("--out")),
             _ => {
                 let file = path.display().to_string();
@@ -32,42 +37,59 @@ impl Format {
             }
         }
     }
+
+    /// The ending of a file.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Csv => "csv",
+            #[cfg(feature = "parquet")]
+            Format::Parquet => "parquet",
+        }
+    }
+
+    /// Rows as lines of CSV, where the table is of them.
+    pub fn lines(self, records: &Records) -> String {
+        match self {
+            Format::Csv => records.csv_rows(),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => String::new(),
+        }
+    }
+
+    /// A block: rows as a table of its own; `lines` are those of [`Format::lines`].
+    pub fn block(self, records: &Records, lines: &str) -> Result<Vec<u8>> {
+        match self {
+            Format::Csv => Ok((records.csv_header() + lines).into_bytes()),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => parquet::file(records, &[]),
+        }
+    }
+
+    /// Writes the rows of all blocks as one table.
+    pub fn join(self, blocks: &[PathBuf], table: File) -> Result<File> {
+        match self {
+            Format::Csv => join_csv(blocks, table),
+            #[cfg(feature = "parquet")]
+            Format::Parquet => parquet::join(blocks, table),
+        }
+    }
 }
 
-/// Writes the rows of a complete CSV table as Parquet.
-#[cfg(feature = "parquet")]
-pub fn to_parquet(plan: &Plan, csv: &Path, parquet: &Path) -> Result<()> {
-    use gaitcam::sweep::{Records, Results, Row};
-    use gaitcam_output::parquet::{GROUP_ROWS, Writer, record_batch, schema};
-
-    let fault = |e: std::io::Error| {
-        let fault = e.to_string();
-        CliError::CannotWrite { fault }.in_file(parquet)
-    };
-    let unreadable = |e: csv::Error| {
-        let fault = e.to_string();
-        FileError::CannotRead { fault }.in_file(csv)
-    };
-    let names = plan.scene_names();
-    let keys = plan.keys();
-    let rows = |first: u64, results: &Results| {
-        let batch = plan.batch(first, results.len());
-        Records::of(first, &keys, &batch, results, names.as_deref()).with_times(results)
-    };
-    let schema = schema(&rows(0, &Results::with_capacity(0)), &[]);
-    let file = std::fs::File::create(parquet).map_err(fault)?;
-    let mut writer = Writer::new(file, &schema)?;
-    let mut reader = csv::Reader::from_path(csv).map_err(unreadable)?;
-    let mut records = reader.records().peekable();
-    let mut first = 0;
-    while records.peek().is_some() {
-        let mut results = Results::with_capacity(GROUP_ROWS);
-        for record in records.by_ref().take(GROUP_ROWS) {
-            let record = record.map_err(unreadable)?;
-            results.push(Row::of_fields(&record.iter().collect::<Vec<_>>()));
-        }
-        writer.write(&record_batch(&schema, &rows(first, &results))?)?;
-        first += results.len() as u64;
+/// The header once, then the lines of every block.
+fn join_csv(blocks: &[PathBuf], mut table: File) -> Result<File> {
+    for (i, path) in blocks.iter().enumerate() {
+        let fault = |e: std::io::Error| cannot_be_read(path, &e);
+        let mut block = BufReader::new(File::open(path).map_err(fault)?);
+        let mut header = Vec::new();
+        block.read_until(b'\n', &mut header).map_err(fault)?;
+        let first = if i == 0 { &header[..] } else { &[] };
+        let written = table
+            .write_all(first)
+            .and_then(|()| copy(&mut block, &mut table));
+        written.map_err(|e| -> Error {
+            let fault = e.to_string();
+            CliError::AllRowsSafe { fault }.in_file(path)
+        })?;
     }
-    writer.close()?.sync_all().map_err(fault)
+    Ok(table)
 }

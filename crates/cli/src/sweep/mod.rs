@@ -20,10 +20,10 @@ use crate::console::words;
 use crate::input;
 use crate::input::searching::TimeLimit;
 use format::Format;
-use gaitcam::error::{Error, Placed, Result, SweepError};
-use gaitcam::sweep::{Kernel, Method, Plan, table};
+use gaitcam::error::{Error, Result, SweepError};
+use gaitcam::sweep::{Method, Plan, Runner};
 pub use partial::beside;
-use partial::{Counts, Opened, PartialTable};
+use partial::{Counts, PartialTable};
 
 /// More rows than this are asked for twice.
 const MANY: u128 = 100_000_000;
@@ -130,32 +130,23 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
     check_size(args, plan)?;
     check_values(args, plan)?;
     let description = arguments::description(&sweep);
-    let header = table::csv_header(&plan.keys(), plan.scene_names().is_some());
-    let mut partial = match PartialTable::open(&args.out, &header, &description, args.resume)? {
-        Opened::Finished => {
-            print(&words::fill("sweep-complete", &file(args)));
-            return Ok(BUILT);
-        }
-        Opened::Partial(partial) => partial,
+    let partial = PartialTable::open(&args.out, format, &description, args.resume)?;
+    let Some(mut partial) = partial else {
+        print(&words::fill("sweep-complete", &file(args)));
+        return Ok(BUILT);
     };
-    if let Some(repair) = partial.repaired() {
-        terminal::report(repair);
+    if let Some(damaged) = partial.damaged() {
+        terminal::report(damaged);
     }
     let clock = || start.elapsed().as_secs_f64();
     let targets = arguments::targets(&sweep.folders);
     let halts = || args.time.of_row();
-    let kernel = Kernel::new(&plan.scenes, plan.keys(), &targets, &clock, &halts);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(args.jobs.map_or(0, usize::from))
-        .build()
-        .map_err(|e| {
-            let fault = e.to_string();
-            CliError::Threads { fault }.at_argument("--jobs")
-        })?;
+    let runner = Runner::of_plan(plan, &targets, &halts, Some(&clock));
     let stop = work::stop_on_ctrl_c();
     let before = partial.counts().rows;
     let computed = Instant::now();
-    work::compute(plan, &kernel, &pool, &mut partial, &stop)?;
+    let jobs = work::jobs(args.jobs);
+    work::compute(&runner, rows as u64, jobs, &mut partial, &stop)?;
     let seconds = computed.elapsed().as_secs_f64();
     let done = partial.counts().rows;
     if u128::from(done) < rows {
@@ -163,16 +154,7 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         terminal::report(words::fill("sweep-stopped", &stopped));
         return Ok(INTERRUPTED);
     }
-    let counts = match format {
-        Format::Csv => partial.finish(&description, None)?,
-        #[cfg(feature = "parquet")]
-        Format::Parquet => partial.finish(
-            &description,
-            Some(&|csv, parquet| format::to_parquet(plan, csv, parquet)),
-        )?,
-        #[cfg(not(feature = "parquet"))]
-        Format::Parquet => return Err(CliError::NoParquet.at_argument("--out")),
-    };
+    let counts = partial.finish(&description)?;
     report(args, &counts, rows as u64 - before, seconds);
     let some = counts.acceptable + counts.low_speed > 0;
     Ok(if some { BUILT } else { NO_SUCH_CAM })

@@ -1,46 +1,37 @@
-//! The table while it is being written.
+//! The table while it is being written: blocks of rows in the folder `FILE.partial`.
 //!
-//! `FILE.partial` holds the complete rows so far, as CSV; each wave of rows is on the disk before the next.
-//! `FILE.partial.json` says which sweep it is, and becomes `FILE.sweep.json` when the table is complete. A
-//! process locks the partial table while it works on it. A row that a crash cut short is removed and
-//! computed again.
+//! Each block is on the disk before the next is computed, and is a table of its own. The complete table is put together
+//! from them, and `FILE.sweep.json` says which sweep it holds. A process locks the folder while it works on it.
 
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{BufReader, Read, Seek, SeekFrom, Write};
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use super::format::Format;
 use crate::console::error::CliError;
-use crate::{console::language, console::words};
+use crate::console::{language, words};
+use crate::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
-use gaitcam::sweep::{Outcome, Results};
-use gaitcam_files::read::cannot_be_read;
-use gaitcam_files::result_folder::is_still_there;
+use gaitcam::sweep::{Outcome, Records};
+use gaitcam_files::blocks::{self, Blocks, PLAN};
+use gaitcam_files::result_folder::Lock;
 use gaitcam_output::folder::write_whole;
 use serde_json::{Value, json};
 
-/// Turns the finished table into another format: from, to.
-type Convert<'a> = &'a dyn Fn(&Path, &Path) -> Result<()>;
+/// The file whose lock a process holds while it works on the folder.
+const LOCK: &str = ".lock";
 
-/// An open and locked partial table.
+/// An unfinished table, locked by this process.
 pub struct PartialTable {
-    file: File,
-    /// Where it lies.
-    path: PathBuf,
-    /// Where the finished table will lie.
+    blocks: Blocks,
+    folder: PathBuf,
+    /// The place of the finished table.
     table: PathBuf,
-    /// Bytes of complete rows.
-    end: u64,
+    format: Format,
     counts: Counts,
-    repaired: Option<String>,
-}
-
-/// What there is to do.
-pub enum Opened {
-    /// The table already holds this very sweep.
-    Finished,
-    /// Work, possibly none of it left.
-    Partial(PartialTable),
+    /// A block that was not whole.
+    damaged: Option<String>,
+    _lock: Lock,
 }
 
 /// What rows hold.
@@ -54,22 +45,39 @@ pub struct Counts {
     pub acceptable: u64,
     /// Those that are not for high speed.
     pub low_speed: u64,
-    /// Limits leave none.
+    /// Rows whose limits leave no cam.
     pub infeasible: u64,
-    /// Scenes at fault.
+    /// Rows whose scene is at fault.
     pub errors: u64,
     /// The first of them: its row and what is wrong.
     pub first_error: Option<(u64, String)>,
 }
 
 impl Counts {
-    /// Counts of computed rows; `first` is the number of the first one.
-    pub fn of(first: u64, results: &Results) -> Counts {
+    /// Counts of computed rows.
+    pub fn of(records: &Records) -> Counts {
+        let columns = ["outcome", "verdict", "error"].map(|name| records.words(name));
+        let first = records.first_row().unwrap_or(0);
         let mut out = Counts::default();
-        let (outcomes, verdicts, errors) = (results.words(0), results.words(1), results.words(5));
-        for row in 0..results.len() {
-            out.count(first, outcomes[row], verdicts[row], errors[row]);
+        for row in 0..records.len() {
+            let [outcome, verdict, error] =
+                columns.map(|c| c.and_then(|c| c.at(row)).unwrap_or(""));
+            out.count(first, outcome, verdict, error);
         }
+        out
+    }
+
+    /// Counts of the rows of a block; of fewer rows than it should have where it was cut short.
+    fn of_block(path: &Path, first: u64) -> Counts {
+        let mut out = Counts::default();
+        // The rows before the fault are counted; the caller compares their number.
+        let _ = each_row(path, |columns, row| {
+            let error = columns.names.iter().position(|n| n == "error");
+            let error = error.map_or(String::new(), |c| row.word(c));
+            let (outcome, verdict) = (row.word(columns.outcome), row.word(columns.verdict));
+            out.count(first, &outcome, &verdict, &error);
+            Ok(())
+        });
         out
     }
 
@@ -101,7 +109,7 @@ impl Counts {
     }
 }
 
-/// FILE.csv and FILE.csv.partial, FILE.csv.sweep.json lie side by side.
+/// The path with an ending added: FILE.csv.partial and FILE.csv.sweep.json lie beside FILE.csv.
 pub fn beside(table: &Path, ending: &str) -> PathBuf {
     let mut name = table.as_os_str().to_owned();
     name.push(ending);
@@ -109,45 +117,65 @@ pub fn beside(table: &Path, ending: &str) -> PathBuf {
 }
 
 impl PartialTable {
-    /// Opens the partial table of a sweep, new or (with `resume`) as it was left.
+    /// The unfinished table of a sweep, new or (with `resume`) as it was left; `None` where the table is complete.
     ///
-    /// Refuses when another process works on it, when it holds another sweep, and when it holds rows but
-    /// nobody said to go on; then it is left as it is.
-    pub fn open(table: &Path, header: &str, sweep: &Value, resume: bool) -> Result<Opened> {
-        let path = beside(table, ".partial");
+    /// Refuses when another process works on it, when it holds another sweep, and when it holds rows and `resume` is
+    /// not set; then it is left as it is.
+    pub fn open(
+        table: &Path,
+        format: Format,
+        sweep: &Value,
+        resume: bool,
+    ) -> Result<Option<PartialTable>> {
+        let folder = beside(table, ".partial");
         if resume
-            && !path.exists()
+            && !folder.exists()
             && table.exists()
-            && let Some(done) = described(&beside(table, ".sweep.json"))
+            && let Some(finished) = described(&beside(table, ".sweep.json"))
         {
-            gaitcam::sweep::agree(table, &done, sweep, language::current())?;
-            // Left by a process that ended between its last two steps.
-            let _ = std::fs::remove_file(beside(table, ".partial.json"));
-            return Ok(Opened::Finished);
+            gaitcam::sweep::agree(table, &finished, sweep, language::current())?;
+            return Ok(None);
+        }
+        if folder.is_file() {
+            return Err(CliError::NotPartial.in_file(&folder));
+        }
+        let lock = locked(&folder, table)?;
+        let rows = blocks::files(&folder)?.last().map_or(0, |f| f.0.end);
+        if rows == 0 {
+            let _ = fs::remove_file(folder.join(PLAN));
+        } else if !resume {
+            return Err(CliError::PartialRows { rows }.in_file(&folder));
         }
         let mut partial = PartialTable {
-            file: locked(&path, table)?,
-            path,
+            blocks: Blocks::open(&folder, sweep, format.ending(), language::current())?,
+            folder,
             table: table.to_path_buf(),
-            end: 0,
+            format,
             counts: Counts::default(),
-            repaired: None,
+            damaged: None,
+            _lock: lock,
         };
-        partial.scan(header)?;
-        if partial.counts.rows == 0 {
-            partial.begin(header, sweep)?;
-            return Ok(Opened::Partial(partial));
+        partial.count_blocks()?;
+        Ok(Some(partial))
+    }
+
+    /// Counts the rows of the blocks; removes those from the first on that is not whole.
+    fn count_blocks(&mut self) -> Result<()> {
+        for (rows, path) in blocks::files(&self.folder)? {
+            let counts = Counts::of_block(&path, rows.start);
+            if rows == (self.counts.rows..self.counts.rows + counts.rows) {
+                self.counts.add(counts);
+                continue;
+            }
+            let file = json!({"file": path.display().to_string()});
+            self.damaged
+                .get_or_insert_with(|| words::fill("sweep-damaged", &file));
+            fs::remove_file(&path).map_err(|e| {
+                let fault = e.to_string();
+                CliError::CannotRepair { fault }.in_file(&path)
+            })?;
         }
-        if !resume {
-            let rows = partial.counts.rows;
-            return Err(CliError::PartialRows { rows }.in_file(&partial.path));
-        }
-        let before = described(&beside(table, ".partial.json"))
-            .or_else(|| described(&beside(table, ".sweep.json")))
-            .ok_or_else(|| partial.foreign())?;
-        gaitcam::sweep::agree(&partial.path, &before, sweep, language::current())?;
-        partial.cut()?;
-        Ok(Opened::Partial(partial))
+        Ok(())
     }
 
     /// What its rows hold.
@@ -155,179 +183,78 @@ impl PartialTable {
         &self.counts
     }
 
-    /// What had to be repaired.
-    pub fn repaired(&self) -> Option<&str> {
-        self.repaired.as_deref()
+    /// The message about a block that was not whole.
+    pub fn damaged(&self) -> Option<&str> {
+        self.damaged.as_deref()
     }
 
-    fn unreadable(&self, e: &std::io::Error) -> Error {
-        cannot_be_read(&self.path, e)
+    /// The format of the table.
+    pub fn format(&self) -> Format {
+        self.format
     }
 
-    fn foreign(&self) -> Error {
-        CliError::NotPartial.in_file(&self.path)
-    }
-
-    /// Counts the complete rows. Fails on a file that does not begin like a table.
-    fn scan(&mut self, header: &str) -> Result<()> {
-        let size = self.size()?;
-        let mut start = vec![0; header.len().min(size as usize)];
-        let read = self
-            .file
-            .rewind()
-            .and_then(|()| self.file.read_exact(&mut start));
-        read.map_err(|e| self.unreadable(&e))?;
-        let common = start.iter().zip(header.as_bytes());
-        let begins_so = common.take_while(|(a, b)| a == b).count();
-        // The column of row numbers comes first in every table; a shorter file was cut in its header.
-        if begins_so < "row,".len().min(start.len()) {
-            return Err(self.foreign());
-        }
-        let ends_a_line = self.last_byte(size)? == Some(b'\n');
-        self.file.rewind().map_err(|e| self.unreadable(&e))?;
-        let mut reader = csv::Reader::from_reader(BufReader::new(&self.file));
-        let Ok(names) = reader.headers().cloned() else {
-            return Ok(());
-        };
-        let column = |name: &str| names.iter().position(|n| n == name);
-        let known = [column("outcome"), column("verdict"), column("error")];
-        let mut counts = Counts::default();
-        let mut end = reader.position().byte();
-        let mut record = csv::StringRecord::new();
-        // Fields of another number, a row out of turn, and zeros where a block was never written end it.
-        while let Ok(true) = reader.read_record(&mut record) {
-            let at = reader.position().byte();
-            let in_turn = record.get(0) == Some(counts.rows.to_string().as_str());
-            let whole = !record.as_slice().contains('\0') && (at < size || ends_a_line);
-            if !in_turn || !whole {
-                break;
-            }
-            let [outcome, verdict, error] =
-                known.map(|c| c.and_then(|c| record.get(c)).unwrap_or(""));
-            counts.count(0, outcome, verdict, error);
-            end = at;
-        }
-        (self.counts, self.end) = (counts, end);
-        Ok(())
-    }
-
-    fn size(&self) -> Result<u64> {
-        let metadata = self.file.metadata();
-        Ok(metadata.map_err(|e| self.unreadable(&e))?.len())
-    }
-
-    fn last_byte(&mut self, size: u64) -> Result<Option<u8>> {
-        if size == 0 {
-            return Ok(None);
-        }
-        let mut byte = [0];
-        let read = self
-            .file
-            .seek(SeekFrom::Start(size - 1))
-            .and_then(|_| self.file.read_exact(&mut byte));
-        read.map_err(|e| self.unreadable(&e))?;
-        Ok(Some(byte[0]))
-    }
-
-    /// Removes what follows the last complete row.
-    fn cut(&mut self) -> Result<()> {
-        let size = self.size()?;
-        if self.end < size {
-            let file = self.path.display().to_string();
-            let lost = json!({"bytes": size - self.end, "file": file});
-            self.repaired = Some(words::fill("sweep-repaired", &lost));
-            self.file.set_len(self.end).map_err(|e| {
-                let fault = e.to_string();
-                CliError::CannotRepair { fault }.in_file(&self.path)
-            })?;
-        }
-        Ok(())
-    }
-
-    /// The header alone, and the description beside it.
-    fn begin(&mut self, header: &str, sweep: &Value) -> Result<()> {
-        let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
-        write_whole(&beside(&self.path, ".json"), text.as_bytes())?;
-        let written = self.file.set_len(0).and_then(|()| self.file.rewind());
-        written.map_err(|e| {
-            let fault = e.to_string();
-            CliError::CannotWrite { fault }.in_file(&self.path)
+    /// Adds the rows that come next and puts them on the disk; `lines` as [`Format::block`] takes them.
+    pub fn append(&mut self, records: &Records, lines: &str) -> Result<()> {
+        let start = self.counts.rows;
+        let rows = start..start + records.len() as u64;
+        let bytes = self.format.block(records, lines)?;
+        self.blocks.put(&rows, &bytes).map_err(|e| {
+            let fault = e.sentence(language::current());
+            CliError::RowsSafe { fault, rows: start }.in_file(&self.folder)
         })?;
-        self.end = 0;
-        self.append(header, Counts::default())
-    }
-
-    /// Adds the rows that come next and puts them on the disk. After a failure (a full disk) the table ends
-    /// where it ended before.
-    pub fn append(&mut self, rows: &str, counts: Counts) -> Result<()> {
-        let written = self
-            .file
-            .seek(SeekFrom::Start(self.end))
-            .and_then(|_| self.file.write_all(rows.as_bytes()))
-            .and_then(|()| self.file.sync_data());
-        if let Err(e) = written {
-            let _ = self.file.set_len(self.end);
-            let (fault, rows) = (e.to_string(), self.counts.rows);
-            return Err(CliError::RowsSafe { fault, rows }.in_file(&self.path));
-        }
-        self.end += rows.len() as u64;
-        self.counts.add(counts);
+        self.counts.add(Counts::of(records));
         Ok(())
     }
 
-    /// Puts the complete table in its place: as it is, or as `convert` writes it to the path it is given.
-    pub fn finish(self, sweep: &Value, convert: Option<Convert>) -> Result<Counts> {
+    /// Puts the complete table in its place and removes the blocks.
+    pub fn finish(self, sweep: &Value) -> Result<Counts> {
         let text = serde_json::to_string_pretty(sweep).unwrap_or_default();
         write_whole(&beside(&self.table, ".sweep.json"), text.as_bytes())?;
-        let fault = |e: std::io::Error| {
+        let fault = |e: std::io::Error| -> Error {
             let fault = e.to_string();
             CliError::AllRowsSafe { fault }.in_file(&self.table)
         };
-        match convert {
-            None => std::fs::rename(&self.path, &self.table).map_err(fault)?,
-            Some(convert) => {
-                let converted = beside(&self.table, &format!(".{}.partial", std::process::id()));
-                let placed = convert(&self.path, &converted)
-                    .and_then(|()| std::fs::rename(&converted, &self.table).map_err(fault));
-                if placed.is_err() {
-                    let _ = std::fs::remove_file(&converted);
-                }
-                placed?;
-                std::fs::remove_file(&self.path).map_err(fault)?;
-            }
+        let paths: Vec<PathBuf> = blocks::files(&self.folder)?
+            .into_iter()
+            .map(|f| f.1)
+            .collect();
+        let joined = beside(&self.table, &format!(".{}.partial", std::process::id()));
+        let placed = File::create(&joined)
+            .map_err(fault)
+            .and_then(|file| self.format.join(&paths, file))
+            .and_then(|file| file.sync_all().map_err(fault))
+            .and_then(|()| fs::rename(&joined, &self.table).map_err(fault));
+        if placed.is_err() {
+            let _ = fs::remove_file(&joined);
         }
-        let _ = std::fs::remove_file(beside(&self.path, ".json"));
+        placed?;
         // The name is safe once its folder is.
-        let folder = self.table.parent().filter(|p| !p.as_os_str().is_empty());
-        if let Ok(folder) = File::open(folder.unwrap_or(Path::new("."))) {
-            let _ = folder.sync_all();
+        let parent = self.table.parent().filter(|p| !p.as_os_str().is_empty());
+        if let Ok(parent) = File::open(parent.unwrap_or(Path::new("."))) {
+            let _ = parent.sync_all();
         }
-        Ok(self.counts)
+        for path in paths.iter().chain([&self.folder.join(PLAN)]) {
+            fs::remove_file(path).map_err(fault)?;
+        }
+        let (folder, counts) = (self.folder, self.counts);
+        drop(self._lock);
+        // Files of other processes that were killed may be left in it.
+        let _ = fs::remove_dir_all(folder);
+        Ok(counts)
     }
 }
 
-/// The partial table, open and locked by this process alone.
-fn locked(path: &Path, table: &Path) -> Result<File> {
-    let fault = |e: std::io::Error| {
+/// The lock of the folder, which is created where needed.
+fn locked(folder: &Path, table: &Path) -> Result<Lock> {
+    let lock = fs::create_dir_all(folder).and_then(|()| Lock::unless_held(&folder.join(LOCK)));
+    let lock = lock.map_err(|e| {
         let fault = e.to_string();
-        CliError::CannotOpen { fault }.in_file(path)
-    };
-    let busy = || CliError::Busy.in_file(table);
-    let file = OpenOptions::new()
-        .read(true)
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(path)
-        .map_err(fault)?;
-    match file.try_lock() {
-        Ok(()) if is_still_there(&file, path) => Ok(file),
-        Ok(()) | Err(TryLockError::WouldBlock) => Err(busy()),
-        Err(TryLockError::Error(e)) => Err(fault(e)),
-    }
+        CliError::CannotOpen { fault }.in_file(folder)
+    })?;
+    lock.ok_or_else(|| CliError::Busy.in_file(table))
 }
 
 /// A description of a sweep, where one lies.
 fn described(path: &Path) -> Option<Value> {
-    serde_json::from_slice(&std::fs::read(path).ok()?).ok()
+    serde_json::from_slice(&fs::read(path).ok()?).ok()
 }

@@ -45,7 +45,7 @@ mod with_parquet {
     use crate::{console::language, console::words};
     use gaitcam::error::Result;
     use gaitcam::sweep::{Plan, Study, Subject};
-    use gaitcam_files::blocks::{BLOCK_ROWS, Blocks};
+    use gaitcam_files::blocks::{BLOCK_ROWS, SharedBlocks};
     use gaitcam_files::target::content;
     use gaitcam_output::parquet::file;
 
@@ -64,9 +64,9 @@ mod with_parquet {
             content(folder, path)
         })?;
         let rows = args.block_rows.unwrap_or(BLOCK_ROWS);
-        let blocks = Blocks::open(&args.out, &study, rows, language::current())?;
+        let blocks = SharedBlocks::open(&args.out, &study, rows, language::current())?;
         let metadata = study.metadata();
-        let jobs = args.jobs.map_or_else(work::cores, usize::from);
+        let jobs = work::jobs(args.jobs);
         let stop = work::stop_on_ctrl_c();
         let halts = || args.time.of_row();
         let missing = blocks.missing_of(shard.part, shard.parts)?;
@@ -81,7 +81,7 @@ mod with_parquet {
                 terminal::report(words::fill("sweep-stopped", &done));
                 return Ok(INTERRUPTED);
             };
-            blocks.put(&rows, &file(&records, &metadata)?)?;
+            blocks.blocks.put(&rows, &file(&records, &metadata)?)?;
             bar.inc(records.len() as u64);
         }
         bar.finish_and_clear();

@@ -1,5 +1,6 @@
 //! A sweep that is killed, stopped or started twice loses no row and mixes none.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -45,9 +46,10 @@ fn killed_again_and_again(out: &Path, arguments: &[&str], kills: usize, longest_
         child.wait().unwrap();
         if ended {
             // The table stands: begin again, so that every kill meets a running sweep.
-            for ending in ["", ".partial", ".partial.json", ".sweep.json"] {
+            for ending in ["", ".sweep.json"] {
                 let _ = fs::remove_file(PathBuf::from(format!("{}{ending}", out.display())));
             }
+            let _ = fs::remove_dir_all(journal(out));
         } else {
             done += 1;
         }
@@ -72,8 +74,7 @@ fn a_sweep_killed_twenty_times_ends_with_the_same_table() {
             let killed = folder.path().join(format!("{name}-killed-{round}.csv"));
             kills += killed_again_and_again(&killed, arguments, 12, longest_ms);
             assert_eq!(rows(&calm), rows(&killed));
-            let left = format!("{name}-killed-{round}.csv.partial");
-            assert!(!folder.path().join(left).exists());
+            assert!(!journal(&killed).exists());
         }
         if kills >= 20 {
             break;
@@ -83,30 +84,56 @@ fn a_sweep_killed_twenty_times_ends_with_the_same_table() {
     assert!(kills >= 20, "{kills}");
 }
 
-/// A journal that a killed sweep left behind.
-fn interrupted(out: &Path, arguments: &[&str]) -> PathBuf {
-    let journal = PathBuf::from(format!("{}.partial", out.display()));
-    let mut child = start(out, arguments);
+/// The folder in which the table of a sweep grows.
+fn journal(out: &Path) -> PathBuf {
+    PathBuf::from(format!("{}.partial", out.display()))
+}
+
+/// The files of a folder with their content, but for the lock.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths = entries.map(|e| e.path()).filter(|p| !p.ends_with(".lock"));
+    paths
+        .filter_map(|p| Some((p.clone(), fs::read(p).ok()?)))
+        .collect()
+}
+
+/// The blocks that the table consists of so far, in order.
+fn blocks(journal: &Path) -> Vec<PathBuf> {
+    let is_block = |p: &PathBuf| p.extension().is_some_and(|e| e == "csv");
+    files(journal).into_keys().filter(is_block).collect()
+}
+
+/// Waits until a running sweep has written so many blocks.
+fn wait_for_blocks(journal: &Path, count: usize) {
     for _ in 0..2000 {
-        std::thread::sleep(Duration::from_millis(5));
-        if fs::metadata(&journal).is_ok_and(|m| m.len() > 10_000) {
-            break;
+        if blocks(journal).len() >= count {
+            return;
         }
+        std::thread::sleep(Duration::from_millis(5));
     }
+}
+
+/// The folder that a killed sweep leaves behind.
+fn interrupted(out: &Path, arguments: &[&str]) -> PathBuf {
+    let journal = journal(out);
+    let mut child = start(out, arguments);
+    wait_for_blocks(&journal, 2);
     child.kill().unwrap();
     child.wait().unwrap();
-    assert!(journal.exists());
+    assert!(blocks(&journal).len() >= 2 && !out.exists());
     journal
 }
 
 #[test]
-fn a_truncated_last_chunk_is_repaired() {
+fn a_truncated_block_is_computed_again() {
     let folder = tempfile::tempdir().unwrap();
     let (calm, out) = (folder.path().join("calm.csv"), folder.path().join("t.csv"));
     sweep(&calm, &SLOW);
     let journal = interrupted(&out, &SLOW);
-    let bytes = fs::read(&journal).unwrap();
-    fs::write(&journal, &bytes[..bytes.len() - 100]).unwrap();
+    let last = blocks(&journal).pop().unwrap();
+    let bytes = fs::read(&last).unwrap();
+    fs::write(&last, &bytes[..bytes.len() - 100]).unwrap();
     let output = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(
@@ -126,7 +153,7 @@ fn a_stopped_sweep_is_neither_overwritten_nor_mixed_with_another() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("t.csv");
     let journal = interrupted(&out, &SLOW);
-    let before = fs::read(&journal).unwrap();
+    let before = files(&journal);
     let output = sweep(&out, &SLOW);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("--resume"), "{}", stderr(&output));
@@ -148,10 +175,7 @@ fn a_stopped_sweep_is_neither_overwritten_nor_mixed_with_another() {
         "{}",
         stderr(&output)
     );
-    assert!(
-        fs::read(&journal).unwrap() == before,
-        "the journal was touched"
-    );
+    assert!(files(&journal) == before, "the journal was touched");
 }
 
 #[test]
@@ -159,10 +183,7 @@ fn two_processes_on_one_table_refuse_each_other() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("t.csv");
     let mut first = start(&out, &SLOW);
-    let journal = PathBuf::from(format!("{}.partial", out.display()));
-    while !fs::metadata(&journal).is_ok_and(|m| m.len() > 0) {
-        std::thread::sleep(Duration::from_millis(2));
-    }
+    wait_for_blocks(&journal(&out), 1);
     let second = sweep(&out, &[&SLOW[..], &["--resume"]].concat());
     assert_eq!(second.status.code(), Some(2), "{}", stderr(&second));
     assert!(
@@ -180,10 +201,7 @@ fn ctrl_c_stops_cleanly_and_resume_goes_on() {
     let (calm, out) = (folder.path().join("calm.csv"), folder.path().join("t.csv"));
     sweep(&calm, &SLOW);
     let mut child = start(&out, &SLOW);
-    let journal = PathBuf::from(format!("{}.partial", out.display()));
-    while !fs::metadata(&journal).is_ok_and(|m| m.len() > 5_000) {
-        std::thread::sleep(Duration::from_millis(2));
-    }
+    wait_for_blocks(&journal(&out), 2);
     let id = child.id().to_string();
     assert!(
         Command::new("kill")

@@ -1,0 +1,175 @@
+//! Computes the rows of a sweep, on one thread or on several.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+
+use super::kernel::{Clock, Halts, Kernel, Targets};
+use super::plan::Plan;
+use super::records::Records;
+use super::scatter::Samples;
+
+/// Largest number of rows of one part of the work: bounds the memory.
+const LARGEST_PART: u64 = 4096;
+/// Parts per thread: enough that no thread waits long for another.
+const PARTS_PER_THREAD: u64 = 16;
+/// Time between two calls of `stop` while the threads work.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Computes rows, in any order and number: row i follows from the plan and from i alone.
+///
+/// ```
+/// use gaitcam::halt::Halt;
+/// use gaitcam::scene;
+/// use gaitcam::sweep::{Axis, NamedScene, Plan, Runner, Sampling};
+///
+/// let table = scene::built_in("footbridge")?.toml.parse().unwrap();
+/// let scenes = vec![NamedScene { name: "footbridge".to_string(), table }];
+/// let axes = vec![Axis::parse("gait.body_weight=600 N:800 N:5", false)?];
+/// let plan = Plan { scenes, list: None, axes, sampling: Sampling::Grid };
+/// let no_file = |_: usize, _: &gaitcam::Scene| Err(gaitcam::error::SweepError::NoForceError.into());
+/// let runner = Runner::of_plan(&plan, &no_file, &Halt::never, None);
+/// assert_eq!(runner.run(1..3, 2, &|| false).len(), 2);
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+pub struct Runner<'a> {
+    work: Work<'a>,
+}
+
+enum Work<'a> {
+    Designs {
+        plan: &'a Plan,
+        /// Names of the base scenes where there are several.
+        scenes: Option<Vec<String>>,
+        kernel: Kernel<'a>,
+    },
+    Samples(Samples),
+}
+
+impl<'a> Runner<'a> {
+    /// Rows of a plan. `targets` gives the force curve that a scene names in a file, by the index of the base scene;
+    /// `halts` the end of the search of a row that begins now; with a `clock` (s) the rows end with the time that each
+    /// took.
+    pub fn of_plan(
+        plan: &'a Plan,
+        targets: Targets<'a>,
+        halts: Halts<'a>,
+        clock: Option<Clock<'a>>,
+    ) -> Self {
+        let work = Work::Designs {
+            plan,
+            scenes: plan.scene_names(),
+            kernel: Kernel::new(&plan.scenes, plan.keys(), targets, halts, clock),
+        };
+        Runner { work }
+    }
+
+    pub(super) fn of_samples(samples: Samples) -> Self {
+        Runner {
+            work: Work::Samples(samples),
+        }
+    }
+
+    /// The rows of a range over `jobs` threads; the first of them only, up to the end of a part of the work, where
+    /// `stop` ended it. `stop` is called from this thread alone.
+    pub fn run(&self, rows: Range<u64>, jobs: usize, stop: &dyn Fn() -> bool) -> Records {
+        Records::joined(self.map(rows, jobs, stop, &|part| part))
+    }
+
+    /// The same, `each` applied to the parts by the thread that computed them.
+    pub fn map<T: Send>(
+        &self,
+        rows: Range<u64>,
+        jobs: usize,
+        stop: &dyn Fn() -> bool,
+        each: &(dyn Fn(Records) -> T + Sync),
+    ) -> Vec<T> {
+        let parts = Parts::new(rows, jobs);
+        if jobs <= 1 {
+            let part = |k| self.part(parts.rows(k), stop).map(each);
+            return (0..parts.count).map_while(part).collect();
+        }
+        let (next, ended) = (AtomicU64::new(0), AtomicBool::new(false));
+        let is_ended = || ended.load(Ordering::Relaxed);
+        let compute = || {
+            let k = next.fetch_add(1, Ordering::Relaxed);
+            let rows = (k < parts.count).then(|| parts.rows(k))?;
+            Some((k, each(self.part(rows, &is_ended)?)))
+        };
+        let mut done: Vec<Option<T>> = (0..parts.count).map(|_| None).collect();
+        std::thread::scope(|scope| {
+            let (send, receive) = channel();
+            for _ in 0..(jobs as u64).min(parts.count) {
+                let (send, compute) = (send.clone(), &compute);
+                scope.spawn(move || {
+                    while let Some(part) = compute() {
+                        if send.send(part).is_err() {
+                            return;
+                        }
+                    }
+                });
+            }
+            drop(send);
+            loop {
+                match receive.recv_timeout(LOOK) {
+                    Ok((k, part)) => done[k as usize] = Some(part),
+                    Err(RecvTimeoutError::Timeout) => {}
+                    Err(RecvTimeoutError::Disconnected) => return,
+                }
+                if stop() {
+                    ended.store(true, Ordering::Relaxed);
+                }
+            }
+        });
+        done.into_iter().map_while(|part| part).collect()
+    }
+
+    /// Rows on this thread; `None` where `stop` ended the work before all were computed.
+    fn part(&self, rows: Range<u64>, stop: &dyn Fn() -> bool) -> Option<Records> {
+        match &self.work {
+            Work::Designs {
+                plan,
+                scenes,
+                kernel,
+            } => {
+                let batch = plan.batch(rows.start, (rows.end - rows.start) as usize);
+                let results = kernel.run(&batch, stop)?;
+                let (keys, scenes) = (kernel.keys(), scenes.as_deref());
+                let records = Records::of(rows.start, keys, &batch, &results, scenes);
+                Some(if kernel.has_clock() {
+                    records.with_times(&results)
+                } else {
+                    records
+                })
+            }
+            Work::Samples(samples) => (!stop()).then(|| samples.records(rows)),
+        }
+    }
+}
+
+/// The parts into which a range of rows is cut; an empty range is one part, which has the columns.
+struct Parts {
+    all: Range<u64>,
+    size: u64,
+    count: u64,
+}
+
+impl Parts {
+    fn new(all: Range<u64>, jobs: usize) -> Parts {
+        let rows = all.end - all.start;
+        let parts = if jobs <= 1 {
+            1
+        } else {
+            PARTS_PER_THREAD * jobs as u64
+        };
+        let size = (rows / parts).clamp(1, LARGEST_PART);
+        let count = rows.div_ceil(size).max(1);
+        Parts { all, size, count }
+    }
+
+    fn rows(&self, k: u64) -> Range<u64> {
+        let start = self.all.start + k * self.size;
+        start..(start + self.size).min(self.all.end)
+    }
+}
