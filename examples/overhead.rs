@@ -2,12 +2,12 @@
 
 use std::time::Instant;
 
+use gaitcam::Problem;
 use gaitcam::force;
 use gaitcam::halt::Halt;
-use gaitcam::problem::Shared;
 use gaitcam::scene::{self, Source};
 use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Runner, Sampling};
-use gaitcam::synth::{relaxed_with, synthesise_with};
+use gaitcam::synth::{Search, design};
 
 /// Processor time of this thread, s: a busy machine does not lengthen it. Elapsed time where there is no such clock.
 fn processor_s(begun: Instant) -> f64 {
@@ -37,9 +37,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
             Source::File(_) => None,
         });
-        let shared = Shared::default();
-        if let Ok(design) = synthesise_with(&scene, target.as_ref(), &shared) {
-            let _ = relaxed_with(&scene, target.as_ref(), design, &shared);
+        let search = Search::default();
+        if let Ok(problem) = Problem::resolve(&scene, target.as_ref())
+            && let Ok(design) = design(&problem, &search)
+        {
+            let _ = design.relaxed_with(&search);
         }
     });
     let mut table: toml::Table = scene::DEFAULT.parse()?;

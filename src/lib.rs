@@ -26,14 +26,14 @@
 //!
 //! ```
 //! use gaitcam::scene::{CamSpec, Gait};
-//! use gaitcam::{LimitKind, Limits, Scene, synthesise};
+//! use gaitcam::{LimitKind, Limits, Scene};
 //!
 //! let scene = Scene::default()
 //!     .with_gait(Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0))
 //!     .with_cam(CamSpec::default().with_bore(0.012))
 //!     .with_limits(Limits::default().with(LimitKind::Curvature, 0.005))
 //!     .with_accuracy(0.005);
-//! let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+//! let design = scene.design()?;
 //!
 //! assert!(design.force.rms_error_percent_of_mean <= 0.5);
 //! assert!((design.cam.law.stroke() - 0.0492).abs() < 0.0002);

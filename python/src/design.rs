@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use gaitcam::Problem;
 use gaitcam::error::Result;
-use gaitcam::problem::Shared;
 use gaitcam::scene;
-use gaitcam::synth::{relaxed_with, synthesise_with};
+use gaitcam::synth::Search;
 use gaitcam_files::design::{self, Contents, ROWS, check_inputs_stay, finish};
 use gaitcam_files::{Input, Memory, ResultFolder, Sink};
 use gaitcam_output::{self as output, Language, Timing};
@@ -100,11 +100,12 @@ fn made(
         None => input.target()?,
     };
     let target = force.map(|f| &f.curve).or(named.as_ref());
-    let shared = Shared::until(interrupt.halt());
+    let search = Search::until(interrupt.halt());
+    let problem = Problem::resolve(&input.scene, target)?;
     let begun = interrupt.elapsed_s();
-    let design = synthesise_with(&input.scene, target, &shared)?;
+    let design = gaitcam::synth::design(&problem, &search)?;
     let solve_s = interrupt.elapsed_s() - begun;
-    let design = relaxed_with(&input.scene, target, design, &shared);
+    let design = design.relaxed_with(&search);
     Ok((design, solve_s))
 }
 

@@ -85,7 +85,7 @@ fn machine_of(
     let scene = Scene::of_input(design.input.clone()).changed(py, changes)?;
     let scene = scene.input.scene;
     let target = design.design.target.as_ref();
-    let problem = Problem::settle(&scene, target).raise(py)?;
+    let problem = Problem::resolve(&scene, target).raise(py)?;
     Ok((scene.machine, problem.drive))
 }
 

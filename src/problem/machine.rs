@@ -12,29 +12,25 @@ use crate::units::Quantity;
 ///
 /// # Errors
 /// No speed or no mass where no force gives one; a mean force that no mass can rest under.
-pub fn settled(
+pub fn resolve(
     spec: &DriveSpec,
     scale: ForceScale,
-    force: Option<ForceCurve>,
+    force: Option<&ForceCurve>,
 ) -> Result<(Drive, Option<ForceCurve>)> {
-    let known = force.as_ref().map(|curve| (curve.mean_n(), curve.period_s));
-    let drive = drive_of(spec, known)?;
+    let drive = drive_of(spec, force.map(|curve| (curve.mean_n(), curve.period_s)))?;
     let on_mass = drive.kind == DriveKind::MovingAxis;
-    match (force, scale) {
-        (Some(curve), ForceScale::ToMass) if on_mass => {
-            let scaled = scaled_to(&curve, drive.rest_force)?;
-            Ok((drive, Some(scaled)))
-        }
-        (Some(curve), ForceScale::Alternating) if on_mass => {
+    let scaled = force.map(|curve| match scale {
+        ForceScale::ToMass if on_mass => scaled_to(curve, drive.rest_force),
+        ForceScale::Alternating if on_mass => {
             let shift = drive.rest_force - curve.mean_n();
-            let shifted = ForceCurve {
+            Ok(ForceCurve {
                 force_n: curve.force_n.iter().map(|f| f + shift).collect(),
-                ..curve
-            };
-            Ok((drive, Some(shifted)))
+                ..curve.clone()
+            })
         }
-        (other, _) => Ok((drive, other)),
-    }
+        ForceScale::None | ForceScale::ToMass | ForceScale::Alternating => Ok(curve.clone()),
+    });
+    Ok((drive, scaled.transpose()?))
 }
 
 /// The drive with every number, for a force of which mean, N, and period, s, are known.

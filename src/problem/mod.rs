@@ -1,55 +1,51 @@
-//! A scene settled once against its force: every number that the solvers, the checks and the searches work
-//! with, and every fact that follows from them.
+//! A scene resolved once against its force: every number that solvers, checks and searches work with, and
+//! every fact that follows from them.
 //!
-//! Nothing after [`Problem::settle`] looks at the [`Scene`] again. A search that changes a limit changes the
-//! problem; what follows from the limits is a method here, so that it follows from the changed ones too.
+//! A problem is complete when it exists and never changes. Nothing after [`Problem::resolve`] looks at the
+//! [`Scene`] again. Another limit, size or phase is another problem: [`Problem::with`], [`Problem::at_phase`].
 
 mod accuracy;
 mod changed;
+mod cycle;
 mod machine;
-mod memo;
 mod notes;
 mod size;
 mod target;
 
 pub(crate) use accuracy::USUAL_ACCURACY;
+use cycle::Cycle;
 pub(crate) use machine::drive_of;
-pub(crate) use memo::Memo;
-pub use memo::Shared;
-pub(crate) use memo::SpanKey;
-use memo::{Settled, TargetKey};
 pub use notes::Note;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::Train;
 use crate::error::{Placed, Result, SynthError};
-use crate::force::{self, ForceCurve, OpenQuestion, implausible};
-use crate::halt::Halt;
+use crate::force::{self, ForceCurve, OpenQuestion};
 use crate::law::Rise;
 use crate::scene::{
-    Band, CamSpec, DriveSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Minimise,
-    Phase, PhaseWeight, Scene, Source,
+    CamSpec, Family, ForceScale, Gait, LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight,
+    Scene, Source,
 };
 use crate::units::G;
-use target::band_about;
 
 /// Degree of splines, and two more for the first terms of a polydyne follower's damping.
 const USUAL_DEGREE: usize = 5;
 const DAMPED_DEGREE: usize = 7;
 
-/// The whole problem with every number settled.
+/// The whole problem with every number resolved.
 ///
 /// ```
 /// use gaitcam::{Problem, scene};
 ///
-/// // The mass is settled so that it weighs as much as the walker: M = 700 N/g.
+/// // The mass is such that it weighs as much as the walker: M = 700 N/g.
 /// let scene = scene::built_in("footbridge")?.scene()?;
-/// let problem = Problem::settle(&scene, scene.model_force()?.as_ref())?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// assert!((problem.drive.mass - 700.0 / 9.81).abs() < 1e-9);
 /// assert!((problem.drive.speed - std::f64::consts::TAU * 1.85).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -85,25 +81,12 @@ pub struct Problem {
     pub above_base_circle: bool,
     /// What is open about the recording and was not accepted.
     pub open_questions: Vec<(OpenQuestion, Vec<force::Note>)>,
-    /// What is already found for this force and law.
-    pub(crate) memo: Memo,
-    /// When searches are to end.
-    pub halt: Halt,
-    /// Only a design that passes is of use: what cannot reach the accuracy need not be finished.
-    pub only_passing: bool,
+    /// Weight of the walker that the target is of, N, scaled as the target is; `None` without a force.
+    pub weight_n: Option<f64>,
     weights: Vec<PhaseWeight>,
-    given: Given,
-}
-
-/// What was written about force and drive, kept for another phase.
-#[derive(Debug, Clone)]
-struct Given {
-    force: Option<ForceCurve>,
-    band: Option<Band>,
-    scale: ForceScale,
-    /// Weight of the walker before it is scaled, N.
-    weight_n: Option<f64>,
-    drive: DriveSpec,
+    /// The force and its band as they are at phase 0.
+    cycle: Option<Arc<Cycle>>,
+    /// Notes on scene and recording.
     remarks: Vec<Note>,
 }
 
@@ -121,126 +104,82 @@ fn weight(gait: &Gait, force: &ForceCurve) -> f64 {
 }
 
 impl Problem {
-    /// Settles speed, mass, target and band. A phase that is free begins its cycle at 0 here.
+    /// Resolves speed, mass, target and band. A phase that is free begins its cycle at 0 here.
     ///
     /// # Errors
-    /// The scene wants a force and none is given; the mean force is not positive on a moving axis; the drive
+    /// The scene needs a force and none is given; the mean force is not positive on a moving axis; the drive
     /// relates no lift to force; the band asks for a spread that the force does not have.
-    pub fn settle(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
-        Problem::settle_with(scene, force, &Shared::default())
-    }
-
-    /// The same, with what problems of the same force and law have found.
-    ///
-    /// # Errors
-    /// As [`Problem::settle`].
-    pub fn settle_with(
-        scene: &Scene,
-        force: Option<&ForceCurve>,
-        shared: &Shared,
-    ) -> Result<Problem> {
+    pub fn resolve(scene: &Scene, force: Option<&ForceCurve>) -> Result<Problem> {
         let gait = scene.gait.as_ref();
         let force = match (gait, force) {
             (Some(_), None) => return Err(SynthError::ForceNotRead.at_key("gait")),
             (None, _) => None,
-            (Some(_), Some(curve)) => Some(curve.clone()),
+            (Some(_), force) => force,
         };
-        let phase = match gait.map(|g| g.phase) {
-            Some(Phase::At(phase)) => phase,
-            _ => 0.0,
-        };
-        let notes = scene.notes();
-        let mut remarks: Vec<Note> = notes.into_iter().map(|note| Note::Scene { note }).collect();
-        if let (Some(gait), Some(force)) = (gait, &force)
-            && gait.is_recording()
-        {
-            let doubts = implausible(force, gait.feet).into_iter();
-            let doubts = doubts.chain(force.warnings().cloned());
-            remarks.extend(doubts.map(|note| Note::Recording { note }));
+        let scale = gait.map_or(ForceScale::None, |g| g.scale);
+        let (drive, scaled) = machine::resolve(&scene.drive, scale, force)?;
+        if scaled.is_some() && drive.weights() == [0.0; 4] {
+            return Err(SynthError::NoLiftChangesForce.at_key("drive"));
         }
-        let weight_n = gait.zip(force.as_ref()).map(|(g, f)| weight(g, f));
-        Problem {
+        let weight = gait.zip(force).map(|(gait, force)| {
+            let is_scaled = drive.kind == DriveKind::MovingAxis && scale == ForceScale::ToMass;
+            let factor = if is_scaled {
+                drive.rest_force / force.mean_n()
+            } else {
+                1.0
+            };
+            weight(gait, force) * factor
+        });
+        let band = gait.and_then(|g| g.band);
+        let cycle = scaled.map(|force| Cycle::new(force, band)).transpose()?;
+        let (law, phase) = (&scene.law, gait.map_or(Phase::At(0.0), |g| g.phase));
+        let at = match phase {
+            Phase::At(angle) => angle,
+            Phase::Free => 0.0,
+        };
+        let (target, band) = cycle.as_ref().map_or((None, None), |c| c.at_phase(at));
+        Ok(Problem {
             name: scene.name.clone(),
-            drive: Drive::moving_axis(0.0, 0.0, 0.0),
-            target: None,
-            band: None,
-            phase,
-            phase_is_free: force.is_some() && gait.is_some_and(|g| g.phase == Phase::Free),
-            length: 0.0,
-            law: scene.law.clone(),
+            length: typical_lift(&drive, target.as_ref(), law),
+            drive,
+            target,
+            band,
+            phase: at,
+            phase_is_free: cycle.is_some() && phase == Phase::Free,
+            law: law.clone(),
             cam: scene.cam.clone(),
             limits: scene.limits.clone(),
             machine: scene.machine.clone(),
             accuracy: scene.rms,
             above_base_circle: true,
-            open_questions: open_questions(gait, force.as_ref()),
-            memo: shared.memo.clone(),
-            halt: shared.halt.clone(),
-            only_passing: false,
+            open_questions: open_questions(gait, force),
+            weight_n: weight,
             weights: gait.map_or_else(Vec::new, |g| g.weights.clone()),
-            given: Given {
-                force,
-                band: gait.and_then(|g| g.band),
-                scale: gait.map_or(ForceScale::None, |g| g.scale),
-                weight_n,
-                drive: scene.drive.clone(),
-                remarks,
-            },
-        }
-        .at_phase(phase)
-    }
-
-    /// The same with the cam's turn beginning at another phase of the force cycle.
-    ///
-    /// # Errors
-    /// As [`Problem::settle`].
-    pub fn at_phase(mut self, phase: f64) -> Result<Problem> {
-        let key = TargetKey {
-            drive: self.given.drive.clone(),
-            phase,
-        };
-        let (drive, target) = self.memo.found::<_, Settled, _>(key, || {
-            let force = match &self.given.force {
-                Some(curve) if phase != 0.0 => Some(curve.begun_at(phase)),
-                other => other.clone(),
-            };
-            let (drive, force) = machine::settled(&self.given.drive, self.given.scale, force)?;
-            Ok::<_, crate::error::Error>((drive, force.map(Target::new)))
-        })?;
-        if target.is_some() && drive.weights() == [0.0; 4] {
-            return Err(SynthError::NoLiftChangesForce.at_key("drive"));
-        }
-        self.band = match (self.given.band, &target) {
-            (Some(band), Some(target)) => Some(band_about(&target.curve, band)?),
-            _ => None,
-        };
-        self.drive = drive;
-        self.phase = phase;
-        self.target = target;
-        self.length = self.typical_lift();
-        Ok(self)
-    }
-
-    /// Weight of the walker that the target is of, N: scaled as the target is; `None` without a force.
-    pub fn weight_n(&self) -> Option<f64> {
-        let (weight, force) = self.given.weight_n.zip(self.given.force.as_ref())?;
-        let scaled =
-            self.drive.kind == DriveKind::MovingAxis && self.given.scale == ForceScale::ToMass;
-        Some(if scaled {
-            weight * self.drive.rest_force / force.mean_n()
-        } else {
-            weight
+            cycle: cycle.map(Arc::new),
+            remarks: notes::remarks(scene, force),
         })
     }
 
-    /// The same with its force and demands, but without a limit and without a band, and with all the time it
-    /// takes: such laws are quickly found.
+    /// The same with the cam's turn beginning at another phase of the force cycle.
+    #[must_use]
+    pub fn at_phase(&self, phase: f64) -> Problem {
+        let at = |cycle: &Arc<Cycle>| cycle.at_phase(phase);
+        let (target, band) = self.cycle.as_ref().map_or((None, None), at);
+        Problem {
+            phase,
+            length: typical_lift(&self.drive, target.as_ref(), &self.law),
+            target,
+            band,
+            ..self.clone()
+        }
+    }
+
+    /// The same with its force and demands, but without a limit and without a band.
+    #[must_use]
     pub fn without_limits(&self) -> Problem {
         Problem {
             limits: Limits::default(),
             band: None,
-            halt: Halt::never(),
-            only_passing: false,
             ..self.clone()
         }
     }
@@ -309,29 +248,30 @@ impl Problem {
         let w = self.drive.weights();
         (w[0] != 0.0 && w[1] == 0.0 && w[2] == 0.0).then(|| (force - self.drive.rest_force) / w[0])
     }
+}
 
-    fn typical_lift(&self) -> f64 {
-        let [k, c, m, _] = self.drive.weights();
-        let from_force = self.target.as_ref().map_or(0.0, |target| {
-            let largest = target.farthest_from(self.drive.rest_force);
-            let gain = k + c + m;
-            if gain > 0.0 { largest / gain } else { 0.0 }
-        });
-        let points = &self.law.points;
-        let lifts = points
-            .iter()
-            .filter_map(|p| p.lift)
-            .chain(self.law.dwells.iter().filter_map(|d| d.lift));
-        let from_points = lifts.fold(0.0_f64, |x, l| x.max(l.abs()));
-        let forces = points.iter().filter_map(|p| p.force);
-        let from_forces = forces.fold(0.0_f64, |x, f| x.max(f.abs()));
-        let from_forces = if k > 0.0 { from_forces / k } else { 0.0 };
-        let typical = from_force.max(from_points).max(from_forces);
-        if typical > 0.0 && typical.is_finite() {
-            typical
-        } else {
-            1e-3
-        }
+/// The lift that force and demands ask for, m: the unit in which solvers work.
+fn typical_lift(drive: &Drive, target: Option<&Target>, law: &LawSpec) -> f64 {
+    let [k, c, m, _] = drive.weights();
+    let from_force = target.map_or(0.0, |target| {
+        let largest = target.farthest_from(drive.rest_force);
+        let gain = k + c + m;
+        if gain > 0.0 { largest / gain } else { 0.0 }
+    });
+    let points = &law.points;
+    let lifts = points
+        .iter()
+        .filter_map(|p| p.lift)
+        .chain(law.dwells.iter().filter_map(|d| d.lift));
+    let from_points = lifts.fold(0.0_f64, |x, l| x.max(l.abs()));
+    let forces = points.iter().filter_map(|p| p.force);
+    let from_forces = forces.fold(0.0_f64, |x, f| x.max(f.abs()));
+    let from_forces = if k > 0.0 { from_forces / k } else { 0.0 };
+    let typical = from_force.max(from_points).max(from_forces);
+    if typical > 0.0 && typical.is_finite() {
+        typical
+    } else {
+        1e-3
     }
 }
 

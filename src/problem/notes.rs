@@ -8,8 +8,8 @@ use strum::VariantNames;
 
 use super::Problem;
 use crate::drive::DriveKind;
-use crate::force;
-use crate::scene::{LimitKind, SceneNote};
+use crate::force::{self, ForceCurve, implausible};
+use crate::scene::{LimitKind, Scene, SceneNote};
 use crate::units::{Dimension, Quantity};
 use crate::wording::{self, Language};
 
@@ -28,7 +28,7 @@ const SAME_PERIOD: f64 = 1e-3;
 ///
 /// // With v closed over a turn the stroke is at most 16 h/T² ≤ max |a| (theory §1).
 /// let scene = scene::built_in("footbridge")?.scene()?;
-/// let problem = Problem::settle(&scene, scene.model_force()?.as_ref())?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
 /// let stroke = problem.notes().into_iter().find_map(|note| match note {
 ///     Note::LargestStroke { acceleration, stroke, .. } => Some((acceleration.value, stroke.value)),
 ///     _ => None,
@@ -112,10 +112,24 @@ impl Note {
     }
 }
 
+/// Notes on the scene and on its recording.
+pub fn remarks(scene: &Scene, force: Option<&ForceCurve>) -> Vec<Note> {
+    let of_scene = scene.notes().into_iter().map(|note| Note::Scene { note });
+    let mut out: Vec<Note> = of_scene.collect();
+    if let (Some(gait), Some(force)) = (&scene.gait, force)
+        && gait.is_recording()
+    {
+        let doubts = implausible(force, gait.feet).into_iter();
+        let doubts = doubts.chain(force.warnings().cloned());
+        out.extend(doubts.map(|note| Note::Recording { note }));
+    }
+    out
+}
+
 impl Problem {
-    /// Notes on the scene, the speed, the closure of a moving axis and the phase that was found.
+    /// Notes on the scene, the speed, the closure of a moving axis and the phase that was chosen.
     pub fn notes(&self) -> Vec<Note> {
-        let mut out: Vec<Note> = self.given.remarks.clone();
+        let mut out = self.remarks.clone();
         let off = self.limits.unjudged.keys().into_iter();
         out.extend(off.map(|key| Note::NotJudged { key }));
         out.extend(self.stretched());
@@ -131,8 +145,7 @@ impl Problem {
     }
 
     fn stretched(&self) -> Option<Note> {
-        let (speed, target) = (self.given.drive.speed?, self.target.as_ref()?);
-        let (turn, cycle) = (TAU / speed, target.curve.period_s);
+        let (turn, cycle) = (TAU / self.drive.speed, self.target.as_ref()?.curve.period_s);
         ((turn / cycle - 1.0).abs() > SAME_PERIOD).then(|| Note::Stretched {
             turn: Quantity::time(turn),
             cycle: Quantity::time(cycle),

@@ -120,9 +120,9 @@ pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let force = scene.model_force()?;
-/// assert_eq!(Problem::settle(&scene, force.as_ref())?.size(), Size::AfterLaw);
+/// assert_eq!(Problem::resolve(&scene, force.as_ref())?.size(), Size::AfterLaw);
 /// let given = scene.with("cam.base_radius", "30 mm")?;
-/// let size = Problem::settle(&given, force.as_ref())?.size();
+/// let size = Problem::resolve(&given, force.as_ref())?.size();
 /// assert_eq!(size, Size::Given { base: 0.03, prime: 0.03 });
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

@@ -1,12 +1,11 @@
-//! The wanted force in step with the cam, and the band about it.
+//! The target force in step with the cam.
 
 use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, OnceLock};
 
-use crate::error::{Placed, Result, SynthError};
 use crate::force::ForceCurve;
 use crate::poly::{Cells, amplitudes};
-use crate::scene::{Band, PhaseWeight};
+use crate::scene::PhaseWeight;
 
 /// One turn of wanted force, as the fits read it thousands of times.
 ///
@@ -53,12 +52,13 @@ const KEPT: usize = 16;
 
 impl Target {
     /// The cycle with its cubics.
-    pub fn new(curve: ForceCurve) -> Self {
+    pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
+        let curve = curve.into();
         Target {
             cells: Arc::new(curve.cells()),
             mean_n: curve.mean_n(),
             range_n: curve.range_n().into(),
-            curve: Arc::new(curve),
+            curve,
             nearest: Arc::default(),
             spectrum: Arc::default(),
             square: Arc::default(),
@@ -141,23 +141,4 @@ pub fn weight_at(weights: &[PhaseWeight], phase: f64) -> f64 {
         }
     };
     weights.iter().rev().find(inside).map_or(1.0, |w| w.weight)
-}
-
-/// Lowest and highest force of a band about the target, as cycles like it.
-///
-/// # Errors
-/// A band of one spread about a target that carries none.
-pub fn band_about(target: &ForceCurve, band: Band) -> Result<[ForceCurve; 2]> {
-    let half: Vec<f64> = match (band, &target.spread_n) {
-        (Band::Width(width), _) => vec![width; target.force_n.len()],
-        (Band::Spread, Some(spread)) => spread.clone(),
-        (Band::Spread, None) => {
-            return Err(SynthError::NoSpread.at_key("gait.band"));
-        }
-    };
-    let edge = |sign: f64| {
-        let forces = target.force_n.iter().zip(&half);
-        target.with_forces(forces.map(|(f, h)| f + sign * h).collect())
-    };
-    Ok([edge(-1.0), edge(1.0)])
 }

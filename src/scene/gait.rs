@@ -155,7 +155,7 @@ impl Default for Gait {
 /// let gait = Gait::model("young").with_step_frequency(1.85).with_scale(ForceScale::ToMass);
 /// let force = gait.model_force()?;
 /// let scene = Scene::default().with_gait(gait).with_drive(DriveSpec::moving_axis(7.0));
-/// let target = Problem::settle(&scene, force.as_ref())?.target.unwrap();
+/// let target = Problem::resolve(&scene, force.as_ref())?.target.unwrap();
 /// assert!((target.mean_n() - 7.0 * 9.81).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -198,7 +198,7 @@ impl ForceScale {
 /// let gait = Gait::model("young").with_step_frequency(1.85).with_band(Band::Width(20.0));
 /// let force = gait.model_force()?;
 /// let scene = Scene::default().with_gait(gait);
-/// let [low, high] = Problem::settle(&scene, force.as_ref())?.band.unwrap();
+/// let [low, high] = Problem::resolve(&scene, force.as_ref())?.band.unwrap();
 /// assert!((high.at(1.0) - low.at(1.0) - 40.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -220,7 +220,7 @@ pub enum Band {
 /// let weight = PhaseWeight { from: 0.0, to: std::f64::consts::PI, weight: 4.0 };
 /// let gait = Gait::model("young").with_step_frequency(1.85).with_weight(weight);
 /// let force = gait.model_force()?;
-/// let problem = Problem::settle(&Scene::default().with_gait(gait), force.as_ref())?;
+/// let problem = Problem::resolve(&Scene::default().with_gait(gait), force.as_ref())?;
 /// assert_eq!((problem.weight(1.0), problem.weight(4.0)), (4.0, 1.0));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```

@@ -16,10 +16,10 @@ use super::results::{Results, Row};
 use crate::error::{Error, Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
-use crate::problem::{Memo, Shared, open_questions};
+use crate::problem::{Problem, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
 use crate::synth::spectral::{self, HarmonicTarget};
-use crate::synth::synthesise_with;
+use crate::synth::{Search, design};
 
 /// Gives the force curve that a scene names in a file; the first argument is the base scene's index.
 pub type Targets<'a> = &'a (dyn Fn(usize, &Scene) -> Result<ForceCurve> + Sync);
@@ -67,7 +67,8 @@ struct Wanted {
     gait: Option<Gait>,
     law: LawSpec,
     force: Option<ForceCurve>,
-    memo: Memo,
+    /// Its cache serves every row.
+    search: Search,
 }
 
 /// What is wanted that is kept at a time.
@@ -251,16 +252,15 @@ impl<'a> Kernel<'a> {
             },
         };
         *before = Some(wanted.clone());
-        let shared = Shared {
-            memo: wanted.memo.clone(),
-            halt: (self.halts)(),
-        };
-        match synthesise_with(scene, wanted.force.as_ref(), &shared) {
+        let search = wanted.search.ended_by(&(self.halts)());
+        let answer = Problem::resolve(scene, wanted.force.as_ref())
+            .and_then(|problem| design(&problem, &search));
+        match answer {
             // What a clock cut short is no answer that another run would give.
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
-            Ok(design) => Row::known(&design, &wanted.memo),
+            Ok(design) => Row::of(&design),
             Err(e) => Row::error(e.to_string()),
         }
     }
@@ -280,7 +280,7 @@ impl<'a> Kernel<'a> {
             gait: scene.gait.clone(),
             law: scene.law.clone(),
             force: self.target(index, scene)?,
-            memo: Memo::default(),
+            search: Search::default(),
         });
         if let Some(mut list) = kept() {
             if list.len() >= KEPT_WANTED {

@@ -2,7 +2,6 @@
 
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
-use crate::problem::Memo;
 use crate::synth::spectral::HarmonicTarget;
 use crate::synth::{Design, Figures, Tier};
 
@@ -155,15 +154,6 @@ impl Row {
 
     /// The row of a finished design. An infeasible one has no cam, so only its demand is given.
     pub fn of(design: &Design) -> Row {
-        Row::with(design, Figures::of)
-    }
-
-    /// The same; what designs with the same memo have found is not sought again.
-    pub(crate) fn known(design: &Design, memo: &Memo) -> Row {
-        Row::with(design, |design| Figures::known(design, memo))
-    }
-
-    fn with(design: &Design, figures: impl FnOnce(&Design) -> Figures) -> Row {
         let mut row = Row::error(String::new());
         row.warnings = design.target.as_ref().map(warnings).unwrap_or_default();
         if let Some(infeasible) = &design.infeasible {
@@ -175,7 +165,7 @@ impl Row {
             row.verdict = Some(Verdict::Unacceptable);
             return row;
         }
-        row.numbers = numbers(&figures(design));
+        row.numbers = numbers(&Figures::of(design));
         if design.target.is_none() {
             // Nothing is wanted, so nothing is missed.
             for number in &mut row.numbers[..4] {

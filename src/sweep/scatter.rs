@@ -11,9 +11,9 @@ use super::tolerance::{Made, Scatter, Tolerance};
 use crate::error::{Placed, Result, SweepError};
 use crate::force;
 use crate::halt::Halt;
-use crate::problem::Shared;
+use crate::problem::Problem;
 use crate::scene::{self, Source};
-use crate::synth::synthesise_with;
+use crate::synth::{Search, design};
 
 /// One design, made many times with errors within tolerances.
 ///
@@ -98,11 +98,8 @@ impl Scattered {
                     .map_err(|e| e.at_key("gait.model"))?,
             ),
         };
-        let shared = Shared {
-            halt,
-            ..Shared::default()
-        };
-        let design = synthesise_with(&scene, target.as_ref(), &shared)?;
+        let problem = Problem::resolve(&scene, target.as_ref())?;
+        let design = design(&problem, &Search::until(halt))?;
         if design.infeasible.is_some() {
             return Err(SweepError::NoDesign.into());
         }

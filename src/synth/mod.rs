@@ -75,6 +75,7 @@ mod proof;
 pub mod qp;
 mod reason;
 mod scp;
+mod search;
 mod sizing;
 #[doc(hidden)]
 pub mod spectral;
@@ -87,7 +88,7 @@ pub use design::{
 };
 pub use emitted::contact_is_judged;
 pub use figures::Figures;
-pub use infeasible::{in_units, relaxed, relaxed_with};
+pub use infeasible::in_units;
 pub use load_factors::LoadFactor;
 pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
@@ -97,17 +98,18 @@ pub use pareto::{Against, Trade, trade};
 pub use proof::Doubt;
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use reason::{Change, Reason, sentences};
+pub use search::Search;
 
 use std::sync::Arc;
 
 use crate::cam::{Cam, Check, LimitKind, Verdict};
 use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
-use crate::problem::{Note, Problem, Shared};
+use crate::problem::{Note, Problem};
 use crate::scene::{Family, Scene};
-use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
+use families::{NoLaw, Refusal, SolvedLaw, on_base_circle};
 
-/// Designs the cam that a scene asks for. `force` is one cycle of wanted force, where the scene has one.
+/// Designs the cam that a scene asks for. `force` is one cycle of the target force, where the scene has one.
 ///
 /// The answer is complete even when a check fails or the limits leave nothing; then `infeasible` or the
 /// verdict says so, and the design shown is the best one without the limits.
@@ -115,103 +117,131 @@ use families::{Found, NoLaw, Stuck, find_law, on_base_circle};
 /// # Errors
 /// Faults of the input.
 pub fn synthesise(scene: &Scene, force: Option<&ForceCurve>) -> Result<Design> {
-    synthesise_with(scene, force, &Shared::default())
+    design(&Problem::resolve(scene, force)?, &Search::default())
 }
 
-/// The same for one of many scenes with the same force and the same demands on the law, which need not seek
-/// again what one has found, and with an end to every search.
+impl Scene {
+    /// The design of a scene that names its own force, or none.
+    ///
+    /// # Errors
+    /// Faults of the scene, and a force that has to be read from a file: [`Scene::design_for`] takes it.
+    pub fn design(&self) -> Result<Design> {
+        synthesise(self, self.model_force()?.as_ref())
+    }
+
+    /// The design of a scene for one cycle of force, such as a recording's mean cycle.
+    ///
+    /// # Errors
+    /// Faults of the scene, and a force that its drive cannot give.
+    pub fn design_for(&self, force: &ForceCurve) -> Result<Design> {
+        synthesise(self, Some(force))
+    }
+}
+
+/// The design of a problem, complete even where no law keeps its limits.
 ///
 /// # Errors
 /// Faults of the input.
-pub fn synthesise_with(
-    scene: &Scene,
-    force: Option<&ForceCurve>,
-    shared: &Shared,
-) -> Result<Design> {
-    designed(Problem::settle_with(scene, force, shared)?)
-}
-
-/// The design of a problem, complete even where it has none that keeps its limits.
-fn designed(problem: Problem) -> Result<Design> {
-    let problem = phase::settled(problem)?;
-    match shaped(&problem, &problem) {
-        Ok(shape) => finished(problem, shape, None),
+pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
+    let problem = phase::resolve(problem, search)?;
+    match sized(&problem, &problem, search) {
+        Ok(sized) => checked(&problem, search, sized, None),
         Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Stuck(stuck)) => {
-            let why = infeasible::explain(&problem, &stuck);
-            let shape = without_limits(&problem, &stuck, &why)?;
-            finished(problem, shape, Some(why))
+        Err(NoLaw::Refused(refusal)) => {
+            let why = infeasible::explain(&problem, &refusal);
+            let sized = without_limits(&problem, search, &refusal, &why)?;
+            checked(&problem, search, sized, Some(why))
         }
     }
 }
 
-/// The design of a problem that has one; otherwise no time is lost on why it has none.
-fn built(problem: Problem) -> std::result::Result<Design, NoLaw> {
-    let problem = phase::settled(problem)?;
-    let shape = shaped(&problem, &problem)?;
-    Ok(finished(problem, shape, None)?)
+/// The design of a problem that has one; why there is none is not looked for.
+fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Design, NoLaw> {
+    let problem = phase::resolve(problem, search)?;
+    let sized = sized(&problem, &problem, search)?;
+    Ok(checked(&problem, search, sized, None)?)
 }
 
 /// A law on its cam.
-struct Shape {
-    found: Found,
+struct SizedLaw {
+    law: SolvedLaw,
     cam: Cam,
-    /// The follower's end, where the cam is cut for one that gives.
+    /// The follower's end, where the cam is cut for a compliant follower.
     end: Option<End>,
 }
 
-/// The law under the limits that are `asked`, on the smallest or the given cam of the problem.
-fn shaped(problem: &Problem, asked: &Problem) -> std::result::Result<Shape, NoLaw> {
+/// The law under the limits of `limited`, on the smallest or the given cam of the problem: the same problem, or
+/// that without the limits where they leave no law.
+fn sized(
+    problem: &Problem,
+    limited: &Problem,
+    search: &Search,
+) -> std::result::Result<SizedLaw, NoLaw> {
     if problem.law.polydyne
         && let Some(train) = problem.train()?
     {
-        let (found, cam, end) = polydyne::design(problem, asked, &train)?;
+        let (law, cam, end) = polydyne::design(problem, limited, search, &train)?;
         let end = Some(end);
-        return Ok(Shape { found, cam, end });
+        return Ok(SizedLaw { law, cam, end });
     }
-    let mut found = find_law(asked)?;
-    let law = on_base_circle(problem, found.law.clone());
-    let raised = law.svaj(0.0).s - found.law.svaj(0.0).s;
-    (found.functions).raise(&mut found.coefficients, raised);
+    let mut solved = families::law(limited, search)?;
+    let law = on_base_circle(problem, search, &solved.law);
+    let raised = law.svaj(0.0).s - solved.law.svaj(0.0).s;
+    (solved.functions).raise(&mut solved.coefficients, raised);
     let cam = sizing::cam(problem, law.clone(), &law)?;
-    let end = None;
-    Ok(Shape { found, cam, end })
+    Ok(SizedLaw {
+        law: solved,
+        cam,
+        end: None,
+    })
 }
 
 /// The best law without the limits, or without the base circle either: what is shown where they leave none.
-fn without_limits(problem: &Problem, stuck: &Stuck, why: &Infeasible) -> Result<Shape> {
+fn without_limits(
+    problem: &Problem,
+    search: &Search,
+    refusal: &Refusal,
+    why: &Infeasible,
+) -> Result<SizedLaw> {
+    // Such laws are quickly found, so they get all the time that they take.
+    let search = &search.without_end();
     let mut bare = problem.without_limits();
-    bare.law.family = stuck.family;
-    let shape = shaped(problem, &bare).or_else(|no_law| match no_law {
-        NoLaw::Stuck(_) => {
+    bare.law.family = refusal.family();
+    let best = sized(problem, &bare, search).or_else(|no_law| match no_law {
+        NoLaw::Refused(_) => {
             bare.above_base_circle = false;
-            shaped(problem, &bare)
+            sized(problem, &bare, search)
         }
         fault => Err(fault),
     });
-    match shape {
-        Ok(mut shape) => {
-            // Nothing is proved of a law that breaks what was asked.
-            shape.found.easing.clear();
-            shape.found.solver.certificate = None;
-            shape.found.solver.certified = false;
-            shape.found.solver.doubt = Some(Doubt::Limits);
-            Ok(shape)
+    match best {
+        Ok(mut sized) => {
+            // Nothing is proved of a law that breaks the limits.
+            sized.law.easing.clear();
+            sized.law.solver.certificate = None;
+            sized.law.solver.certified = false;
+            sized.law.solver.doubt = Some(Doubt::Limits);
+            Ok(sized)
         }
         Err(NoLaw::Fault(fault)) => Err(fault),
-        Err(NoLaw::Stuck(_)) => Err(why.no_law().at_key("law")),
+        Err(NoLaw::Refused(_)) => Err(why.no_law().at_key("law")),
     }
 }
 
-/// The shape with its checks, its verdict and all that is told of it.
-fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> Result<Design> {
-    let Shape { found, cam, end } = shape;
+/// The law on its cam with its checks, its verdict and its notes.
+fn checked(
+    problem: &Problem,
+    search: &Search,
+    sized: SizedLaw,
+    infeasible: Option<Infeasible>,
+) -> Result<Design> {
+    let SizedLaw { law, cam, end } = sized;
     let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
-    let force = limits::force_report(&problem, pressing);
-    let conjugate = sizing::conjugate(&problem, &cam)?;
-    let groove = sizing::groove(&problem, &cam)?;
+    let force = limits::force_report(problem, search, pressing);
+    let conjugate = sizing::conjugate(problem, &cam)?;
+    let groove = sizing::groove(problem, &cam)?;
     let checks = verify::checks(&limits::Finished {
-        problem: &problem,
+        problem,
         cam: &cam,
         second: conjugate.as_ref().map(|pair| &pair.second),
         groove: groove.as_ref(),
@@ -221,31 +251,30 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let infeasible = infeasible.or_else(|| {
         let too_large = checks.iter().any(too_large);
-        infeasible::bore_against_size(&problem).filter(|_| too_large)
+        infeasible::bore_against_size(problem).filter(|_| too_large)
     });
-    let (mut verdict, mut reasons) = verdict::verdict(&problem, &cam, &checks, &force);
+    let (mut verdict, mut reasons) = verdict::verdict(problem, &cam, &checks, &force);
     if let Some(infeasible) = &infeasible {
         verdict = Verdict::Unacceptable;
         reasons.retain(|r| matches!(r, Reason::MeanForce { .. }));
         reasons.extend(infeasible.reasons.iter().cloned());
     }
-    let mut notes = notes(&problem, &found, &cam, end.as_ref());
-    notes.extend(sizing::thin_shaft(&problem, &cam, pressing));
+    let mut notes = notes(problem, search, &law, &cam, end.as_ref());
+    notes.extend(sizing::thin_shaft(problem, &cam, pressing));
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }
-    let weight_n = problem.weight_n();
     Ok(Design {
-        name: problem.name,
+        name: problem.name.clone(),
         phase: problem.phase,
-        weight_n,
-        band: problem.band,
-        target: problem.target.map(|t| Arc::unwrap_or_clone(t.curve)),
+        weight_n: problem.weight_n,
+        band: problem.band.clone(),
+        target: problem.target.as_ref().map(|t| (*t.curve).clone()),
         drive: problem.drive,
-        family: found.family.name().to_string(),
-        functions: found.functions,
-        coefficients: found.coefficients,
-        degree: found.degree,
+        family: law.family.name().to_string(),
+        functions: law.functions,
+        coefficients: law.coefficients,
+        degree: law.degree,
         cam,
         end,
         conjugate,
@@ -261,18 +290,25 @@ fn finished(problem: Problem, shape: Shape, infeasible: Option<Infeasible>) -> R
         verdict,
         reasons,
         checks,
-        binding: found.binding,
-        easing: found.easing,
-        solver: found.solver,
-        out_of_time: problem.halt.is_asked(),
+        binding: law.binding,
+        easing: law.easing,
+        solver: law.solver,
+        out_of_time: search.halt.is_asked(),
         notes,
+        problem: Arc::new(problem.clone()),
     })
 }
 
 /// What a user should know of problem, law and size.
-fn notes(problem: &Problem, found: &Found, cam: &Cam, end: Option<&End>) -> Vec<Note> {
+fn notes(
+    problem: &Problem,
+    search: &Search,
+    found: &SolvedLaw,
+    cam: &Cam,
+    end: Option<&End>,
+) -> Vec<Note> {
     let mut out = problem.notes();
-    if problem.halt.is_asked() {
+    if search.halt.is_asked() {
         out.push(Note::OutOfTime);
     }
     out.extend(families::stopped_at_noise(problem, found.family));

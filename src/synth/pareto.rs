@@ -3,7 +3,7 @@
 //! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
 //! point of the front, and no point of the front is missed.
 
-use super::{Design, designed};
+use super::{Design, Search, design};
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
 use crate::error::{Error, Placed, Result, SweepError, SynthError};
@@ -238,7 +238,8 @@ pub fn trade(
     against: Against,
     points: usize,
 ) -> Result<Vec<Trade>> {
-    let mut problem = Problem::settle(scene, force)?;
+    let search = Search::default();
+    let mut problem = Problem::resolve(scene, force)?;
     if problem.target.is_none() {
         return Err(SynthError::NoTarget.at_key("gait"));
     }
@@ -251,7 +252,7 @@ pub fn trade(
     }
     against.check(&problem)?;
     problem.law.family = Family::Spline;
-    let first = designed(problem.clone())?;
+    let first = design(&problem, &search)?;
     // The accuracy would raise the number of spans and fail what the front is there to show.
     let mut open = problem;
     open.accuracy = None;
@@ -261,12 +262,12 @@ pub fn trade(
         let own = first.cam.law.poly().pieces();
         open.law.spans = Some((MORE_SPANS * own).min(MOST_SPANS.max(own)));
     }
-    let free = designed(open.clone())?;
+    let free = design(&open, &search)?;
     if let Some(why) = &free.infeasible {
         return Err(why.no_law().at_key("limits"));
     }
     let most = against.turned(against.of(&free)) * INSIDE;
-    let held = |value: f64| designed(against.held(&open, against.turned(value)));
+    let held = |value: f64| design(&against.held(&open, against.turned(value)), &search);
     // Demands may keep even the unlimited law farther away than that.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);

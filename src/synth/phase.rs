@@ -4,13 +4,15 @@
 //! error over the phase has several valleys, so all of them are visited first and the deepest one is
 //! searched by Brent's method; the same scene always gives the same phase.
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
-use super::families::{NoLaw, find_law, on_base_circle};
+use super::families::{self, NoLaw, on_base_circle};
 use super::limits::force_report;
+use super::search::Search;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 
@@ -21,20 +23,20 @@ const RESOLVED: f64 = 1e-9;
 /// Steps of the search.
 const STEPS: u64 = 60;
 
-/// The problem with its phase settled: as it is, or at the least force error over all phases.
+/// The problem at the phase of least force error where its phase is free; otherwise as it is.
 ///
 /// # Errors
 /// No phase has a law, and at some the input is at fault.
-pub fn settled(problem: Problem) -> Result<Problem> {
+pub fn resolve<'a>(problem: &'a Problem, search: &Search) -> Result<Cow<'a, Problem>> {
     if !problem.phase_is_free {
-        return Ok(problem);
+        return Ok(Cow::Borrowed(problem));
     }
-    let search = Search { problem: &problem };
+    let phases = Phases { problem, search };
     let mut best: Option<(f64, f64)> = None;
     let mut failure = None;
     for i in 0..VISITED {
         let phase = TAU * i as f64 / VISITED as f64;
-        match search.error(phase) {
+        match phases.error(phase) {
             Ok(Some(error)) if best.is_none_or(|b| error < b.1) => best = Some((phase, error)),
             Ok(_) => {}
             Err(e) => failure = Some(e),
@@ -44,12 +46,12 @@ pub fn settled(problem: Problem) -> Result<Problem> {
         // Without a law at any phase the conflict is explained at the first.
         return match failure {
             Some(e) => Err(e),
-            None => problem.at_phase(0.0),
+            None => Ok(Cow::Owned(problem.at_phase(0.0))),
         };
     };
     let width = TAU / VISITED as f64;
     let done = Executor::new(
-        search,
+        phases,
         BrentOpt::new(near - width, near + width).set_tolerance(RESOLVED, RESOLVED),
     )
     .configure(|state| state.max_iters(STEPS))
@@ -64,29 +66,31 @@ pub fn settled(problem: Problem) -> Result<Problem> {
         Some(&phase) if done.state().get_best_cost() < error => phase.rem_euclid(TAU),
         _ => near,
     };
-    problem.at_phase(found)
+    Ok(Cow::Owned(problem.at_phase(found)))
 }
 
-struct Search<'a> {
+struct Phases<'a> {
     problem: &'a Problem,
+    search: &'a Search,
 }
 
-impl Search<'_> {
+impl Phases<'_> {
     /// RMS force error of the best law at a phase, N; `None` where limits leave no law.
     fn error(&self, phase: f64) -> Result<Option<f64>> {
-        let problem = self.problem.clone().at_phase(phase)?;
-        match find_law(&problem) {
+        let problem = self.problem.at_phase(phase);
+        match families::law(&problem, self.search) {
             Ok(found) => {
-                let law = on_base_circle(&problem, found.law);
-                Ok(Some(force_report(&problem, &law).rms_error_n))
+                let law = on_base_circle(&problem, self.search, &found.law);
+                let force = force_report(&problem, self.search, &law);
+                Ok(Some(force.rms_error_n))
             }
-            Err(NoLaw::Stuck(_)) => Ok(None),
+            Err(NoLaw::Refused(_)) => Ok(None),
             Err(NoLaw::Fault(fault)) => Err(fault),
         }
     }
 }
 
-impl CostFunction for Search<'_> {
+impl CostFunction for Phases<'_> {
     type Param = f64;
     type Output = f64;
 

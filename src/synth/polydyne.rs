@@ -2,8 +2,9 @@
 //! follows it, and every limit of the cam is held on the cam's own law.
 
 use super::design::End;
-use super::families::{Found, NoLaw, find_law, on_base_circle};
+use super::families::{self, NoLaw, SolvedLaw, on_base_circle};
 use super::limits::force_report;
+use super::search::Search;
 use super::{sizing, verify};
 use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::dynamics::Train;
@@ -34,19 +35,20 @@ const MOST_DEGREE: usize = 9;
 pub fn design(
     problem: &Problem,
     asked: &Problem,
+    search: &Search,
     train: &Train,
-) -> std::result::Result<(Found, Cam, End), NoLaw> {
+) -> std::result::Result<(SolvedLaw, Cam, End), NoLaw> {
     let mut moved = asked.clone();
-    let mut best = one(problem, &moved, train)?;
+    let mut best = one(problem, &moved, search, train)?;
     let mut last = best.clone();
     for _ in 0..ROUNDS {
         if !last.move_limits(&mut moved.limits) {
             break;
         }
-        last = match one(problem, &moved, train) {
+        last = match one(problem, &moved, search, train) {
             Ok(round) => round,
             // With limits drawn in there may be no law: then the check of the one before says what is broken.
-            Err(NoLaw::Stuck(_)) => break,
+            Err(NoLaw::Refused(_)) => break,
             Err(fault) => return Err(fault),
         };
         if last.passes() || !best.passes() {
@@ -58,10 +60,15 @@ pub fn design(
 }
 
 /// One round: the law under the limits as they stand, its cam, and that cam's checks against the problem.
-fn one(problem: &Problem, moved: &Problem, train: &Train) -> std::result::Result<Round, NoLaw> {
-    let found = find_law(moved)?;
-    let (cam, wanted) = cut(problem, train, &found.law)?;
-    let force = force_report(problem, &wanted);
+fn one(
+    problem: &Problem,
+    moved: &Problem,
+    search: &Search,
+    train: &Train,
+) -> std::result::Result<Round, NoLaw> {
+    let found = families::law(moved, search)?;
+    let (cam, wanted) = cut(problem, search, train, &found.law)?;
+    let force = force_report(problem, search, &wanted);
     let checks = verify::checks_of_one(problem, &cam, &wanted, &force);
     Ok(Round {
         found,
@@ -73,7 +80,7 @@ fn one(problem: &Problem, moved: &Problem, train: &Train) -> std::result::Result
 
 #[derive(Clone)]
 struct Round {
-    found: Found,
+    found: SolvedLaw,
     cam: Cam,
     wanted: Law,
     checks: Vec<Check>,
@@ -114,10 +121,10 @@ impl Round {
 }
 
 /// The cam for a wanted end, and that end with the zero of its lift moved as the cam's was.
-fn cut(problem: &Problem, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
+fn cut(problem: &Problem, search: &Search, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
     let key = |e: crate::error::Error| e.at_key("law.polydyne");
     let whole = polydyne(wanted, &problem.drive, train).map_err(key)?;
-    let law = on_base_circle(problem, whole.clone());
+    let law = on_base_circle(problem, search, &whole);
     let (start, _) = whole.extent();
     let moved = law.svaj(start).s - whole.svaj(start).s;
     let wanted = wanted.raised(moved);

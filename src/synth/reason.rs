@@ -173,12 +173,12 @@ pub enum Reason {
 /// The change of one limit that is enough.
 ///
 /// ```
-/// use gaitcam::synth::{Change, Reason, relaxed, synthesise};
+/// use gaitcam::synth::{Change, Reason, synthesise};
 /// use gaitcam::{LimitKind, scene};
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
 /// let force = scene.model_force()?;
-/// let design = relaxed(&scene, force.as_ref(), synthesise(&scene, force.as_ref())?);
+/// let design = synthesise(&scene, force.as_ref())?.relaxed();
 /// let changes = design.reasons.iter().find_map(|reason| match reason {
 ///     Reason::Relaxation { changes } | Reason::Relaxations { changes } => Some(changes),
 ///     _ => None,

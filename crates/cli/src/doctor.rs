@@ -6,12 +6,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use gaitcam::Problem;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Place, Result};
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions};
-use gaitcam::problem::Shared;
 use gaitcam::scene::{self, Scene, Source};
-use gaitcam::synth::{relaxed_with, sentences, synthesise_with};
+use gaitcam::synth::{Search, design, sentences};
 use serde_json::json;
 use toml::Table;
 
@@ -228,9 +228,10 @@ fn examine_recording(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result
 fn examine_design(input: &Input, time: TimeLimit) -> Result<u8> {
     let target = input.target()?;
     let shown = time.shown();
-    let shared = Shared::until(time.of_design());
-    let design = match synthesise_with(&input.scene, target.as_ref(), &shared) {
-        Ok(design) => relaxed_with(&input.scene, target.as_ref(), design, &shared),
+    let search = Search::until(time.of_design());
+    let problem = Problem::resolve(&input.scene, target.as_ref());
+    let design = match problem.and_then(|problem| design(&problem, &search)) {
+        Ok(design) => design.relaxed_with(&search),
         Err(fault) => {
             bad(&fault.sentence(language::current()));
             return Ok(BAD_INPUT);

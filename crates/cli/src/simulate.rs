@@ -13,10 +13,11 @@ use crate::console::words;
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
+use gaitcam::Problem;
 use gaitcam::dynamics::{Model, Run, simulate};
 use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{Design, contact_is_judged, synthesise_with};
+use gaitcam::synth::{self, Design, contact_is_judged};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
@@ -78,7 +79,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let target = input.target()?;
     let solving = Instant::now();
-    let mut design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    let mut design = synth::design(&problem, &searching::search())?;
     let solve_s = solving.elapsed().as_secs_f64();
     if let Some(why) = design.no_cam(crate::console::language::current()) {
         report(words::fill("simulate-no-cam", &json!({"why": why})));

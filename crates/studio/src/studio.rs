@@ -13,7 +13,6 @@ use crate::recent::Recent;
 use crate::sources::Sources;
 use crate::turns::Turns;
 use gaitcam::error::Result;
-use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
@@ -38,8 +37,6 @@ pub struct Kept {
     pub whole: Table,
     /// The scene.
     pub scene: Scene,
-    /// The wanted force.
-    pub target: Option<ForceCurve>,
     /// The design.
     pub design: Design,
     /// How long it took.

@@ -1,5 +1,7 @@
 //! Designs with known answers, built from the public types.
 
+use std::sync::Arc;
+
 use gaitcam::cam::{
     Cam, Check, Criterion, Follower, LimitKind, Making, Verdict, smallest_base_radius,
 };
@@ -7,7 +9,8 @@ use gaitcam::drive::Drive;
 use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::{Extreme, PiecewisePoly, bernstein};
-use gaitcam::problem::Note;
+use gaitcam::problem::{Note, Problem};
+use gaitcam::scene::{DriveSpec, Scene};
 use gaitcam::synth::{
     Binding, Conflicting, Design, ForceReport, Functions, Infeasible, Method, Reason, Relaxation,
     SolverReport, Tier,
@@ -16,6 +19,13 @@ use gaitcam::units::{G, LBF, Quantity};
 
 const TAU: f64 = std::f64::consts::TAU;
 const INCH: f64 = 0.0254;
+
+/// A problem without force, demand or limit: these designs are not made from one.
+fn empty_problem() -> Arc<Problem> {
+    let drive = DriveSpec::moving_axis(1.0).with_speed(1.0);
+    let problem = Problem::resolve(&Scene::default().with_drive(drive), None);
+    Arc::new(problem.unwrap())
+}
 
 fn spectral() -> SolverReport {
     SolverReport {
@@ -131,6 +141,7 @@ pub fn footbridge() -> Design {
                 phase: Quantity::angle(0.5),
             },
         ],
+        problem: empty_problem(),
         cam,
     }
 }
@@ -237,6 +248,7 @@ pub fn heel_tester() -> Design {
         },
         out_of_time: false,
         notes: Vec::new(),
+        problem: empty_problem(),
         cam,
     }
 }

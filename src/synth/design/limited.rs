@@ -216,13 +216,13 @@ pub struct Infeasible {
 /// The smallest change of one limit that lets the others hold.
 ///
 /// ```
-/// use gaitcam::synth::{relaxed, synthesise};
+/// use gaitcam::synth::synthesise;
 /// use gaitcam::{LimitKind, scene};
 ///
 /// // 30 mm of stroke leave an error above 0.5 %: how much stroke would be enough?
 /// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "30 mm")?;
 /// let force = scene.model_force()?;
-/// let design = relaxed(&scene, force.as_ref(), synthesise(&scene, force.as_ref())?);
+/// let design = synthesise(&scene, force.as_ref())?.relaxed();
 /// let stroke = design.relaxations.iter().find(|r| r.limit == LimitKind::Stroke).unwrap();
 /// assert_eq!((stroke.key, stroke.from), ("limits.stroke", 0.03));
 /// assert!(stroke.to.unwrap() > 0.03 && stroke.to.unwrap() < 0.05);

@@ -6,6 +6,8 @@ mod solver;
 pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
 pub use solver::{SolverReport, Step, Tier};
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use super::parameters::Functions;
@@ -16,7 +18,7 @@ use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::Extreme;
-use crate::problem::Note;
+use crate::problem::{Note, Problem};
 use crate::units::Quantity;
 use crate::wording::Language;
 
@@ -97,6 +99,9 @@ pub struct Design {
     pub out_of_time: bool,
     /// What to know beside the verdict.
     pub notes: Vec<Note>,
+    /// What it is the design of.
+    #[serde(skip)]
+    pub problem: Arc<Problem>,
 }
 
 /// What the end of a flexible follower does, where the cam is cut for it (`law.polydyne`).

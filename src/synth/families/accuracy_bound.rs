@@ -4,44 +4,46 @@
 //! (theory §8). The proof holds as it is for every program with the same objective, the same demands and those limits,
 //! whatever else it asks for: where a limit that has no part in it is relaxed, the answer is known.
 
-use super::touching::Touched;
+use super::touching::Optimum;
 use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{self, Program, Solution};
+use crate::synth::search::Search;
 
 /// A lower bound of the error beyond what is allowed by this part of it is no rounding.
 const SURELY: f64 = 1e-6;
 /// Stationarity that multipliers must have for a proof.
 const STATIONARY: f64 = 1e-6;
 
-/// A program whose optimum misses the accuracy, with that optimum.
-#[derive(Clone)]
-struct Proof {
+/// A program whose optimum misses the accuracy, with that optimum: what its multipliers prove holds for others too.
+#[derive(Debug)]
+pub struct MissedAccuracy {
     program: Program,
     solution: Solution,
 }
 
 /// Whether no law that keeps the convex limits reaches the accuracy, and nothing else is of use. Remembered for the
 /// problems that follow.
-pub fn is_missed(problem: &Problem, touched: &Touched) -> bool {
-    let Some(allowed) = judged(problem).filter(|_| problem.only_passing) else {
+pub fn is_missed(problem: &Problem, search: &Search, optimum: &Optimum) -> bool {
+    let Some(allowed) = judged(problem).filter(|_| search.only_passing) else {
         return false;
     };
-    let missed = is_beyond(touched.least(), allowed);
+    let missed = is_beyond(optimum.least(), allowed);
     // A touching angle is proved over all angles by other means.
-    if missed && touched.at.is_none() {
-        let (program, solution) = (touched.program.clone(), touched.solution.clone());
-        problem.memo.keep((), Proof { program, solution });
+    if missed && optimum.at.is_none() {
+        let (program, solution) = (optimum.program.clone(), optimum.solution.clone());
+        let proof = MissedAccuracy { program, solution };
+        search.cache.missed.keep(proof, ());
     }
     missed
 }
 
 /// Whether an earlier proof holds for this program too.
-pub fn refuses(problem: &Problem, program: &Program) -> bool {
-    let Some(allowed) = judged(problem).filter(|_| problem.only_passing) else {
+pub fn refuses(problem: &Problem, search: &Search, program: &Program) -> bool {
+    let Some(allowed) = judged(problem).filter(|_| search.only_passing) else {
         return false;
     };
-    problem.memo.any(|(): &(), proof: &Proof| {
+    search.cache.missed.any(|proof| {
         is_alike(&proof.program, program)
             && least(proof, program).is_some_and(|least| is_beyond(least, allowed))
     })
@@ -63,8 +65,8 @@ fn is_beyond(least: f64, allowed: f64) -> bool {
 }
 
 /// What the multipliers on limits that both programs have prove of the objective.
-fn least(proof: &Proof, program: &Program) -> Option<f64> {
-    let Proof {
+fn least(proof: &MissedAccuracy, program: &Program) -> Option<f64> {
+    let MissedAccuracy {
         program: solved,
         solution,
     } = proof;
@@ -96,10 +98,10 @@ fn is_alike(a: &Program, b: &Program) -> bool {
 mod tests {
     use super::*;
     use crate::scene::{built_in, keys};
-    use crate::synth::families::spline;
+    use crate::synth::families::{spline, spline_program};
 
     /// A footbridge whose stroke leaves no room for the force, as the search for relaxations asks for it.
-    fn cramped() -> Problem {
+    fn cramped() -> (Problem, Search) {
         let scene = built_in("footbridge").unwrap().scene().unwrap();
         let with = [
             ("law.family", "spline"),
@@ -109,9 +111,12 @@ mod tests {
         ];
         let scene = (with.iter()).fold(scene, |s, (key, value)| s.with(key, value).unwrap());
         let force = scene.model_force().unwrap();
-        let mut problem = Problem::settle(&scene, force.as_ref()).unwrap();
-        problem.only_passing = true;
-        problem
+        let problem = Problem::resolve(&scene, force.as_ref()).unwrap();
+        let search = Search {
+            only_passing: true,
+            ..Search::default()
+        };
+        (problem, search)
     }
 
     fn relaxed(problem: &Problem, path: &str, value: f64) -> Problem {
@@ -119,25 +124,26 @@ mod tests {
         problem.with(key, value)
     }
 
-    fn known(problem: &Problem) -> bool {
-        let (program, _) = spline::limited_program(problem, 24).unwrap();
-        refuses(problem, &program)
+    fn known(problem: &Problem, search: &Search) -> bool {
+        let (program, _) = spline_program::limited(problem, search, 24).unwrap();
+        refuses(problem, search, &program)
     }
 
     #[test]
     fn a_missed_accuracy_is_known_where_a_limit_without_a_multiplier_is_relaxed_and_only_there() {
-        let problem = cramped();
+        let (problem, search) = cramped();
         assert!(
-            !known(&problem),
+            !known(&problem, &search),
             "nothing is known before the first program"
         );
-        assert!(spline::found(&problem).is_err());
-        assert!(known(&problem));
-        assert!(known(&relaxed(&problem, "limits.jerk", 1e6)));
+        assert!(spline::law(&problem, &search).is_err());
+        assert!(known(&problem, &search));
+        assert!(known(&relaxed(&problem, "limits.jerk", 1e6), &search));
         // The same without what is known, by its own program.
-        assert!(spline::found(&relaxed(&cramped(), "limits.jerk", 1e6)).is_err());
+        let fresh = cramped().1;
+        assert!(spline::law(&relaxed(&problem, "limits.jerk", 1e6), &fresh).is_err());
         let wide = relaxed(&problem, "limits.stroke", 1.0);
-        assert!(!known(&wide));
-        assert!(spline::found(&wide).is_ok());
+        assert!(!known(&wide, &search));
+        assert!(spline::law(&wide, &search).is_ok());
     }
 }

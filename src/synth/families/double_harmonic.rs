@@ -9,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 
-use super::spectral::no_force;
-use super::{Found, NoLaw, report};
+use super::harmonic::no_force;
+use super::{NoLaw, SolvedLaw, report};
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
 use crate::law::{Extent, Law, Rise, Segment, assemble};
@@ -21,6 +21,7 @@ use crate::synth::design::{SolverReport, Tier};
 use crate::synth::method::Method;
 use crate::synth::parameters::Functions;
 use crate::synth::proof::Doubt;
+use crate::synth::search;
 use crate::units::Quantity;
 
 /// A placed hump.
@@ -46,7 +47,7 @@ const ITERATIONS: u64 = 150;
 const NODES: usize = 256;
 
 /// The problem's double harmonic with how it was found.
-pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
+pub fn law(problem: &Problem, _: &search::Search) -> std::result::Result<SolvedLaw, NoLaw> {
     let target = problem.target.as_ref().ok_or_else(no_force)?;
     let hump = fit(target, &problem.drive, problem.limits[LimitKind::Stroke])?;
     let [from, rise, fall] = hump.angles.map(Quantity::angle);
@@ -57,20 +58,19 @@ pub fn found(problem: &Problem) -> std::result::Result<Found, NoLaw> {
         steps: hump.evaluations,
         error: Quantity::force(hump.rms),
     };
-    Ok(Found {
-        law: hump.law,
-        family: Family::DoubleHarmonic,
-        degree: 0,
-        functions: Functions::DoubleHarmonic,
-        coefficients: vec![hump.lift, hump.angles[0], hump.angles[1], hump.angles[2]],
-        binding: Vec::new(),
-        easing: Vec::new(),
-        solver: SolverReport {
-            certified: false,
-            doubt: Some(Doubt::Local),
-            ..report(Tier::Equality, method, hump.evaluations)
-        },
-    })
+    let [start, rise, fall] = hump.angles;
+    let parameters = vec![hump.lift, start, rise, fall];
+    let solver = SolverReport {
+        certified: false,
+        doubt: Some(Doubt::Local),
+        ..report(Tier::Equality, method, hump.evaluations)
+    };
+    Ok(SolvedLaw::unlimited(
+        hump.law,
+        Family::DoubleHarmonic,
+        (Functions::DoubleHarmonic, parameters),
+        solver,
+    ))
 }
 
 /// The best hump for a force, its lift no larger than `stroke`.

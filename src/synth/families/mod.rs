@@ -4,25 +4,27 @@ mod accuracy_bound;
 mod choose;
 mod demands;
 mod double_harmonic;
+mod harmonic;
 mod polynomial;
 mod program;
-mod spectral;
 mod spline;
 mod spline_program;
 mod spline_spans;
 mod touching;
 
-pub use spline::{at_own_size, stopped_at_noise};
+pub use accuracy_bound::MissedAccuracy;
+pub use spline::{SpanKey, at_own_size, stopped_at_noise};
+pub use spline_program::{Objective, ObjectiveKey};
 
 use std::collections::HashMap;
-use std::convert::Infallible;
 
 use super::design::{Binding, Easing, SolverReport, Tier};
 use super::limits::NonconvexLimits;
 use super::method::Method;
 use super::parameters::Functions;
 use super::proof::{self, Doubt};
-use super::qp::{Certificate, Failure, Program, Row, Solution};
+use super::qp::{Basis, Certificate, Failure, Program, Row, Solution};
+use super::search::Search;
 use crate::error::Error;
 use crate::law::Law;
 use crate::problem::Problem;
@@ -30,7 +32,7 @@ use crate::scene::Family;
 
 /// A law with how it was found, before it has a cam.
 #[derive(Clone)]
-pub struct Found {
+pub struct SolvedLaw {
     /// The law, its zero where the family puts it.
     pub law: Law,
     /// Family that answered.
@@ -49,25 +51,63 @@ pub struct Found {
     pub solver: SolverReport,
 }
 
+impl SolvedLaw {
+    /// A law that no limit shapes.
+    fn unlimited(
+        law: Law,
+        family: Family,
+        (functions, coefficients): (Functions, Vec<f64>),
+        solver: SolverReport,
+    ) -> SolvedLaw {
+        SolvedLaw {
+            law,
+            family,
+            degree: 0,
+            functions,
+            coefficients,
+            binding: Vec::new(),
+            easing: Vec::new(),
+            solver,
+        }
+    }
+}
+
 /// Why a problem has no law.
 #[allow(clippy::large_enum_variant)] // a fault ends the run
 pub enum NoLaw {
     /// The input is at fault.
     Fault(Error),
     /// No law keeps the demands and the limits.
-    Stuck(Box<Stuck>),
+    Refused(Box<Refusal>),
 }
 
 /// A program without solution.
-pub struct Stuck {
-    /// Family of its laws.
-    pub family: Family,
+pub struct Refusal {
     /// The program.
     pub program: Program,
     /// How the solver ended.
     pub failure: Failure,
-    /// The limits that are not convex, where those leave nothing beside the others.
+    /// The nonconvex limits, where the program has a solution that breaks them and none was found that does not.
     pub nonconvex: Option<NonconvexLimits>,
+}
+
+impl Refusal {
+    /// A convex program without solution.
+    fn of(program: Program, failure: Failure) -> Box<Refusal> {
+        Box::new(Refusal {
+            program,
+            failure,
+            nonconvex: None,
+        })
+    }
+
+    /// Family of the laws that it refuses.
+    pub fn family(&self) -> Family {
+        match self.program.basis {
+            Basis::Spline { .. } => Family::Spline,
+            Basis::Harmonic { .. } => Family::Harmonic,
+        }
+    }
 }
 
 impl From<Error> for NoLaw {
@@ -76,35 +116,35 @@ impl From<Error> for NoLaw {
     }
 }
 
+impl From<Box<Refusal>> for NoLaw {
+    fn from(refusal: Box<Refusal>) -> Self {
+        NoLaw::Refused(refusal)
+    }
+}
+
+/// How a family answers a problem.
+type FamilyLaw = fn(&Problem, &Search) -> Result<SolvedLaw, NoLaw>;
+
 /// The law of the problem's family, or of the family that suits it.
-pub fn find_law(problem: &Problem) -> Result<Found, NoLaw> {
+pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
     match problem.law.family {
-        Family::Spline => spline::found(problem),
-        Family::Auto => choose::simplest(problem),
-        Family::Ladder => choose::ladder(problem),
-        Family::Polynomial => Ok(polynomial::found(problem)?),
-        Family::Harmonic => spectral::found(problem),
-        Family::Program => Ok(program::found(problem)?),
-        Family::DoubleHarmonic => Ok(double_harmonic::found(problem)?),
+        Family::Spline => spline::law(problem, search),
+        Family::Auto => choose::simplest(problem, search),
+        Family::Ladder => choose::ladder(problem, search),
+        Family::Polynomial => polynomial::law(problem, search),
+        Family::Harmonic => harmonic::law(problem, search),
+        Family::Program => program::law(problem, search),
+        Family::DoubleHarmonic => double_harmonic::law(problem, search),
     }
 }
 
 /// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
-pub fn on_base_circle(problem: &Problem, law: Law) -> Law {
+pub fn on_base_circle(problem: &Problem, search: &Search, law: &Law) -> Law {
     if problem.level_is_known() {
-        return law;
+        return law.clone();
     }
-    let raised = || {
-        let lowest = law.extremes(0).0.value;
-        Ok::<_, Infallible>(law.raised(-lowest))
-    };
-    let Ok(known) = (problem.memo).found(Unraised(law.clone()), raised);
-    known
+    (search.cache.raised).get(law.clone(), |law| law.raised(-law.extremes(0).0.value))
 }
-
-/// A law that is to stand on its base circle: where limits leave it alone, many problems have the same.
-#[derive(PartialEq)]
-struct Unraised(Law);
 
 fn report(tier: Tier, method: Method, iterations: usize) -> SolverReport {
     SolverReport {

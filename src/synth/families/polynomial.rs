@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Found, report};
+use super::{NoLaw, SolvedLaw, report};
 use crate::error::{Placed, Result, SynthError};
 use crate::law::{Condition, Law, hermite_birkhoff};
 use crate::poly::{PiecewisePoly, bernstein};
@@ -11,6 +11,7 @@ use crate::scene::Family;
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
 use crate::synth::parameters::Functions;
+use crate::synth::search::Search;
 use crate::units::Quantity;
 
 /// The problem's polynomial with how it was found.
@@ -18,17 +19,13 @@ use crate::units::Quantity;
 /// # Errors
 /// The conditions do not fix a polynomial of the degree asked for, a force is given that lift alone does not
 /// decide, or the ends cannot be joined by a dwell.
-pub fn found(problem: &Problem) -> Result<Found> {
+pub fn law(problem: &Problem, _: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
     let p = through_points(problem)?;
-    Ok(Found {
-        law: p.law,
-        family: Family::Polynomial,
+    let functions = Functions::Monomial { range: p.range };
+    let solver = report(Tier::Equality, Method::Interpolation, 0);
+    Ok(SolvedLaw {
         degree: p.degree,
-        functions: Functions::Monomial { range: p.range },
-        coefficients: p.monomials,
-        binding: Vec::new(),
-        easing: Vec::new(),
-        solver: report(Tier::Equality, Method::Interpolation, 0),
+        ..SolvedLaw::unlimited(p.law, Family::Polynomial, (functions, p.monomials), solver)
     })
 }
 

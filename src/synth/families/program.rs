@@ -1,6 +1,6 @@
 //! The programme family: segments of catalogue laws, joined as written.
 
-use super::{Found, report};
+use super::{NoLaw, SolvedLaw, report};
 use crate::error::{Placed, Result};
 use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
@@ -8,12 +8,13 @@ use crate::scene::Family;
 use crate::synth::design::Tier;
 use crate::synth::method::Method;
 use crate::synth::parameters::Functions;
+use crate::synth::search::Search;
 
 /// The law of the problem's segments.
 ///
 /// # Errors
 /// Segments that do not cover what the cam covers.
-pub fn found(problem: &Problem) -> Result<Found> {
+pub fn law(problem: &Problem, _: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
     let segments: Vec<Segment> = problem
         .law
         .segments
@@ -25,15 +26,11 @@ pub fn found(problem: &Problem) -> Result<Found> {
         })
         .collect();
     let law = assembled(problem, &segments).map_err(|e| e.at_key("law.segment"))?;
-    Ok(Found {
+    let lifts = segments.iter().map(|s| s.lift).collect();
+    let solver = report(Tier::Equality, Method::Programme, 0);
+    Ok(SolvedLaw {
         degree: degree(&law),
-        functions: Functions::Segments,
-        coefficients: segments.iter().map(|s| s.lift).collect(),
-        law,
-        family: Family::Program,
-        binding: Vec::new(),
-        easing: Vec::new(),
-        solver: report(Tier::Equality, Method::Programme, 0),
+        ..SolvedLaw::unlimited(law, Family::Program, (Functions::Segments, lifts), solver)
     })
 }
 

@@ -1,11 +1,12 @@
 //! The spline family: least squares in force space under demands and limits.
 
 use super::accuracy_bound;
-use super::spline_program::unlimited_program;
+use super::spline_program::{limited, unlimited};
 use super::spline_spans::Forecast;
-use super::touching::{self, Touched};
-use super::{Found, NoLaw, Stuck, gathered, proved, report};
-use crate::problem::{Note, Problem, Size, SpanKey};
+use super::touching::{self, Optimum};
+use super::{NoLaw, Refusal, SolvedLaw, gathered, proved, report};
+use crate::drive::Drive;
+use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
@@ -14,8 +15,9 @@ use crate::synth::method::{Ended, Method};
 use crate::synth::parameters::Functions;
 use crate::synth::proof::{Doubt, PROVED};
 use crate::synth::qp::{
-    Certificate, Failure, OFFSET, PEAK, Program, Quadratic, RADIUS, RISE, Solution, Stop,
+    Certificate, Failure, OFFSET, Program, Quadratic, RADIUS, RISE, Solution, Stop,
 };
+use crate::synth::search::Search;
 use crate::synth::{easing, limits, qp, scp, sizing};
 use crate::units::Quantity;
 
@@ -35,10 +37,23 @@ const WORTHWHILE: f64 = 0.02;
 /// so few, and there may be no law at all.
 const TELLING: usize = 12;
 
+/// What the search for the number of spans depends on beside force and demands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpanKey {
+    /// Force error asked for, N RMS.
+    wanted: f64,
+    /// Phase of the force cycle at cam angle 0, rad.
+    phase: f64,
+    /// The machine.
+    drive: Drive,
+    /// Degree of the splines.
+    degree: usize,
+}
+
 /// A law of the family, as solved.
 struct Fitted {
     /// The optimum of what is convex, or what the sequence made of it.
-    touched: Touched,
+    optimum: Optimum,
     /// Half the mean square of the force error.
     force: Quadratic,
     /// What no law that keeps the convex limits betters, where a sequence went on from there.
@@ -53,14 +68,14 @@ struct Fitted {
 }
 
 /// The problem's spline with how it was found.
-pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
-    let mut fitted = fit(problem)?;
+pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
+    let mut fitted = fit(problem, search)?;
     with_profile(problem, &mut fitted);
     let sequence = fitted.sequence.take();
     let (certificate, doubt) = evidence(&fitted, sequence.is_some());
     let solver = proved(solver_report(&fitted, sequence), certificate, doubt);
-    let (program, solution) = (&fitted.touched.program, &fitted.touched.solution);
-    Ok(Found {
+    let (program, solution) = (&fitted.optimum.program, &fitted.optimum.solution);
+    Ok(SolvedLaw {
         law: program.basis.law(&solution.x),
         family: Family::Spline,
         degree: problem.degree(),
@@ -74,11 +89,11 @@ pub fn found(problem: &Problem) -> Result<Found, NoLaw> {
 
 /// How near to the optimum the law is, and what is in doubt of that.
 fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
-    let Touched {
+    let Optimum {
         program, solution, ..
-    } = &fitted.touched;
+    } = &fitted.optimum;
     if !local {
-        let (certificate, doubt) = fitted.touched.evidence();
+        let (certificate, doubt) = fitted.optimum.evidence();
         return (
             certificate,
             doubt.or(fitted.left_out.then_some(Doubt::LeftOut)),
@@ -92,16 +107,16 @@ fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
 }
 
 /// The fit with the problem's own number of spans, or with the fewest that reach the accuracy.
-fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
+fn fit(problem: &Problem, search: &Search) -> Result<Fitted, NoLaw> {
     if let Some(spans) = problem.law.spans {
-        return solve(problem, spans);
+        return solve(problem, search, spans);
     }
     if problem.band.is_some() {
-        return fewest_in_band(problem);
+        return fewest_in_band(problem, search);
     }
     let of_force = [Minimise::ForceError, Minimise::PeakForceError];
     if problem.target.is_none() || !of_force.contains(&problem.objective()) {
-        return solve(problem, SPANS_WITHOUT_FORCE);
+        return solve(problem, search, SPANS_WITHOUT_FORCE);
     }
     let wanted = problem.wanted_error();
     let key = SpanKey {
@@ -110,13 +125,18 @@ fn fit(problem: &Problem) -> Result<Fitted, NoLaw> {
         drive: problem.drive,
         degree: problem.degree(),
     };
-    let spans = (problem.memo).found(key, || fewest_without_limits(problem, wanted))?;
-    while_worthwhile(problem, spans, wanted)
+    let fewest = |_: &SpanKey| fewest_without_limits(problem, search, wanted);
+    let spans = search.cache.spans.try_get(key, fewest)?;
+    while_worthwhile(problem, search, spans, wanted)
 }
 
 /// Fewest spans that reach an accuracy without limits: the cheaper lower bound, because spans that miss it
 /// without limits miss it with them.
-fn fewest_without_limits(problem: &Problem, wanted: f64) -> crate::error::Result<usize> {
+fn fewest_without_limits(
+    problem: &Problem,
+    search: &Search,
+    wanted: f64,
+) -> crate::error::Result<usize> {
     let forecast = Forecast::of(problem);
     let mut spans = 3;
     while spans < MOST_AUTO_SPANS {
@@ -124,7 +144,7 @@ fn fewest_without_limits(problem: &Problem, wanted: f64) -> crate::error::Result
             spans += 1 + spans / 40;
             continue;
         }
-        let (program, force) = unlimited_program(problem, spans)?;
+        let (program, force) = unlimited(problem, search, spans)?;
         match qp::solve_equalities(&program) {
             Ok(u) if rms(&force, &u.x) <= wanted => break,
             _ => spans += 1 + spans / 40,
@@ -134,12 +154,17 @@ fn fewest_without_limits(problem: &Problem, wanted: f64) -> crate::error::Result
 }
 
 /// Limits that bind may want more spans: more are tried while the error falls for them.
-fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<Fitted, NoLaw> {
+fn while_worthwhile(
+    problem: &Problem,
+    search: &Search,
+    mut spans: usize,
+    wanted: f64,
+) -> Result<Fitted, NoLaw> {
     let mut best: Option<(f64, Fitted)> = None;
     loop {
-        let fitted = match (solve(problem, spans), best.take()) {
-            (Err(NoLaw::Stuck(_)), Some((_, earlier))) => return Ok(earlier),
-            (Err(NoLaw::Stuck(_)), None) if spans < TELLING && !problem.halt.is_asked() => {
+        let fitted = match (solve(problem, search, spans), best.take()) {
+            (Err(NoLaw::Refused(_)), Some((_, earlier))) => return Ok(earlier),
+            (Err(NoLaw::Refused(_)), None) if spans < TELLING && !search.halt.is_asked() => {
                 spans = (2 * spans).max(TELLING);
                 continue;
             }
@@ -148,7 +173,7 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
                 outcome?
             }
         };
-        let error = rms(&fitted.force, &fitted.touched.solution.x);
+        let error = rms(&fitted.force, &fitted.optimum.solution.x);
         let reached = error <= wanted;
         let hopeless = spans >= TELLING
             && (best.as_ref()).is_some_and(|(e, _)| error > e * (1.0 - WORTHWHILE));
@@ -156,7 +181,7 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
             Some(earlier) if earlier.0 <= error => earlier,
             _ => (error, fitted),
         };
-        if reached || hopeless || spans >= MOST_AUTO_SPANS || problem.halt.is_asked() {
+        if reached || hopeless || spans >= MOST_AUTO_SPANS || search.halt.is_asked() {
             return Ok(better.1);
         }
         best = Some(better);
@@ -165,11 +190,11 @@ fn while_worthwhile(problem: &Problem, mut spans: usize, wanted: f64) -> Result<
 }
 
 /// Inside a band the fewest spans that have a law there; with none, the answer of the most.
-fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
+fn fewest_in_band(problem: &Problem, search: &Search) -> Result<Fitted, NoLaw> {
     let mut spans = FEWEST_IN_BAND;
     loop {
-        match solve(problem, spans) {
-            Err(NoLaw::Stuck(_)) if spans < MOST_IN_BAND && !problem.halt.is_asked() => {
+        match solve(problem, search, spans) {
+            Err(NoLaw::Refused(_)) if spans < MOST_IN_BAND && !search.halt.is_asked() => {
                 spans = ((spans as f64 * GROWTH) as usize).min(MOST_IN_BAND);
             }
             outcome => return outcome,
@@ -178,28 +203,17 @@ fn fewest_in_band(problem: &Problem) -> Result<Fitted, NoLaw> {
 }
 
 /// One program with all that is convex, and what is not brought in where it is broken.
-fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
-    let (program, force) = limited_program(problem, spans)?;
-    let stuck = |program, failure, nonconvex| {
-        NoLaw::Stuck(Box::new(Stuck {
-            family: Family::Spline,
-            program,
-            failure,
-            nonconvex,
-        }))
-    };
-    if accuracy_bound::refuses(problem, &program) {
-        return Err(stuck(program, Failure::Infeasible, None));
+fn solve(problem: &Problem, search: &Search, spans: usize) -> Result<Fitted, NoLaw> {
+    let (program, force) = limited(problem, search, spans)?;
+    if accuracy_bound::refuses(problem, search, &program) {
+        return Err(Refusal::of(program, Failure::Infeasible).into());
     }
-    let touched = match touching::solve(problem, program) {
-        Ok(touched) => touched,
-        Err(refused) => return Err(stuck(refused.program, refused.failure, None)),
-    };
-    if accuracy_bound::is_missed(problem, &touched) {
-        return Err(stuck(touched.program, Failure::Infeasible, None));
+    let optimum = touching::solve(problem, program)?;
+    if accuracy_bound::is_missed(problem, search, &optimum) {
+        return Err(Refusal::of(optimum.program, Failure::Infeasible).into());
     }
     let mut fitted = Fitted {
-        touched,
+        optimum,
         force,
         least: f64::NEG_INFINITY,
         least_is_proved: false,
@@ -211,27 +225,31 @@ fn solve(problem: &Problem, spans: usize) -> Result<Fitted, NoLaw> {
     match with_loads(problem, &mut fitted) {
         None => Ok(fitted),
         Some(limits) => {
-            let failure = if problem.halt.is_asked() {
+            let failure = if search.halt.is_asked() {
                 Stop::OutOfTime.into()
             } else {
                 Failure::Infeasible
             };
-            Err(stuck(fitted.touched.program, failure, Some(limits)))
+            let refusal = Refusal {
+                nonconvex: Some(limits),
+                ..*Refusal::of(fitted.optimum.program, failure)
+            };
+            Err(NoLaw::Refused(Box::new(refusal)))
         }
     }
 }
 
 /// Where the law leaves more vibration in a dwell than allowed, the best law that leaves none.
 fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
-    if !limits::rings(problem, &fitted.touched.law()) {
+    if !limits::rings(problem, &fitted.optimum.law()) {
         return;
     }
-    let mut program = fitted.touched.program.clone();
+    let mut program = fitted.optimum.program.clone();
     let basis = &program.basis;
     program.equalities.extend(limits::silence(problem, basis));
     // Without a solution the check says what is left over.
     if let Ok(silent) = touching::solve(problem, program) {
-        fitted.touched = silent;
+        fitted.optimum = silent;
     }
 }
 
@@ -264,20 +282,20 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     if as_it_was && program.merit(&refined) <= program.merit(&solution) {
         return true;
     }
-    fitted.least = fitted.touched.least();
-    fitted.least_is_proved = fitted.touched.evidence().1.is_none();
-    fitted.touched = Touched::known(program, refined);
+    fitted.least = fitted.optimum.least();
+    fitted.least_is_proved = fitted.optimum.evidence().1.is_none();
+    fitted.optimum = Optimum::known(program, refined);
     fitted.sequence = Some((steps, ended));
     true
 }
 
 /// The law as the sequence counts its lift: on its base circle, where the limits see the level.
 fn at_level(problem: &Problem, fitted: &Fitted, limits: &NonconvexLimits) -> (Program, Solution) {
-    let touched = &fitted.touched;
+    let optimum = &fitted.optimum;
     if limits.profile.is_none() && problem.drive.weights()[0] == 0.0 {
-        return (touched.program.clone(), touched.solution.clone());
+        return (optimum.program.clone(), optimum.solution.clone());
     }
-    touched.pinned(problem)
+    optimum.pinned(problem)
 }
 
 /// A law of a size that is sought, with the size that it needs by itself: the program's own is the least that what is
@@ -311,28 +329,6 @@ pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) ->
     Some(out)
 }
 
-/// The program with every limit that is convex, and the force distance alone.
-pub fn limited_program(
-    problem: &Problem,
-    spans: usize,
-) -> crate::error::Result<(Program, Quadratic)> {
-    let (mut program, force) = unlimited_program(problem, spans)?;
-    let mut rows = limits::rows(problem);
-    if problem.law.monotone {
-        rows.extend(limits::monotone(problem));
-    }
-    if let Minimise::Peak(order) = problem.objective() {
-        rows.extend(limits::peak(problem, order));
-        program.cost[PEAK] = 1.0;
-    }
-    rows.extend(limits::about_the_target(problem, &mut program));
-    program.limits = rows;
-    if problem.size() == Size::Sought {
-        limits::with_size(problem, &mut program);
-    }
-    Ok((program, force))
-}
-
 /// Brings limits of the profile that are not convex into the law, where the law without them would break
 /// one.
 fn with_profile(problem: &Problem, fitted: &mut Fitted) {
@@ -346,7 +342,7 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
 
 /// Which tier answered, and how.
 fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> SolverReport {
-    let solution = &fitted.touched.solution;
+    let solution = &fitted.optimum.solution;
     let violation = solution.violation;
     if let Some((steps, ended)) = sequence {
         let method = Method::Sequence {
@@ -362,7 +358,7 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
     if !solution.used_rows {
         return report(Tier::Equality, Method::NoLimitActive, 0);
     }
-    let tier = if fitted.touched.program.cone {
+    let tier = if fitted.optimum.program.cone {
         Tier::Socp
     } else {
         Tier::Qp
@@ -376,9 +372,9 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
 
 /// What relaxing each active limit would buy; where phases are weighed, of the weighted error.
 fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
-    let Touched {
+    let Optimum {
         program, solution, ..
-    } = &fitted.touched;
+    } = &fitted.optimum;
     let mut out = easing::easings(program, solution, problem.objective());
     if problem.is_weighed() {
         for e in out

@@ -1,11 +1,13 @@
-//! The spline program before any limit: demands, and what is minimised.
+//! The convex program of a spline: demands, what is minimised, convex limits.
 
 use super::demands::{dwell_demands, implied_by_limits, point_demands, spline_basis};
 use crate::drive::Drive;
 use crate::error::{Placed, Result, SynthError};
-use crate::problem::Problem;
+use crate::problem::{Problem, Size};
 use crate::scene::{Minimise, Weigh};
-use crate::synth::qp::{Basis, Program, Quadratic};
+use crate::synth::limits;
+use crate::synth::qp::{Basis, PEAK, Program, Quadratic};
+use crate::synth::search::Search;
 
 /// Weight of the jerk term against the force term, both made dimensionless: it settles what the force
 /// leaves open (phases of zero weight) and is far below any accuracy.
@@ -19,8 +21,8 @@ const SIZE_JERK: f64 = 1e3;
 const MOST_KEPT_SPANS: usize = 128;
 
 /// What an objective depends on beside force and demands.
-#[derive(Clone, Copy, PartialEq)]
-struct ObjectiveKey {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ObjectiveKey {
     spans: usize,
     degree: usize,
     minimise: Minimise,
@@ -29,8 +31,8 @@ struct ObjectiveKey {
 }
 
 /// What is minimised, over its functions.
-#[derive(Clone)]
-struct Objective {
+#[derive(Debug, Clone)]
+pub struct Objective {
     basis: Basis,
     whole: Quadratic,
     /// The force distance alone.
@@ -38,12 +40,12 @@ struct Objective {
 }
 
 /// The program without limits, and the force distance alone.
-pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Quadratic)> {
+pub fn unlimited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
     let Objective {
         basis,
         whole,
         force,
-    } = known_objective(problem, spans)?;
+    } = cached_objective(problem, search, spans)?;
     let mut equalities = point_demands(problem, &basis)?;
     equalities.extend(implied_by_limits(problem, &basis));
     equalities.extend(dwell_demands(&problem.law.dwells, &basis));
@@ -52,12 +54,31 @@ pub fn unlimited_program(problem: &Problem, spans: usize) -> Result<(Program, Qu
         return Err(SynthError::ManyDemands { given, most }.at_key("law"));
     }
     let mut program = Program::new(basis, whole, equalities, problem.length);
-    program.halt = problem.halt.clone();
+    program.halt = search.halt.clone();
     Ok((program, force))
 }
 
-/// The objective, of few spans as it was found before.
-fn known_objective(problem: &Problem, spans: usize) -> Result<Objective> {
+/// The program with every limit that is convex, and the force distance alone.
+pub fn limited(problem: &Problem, search: &Search, spans: usize) -> Result<(Program, Quadratic)> {
+    let (mut program, force) = unlimited(problem, search, spans)?;
+    let mut rows = limits::rows(problem);
+    if problem.law.monotone {
+        rows.extend(limits::monotone(problem));
+    }
+    if let Minimise::Peak(order) = problem.objective() {
+        rows.extend(limits::peak(problem, order));
+        program.cost[PEAK] = 1.0;
+    }
+    rows.extend(limits::about_the_target(problem, &mut program));
+    program.limits = rows;
+    if problem.size() == Size::Sought {
+        limits::with_size(problem, &mut program);
+    }
+    Ok((program, force))
+}
+
+/// The objective; of few spans from the cache.
+fn cached_objective(problem: &Problem, search: &Search, spans: usize) -> Result<Objective> {
     if spans > MOST_KEPT_SPANS {
         return objective(problem, spans);
     }
@@ -68,7 +89,7 @@ fn known_objective(problem: &Problem, spans: usize) -> Result<Objective> {
         phase: problem.phase,
         drive: problem.drive,
     };
-    problem.memo.found(key, || objective(problem, spans))
+    (search.cache.objectives).try_get(key, |_| objective(problem, spans))
 }
 
 fn objective(problem: &Problem, spans: usize) -> Result<Objective> {

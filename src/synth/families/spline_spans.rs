@@ -101,8 +101,9 @@ mod tests {
     use super::*;
     use crate::force::{Feet, model};
     use crate::scene;
-    use crate::synth::families::spline_program::unlimited_program;
+    use crate::synth::families::spline_program::unlimited;
     use crate::synth::qp;
+    use crate::synth::search::Search;
 
     /// The forecast is the least squares' own error, on inertia, spring and damper.
     #[test]
@@ -127,10 +128,10 @@ mod tests {
                 scene::set(&mut table, change).unwrap();
             }
             let scene = scene::read(&table).unwrap();
-            let problem = Problem::settle(&scene, Some(&force)).unwrap();
+            let problem = Problem::resolve(&scene, Some(&force)).unwrap();
             let forecast = Forecast::of(&problem).unwrap();
             for spans in [3, 4, 5, 7, 8, 13, 24] {
-                let (program, distance) = unlimited_program(&problem, spans).unwrap();
+                let (program, distance) = unlimited(&problem, &Search::default(), spans).unwrap();
                 let x = qp::solve_equalities(&program).unwrap().x;
                 let exact = 2.0 * distance.value(&x);
                 let found = forecast.left(spans);

@@ -19,6 +19,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::Refusal;
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::problem::Problem;
@@ -45,7 +46,7 @@ const NARROWEST: f64 = TAU / 65536.0;
 const TRIED: usize = 12;
 
 /// A law at the best touching angle.
-pub struct Touched {
+pub struct Optimum {
     /// The program at that angle.
     pub program: Program,
     /// Its solution.
@@ -56,18 +57,10 @@ pub struct Touched {
     pub bound: Option<f64>,
 }
 
-/// A program that has no solution at any angle that was tried.
-pub struct Refused {
-    /// The program.
-    pub program: Program,
-    /// How its solver ended.
-    pub failure: Failure,
-}
-
-impl Touched {
+impl Optimum {
     /// A law whose level is known.
-    pub fn known(program: Program, solution: Solution) -> Touched {
-        Touched {
+    pub fn known(program: Program, solution: Solution) -> Optimum {
+        Optimum {
             program,
             solution,
             at: None,
@@ -119,11 +112,11 @@ impl Touched {
 
 /// Solves a program at the touching angle that serves it best; one that counts no lift from the base circle as
 /// it is.
-pub fn solve(problem: &Problem, program: Program) -> Result<Touched, Box<Refused>> {
+pub fn solve(problem: &Problem, program: Program) -> Result<Optimum, Box<Refusal>> {
     if !program.limits.iter().any(|l| l.from_base_circle) {
         return match program.solve() {
-            Ok(solution) => Ok(Touched::known(program, solution)),
-            Err(failure) => Err(Box::new(Refused { program, failure })),
+            Ok(solution) => Ok(Optimum::known(program, solution)),
+            Err(failure) => Err(Refusal::of(program, failure)),
         };
     }
     // Where the law is lowest without limits is a fair guess.
@@ -214,7 +207,7 @@ struct Search {
 
 impl Search {
     /// The first law: at the given angle, or where something ties the law to its angles at another.
-    fn begin(&mut self, first: f64) -> Result<(), Box<Refused>> {
+    fn begin(&mut self, first: f64) -> Result<(), Box<Refusal>> {
         let tied = !(self.program.equalities.is_empty() && self.program.shapes.is_empty());
         let angles = if tied { TRIED } else { 1 };
         let mut refused = None;
@@ -228,10 +221,7 @@ impl Search {
             }
         }
         let failure = refused.unwrap_or(Failure::Infeasible);
-        Err(Box::new(Refused {
-            program: self.touching(first),
-            failure,
-        }))
+        Err(Refusal::of(self.touching(first), failure))
     }
 
     /// The program with this touching angle.
@@ -331,7 +321,7 @@ impl Search {
         }
     }
 
-    fn finished(mut self, bound: Option<f64>) -> Touched {
+    fn finished(mut self, bound: Option<f64>) -> Optimum {
         let best = self.nodes.swap_remove(self.best());
         let mut solution = best.solution;
         solution.iterations += self
@@ -341,7 +331,7 @@ impl Search {
             .sum::<usize>();
         let mut program = self.program;
         program.touch_at(best.at);
-        Touched {
+        Optimum {
             program,
             solution,
             at: Some(best.at),

@@ -5,7 +5,7 @@ use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
-use crate::synth::families::{Stuck, at_own_size};
+use crate::synth::families::{Refusal, at_own_size};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::named::key_of;
 use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
@@ -19,21 +19,21 @@ const MOST_DEMANDS: usize = 64;
 const BROKEN: f64 = 1e-6;
 
 /// Explains a program without solution.
-pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
+pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
     let because = |reason: Reason, conflict: Vec<Conflicting>| Infeasible {
         conflict,
         relaxations: Vec::new(),
         reasons: vec![reason],
     };
-    match &stuck.failure {
+    match &refusal.failure {
         Failure::Inconsistent { equalities } => {
             let demands = equalities.clone();
             because(Reason::DemandsContradict { demands }, members(equalities))
         }
         Failure::Numerical { stop } => because(Reason::SolverStopped { stop: *stop }, Vec::new()),
         Failure::Infeasible => {
-            let mut limits = conflicting_limits(problem, stuck);
-            if let Some(nonconvex) = stuck.nonconvex {
+            let mut limits = conflicting_limits(problem, refusal);
+            if let Some(nonconvex) = refusal.nonconvex {
                 // The demands and all that is convex have a law: it was found first.
                 if limits.is_empty() {
                     limits = nonconvex.names();
@@ -42,13 +42,13 @@ pub fn explain(problem: &Problem, stuck: &Stuck) -> Infeasible {
                 return because(Reason::NoLawFound { limits }, conflict);
             }
             if limits.is_empty() {
-                let demands = conflicting_demands(problem, &stuck.program);
+                let demands = conflicting_demands(problem, &refusal.program);
                 let conflict = members(&demands);
                 return because(Reason::DemandsInfeasible { demands }, conflict);
             }
             let relaxations = limits
                 .iter()
-                .filter_map(|&name| elastic(&stuck.program, name))
+                .filter_map(|&name| elastic(&refusal.program, name))
                 .collect();
             in_conflict(&limits, relaxations, problem.cam.measures())
         }
@@ -89,9 +89,9 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
 
 /// The limits that were asked for and cannot hold together beside the demands; empty where the demands
 /// alone leave nothing.
-fn conflicting_limits(problem: &Problem, stuck: &Stuck) -> Vec<Criterion> {
-    let rows = stuck.program.limits.iter().filter(|l| is_asked(l));
-    let nonconvex = stuck.nonconvex.map_or_else(Vec::new, |b| b.names());
+fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
+    let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
+    let nonconvex = refusal.nonconvex.map_or_else(Vec::new, |b| b.names());
     let mut names: Vec<Criterion> = Vec::new();
     for name in rows.map(|l| l.name).chain(nonconvex) {
         if !names.contains(&name) {
@@ -100,9 +100,9 @@ fn conflicting_limits(problem: &Problem, stuck: &Stuck) -> Vec<Criterion> {
     }
     let holds = |kept: &[Criterion]| {
         let stays = |name: Criterion| !names.contains(&name) || kept.contains(&name);
-        let mut program = stuck.program.clone();
+        let mut program = refusal.program.clone();
         program.limits.retain(|l| stays(l.name));
-        can_hold(problem, &program, stuck.nonconvex.map(|b| b.only(stays)))
+        can_hold(problem, &program, refusal.nonconvex.map(|b| b.only(stays)))
     };
     // Where no law is found without any limit, the limits are not to blame.
     if holds(&[]) != Some(true) {

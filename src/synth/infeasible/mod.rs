@@ -12,4 +12,3 @@ mod relaxation;
 
 pub use iis::{bore_against_size, explain};
 pub use reasons::in_units;
-pub use relaxation::{relaxed, relaxed_with};

@@ -5,16 +5,18 @@
 //! check on the finished profile or the accuracy may still refuse. Here every stated value has been designed
 //! with and has passed.
 
+use std::sync::Arc;
+
 use super::beside::beside;
 use super::reasons::{changes, smallest_relaxations};
 use super::relaxable::{Relaxable, relaxables};
 use crate::cam::{Criterion, LimitKind, Verdict};
-use crate::force::ForceCurve;
 use crate::halt::Halt;
-use crate::problem::{Note, Problem, Shared};
-use crate::scene::{Family, Minimise, Scene};
+use crate::problem::{Note, Problem};
+use crate::scene::{Family, Minimise};
 use crate::synth::design::{Conflicting, Design, Relaxation, Tier};
 use crate::synth::reason::Reason;
+use crate::synth::search::Search;
 use crate::synth::verdict::verdict;
 use crate::units::Quantity;
 
@@ -34,39 +36,39 @@ const SMALL: f64 = 0.01;
 /// Part by which a value must be able to come back towards the old one for a better one to be sought.
 const BACK: f64 = 1e-3;
 
-/// The design with its relaxations: those of a conflict are tried and mended, those of a failed check found.
-/// A design that passes is returned as it came.
-pub fn relaxed(scene: &Scene, force: Option<&ForceCurve>, design: Design) -> Design {
-    relaxed_with(scene, force, design, &Shared::default())
-}
+impl Design {
+    /// The design with its relaxations: those of a conflict are tried and corrected, those of a failed check
+    /// computed. A design that passes stays as it is.
+    #[must_use]
+    pub fn relaxed(self) -> Design {
+        self.relaxed_with(&Search::default())
+    }
 
-/// The same with what the design's own search has found, and an end to this one: what it has found by then is told.
-pub fn relaxed_with(
-    scene: &Scene,
-    force: Option<&ForceCurve>,
-    design: Design,
-    shared: &Shared,
-) -> Design {
-    // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
-    let hopeless = design.reasons.iter().any(|reason| {
-        matches!(
-            reason,
-            Reason::MeanForce { .. }
-                | Reason::RecordingKind { .. }
-                | Reason::RecordingClock { .. }
-                | Reason::RecordingMass { .. }
-                | Reason::LiftJumps { .. }
-                | Reason::VelocityJumps { .. }
-                | Reason::LimitUnbounded { .. }
-        )
-    });
-    match Problem::settle_with(scene, force, shared) {
-        Ok(problem) if !hopeless && !passes(&design) => with_relaxations(&problem, design),
-        _ => design,
+    /// The same in the search that made the design: with its cache and its end.
+    #[must_use]
+    pub fn relaxed_with(self, search: &Search) -> Design {
+        // No limit changes the mean of the force, what is open about the recording, nor a law that is prescribed.
+        let hopeless = self.reasons.iter().any(|reason| {
+            matches!(
+                reason,
+                Reason::MeanForce { .. }
+                    | Reason::RecordingKind { .. }
+                    | Reason::RecordingClock { .. }
+                    | Reason::RecordingMass { .. }
+                    | Reason::LiftJumps { .. }
+                    | Reason::VelocityJumps { .. }
+                    | Reason::LimitUnbounded { .. }
+            )
+        });
+        if hopeless || passes(&self) {
+            return self;
+        }
+        let problem = Arc::clone(&self.problem);
+        with_relaxations(&problem, search, self)
     }
 }
 
-fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
+fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> Design {
     let numbers = relaxables(problem);
     if numbers.is_empty() {
         return design;
@@ -75,8 +77,9 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
         .infeasible
         .as_ref()
         .map_or_else(Vec::new, |i| i.relaxations.clone());
-    let search = Search {
+    let relaxing = Relaxing {
         problem,
+        search,
         force: design
             .force
             .target_mean_n
@@ -95,24 +98,24 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
             .iter()
             .find(|r| r.limit == number.criterion())
             .and_then(|r| r.to);
-        let problem = until(problem, halt);
-        let search = Search {
-            problem: &problem,
-            ..search
+        let search = search.ended_by(halt);
+        let relaxing = Relaxing {
+            search: &search,
+            ..relaxing
         };
-        let to = match search.own_accuracy(number, &design) {
+        let to = match relaxing.own_accuracy(number, &design) {
             Some(own) => own,
-            None => search.smallest(number, from, hint),
+            None => relaxing.smallest(number, from, hint),
         };
         to.map(|to| told(number, from, to))
     };
-    let tried = beside(&numbers, &problem.halt, relaxation);
+    let tried = beside(&numbers, &search.halt, relaxation);
     let found: Vec<Relaxation> = tried.into_iter().flatten().collect();
     let measures = problem.cam.measures();
-    let (cures, together) = if found.is_empty() && !problem.halt.is_asked() {
-        search.several(&numbers, &design.reasons)
+    let (cures, together) = if found.is_empty() && !search.halt.is_asked() {
+        relaxing.several(&numbers, &design.reasons)
     } else {
-        let far = found.iter().all(|r| search.is_far(r)) && !found.is_empty();
+        let far = found.iter().all(|r| relaxing.is_far(r)) && !found.is_empty();
         let cure = if far {
             Reason::FarRelaxations {
                 changes: changes(&found, measures),
@@ -150,7 +153,7 @@ fn with_relaxations(problem: &Problem, mut design: Design) -> Design {
         }
     }
     design.relaxations = found;
-    if problem.halt.is_asked() && !design.out_of_time {
+    if search.halt.is_asked() && !design.out_of_time {
         design.out_of_time = true;
         design.notes.push(Note::OutOfTime);
     }
@@ -164,13 +167,6 @@ fn is_found(found: &[Relaxation], number: Relaxable) -> bool {
 
 fn passes(design: &Design) -> bool {
     design.verdict != Verdict::Unacceptable
-}
-
-/// The problem with another end to its searches.
-fn until(problem: &Problem, halt: &Halt) -> Problem {
-    let mut problem = problem.clone();
-    problem.halt = halt.clone();
-    problem
 }
 
 /// The problem with these values.
@@ -191,23 +187,25 @@ fn told(number: Relaxable, from: f64, to: f64) -> Relaxation {
 }
 
 /// The whole design, where it passes.
-fn passing(mut problem: Problem) -> Option<Design> {
-    problem.only_passing = true;
-    let design = crate::synth::built(problem).ok()?;
+fn passing(problem: &Problem, search: &Search) -> Option<Design> {
+    let search = search.for_passing_designs();
+    let design = crate::synth::passing_design(problem, &search).ok()?;
     passes(&design).then_some(design)
 }
 
-struct Search<'a> {
+struct Relaxing<'a> {
     problem: &'a Problem,
+    /// Its cache and its end.
+    search: &'a Search,
     /// Size of the force, N.
     force: f64,
     precision: f64,
 }
 
-impl Search<'_> {
+impl Relaxing<'_> {
     /// The design with one value changed, where it passes.
     fn tried(&self, number: Relaxable, value: f64) -> Option<Design> {
-        passing(number.with(self.problem, value))
+        passing(&number.with(self.problem, value), self.search)
     }
 
     /// The value of the convex program, or a little more, where the design passes with it and not with less.
@@ -262,7 +260,7 @@ impl Search<'_> {
             fails = least;
         }
         let size = from.abs().max(1e-3 * works.abs());
-        while !self.problem.halt.is_asked()
+        while !self.search.halt.is_asked()
             && (works - fails).abs() > self.precision * works.abs().max(size)
         {
             // Far apart the middle is sought by ratio.
@@ -347,7 +345,7 @@ impl Search<'_> {
             .map(|&(number, from)| (number, number.away(from, self.force)))
             .collect();
         let without = changed(self.problem, &free);
-        match crate::synth::designed(without) {
+        match crate::synth::design(&without, self.search) {
             Ok(design) if !passes(&design) => {
                 let mut reasons = vec![Reason::NotTheLimits];
                 reasons.extend(design.reasons.into_iter().filter(|r| !known.contains(r)));
@@ -363,18 +361,20 @@ impl Search<'_> {
                 (other, value)
             };
             let others: Vec<(Relaxable, f64)> = free.iter().map(own).collect();
-            let alone = until(&changed(self.problem, &others), halt);
-            if halt.is_asked() || passing(alone.clone()).is_some() {
+            let alone = changed(self.problem, &others);
+            let search = self.search.ended_by(halt);
+            if halt.is_asked() || passing(&alone, &search).is_some() {
                 return None;
             }
-            let search = Search {
+            let relaxing = Relaxing {
                 problem: &alone,
+                search: &search,
                 ..*self
             };
-            let to = search.smallest(number, from, None)?;
+            let to = relaxing.smallest(number, from, None)?;
             Some((number, from, to))
         };
-        let tried = beside(numbers, &self.problem.halt, out_of_reach);
+        let tried = beside(numbers, &self.search.halt, out_of_reach);
         let hopeless: Vec<(Relaxable, f64, f64)> = tried.into_iter().flatten().collect();
         if hopeless.is_empty() {
             return (vec![Reason::NoRelaxation], Vec::new());
@@ -385,7 +385,7 @@ impl Search<'_> {
         // Each at its own edge they may stand in each other's way, or in that of the other limits.
         let alone: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
         let reached = changed(self.problem, &alone);
-        let search = Search {
+        let relaxing = Relaxing {
             problem: &reached,
             ..*self
         };
@@ -395,7 +395,9 @@ impl Search<'_> {
                 (number, value)
             })
             .collect();
-        let eased = search.together(&alone).or_else(|| search.together(&all));
+        let eased = relaxing
+            .together(&alone)
+            .or_else(|| relaxing.together(&all));
         match eased {
             Some((_, mut values)) => {
                 for value in &mut values {
@@ -418,12 +420,13 @@ impl Search<'_> {
             let by = |&(k, from): &(Relaxable, f64)| (k, k.eased(from, part, self.force));
             numbers.iter().map(by).collect()
         };
-        let holds = |part: f64| passing(changed(self.problem, &eased(part))).is_some();
+        let holds =
+            |part: f64| passing(&changed(self.problem, &eased(part)), self.search).is_some();
         if !holds(FAR) {
             return None;
         }
         let (mut works, mut fails) = (FAR, 0.0);
-        while works - fails > 1e-2 * works && !self.problem.halt.is_asked() {
+        while works - fails > 1e-2 * works && !self.search.halt.is_asked() {
             // A small share is sought first, then far apart the middle by ratio.
             let middle = match works / fails {
                 apart if apart.is_infinite() => SMALL,

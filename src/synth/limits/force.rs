@@ -1,7 +1,5 @@
 //! Smallest and largest contact force, the band about the target, and the accuracy.
 
-use std::convert::Infallible;
-
 use super::Finished;
 use super::row::{SLACK, row};
 use crate::cam::{Check, Criterion, LimitKind};
@@ -13,6 +11,7 @@ use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
 use crate::synth::qp::{Limit, Meaning, PEAK, Program, TOLERANCE};
+use crate::synth::search::Search;
 
 /// Smallest and largest force.
 pub fn rows(problem: &Problem) -> Vec<Limit> {
@@ -91,22 +90,21 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
 }
 
 /// What the distance of a force from the target depends on beside the wanted force.
-#[derive(PartialEq)]
-struct ReportKey {
+#[derive(Debug, PartialEq)]
+pub struct ReportKey {
     law: Law,
     drive: Drive,
     phase: f64,
 }
 
 /// Distance of the force of a law from the target, exact on the pieces of both; of a law that is known as it was found.
-pub fn report(problem: &Problem, law: &Law) -> ForceReport {
+pub fn report(problem: &Problem, search: &Search, law: &Law) -> ForceReport {
     let key = ReportKey {
         law: law.clone(),
         drive: problem.drive,
         phase: problem.phase,
     };
-    let known = (problem.memo).found(key, || Ok::<_, Infallible>(measured(problem, law)));
-    known.unwrap_or_else(|never| match never {})
+    (search.cache.reports).get(key, |_| measured(problem, law))
 }
 
 fn measured(problem: &Problem, law: &Law) -> ForceReport {

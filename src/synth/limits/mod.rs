@@ -20,7 +20,7 @@ mod size;
 
 pub use curvature::{checks as curvature_checks, interference, wall_check};
 pub use dwell_vibration::{rings, silence};
-pub use force::{about_the_target, report as force_report};
+pub use force::{ReportKey, about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};

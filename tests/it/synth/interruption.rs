@@ -6,8 +6,7 @@ use std::time::{Duration, Instant};
 
 use gaitcam::force::{Feet, model};
 use gaitcam::halt::Halt;
-use gaitcam::problem::Shared;
-use gaitcam::synth::{relaxed_with, synthesise};
+use gaitcam::synth::{Search, synthesise};
 
 use super::relaxations::{good, scene_of};
 
@@ -53,7 +52,7 @@ fn an_end_that_only_the_callers_thread_hears_is_heard_while_relaxations_run() {
         let begun = begun.get_or_init(Instant::now);
         thread::current().id() == caller && begun.elapsed() > Duration::from_millis(20)
     });
-    let relaxed = relaxed_with(&scene, Some(&force), design, &Shared::until(halt));
+    let relaxed = design.relaxed_with(&Search::until(halt));
     let took = first.get().unwrap().elapsed();
     assert!(relaxed.out_of_time);
     // Unheard, the search takes many times as long; heard, the time of one look and of one step, on busy cores too.

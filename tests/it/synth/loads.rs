@@ -4,7 +4,7 @@ use gaitcam::cam::Check;
 use gaitcam::dynamics::{hertz, rigid::touch::touch};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Design, Tier, relaxed, synthesise};
+use gaitcam::synth::{Design, Tier, synthesise};
 use std::f64::consts::TAU;
 
 fn scene_and_force(text: &str, changes: &[&str]) -> (Scene, Option<ForceCurve>) {
@@ -22,7 +22,7 @@ fn design(text: &str, changes: &[&str]) -> Design {
 fn relaxed_design(text: &str, changes: &[&str]) -> Design {
     let (scene, force) = scene_and_force(text, changes);
     let design = synthesise(&scene, force.as_ref()).unwrap();
-    relaxed(&scene, force.as_ref(), design)
+    design.relaxed()
 }
 
 fn check<'a>(s: &'a Design, name: &str) -> &'a Check {

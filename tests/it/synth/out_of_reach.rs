@@ -1,14 +1,14 @@
 //! Limits that no small change mends are told as what they are.
 
 use super::relaxations::{HUMP, assignment, good, scene_of};
-use gaitcam::synth::{Reason, relaxed, synthesise};
+use gaitcam::synth::{Reason, synthesise};
 
 /// Limits a hundred times below what any law has: no share of all of them is advice, the two values are.
 #[test]
 fn limits_out_of_reach_are_told_by_themselves() {
     let changes = ["limits.velocity=0.0004 m/s", "limits.face_width=0.1 mm"];
     let scene = scene_of(HUMP, &changes);
-    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    let design = synthesise(&scene, None).unwrap().relaxed();
     let Some(Reason::FarTogether { changes }) = design.reasons.last() else {
         panic!("{}", design.reason(gaitcam::wording::Language::En));
     };
@@ -29,7 +29,7 @@ fn limits_out_of_reach_are_told_by_themselves() {
 #[test]
 fn a_hundredfold_relaxation_is_said_to_be_large() {
     let scene = scene_of(HUMP, &["limits.velocity=0.0004 m/s"]);
-    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    let design = synthesise(&scene, None).unwrap().relaxed();
     let far = matches!(design.reasons.last(), Some(Reason::FarRelaxations { .. }));
     assert!(far, "{}", design.reason(gaitcam::wording::Language::En));
 }

@@ -3,7 +3,7 @@
 use gaitcam::cam::Check;
 use gaitcam::force::{Feet, model};
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Design, relaxed, synthesise};
+use gaitcam::synth::{Design, synthesise};
 
 fn scene_of(text: &str, changes: &[&str]) -> Scene {
     gaitcam_test_support::scene(text, changes).unwrap()
@@ -96,8 +96,8 @@ fn a_power_that_leaves_no_law_is_named_with_its_relaxation() {
         (scene, design)
     };
     let most = power(&with("limits.power=1 kW").1).worst;
-    let (scene, refused) = with(&format!("limits.power={} W", 0.5 * most));
-    let s = relaxed(&scene, Some(&force), refused);
+    let (_, refused) = with(&format!("limits.power={} W", 0.5 * most));
+    let s = refused.relaxed();
     let why = s.infeasible.unwrap();
     assert_eq!(why.names(), ["band", "power"], "{:?}", why.reasons);
     let one = why.relaxations.iter().find(|r| r.key == "limits.power");

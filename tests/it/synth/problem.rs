@@ -38,7 +38,7 @@ fn base_and_prime_radius_of_a_flat_face_are_one_size() {
     let force = model("kerr", Some(1.986), 700.0, Feet::Both).unwrap();
     let by_base = read(FLAT);
     let by_prime = read(&FLAT.replace("base_radius", "prime_radius"));
-    let size = |scene: &Scene| Problem::settle(scene, Some(&force)).unwrap().size();
+    let size = |scene: &Scene| Problem::resolve(scene, Some(&force)).unwrap().size();
     let radius = 6.47e-3;
     let given = Size::Given {
         base: radius,

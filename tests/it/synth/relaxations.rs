@@ -3,7 +3,7 @@
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::problem::Note;
 use gaitcam::scene::{self, Scene};
-use gaitcam::synth::{Design, Reason, relaxed, synthesise};
+use gaitcam::synth::{Design, Reason, synthesise};
 
 pub fn scene_of(text: &str, changes: &[&str]) -> Scene {
     gaitcam_test_support::scene(text, changes).unwrap()
@@ -64,7 +64,7 @@ fn proved(text: &str, target: Option<&ForceCurve>, changes: &[&str]) -> Vec<Stri
     let scene = scene_of(text, changes);
     let design = synthesise(&scene, target).unwrap();
     assert!(!good(&design), "{changes:?} was built");
-    let design = relaxed(&scene, target, design);
+    let design = design.relaxed();
     assert!(
         !design.relaxations.is_empty(),
         "{}",
@@ -376,7 +376,7 @@ fn a_profile_that_comes_to_a_point_is_not_called_acceptable() {
 fn two_impossible_limits_are_relaxed_together() {
     let changes = ["limits.velocity=0.04 m/s", "limits.face_width=10 mm"];
     let scene = scene_of(HUMP, &changes);
-    let design = relaxed(&scene, None, synthesise(&scene, None).unwrap());
+    let design = synthesise(&scene, None).unwrap().relaxed();
     assert!(
         design.relaxations.is_empty(),
         "{}",

@@ -3,7 +3,7 @@
 use super::relaxations::scene_of;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene::{self, Minimise};
-use gaitcam::synth::{Binding, Design, Tier, relaxed, synthesise};
+use gaitcam::synth::{Binding, Design, Tier, synthesise};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -12,7 +12,7 @@ fn young() -> ForceCurve {
 fn designed(changes: &[&str]) -> Design {
     let scene = scene_of(scene::DEFAULT, changes);
     let design = synthesise(&scene, Some(&young())).unwrap();
-    relaxed(&scene, Some(&young()), design)
+    design.relaxed()
 }
 
 /// The value that a refused design advises for a key.

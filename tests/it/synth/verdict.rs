@@ -4,7 +4,7 @@ use gaitcam::cam::{Continuity, Verdict};
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::problem::{Note, Problem};
 use gaitcam::scene;
-use gaitcam::synth::{Design, relaxed, synthesise};
+use gaitcam::synth::{Design, synthesise};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -302,7 +302,7 @@ fn a_mean_force_that_is_not_the_weight_comes_first_with_its_cure() {
         let text = format!("drive.mass={mass}");
         let scene = scene_of(scene::DEFAULT, &[&text]);
         let design = synthesise(&scene, Some(&target)).unwrap();
-        let design = relaxed(&scene, Some(&target), design);
+        let design = design.relaxed();
         assert_eq!(
             codes(&design)[0] == "reason-mean-force",
             first,
@@ -369,7 +369,7 @@ fn none_is_read_and_written_back() {
         assert_eq!(scene.limits.unjudged.keys(), [key]);
         let again = scene::read(&scene.to_table()).unwrap();
         assert_eq!(again, scene);
-        let notes = Problem::settle(&scene, Some(&young())).unwrap().notes();
+        let notes = Problem::resolve(&scene, Some(&young())).unwrap().notes();
         assert!(notes.contains(&Note::NotJudged { key }));
     }
 }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use gaitcam::halt::Halt;
-use gaitcam::problem::Shared;
+use gaitcam::synth::Search;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 
@@ -71,9 +71,9 @@ impl TimeLimit {
     }
 }
 
-/// What a design made on the way to another answer may take.
-pub fn shared() -> Shared {
-    Shared::until(after(DESIGN_S))
+/// The search for a design on the way to another answer.
+pub fn search() -> Search {
+    Search::until(after(DESIGN_S))
 }
 
 fn after(seconds: f64) -> Halt {

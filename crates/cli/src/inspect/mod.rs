@@ -16,10 +16,11 @@ use crate::console::words::{self, fixed};
 use crate::input::searching;
 use crate::input::{self, SceneArgs};
 use crate::synth::files_in;
+use gaitcam::Problem;
 use gaitcam::cam::{Inspection, Measures};
 use gaitcam::error::{FileError, Place, Placed, Result};
 use gaitcam::sweep::{Behaviour, MadeCam};
-use gaitcam::synth::{Design, sentences, synthesise_with};
+use gaitcam::synth::{self, Design, sentences};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_output::inspection;
@@ -73,7 +74,8 @@ pub fn run(args: &InspectArgs) -> Result<u8> {
         set: args.set.clone(),
     })?;
     let target = input.target()?;
-    let design = synthesise_with(&input.scene, target.as_ref(), &searching::shared())?;
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    let design = synth::design(&problem, &searching::search())?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, language::current());
         report(words::fill("inspect-no-cam", &json!({"why": why})));

@@ -10,10 +10,12 @@ use crate::console::error::CliError;
 use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::terminal::{self, print, print_json};
 use crate::console::words::{self, fixed};
+use crate::input::searching;
 use crate::input::{self, SceneArgs};
+use gaitcam::Problem;
 use gaitcam::error::{Placed, Result};
 use gaitcam::sweep::{Made, Scatter, Spread, Tolerance};
-use gaitcam::synth::{sentences, synthesise_with};
+use gaitcam::synth::{design, sentences};
 use gaitcam::units::{Dimension, parse};
 use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
@@ -56,11 +58,8 @@ pub fn run(args: &SweepArgs) -> Result<u8> {
         set: args.set.clone(),
     })?;
     let target = input.target()?;
-    let design = synthesise_with(
-        &input.scene,
-        target.as_ref(),
-        &crate::input::searching::shared(),
-    )?;
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    let design = design(&problem, &searching::search())?;
     if let Some(infeasible) = &design.infeasible {
         let why = sentences(&infeasible.reasons, crate::console::language::current());
         let why = serde_json::json!({"why": why});

@@ -18,10 +18,10 @@ use crate::console::terminal::{print, print_json};
 use crate::console::words;
 use crate::input::searching::TimeLimit;
 use crate::input::{self, Input, SceneArgs};
+use gaitcam::Problem;
 use gaitcam::error::{Place, Placed, Result};
 use gaitcam::force::ForceCurve;
-use gaitcam::problem::Shared;
-use gaitcam::synth::{Design, relaxed_with, synthesise_with};
+use gaitcam::synth::{self, Design, Search};
 use gaitcam::units::Dimension;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::ResultFolder;
@@ -156,10 +156,11 @@ pub fn run(args: &SynthArgs) -> Result<u8> {
     let target = input.target()?;
     let solving = Instant::now();
     let shown = args.time.shown();
-    let shared = Shared::until(args.time.of_design());
-    let design = synthesise_with(&input.scene, target.as_ref(), &shared)?;
+    let search = Search::until(args.time.of_design());
+    let problem = Problem::resolve(&input.scene, target.as_ref())?;
+    let design = synth::design(&problem, &search)?;
     let solve_s = solving.elapsed().as_secs_f64();
-    let design = relaxed_with(&input.scene, target.as_ref(), design, &shared);
+    let design = design.relaxed_with(&search);
     drop(shown);
     let answer = Answer {
         target,

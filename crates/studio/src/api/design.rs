@@ -15,12 +15,12 @@ use crate::fault::StudioError;
 use crate::form::{Field, fields};
 use crate::studio::{Kept, Studio};
 use crate::words;
+use gaitcam::Problem;
 use gaitcam::cam::Continuity;
 use gaitcam::error::Result;
 use gaitcam::halt::Halt;
-use gaitcam::problem::Shared;
 use gaitcam::scene::{Scene, keys};
-use gaitcam::synth::{Design, Relaxation, relaxed_with, synthesise_with};
+use gaitcam::synth::{self, Design, Relaxation, Search};
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
 use gaitcam_output::files::{self, Group};
@@ -161,8 +161,8 @@ fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
     let (scene, whole) = studio.scene(table)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let solving = Instant::now();
-    let shared = Shared::until(halt);
-    let design = synthesise_with(&scene, target.as_ref(), &shared)?;
+    let problem = Problem::resolve(&scene, target.as_ref())?;
+    let design = synth::design(&problem, &Search::until(halt))?;
     let time = Timing {
         solve_s: solving.elapsed().as_secs_f64(),
         total_s: start.elapsed().as_secs_f64(),
@@ -172,7 +172,6 @@ fn made(studio: &Studio, table: &Table, halt: Halt) -> Result<Arc<Kept>> {
         table,
         whole,
         scene,
-        target,
         design,
         time,
     }))
@@ -351,13 +350,8 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     let Some(turn) = studio.turns.take(&asked) else {
         return overtaken();
     };
-    let shared = Shared::until(turn.asked().halt());
-    let tried = relaxed_with(
-        &kept.scene,
-        kept.target.as_ref(),
-        kept.design.clone(),
-        &shared,
-    );
+    let search = Search::until(turn.asked().halt());
+    let tried = kept.design.clone().relaxed_with(&search);
     if asked.is_overtaken() {
         return overtaken();
     }
