@@ -76,16 +76,6 @@ pub struct Sensitivity {
     pub gain: f64,
 }
 
-/// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
-const NOTHING: f64 = 1e-6;
-/// Part of the objective below which xᵀr is small.
-const SMALL: f64 = 1e-9;
-/// Part of a limit by which it is eased to say what it costs.
-const RELAXED: f64 = 0.01;
-/// A demand whose part outside the span of those before it is below this share of its square length says
-/// nothing new.
-const DEPENDENT: f64 = 1e-20;
-
 /// The evidence for a solution of a program.
 pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
@@ -123,7 +113,8 @@ pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
     let mut left = largest(&residual) / pushed.max(f64::MIN_POSITIVE);
     let product = residual.iter().zip(x).map(|(r, x)| r * x);
     let plain = product.sum::<f64>().abs();
-    let known = (plain > SMALL * size).then(|| equality::fall(program, &residual));
+    let known = (plain > program.settings.certificate.small * size)
+        .then(|| equality::fall(program, &residual));
     let level = match program.basis {
         _ if !program.level_is_open() => 0.0,
         Basis::Spline { .. } => push * largest(x),
@@ -195,7 +186,10 @@ fn scale(program: &Program, solution: &Solution) -> f64 {
         .map(|k| (program.cost[k] * solution.extra[k]).abs())
         .sum();
     let whole = program.objective(x) + program.constant;
-    let value = whole.abs().max(NOTHING * linear).max(beside);
+    let value = whole
+        .abs()
+        .max(program.settings.certificate.least_objective * linear)
+        .max(beside);
     if value > 0.0 { value } else { 1.0 }
 }
 
@@ -214,7 +208,7 @@ fn off_the_demands(program: &Program, residual: &mut [f64]) {
             }
         }
         let length: f64 = q.iter().map(|q| q * q).sum();
-        if length > DEPENDENT * before {
+        if length > program.settings.certificate.dependent * before {
             q.iter_mut().for_each(|x| *x /= length.sqrt());
             kept.push(q);
         }
@@ -252,11 +246,12 @@ fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity>
     let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
         return Vec::new();
     };
+    let relaxed = program.settings.certificate.relaxed;
     let mut out = Vec::new();
     if let Some(from) = limit.meaning.value(limit.bound) {
         let slope = limit.meaning.slope(limit.bound);
         let typical = limit.scale * slope;
-        let by = RELAXED * if from == 0.0 { typical } else { from.abs() };
+        let by = relaxed * if from == 0.0 { typical } else { from.abs() };
         let downwards = matches!(limit.meaning, Meaning::Value { factor, .. } if factor < 0.0);
         out.push(Sensitivity {
             limit: limit.meaning.key(limit.name),
@@ -278,8 +273,8 @@ fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity>
         out.push(Sensitivity {
             limit: limit.name,
             from,
-            to: (1.0 + RELAXED) * from,
-            gain: row.multiplier * height * (1.0 + tan * tan) * RELAXED * from,
+            to: (1.0 + relaxed) * from,
+            gain: row.multiplier * height * (1.0 + tan * tan) * relaxed * from,
         });
     }
     out

@@ -106,13 +106,13 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
         cones.push(SupportedConeT::SecondOrderConeT(3));
     }
     let a = triplets.matrix(b.len(), columns.total);
-    let own = &program.settings.interior_point;
+    let own = &program.settings.exchange;
     let settings = DefaultSettingsBuilder::default()
         .verbose(false)
-        .max_iter(own.iterations)
-        .tol_gap_abs(own.tolerance)
-        .tol_gap_rel(own.tolerance)
-        .tol_feas(own.tolerance)
+        .max_iter(own.solver_iterations)
+        .tol_gap_abs(own.solver_tolerance)
+        .tol_gap_rel(own.solver_tolerance)
+        .tol_feas(own.solver_tolerance)
         .max_threads(1)
         .build()
         .map_err(|_| Stop::Refused)?;

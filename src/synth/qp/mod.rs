@@ -18,15 +18,13 @@
 //! | `equality` | the optimum under equalities alone |
 //! | `pieces` | derivatives in Bernstein form on all spans at once |
 //! | `separation` | exact points at which a law violates its limits |
-//! | `active_set` | dual active-set method on the banded factor |
+//! | `dual` | dual active-set method of Goldfarb and Idnani |
+//! | `active_set` | its rounds with separation, on the banded factor |
 //! | `frame` | active planes as an orthonormal basis and a triangle |
-//! | `local_reduction` | Newton's method on the contact points |
-//! | `exchange` | which method solves; rounds of separation and solution |
+//! | `solve` | which method solves |
+//! | `exchange` | rounds of separation and solution |
 //! | `clarabel` | interior-point method, by Clarabel |
-//! | `contacts` | Newton's method on the contacts, where variables stand beside the law or a proof is open |
-//! | `quadratic_step` | its steps: small dense programs |
-//! | `polish` | active rows solved as equalities, for the last digits |
-//! | `nearest` | the last digits where limits leave a hair |
+//! | `refine` | Newton's method on the contacts: the last digits of a solution and its proof |
 //! | `settings` | every tuning constant with its reason |
 //! | `certificate` | duality gap, stationarity, sensitivities |
 
@@ -35,20 +33,18 @@ mod band;
 mod basis;
 mod certificate;
 mod clarabel;
-mod contacts;
 mod demand;
+mod dual;
 mod equality;
 mod exchange;
 mod frame;
-mod local_reduction;
-mod nearest;
 mod objective;
 mod pieces;
-mod polish;
 mod program;
-mod quadratic_step;
+mod refine;
 mod separation;
 mod settings;
+mod solve;
 #[cfg(test)]
 mod tests;
 
@@ -57,12 +53,10 @@ pub use certificate::{Certificate, Sensitivity, certificate, sensitivities};
 pub use clarabel::{prepared as clarabel_prepared, run as clarabel_run};
 pub use demand::{Demand, Given};
 pub use equality::solve as solve_equalities;
+pub use exchange::solve as solve_by_interior_point;
 pub use objective::Quadratic;
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
     RISE, Row, SIZES, Solution, Stop,
 };
-pub use settings::{
-    ActiveSetSettings, ContactSettings, EqualitySettings, ExchangeSettings, InteriorPointSettings,
-    LocalReductionSettings, Settings, TOLERANCE,
-};
+pub use settings::{Settings, TOLERANCE};

@@ -1,4 +1,4 @@
-//! Every tuning constant of the solvers, with its reason. Nothing here is seen by users of a scene.
+//! Every tuning constant of the solvers, with its reason. None of them is a setting of a scene.
 
 /// Tolerance of a finished law: a stroke, whose top and bottom each take it, still keeps 1e-9 of its value.
 pub const TOLERANCE: f64 = 4e-10;
@@ -12,14 +12,12 @@ pub struct Settings {
     pub equality: EqualitySettings,
     /// Dual active-set method.
     pub active_set: ActiveSetSettings,
-    /// Newton's method on the contact points.
-    pub local_reduction: LocalReductionSettings,
-    /// The same with variables beside the law.
-    pub contacts: ContactSettings,
     /// Rounds of separation and interior-point solution.
     pub exchange: ExchangeSettings,
-    /// Interior-point method.
-    pub interior_point: InteriorPointSettings,
+    /// Newton's method on the contacts.
+    pub refinement: RefinementSettings,
+    /// Duality gap and sensitivities.
+    pub certificate: CertificateSettings,
 }
 
 /// Settings of the least squares under equalities.
@@ -46,56 +44,99 @@ pub struct ActiveSetSettings {
     pub active: usize,
     /// A row counts as violated beyond this part of its limit's size; far below the rounds' own tolerance.
     pub resolved: f64,
-    /// When progress ends, a law that violates limits by less than this is as good as numbers allow.
+    /// When progress ends, a law that violates limits by less than this is accepted: the rest is rounding.
     pub resolved_at_last: f64,
+    /// A round that leaves more than this part of the least violation makes no progress …
+    pub progress: f64,
+    /// … and after so many of them progress has ended.
+    pub patience: usize,
     /// A row whose part outside the span of the active ones is below this share of its square length
     /// depends on them.
     pub dependent: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
-    /// Contact points are moved all together once limits are violated by less than this part of their
-    /// scale …
-    pub local_reduction_from: f64,
+    /// Contacts are refined together once limits are violated by less than this part of their scale …
+    pub refined_from: f64,
     /// … at most this often.
-    pub local_reductions: usize,
+    pub refinements: usize,
     /// The pin of an open level is moved at most this often …
     pub pin_moves: usize,
     /// … until the level moves by no more than this part of the typical lift.
     pub pin_settled: f64,
+    /// Room kept in a second solution, in units of the violation of the first: two crests that share a row can end
+    /// slightly above a limit.
+    pub room: f64,
 }
 
-/// Settings of Newton's method on the contact points.
+/// Settings of Newton's method on the contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LocalReductionSettings {
-    /// Steps; three are usual.
+pub struct RefinementSettings {
+    /// Relative gap that needs no refinement …
+    pub gap: f64,
+    /// … and stationarity, which often ends at 1e-7 where the gap is closed. A law is certified with both below 1e-6.
+    pub stationarity: f64,
+    /// Programs of a coarser tolerance are steps of a sequence and are not refined.
+    pub finest_tolerance: f64,
+    /// Steps on the banded factor; three are usual.
+    pub band_steps: usize,
+    /// Dense steps; a handful is usual.
     pub steps: usize,
-    /// Steps to violations this many times those at the start have lost their contact points.
+    /// Dense systems solved in all: rows leave one by one.
+    pub solves: usize,
+    /// Steps without a better certificate that end the search.
+    pub patience: usize,
+    /// Gap and stationarity that end the search …
+    pub clean: f64,
+    /// … and those accepted where rounding permits no better.
+    pub proved: f64,
+    /// Limits exceeded by less than this part of their scale are near enough to begin.
+    pub from: f64,
+    /// Steps to violations this many times those at the start have lost their contacts.
     pub divergence: f64,
-    /// Peaks as far below the bound as this part of the limit's scale are looked at.
+    /// Peaks as far below the bound as this part of the limit's scale are candidates.
     pub below: f64,
     /// A limit that falls by less than this part of its scale over a piece's width has no contact point.
     pub flat: f64,
-    /// A multiplier below zero by this part of the largest means that the row is not active.
-    pub negative_multiplier: f64,
-}
-
-/// Settings of Newton's method on the contacts of a program with variables beside the law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ContactSettings {
-    /// Limits exceeded by less than this part of their scale are near enough to begin.
-    pub from: f64,
+    /// Contacts nearer than this part of a piece are one.
+    pub same: f64,
+    /// A row moves to a place where its limit's left side is higher by more than this part of its size.
+    pub stays: f64,
     /// Rows whose multiplier is below this part of the largest are no contacts.
     pub weakest: f64,
-    /// Steps; a handful is usual.
-    pub steps: usize,
-    /// Systems solved in all: rows leave one by one.
-    pub solves: usize,
-    /// Steps to violations this many times those at the start have lost their contacts.
-    pub divergence: f64,
-    /// Weight that holds a step where neither objective nor contacts do, in the solver's units.
+    /// A multiplier below zero by this part of the largest means that the row is not active.
+    pub negative_multiplier: f64,
+    /// More rows than this per unknown do not determine a vertex.
+    pub rows_per_unknown: usize,
+    /// Rounds in which places that a step violates join it …
+    pub joins: usize,
+    /// … by more than this part of the limit's size …
+    pub resolved: f64,
+    /// … where no row of the limit is nearer than this part of a piece.
+    pub apart: f64,
+    /// Larger dense systems are not solved.
+    pub largest: usize,
+    /// Proximal weight of the step, in the solver's units …
     pub held: f64,
-    /// The same for multipliers of rows that depend on each other.
+    /// … raised by this factor …
+    pub raised: f64,
+    /// … at most so often while the matrix has no factor.
+    pub raises: i32,
+    /// Proximal weight of the multipliers, for rows that depend on each other.
     pub light: f64,
+    /// Steps of the quadratic program, per unknown; two are usual.
+    pub steps_per_unknown: usize,
+    /// Excess at which a plane of it is satisfied.
+    pub step_resolved: f64,
+    /// As `ActiveSetSettings::dependent`, for its planes.
+    pub dependent: f64,
+    /// A plane that depends on the active ones and is violated by less than this is left to rounding.
+    pub rounding: f64,
+    /// Relative residual up to which a polished point counts …
+    pub polish_residual: f64,
+    /// … with multipliers no further below zero than this part of the largest entry …
+    pub polish_negative: f64,
+    /// … and no violation above this.
+    pub polish_violation: f64,
 }
 
 /// Settings of the rounds of separation and interior-point solution.
@@ -105,26 +146,32 @@ pub struct ExchangeSettings {
     pub rounds: usize,
     /// A point that violates limits by more than this part of their scale is not polished.
     pub polish_below: f64,
-    /// Larger systems are not polished.
-    pub polish_size: usize,
+    /// A round that leaves more than this part of the least violation has stalled.
+    pub stalled: f64,
     /// Room inside a limit never exceeds this part of its scale.
     pub largest_margin: f64,
     /// What the solver leaves unresolved of a second-order cone, which is not polished.
     pub cone_margin: f64,
     /// A new row this near (in units of its piece) to an old one of the same limit replaces it.
     pub coincident: f64,
-    /// Whether a solution a hair outside its limits is exchanged for the nearest one inside.
-    pub moves_inside: bool,
+    /// Gap and feasibility tolerance of the interior-point method: tighter ones end in "insufficient progress" on some
+    /// fits, and polishing restores the digits.
+    pub solver_tolerance: f64,
+    /// Iterations of the interior-point method; 20 are usual.
+    pub solver_iterations: u32,
 }
 
-/// Settings of the interior-point method.
+/// Settings of the certificate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InteriorPointSettings {
-    /// Gap and feasibility tolerance: tighter ones end in "insufficient progress" on some fits, and
-    /// polishing restores the digits.
-    pub tolerance: f64,
-    /// Iterations; 20 are usual.
-    pub iterations: u32,
+pub struct CertificateSettings {
+    /// An objective below this part of its terms is rounding: a force error of a thousandth of the force.
+    pub least_objective: f64,
+    /// Part of the objective below which xᵀr is small.
+    pub small: f64,
+    /// Part of a limit by which it is relaxed for its sensitivity.
+    pub relaxed: f64,
+    /// As `ActiveSetSettings::dependent`, for equalities.
+    pub dependent: f64,
 }
 
 impl Default for Settings {
@@ -143,42 +190,73 @@ impl Default for Settings {
                 active: 400,
                 resolved: 1e-12,
                 resolved_at_last: 1e-7,
+                progress: 0.9,
+                patience: 4,
                 dependent: 1e-13,
                 coincident: 1e-5,
-                local_reduction_from: 1e-3,
-                local_reductions: 8,
+                refined_from: 1e-3,
+                refinements: 8,
                 pin_moves: 12,
                 pin_settled: 1e-9,
-            },
-            local_reduction: LocalReductionSettings {
-                steps: 5,
-                divergence: 30.0,
-                below: 0.05,
-                flat: 1e-6,
-                negative_multiplier: 1e-9,
-            },
-            contacts: ContactSettings {
-                from: 1e-3,
-                weakest: 1e-6,
-                steps: 12,
-                solves: 40,
-                divergence: 30.0,
-                held: 1e-9,
-                light: 1e-13,
+                room: 2.0,
             },
             exchange: ExchangeSettings {
                 rounds: 60,
                 polish_below: 1e-5,
-                polish_size: 500,
+                stalled: 0.5,
                 largest_margin: 1e-6,
                 cone_margin: 1e-7,
                 coincident: 1e-4,
-                moves_inside: true,
+                solver_tolerance: 1e-9,
+                solver_iterations: 200,
             },
-            interior_point: InteriorPointSettings {
-                tolerance: 1e-9,
-                iterations: 200,
+            refinement: RefinementSettings::default(),
+            certificate: CertificateSettings {
+                least_objective: 1e-6,
+                small: 1e-9,
+                relaxed: 0.01,
+                dependent: 1e-20,
             },
+        }
+    }
+}
+
+impl Default for RefinementSettings {
+    fn default() -> Self {
+        RefinementSettings {
+            gap: 1e-7,
+            stationarity: 3e-7,
+            finest_tolerance: TOLERANCE,
+            band_steps: 5,
+            steps: 12,
+            solves: 40,
+            patience: 4,
+            clean: 1e-8,
+            proved: 1e-6,
+            from: 1e-3,
+            divergence: 30.0,
+            below: 0.05,
+            flat: 1e-6,
+            same: 1e-7,
+            stays: 1e-12,
+            weakest: 1e-6,
+            negative_multiplier: 1e-9,
+            rows_per_unknown: 24,
+            joins: 8,
+            resolved: 1e-10,
+            apart: 0.25,
+            largest: 500,
+            held: 1e-9,
+            raised: 100.0,
+            raises: 4,
+            light: 1e-13,
+            steps_per_unknown: 10,
+            step_resolved: 1e-14,
+            dependent: 1e-25,
+            rounding: 1e-9,
+            polish_residual: 1e-9,
+            polish_negative: 1e-7,
+            polish_violation: 1e-9,
         }
     }
 }

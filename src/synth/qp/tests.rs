@@ -2,6 +2,7 @@
 
 use super::basis::Basis;
 use super::demand::Demand;
+use super::exchange;
 use super::objective::{Quadratic, pointwise};
 use super::program::{Equality, Failure, Limit, Meaning, PEAK, Program};
 use crate::criterion::{Criterion, LimitKind};
@@ -239,7 +240,7 @@ fn active_set_and_interior_point_find_the_same_optimum() {
     for (degree, spans, parts) in cases {
         let program = humps(degree, spans, parts);
         let ours = program.solve().unwrap();
-        let other = program.solve_by_interior_point().unwrap();
+        let other = exchange::solve(&program).unwrap();
         let (a, b) = (program.objective(&ours.x), program.objective(&other.x));
         // Both keep the limits to 1e-9 or a little more; the objective follows at about that.
         assert!(

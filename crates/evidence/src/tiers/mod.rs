@@ -180,7 +180,7 @@ impl Task<'_> {
     /// The same with an interior-point method on the rows of every round.
     pub fn interior_point(&self) -> Result<Answer> {
         let program = self.program();
-        let solution = program.solve_by_interior_point().map_err(|f| refused(&f))?;
+        let solution = qp::solve_by_interior_point(&program).map_err(|f| refused(&f))?;
         Ok(Answer {
             law: program.basis.law(&solution.x),
             iterations: solution.iterations,

@@ -2,7 +2,7 @@
 //!
 //! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
 //! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `separation` finds its exact worst points,
-//! `exchange` brings rows in, `active_set` and `local_reduction` solve over the coefficients alone, `clarabel` with sizes and
+//! `solve` chooses the method: `active_set` over the coefficients alone, `exchange` with sizes and
 //! peaks beside them.
 
 mod failure;
@@ -89,6 +89,15 @@ pub struct Row {
     pub scale: f64,
     /// Multiplier of the last solve, in units of the objective per unit of the bound.
     pub multiplier: f64,
+}
+
+impl Row {
+    /// Whether a row of the same limit lies within this part of the piece.
+    pub(super) fn coincides(&self, other: &Row, part: f64) -> bool {
+        self.limit == other.limit
+            && self.peak.piece == other.peak.piece
+            && (self.peak.u - other.peak.u).abs() < part
+    }
 }
 
 /// A solution with its evidence.

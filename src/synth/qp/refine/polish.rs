@@ -1,7 +1,8 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
-use super::clarabel::{Point, row_unit};
-use super::program::{EXTRAS, PEAK, Program, Row};
+use crate::synth::qp::basis::apply;
+use crate::synth::qp::clarabel::{Point, row_unit};
+use crate::synth::qp::program::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 
 /// Improves the point where that is possible without breaking a row or turning a multiplier negative;
@@ -20,12 +21,13 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
     if program.cone {
         return as_given;
     }
+    let settings = &program.settings.refinement;
     let n = program.basis.columns();
     let present = program.present();
     let free: Vec<usize> = (0..EXTRAS).filter(|&k| present[k]).collect();
     let columns = n + free.len();
     let k = program.equalities.len() + active.len();
-    if columns + k > program.settings.exchange.polish_size {
+    if columns + k > program.settings.refinement.largest {
         return as_given;
     }
     // Work in units of `length` and scaled rows, as the solver did, so that pivots mean something.
@@ -82,18 +84,18 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
         y += correction;
     }
     let residual = (&rhs - &kkt * &y).amax();
-    if !residual.is_finite() || residual > 1e-9 * (1.0 + rhs.amax()) {
+    if !residual.is_finite() || residual > settings.polish_residual * (1.0 + rhs.amax()) {
         return as_given;
     }
     let first = columns + program.equalities.len();
-    let signs_hold = (0..active.len()).all(|r| y[first + r] > -1e-7 * y.amax());
+    let signs_hold = (0..active.len()).all(|r| y[first + r] > -settings.polish_negative * y.amax());
     let x: Vec<f64> = (0..n).map(|i| y[i] * length).collect();
     let mut extra = [0.0; EXTRAS];
     for (c, &k) in free.iter().enumerate() {
         extra[k] = y[n + c] * unit_of(k);
     }
     let before = program.violation(&point.x, &point.extra);
-    if !signs_hold || program.violation(&x, &extra) > before.max(1e-9) {
+    if !signs_hold || program.violation(&x, &extra) > before.max(settings.polish_violation) {
         return as_given;
     }
     for (r, &index) in active.iter().enumerate() {
@@ -111,7 +113,7 @@ fn active_rows(program: &Program, rows: &[Row], point: &Point) -> Vec<usize> {
         .filter(|(_, row)| {
             let unit = row_unit(&row.entries, program.length);
             let beside: f64 = (0..EXTRAS).map(|k| row.extra[k] * point.extra[k]).sum();
-            let slack = (row.bound - beside - super::basis::apply(&row.entries, &point.x)) / unit;
+            let slack = (row.bound - beside - apply(&row.entries, &point.x)) / unit;
             row.multiplier * unit / objective > slack.max(0.0)
         })
         .map(|(i, _)| i)

@@ -1,44 +1,39 @@
-//! The last digits of a program with variables beside the law: Newton's method on its contacts.
+//! Refinement: Newton's method on the contacts of a law with its limits, for the last digits of a solution and its proof.
 //!
-//! Rounds of an interior-point method close in on a contact with two rows on either side of it; their
-//! multipliers, and so the proof, stay uncertain long after the law has settled. Here each contact is one row
-//! at the exact local maximum, and a step solves
+//! Rounds of an interior-point method close in on a contact with two rows on either side of it; their multipliers, and so
+//! the certificate, stay uncertain after the law is determined. Here each contact is one row at the exact local maximum, and
+//! a step solves
 //!
 //! ```text
 //! (H + Σ λ/(−c″) a′a′ᵀ + ε) d + Eᵀν + Aᵀλ = −(Hx + g)      E d = e − E x      A d − δ (λ − λ₀) = b − A x
 //! ```
 //!
-//! for law and variables at once (theory as in `local_reduction`). Where contacts alone do not say which rows hold
-//! (twins on an arc that lies on its bound, more places than unknowns) a step is a small program of its own, and places
-//! that it breaks join its rows. ε and δ hold steps, not results: a proximal
-//! method of multipliers for what objective and contacts leave open.
+//! for law and further variables at once. Where the contacts do not determine which rows are active (coinciding contacts on
+//! an arc that lies on its bound, more contacts than unknowns) a step is a quadratic program over all rows near their
+//! bounds, and places that it violates join its rows. ε and δ make the step proximal, for what objective and contacts leave
+//! undetermined; they do not change the result.
+//!
+//! | file | used |
+//! |---|---|
+//! | `band` | inside the active set, over the coefficients alone: cost linear in the spans |
+//! | `polish` | inside the exchange: the active rows as equalities, without curvature |
+//! | `step` | at the end: one dense step |
 
+mod band;
+mod polish;
 mod step;
+
+pub use band::on_band;
+pub use polish::polish;
 
 use step::Local;
 
+use super::band::ArrowMatrix;
 use super::basis::{Basis, apply};
 use super::certificate::certificate;
 use super::clarabel::row_unit;
 use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
 use crate::poly::{Peak, PiecewisePoly};
-
-/// A gap and a stationarity below this end the search …
-const CLEAN: f64 = 1e-8;
-/// … and these will do where rounding leaves no better.
-const PROVED: f64 = 1e-6;
-/// Rounds in which places that a step breaks join it.
-const JOINS: usize = 8;
-/// … where no row of the limit stands nearer than this part of a piece.
-const APART: f64 = 0.25;
-/// Excess, as a part of a limit's size, from which on a place joins.
-const RESOLVED: f64 = 1e-10;
-/// A row moves to a place where its limit's left side is higher by more than this part of its size.
-const STAYS: f64 = 1e-12;
-/// More rows than this for every unknown are no contacts.
-const CROWD: usize = 24;
-/// Steps without a better proof that end the search.
-const PATIENCE: usize = 4;
 
 struct Contacts<'a> {
     program: &'a Program,
@@ -60,32 +55,57 @@ enum Way {
     Arcs,
 }
 
-/// The optimum near a solution whose limits are all but kept; `None` where the search does not reach it.
-pub fn settled(program: &Program, start: &Solution) -> Option<Solution> {
-    Contacts::new(program)?.searched(start, Way::Equalities)
+/// The solution with its last digits, where its certificate is open and that closes it. Intermediate programs of a sequence,
+/// which ask for a coarser tolerance, stay as they are.
+pub fn refined(program: &Program, solution: Solution) -> Solution {
+    let settings = &program.settings;
+    if !solution.used_rows || settings.tolerance > settings.refinement.finest_tolerance {
+        return solution;
+    }
+    let before = openness(program, &solution);
+    if before <= 1.0 {
+        return solution;
+    }
+    match searched(program, &solution) {
+        Some(closer) if openness(program, &closer) < before => closer,
+        _ => solution,
+    }
 }
 
-/// The same with a program in every step where contacts alone do not say which rows hold.
-pub fn proved(program: &Program, start: &Solution) -> Option<Solution> {
-    let contacts = Contacts::new(program)?;
-    contacts
-        .searched(start, Way::Equalities)
-        .or_else(|| contacts.searched(start, Way::Arcs))
-        .or_else(|| contacts.searched(start, Way::Program))
+/// Gap, stationarity and violation of a solution relative to what needs no refinement; at most 1 where none is needed.
+fn openness(program: &Program, solution: &Solution) -> f64 {
+    let settings = &program.settings.refinement;
+    let proof = certificate(program, solution);
+    let excess = (solution.violation - program.settings.tolerance).max(0.0);
+    (proof.relative_gap / settings.gap).max(proof.stationarity / settings.stationarity)
+        + excess / settings.gap
+}
+
+/// The optimum near a solution that nearly satisfies its limits; `None` where no search reaches it.
+fn searched(program: &Program, start: &Solution) -> Option<Solution> {
+    let contacts = Contacts::small(program)?;
+    [Way::Equalities, Way::Arcs, Way::Program]
+        .into_iter()
+        .find_map(|way| contacts.searched(start, way))
 }
 
 impl<'a> Contacts<'a> {
-    /// `None` for programs that are not small and smooth.
+    /// `None` where the program is too large for a dense step, or has a cone.
+    fn small(program: &'a Program) -> Option<Self> {
+        let unknowns = program.basis.columns() + program.equalities.len();
+        let too_large = 2 * unknowns > program.settings.refinement.largest;
+        if program.cone || too_large {
+            return None;
+        }
+        Contacts::new(program)
+    }
+
+    /// `None` for harmonics, which have no pieces.
     fn new(program: &'a Program) -> Option<Self> {
         let Basis::Spline { space, .. } = &program.basis else {
             return None;
         };
         let present = program.present();
-        let unknowns = program.basis.columns() + program.equalities.len();
-        let too_large = 2 * unknowns > program.settings.exchange.polish_size;
-        if program.cone || too_large {
-            return None;
-        }
         Some(Contacts {
             program,
             bends: (program.shapes.iter())
@@ -97,20 +117,21 @@ impl<'a> Contacts<'a> {
     }
 
     /// The start with its contacts as rows.
-    fn begun(&self, start: &Solution, way: Way) -> Solution {
+    fn start(&self, start: &Solution, way: Way) -> Solution {
         let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
         let largest = start.active.iter().map(push).fold(0.0, f64::max);
-        let weakest = self.program.settings.contacts.weakest;
+        let weakest = self.program.settings.refinement.weakest;
         let mut current = start.clone();
         (current.active).retain(|r| push(r) > weakest * largest);
-        current.active = self.gathered(&current, way);
+        let peaks = self.peaks_near(&current);
+        current.active = self.gathered(&current, &peaks, way);
         current
     }
 
     fn searched(&self, start: &Solution, way: Way) -> Option<Solution> {
         let program = self.program;
-        let settings = &program.settings.contacts;
-        let mut current = self.begun(start, way);
+        let settings = &program.settings.refinement;
+        let mut current = self.start(start, way);
         // No vertex has more contacts than unknowns; far more are an interior point's.
         let unknowns = program.basis.columns() + program.equalities.len();
         if way == Way::Equalities && current.active.len() > 2 * unknowns {
@@ -132,7 +153,7 @@ impl<'a> Contacts<'a> {
             };
             // A row moved to where its contact went takes a part of the gradient along, unless it all but stands there.
             let gathered = Solution {
-                active: self.gathered(&next, way),
+                active: self.gathered(&next, &self.peaks_near(&next), way),
                 ..next.clone()
             };
             since += 1;
@@ -145,11 +166,11 @@ impl<'a> Contacts<'a> {
                         since = 0;
                     }
                 }
-                if best.as_ref().is_some_and(|b| b.0 <= CLEAN) {
+                if best.as_ref().is_some_and(|b| b.0 <= settings.clean) {
                     break;
                 }
             }
-            if since > PATIENCE {
+            if since > settings.patience {
                 break;
             }
             next = gathered;
@@ -158,7 +179,7 @@ impl<'a> Contacts<'a> {
             }
             current = next;
         }
-        best.filter(|b| b.0 <= PROVED).map(|b| b.1)
+        best.filter(|b| b.0 <= settings.proved).map(|b| b.1)
     }
 
     /// Whether a limit is constant on every piece: it touches along pieces, not at places.
@@ -168,9 +189,8 @@ impl<'a> Contacts<'a> {
     }
 
     /// Active rows brought to the local maxima beside them; rows that share one are one contact.
-    fn gathered(&self, solution: &Solution, way: Way) -> Vec<Row> {
+    fn gathered(&self, solution: &Solution, peaks: &[(usize, Peak)], way: Way) -> Vec<Row> {
         let program = self.program;
-        let peaks = self.peaks_near(solution);
         let mut out: Vec<Row> = Vec::new();
         for row in &solution.active {
             let width = program.width(row.peak.piece);
@@ -185,7 +205,9 @@ impl<'a> Contacts<'a> {
             let higher = nearest.filter(|(index, peak)| {
                 let taken = program.room(&program.limits[*index], &solution.x, &solution.extra);
                 let size = self.size(&program.limits[*index], solution);
-                way != Way::Arcs || peak.value - taken > value - row.bound + STAYS * size
+                way != Way::Arcs
+                    || peak.value - taken
+                        > value - row.bound + program.settings.refinement.stays * size
             });
             let moved = higher.map_or_else(
                 || row.clone(),
@@ -209,7 +231,10 @@ impl<'a> Contacts<'a> {
             Some(limit) if self.is_flat(&self.program.limits[limit]) => {
                 a.limit == b.limit && a.peak.piece == b.peak.piece
             }
-            Some(_) => a.limit == b.limit && apart < 1e-7 * self.program.width(a.peak.piece),
+            Some(_) => {
+                let same = self.program.settings.refinement.same;
+                a.limit == b.limit && apart < same * self.program.width(a.peak.piece)
+            }
         }
     }
 
@@ -228,10 +253,29 @@ impl<'a> Contacts<'a> {
             bend - apply(&entries, x)
         };
         let width = self.program.width(row.peak.piece);
-        let flat = self.program.settings.local_reduction.flat * limit.size(limit.bound);
+        let flat = self.program.settings.refinement.flat * limit.size(limit.bound);
         inside
             .then(own)
             .filter(|falls| falls * width * width > flat)
+    }
+
+    /// H + Σ λ/(−c″) a′a′ᵀ over the active rows.
+    fn with_curvature(&self, mut hessian: ArrowMatrix, at: &Solution) -> ArrowMatrix {
+        for row in at.active.iter().filter(|r| r.multiplier > 0.0) {
+            let Some(falls) = self.sharpness(&at.x, row) else {
+                continue;
+            };
+            let w = row.weights;
+            let once = [0.0, w[0], w[1], w[2], w[3]];
+            let basis = &self.program.basis;
+            let slope = basis.row_on(row.peak.piece, row.peak.u, &once);
+            for (p, &(i, a)) in slope.iter().enumerate() {
+                for &(j, b) in &slope[..=p] {
+                    hessian.add(i, j, row.multiplier / falls * a * b);
+                }
+            }
+        }
+        hessian
     }
 
     /// Size against which a distance to a bound counts; that of a peak which is minimised is the peak.
@@ -266,7 +310,7 @@ impl<'a> Contacts<'a> {
 
     /// Local maxima that come near their bound.
     fn peaks_near(&self, at: &Solution) -> Vec<(usize, Peak)> {
-        let below = self.program.settings.local_reduction.below;
+        let below = self.program.settings.refinement.below;
         self.peaks_above(at, |size| -below * size)
     }
 
@@ -345,7 +389,7 @@ impl<'a> Contacts<'a> {
             let pushes = || next.active.iter().map(push);
             let largest = pushes().fold(0.0, |m: f64, p| m.max(p.abs()));
             let weakest = pushes().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-            let negative = self.program.settings.local_reduction.negative_multiplier;
+            let negative = self.program.settings.refinement.negative_multiplier;
             match weakest {
                 Some((row, least)) if least < -negative * largest => drop(rows.remove(row)),
                 _ => {
@@ -362,20 +406,21 @@ impl<'a> Contacts<'a> {
         let program = self.program;
         let local = Local::new(self, from);
         let mut rows = self.candidates(from);
-        if rows.len() > CROWD * program.basis.columns() {
+        let settings = &program.settings.refinement;
+        if rows.len() > settings.rows_per_unknown * program.basis.columns() {
             return None;
         }
         let mut last = None;
-        for _ in 0..JOINS {
+        for _ in 0..settings.joins {
             let mut next = local.solved(&rows)?;
             let count = rows.len();
-            for (limit, peak) in self.peaks_above(&next, |size| RESOLVED * size) {
+            for (limit, peak) in self.peaks_above(&next, |size| settings.resolved * size) {
                 let row = program.row(limit, peak);
                 let width = program.width(peak.piece);
                 let kinked = program.limits[limit].shape.is_some();
                 let near = |r: &Row| {
                     let apart = (r.peak.at - peak.at).abs();
-                    r.limit == Some(limit) && !kinked && apart < APART * width
+                    r.limit == Some(limit) && !kinked && apart < settings.apart * width
                 };
                 if !rows.iter().any(|r| near(r) || self.is_same(r, &row)) {
                     rows.push(row);

@@ -5,16 +5,25 @@
 //! ```
 
 use super::Contacts;
+use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
 use crate::synth::qp::basis::{Entries, apply};
 use crate::synth::qp::clarabel::row_unit;
+use crate::synth::qp::dual::Dual;
 use crate::synth::qp::program::{EXTRAS, PEAK, Row, Solution};
-use crate::synth::qp::quadratic_step::{self, Plane, Step};
 use nalgebra::{DMatrix, DVector};
 
-/// Raises of what holds a step while its matrix has no factor.
-const RAISES: i32 = 4;
-/// … by this factor.
-const RAISED: f64 = 100.0;
+/// A plane aᵀd ≤ bound, or aᵀd = bound, of entries near 1.
+struct Plane {
+    entries: Entries,
+    bound: f64,
+    equal: bool,
+}
+
+/// A step with the multipliers of the planes; 0 where a plane is inactive.
+struct Step {
+    way: Vec<f64>,
+    multipliers: Vec<f64>,
+}
 
 /// The program about a solution, in the solver's units.
 pub struct Local<'a> {
@@ -40,26 +49,13 @@ impl<'a> Local<'a> {
         };
         let mut units = vec![program.length; n];
         units.extend(contacts.free.iter().map(|&k| unit(k)));
-        let mut stiff = program.hessian.clone();
-        for row in from.active.iter().filter(|r| r.multiplier > 0.0) {
-            let Some(falls) = contacts.sharpness(&from.x, row) else {
-                continue;
-            };
-            let w = row.weights;
-            let once = [0.0, w[0], w[1], w[2], w[3]];
-            let slope = program.basis.row_on(row.peak.piece, row.peak.u, &once);
-            for (p, &(i, a)) in slope.iter().enumerate() {
-                for &(j, b) in &slope[..=p] {
-                    stiff.add(i, j, row.multiplier / falls * a * b);
-                }
-            }
-        }
+        let stiff = contacts.with_curvature(program.hessian.clone(), from);
         let mut matrix = DMatrix::<f64>::zeros(units.len(), units.len());
         for (i, j, value) in stiff.lower_entries() {
             matrix[(i, j)] = value * units[i] * units[j] / objective;
             matrix[(j, i)] = matrix[(i, j)];
         }
-        let held = program.settings.contacts.held;
+        let held = program.settings.refinement.held;
         (0..units.len()).for_each(|i| matrix[(i, i)] += held);
         let hx = program.hessian.times(&from.x[..n]);
         let of_law = (hx.iter().zip(&program.gradient)).map(|(h, g)| h + g);
@@ -87,18 +83,15 @@ impl<'a> Local<'a> {
     ) -> (Plane, f64) {
         let program = self.contacts.program;
         let scale = row_unit(entries, program.length);
-        let mut normal = DVector::zeros(self.units.len());
-        for &(i, v) in entries {
-            normal[i] += v * self.units[i] / scale;
-        }
+        let own = entries.iter().map(|&(i, v)| (i, v * self.units[i] / scale));
         let n = program.basis.columns();
-        for (c, &k) in self.contacts.free.iter().enumerate() {
-            normal[n + c] += extra[k] * self.units[n + c] / scale;
-        }
+        let columns = (n..).zip(&self.contacts.free);
+        let others = columns.map(|(c, &k)| (c, extra[k] * self.units[c] / scale));
+        let normal: Entries = own.chain(others.filter(|e| e.1 != 0.0)).collect();
         let taken: f64 = (0..EXTRAS).map(|k| extra[k] * self.from.extra[k]).sum();
         let bound = (bound - taken - apply(entries, &self.from.x)) / scale;
         let plane = Plane {
-            normal,
+            entries: normal,
             bound,
             equal,
         };
@@ -110,25 +103,72 @@ impl<'a> Local<'a> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
         let (planes, scales) = self.planes(rows);
-        let rough = (0..RAISES).find_map(|raise| {
-            let mut matrix = self.matrix.clone();
-            let held = self.held * (RAISED.powi(raise) - 1.0);
-            (0..self.units.len()).for_each(|i| matrix[(i, i)] += held);
-            quadratic_step::solve(&matrix.cholesky()?, &self.gradient, &planes)
+        let settings = &program.settings.refinement;
+        let rough = (0..settings.raises).find_map(|raise| {
+            let held = self.held * (settings.raised.powi(raise) - 1.0);
+            self.quadratic_step(&self.factor(held)?, &planes)
         })?;
         let active: Vec<usize> = (0..planes.len())
-            .filter(|&i| planes[i].equal || rough.pushes[i] > 0.0)
+            .filter(|&i| planes[i].equal || rough.multipliers[i] > 0.0)
             .collect();
         let weights = |i: usize| rows[i - demands].multiplier * scales[i] / self.objective;
         let step = self.with_last_digits(&planes, &active, demands, weights);
-        let pulls = |step: &Step| {
-            let of_rows = || step.pushes[demands..].iter();
+        let is_negative = |step: &Step| {
+            let of_rows = || step.multipliers[demands..].iter();
             let largest = of_rows().fold(0.0_f64, |m, p| m.max(p.abs()));
-            let most = program.settings.local_reduction.negative_multiplier * largest;
+            let most = program.settings.refinement.negative_multiplier * largest;
             of_rows().any(|p| *p < -most)
         };
-        let step = step.filter(|s| !pulls(s)).unwrap_or(rough);
+        let step = step.filter(|s| !is_negative(s)).unwrap_or(rough);
         Some(self.moved(rows, &scales, &active, step))
+    }
+
+    /// Factor of the matrix with `held` added to its diagonal.
+    fn factor(&self, held: f64) -> Option<ArrowFactor> {
+        let n = self.units.len();
+        let mut matrix = ArrowMatrix::zero(n, 0, n);
+        for i in 0..n {
+            (0..=i).for_each(|j| matrix.add(i, j, self.matrix[(i, j)]));
+            matrix.add(i, i, held);
+        }
+        matrix.factor()
+    }
+
+    /// The quadratic program over the planes; `None` where they leave nothing.
+    fn quadratic_step(&self, factor: &ArrowFactor, planes: &[Plane]) -> Option<Step> {
+        let settings = &self.contacts.program.settings.refinement;
+        let n = self.units.len();
+        let pull: Vec<f64> = self.gradient.iter().map(|g| -g).collect();
+        let most_steps = settings.steps_per_unknown * n;
+        let mut set = Dual::new(factor, pull, vec![0.0; n], settings.dependent, most_steps);
+        for plane in planes.iter().filter(|p| p.equal) {
+            set.hold(None, &plane.entries, plane.bound, 0.0);
+        }
+        set.refresh();
+        let mut left_out = vec![false; planes.len()];
+        loop {
+            let open = |i: &usize| !planes[*i].equal && !left_out[*i] && !set.holds(*i);
+            let excess = |i: usize| apply(&planes[i].entries, &set.x) - planes[i].bound;
+            let worst = (0..planes.len())
+                .filter(open)
+                .map(|i| (i, excess(i)))
+                .max_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((i, _)) = worst.filter(|w| w.1 > settings.step_resolved) else {
+                set.refresh();
+                break;
+            };
+            match set.bring_in(i, &planes[i].entries, planes[i].bound) {
+                Ok(()) => (),
+                Err(stuck) if stuck.excess < settings.rounding => left_out[i] = true,
+                Err(_) => return None,
+            }
+        }
+        let mut multipliers = vec![0.0; planes.len()];
+        set.multipliers().for_each(|(i, m)| multipliers[i] = m);
+        Some(Step {
+            way: set.x,
+            multipliers,
+        })
     }
 
     /// The step with all rows as equalities, whatever their multipliers' signs.
@@ -162,7 +202,7 @@ impl<'a> Local<'a> {
         }
         next.active = (active.iter().filter(|&&i| i >= demands))
             .map(|&i| Row {
-                multiplier: step.pushes[i] * self.objective / scales[i],
+                multiplier: step.multipliers[i] * self.objective / scales[i],
                 ..rows[i - demands].clone()
             })
             .collect();
@@ -188,14 +228,14 @@ impl<'a> Local<'a> {
         rhs.rows_mut(0, columns).copy_from(&(-&self.gradient));
         for (r, &i) in active.iter().enumerate() {
             let at = columns + r;
-            for (c, value) in planes[i].normal.iter().enumerate() {
-                kkt[(at, c)] = *value;
-                kkt[(c, at)] = *value;
+            for &(c, value) in &planes[i].entries {
+                kkt[(at, c)] += value;
+                kkt[(c, at)] += value;
             }
             rhs[at] = planes[i].bound;
             if i >= demands {
-                kkt[(at, at)] = -settings.contacts.light;
-                rhs[at] -= settings.contacts.light * multiplier(i);
+                kkt[(at, at)] = -settings.refinement.light;
+                rhs[at] -= settings.refinement.light * multiplier(i);
             }
         }
         let lu = kkt.clone().lu();
@@ -206,13 +246,13 @@ impl<'a> Local<'a> {
         if !y.iter().all(|v| v.is_finite()) {
             return None;
         }
-        let mut pushes = vec![0.0; planes.len()];
+        let mut multipliers = vec![0.0; planes.len()];
         for (r, &i) in active.iter().enumerate() {
-            pushes[i] = y[columns + r];
+            multipliers[i] = y[columns + r];
         }
         Some(Step {
-            way: y.rows(0, columns).into_owned(),
-            pushes,
+            way: y.rows(0, columns).iter().copied().collect(),
+            multipliers,
         })
     }
 }

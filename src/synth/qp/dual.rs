@@ -1,0 +1,221 @@
+//! Dual active-set method of Goldfarb and Idnani (1983): minimise ½xᵀHx − pᵀx under planes aᵀx ≤ b and aᵀx = b.
+//!
+//! With H = LLᵀ and y = Lᵀx this is the point nearest to L⁻¹p that keeps the planes zᵀy ≤ b, z = L⁻¹a. The active planes
+//! are kept as an orthonormal basis Q and a triangle R, Z = QR, so one is added or removed in O(n·active) operations.
+
+use super::band::ArrowFactor;
+use super::basis::{Entries, apply};
+use super::frame::{Apart, Frame, square};
+
+/// A plane that is active.
+struct Member {
+    /// Index of the inequality; `None` for an equality, which never leaves.
+    row: Option<usize>,
+    bound: f64,
+    multiplier: f64,
+}
+
+/// The active planes and the optimum on them.
+pub struct Dual<'a> {
+    factor: &'a ArrowFactor,
+    /// L⁻¹p.
+    free: Vec<f64>,
+    /// The optimum on the active planes.
+    pub x: Vec<f64>,
+    members: Vec<Member>,
+    frame: Frame,
+    /// Steps taken, and the most that are allowed.
+    pub steps: usize,
+    most_steps: usize,
+    /// A plane whose part outside the span of the active ones is below this share of its square length depends on them.
+    dependent: f64,
+}
+
+/// The method ended before a plane was satisfied.
+pub struct Stuck {
+    /// Excess of a plane that depends on the active ones; infinite when the steps are used up.
+    pub excess: f64,
+}
+
+impl<'a> Dual<'a> {
+    /// Without planes, at the optimum `x` of that.
+    pub fn new(
+        factor: &'a ArrowFactor,
+        mut pull: Vec<f64>,
+        x: Vec<f64>,
+        dependent: f64,
+        most_steps: usize,
+    ) -> Self {
+        factor.forward(&mut pull);
+        Dual {
+            factor,
+            free: pull,
+            x,
+            members: Vec::new(),
+            frame: Frame::default(),
+            steps: 0,
+            most_steps,
+            dependent,
+        }
+    }
+
+    /// Adds to p.
+    pub fn add_pull(&mut self, mut change: Vec<f64>) {
+        self.factor.forward(&mut change);
+        for (f, c) in self.free.iter_mut().zip(change) {
+            *f += c;
+        }
+    }
+
+    /// Number of active planes.
+    pub fn active(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Whether an inequality is active.
+    pub fn holds(&self, row: usize) -> bool {
+        self.members.iter().any(|m| m.row == Some(row))
+    }
+
+    /// Adds a plane as active; false when it depends on those that are.
+    pub fn hold(
+        &mut self,
+        row: Option<usize>,
+        entries: &Entries,
+        bound: f64,
+        multiplier: f64,
+    ) -> bool {
+        let z = self.whitened(entries);
+        let apart = self.frame.split(&z);
+        let independent = apart.left > self.dependent * square(&z);
+        if independent {
+            self.push(apart, row, bound, multiplier);
+        }
+        independent
+    }
+
+    /// Optimum and multipliers from the active planes alone.
+    pub fn refresh(&mut self) {
+        let bounds: Vec<f64> = self.members.iter().map(|m| m.bound).collect();
+        let (mut y, away) = self.frame.nearest(&self.free, &bounds);
+        self.factor.backward(&mut y);
+        self.x = y;
+        let multipliers = self.frame.back_substituted(&away);
+        for (member, multiplier) in self.members.iter_mut().zip(multipliers) {
+            member.multiplier = multiplier;
+        }
+    }
+
+    /// The same after inequalities of negative multiplier have left, the most negative first.
+    pub fn retreat(&mut self) {
+        loop {
+            self.refresh();
+            let worst = (0..self.members.len())
+                .filter(|&j| self.members[j].row.is_some() && self.members[j].multiplier < 0.0)
+                .min_by(|&a, &b| {
+                    let [a, b] = [a, b].map(|j| self.members[j].multiplier);
+                    a.total_cmp(&b)
+                });
+            match worst {
+                Some(j) => self.remove(j),
+                None => return,
+            }
+        }
+    }
+
+    /// Removes an inequality that is about to change.
+    pub fn forget(&mut self, row: usize) {
+        if let Some(j) = self.members.iter().position(|m| m.row == Some(row)) {
+            self.remove(j);
+            self.retreat();
+        }
+    }
+
+    /// Makes a violated inequality hold; those whose multiplier falls to zero on the way leave.
+    pub fn bring_in(&mut self, row: usize, entries: &Entries, bound: f64) -> Result<(), Stuck> {
+        let z = self.whitened(entries);
+        let length = square(&z);
+        let mut multiplier = 0.0;
+        loop {
+            self.steps += 1;
+            if self.steps > self.most_steps {
+                return Err(Stuck {
+                    excess: f64::INFINITY,
+                });
+            }
+            let apart = self.frame.split(&z);
+            let shift = self.frame.back_substituted(&apart.along);
+            let blocking = self.blocking(&shift);
+            let excess = apply(entries, &self.x) - bound;
+            let full = (apart.left > self.dependent * length).then_some(excess / apart.left);
+            let (step, leaves) = match (full, blocking) {
+                (Some(full), Some((j, most))) if most < full => (most, Some(j)),
+                (Some(full), _) => (full, None),
+                (None, Some((j, most))) => (most, Some(j)),
+                (None, None) => return Err(Stuck { excess }),
+            };
+            for (member, shift) in self.members.iter_mut().zip(&shift) {
+                member.multiplier -= step * shift;
+            }
+            multiplier += step;
+            if full.is_some() {
+                let mut direction = apart.rest.clone();
+                self.factor.backward(&mut direction);
+                for (x, p) in self.x.iter_mut().zip(&direction) {
+                    *x -= step * p;
+                }
+            }
+            match leaves {
+                Some(j) => self.remove(j),
+                None => {
+                    self.push(apart, Some(row), bound, multiplier);
+                    return Ok(());
+                }
+            }
+        }
+    }
+
+    /// The active inequality whose multiplier reaches zero first, and the step at which it does.
+    fn blocking(&self, shift: &[f64]) -> Option<(usize, f64)> {
+        let mut first: Option<(usize, f64)> = None;
+        for (j, (member, shift)) in self.members.iter().zip(shift).enumerate() {
+            if member.row.is_some() && *shift > 0.0 {
+                let most = member.multiplier.max(0.0) / shift;
+                if first.is_none_or(|b| most < b.1) {
+                    first = Some((j, most));
+                }
+            }
+        }
+        first
+    }
+
+    /// The active inequalities with their multipliers.
+    pub fn multipliers(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        self.members
+            .iter()
+            .filter_map(|m| Some((m.row?, m.multiplier)))
+    }
+
+    fn whitened(&self, entries: &Entries) -> Vec<f64> {
+        let mut z = vec![0.0; self.x.len()];
+        for &(i, a) in entries {
+            z[i] += a;
+        }
+        self.factor.forward(&mut z);
+        z
+    }
+
+    fn push(&mut self, apart: Apart, row: Option<usize>, bound: f64, multiplier: f64) {
+        self.frame.push(apart);
+        self.members.push(Member {
+            row,
+            bound,
+            multiplier,
+        });
+    }
+
+    fn remove(&mut self, j: usize) {
+        self.members.remove(j);
+        self.frame.remove(j);
+    }
+}

@@ -1,0 +1,68 @@
+//! Newton's method on the contacts of a program over the coefficients alone, on the banded factor.
+//!
+//! At a contact the limit's left side c(θ) = a(θ)ᵀx has a local maximum equal to the bound. When x moves by dx the maximum
+//! moves by dθ = −a′ᵀdx/c″, and the objective along the moving contacts gains the curvature Σ λ (a′ᵀdx)²/(−c″) (local
+//! reduction of a semi-infinite program, Hettich and Kortanek 1993). Each step is the equality-constrained optimum with
+//! H + Σ λ/(−c″) a′a′ᵀ, which is still banded; violations square from step to step where an exchange of rows only
+//! quarters them.
+
+use super::{Contacts, Way};
+use crate::poly::Peak;
+use crate::synth::qp::active_set::ActiveSet;
+use crate::synth::qp::equality::Unlimited;
+use crate::synth::qp::program::{EXTRAS, Program, Row, Solution};
+
+/// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open level is
+/// pinned. `None` where the steps lose the contacts.
+pub fn on_band(
+    program: &Program,
+    unlimited: &Unlimited,
+    start: &Solution,
+    mut peaks: Vec<(usize, Peak)>,
+    level: f64,
+) -> Option<Solution> {
+    let settings = &program.settings.refinement;
+    let contacts = Contacts::new(program)?;
+    let mut current = start.clone();
+    current.active = contacts.gathered(&current, &peaks, Way::Equalities);
+    for _ in 0..settings.band_steps {
+        let (x, active) = step(&contacts, unlimited, &current, level)?;
+        peaks = program.peaks_near(&x, &[0.0; EXTRAS], settings.below);
+        current.violation = program.worst(&peaks, &x, &[0.0; EXTRAS]);
+        (current.x, current.active) = (x, active);
+        current.iterations += 1;
+        // A row moved to where its contact went carries the curvature's part of the gradient.
+        current.active = contacts.gathered(&current, &peaks, Way::Equalities);
+        if current.violation <= program.settings.tolerance {
+            return Some(current);
+        }
+        if current.violation > settings.divergence * start.violation {
+            return None;
+        }
+    }
+    None
+}
+
+/// The optimum on the contacts, and those of positive multiplier.
+fn step(
+    contacts: &Contacts,
+    unlimited: &Unlimited,
+    from: &Solution,
+    level: f64,
+) -> Option<(Vec<f64>, Vec<Row>)> {
+    let program = contacts.program;
+    let hessian = contacts.with_curvature(unlimited.hessian.clone(), from);
+    let factor = hessian.factor()?;
+    let mut set = ActiveSet::new(program, unlimited, &factor, level);
+    let mut rows = from.active.iter().enumerate();
+    if !rows.all(|(i, r)| set.dual.hold(Some(i), &r.entries, r.bound, r.multiplier)) {
+        return None;
+    }
+    set.dual.refresh();
+    let multipliers = || set.dual.multipliers().map(|m| m.1);
+    let largest = multipliers().fold(0.0_f64, |m, p| m.max(p.abs()));
+    let least = multipliers().fold(f64::INFINITY, f64::min);
+    let negative = program.settings.refinement.negative_multiplier;
+    let active = set.active(&from.active);
+    (least >= -negative * largest).then_some((set.dual.x, active))
+}

@@ -1,0 +1,96 @@
+//! Which method solves a program.
+//!
+//! | method | asked for | file |
+//! |---|---|---|
+//! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
+//! | dual active set | the coefficients alone, at most 400 rows | `active_set` |
+//! | interior point on exchanged rows | sizes, a peak or a cone among the variables; what the active set leaves open | `exchange` |
+//! | Newton's method on the contacts | every solution whose certificate is open | `refine` |
+
+use super::basis::apply;
+use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Solution};
+use super::{active_set, equality, exchange, refine};
+
+impl Program {
+    /// The optimum under all limits, on the continuum.
+    ///
+    /// # Errors
+    /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
+    pub fn solve(&self) -> Result<Solution, Failure> {
+        // A range of values whose place is free adds two unknowns: only where the law without them exceeds it.
+        if let Some(free) = self.without_windows() {
+            let mut solution = refine::refined(&free, free.by_the_first_method()?);
+            let windows = self.windows(&solution.x);
+            for k in [LOWEST, FACE_END] {
+                solution.extra[k] = windows[k];
+            }
+            if self.broken(&solution.x, &solution.extra).is_empty() {
+                return Ok(refine::refined(self, solution));
+            }
+        }
+        Ok(refine::refined(self, self.by_the_first_method()?))
+    }
+
+    /// The solution of the first method that has one.
+    fn by_the_first_method(&self) -> Result<Solution, Failure> {
+        if self.present().contains(&true) {
+            return exchange::solve(self);
+        }
+        let mut unlimited = equality::solve(self)?;
+        if unlimited.pin.is_some() {
+            unlimited.x = self.with_lowest_at_zero(unlimited.x);
+        }
+        if let Some(solution) = self.without_rows(&unlimited.x) {
+            return Ok(solution);
+        }
+        match active_set::solve(self, &unlimited) {
+            Ok(first) => Ok(self.with_room_kept(first, &unlimited)),
+            Err(rows) => exchange::from_rows(self, rows),
+        }
+    }
+
+    /// A solution that still exceeds a limit, solved again with room kept inside every limit.
+    fn with_room_kept(&self, first: Solution, unlimited: &equality::Unlimited) -> Solution {
+        if first.violation <= self.settings.tolerance {
+            return first;
+        }
+        let tighter = self.tightened(self.settings.active_set.room * first.violation);
+        let Ok(mut again) = active_set::solve(&tighter, unlimited) else {
+            return first;
+        };
+        again.violation = self.violation(&again.x, &again.extra);
+        if again.violation < first.violation {
+            again
+        } else {
+            first
+        }
+    }
+
+    /// The same program with this part of every limit's size kept free, where room can be kept.
+    fn tightened(&self, part: f64) -> Program {
+        let mut out = self.clone();
+        for limit in &mut out.limits {
+            if limit.meaning != Meaning::Structure && !limit.is_peak() {
+                limit.bound -= part * limit.size(limit.bound);
+            }
+        }
+        out
+    }
+
+    /// The optimum without limits as the solution, where it satisfies them all.
+    pub(super) fn without_rows(&self, x: &[f64]) -> Option<Solution> {
+        let extra = [0.0; EXTRAS];
+        let violation = self.violation(x, &extra);
+        let kept = self.fixed.iter().all(|r| apply(&r.entries, x) <= r.bound)
+            && violation <= self.settings.tolerance;
+        kept.then(|| Solution {
+            x: x.to_vec(),
+            extra,
+            active: Vec::new(),
+            used_rows: false,
+            iterations: 0,
+            rounds: 0,
+            violation,
+        })
+    }
+}
