@@ -60,8 +60,6 @@ pub mod error;
 
 pub mod poly;
 
-pub mod force;
-
 pub mod law;
 
 pub mod drive;
@@ -82,8 +80,8 @@ pub use cam::{Cam, Criterion, Follower, FollowerKind, LimitKind, Verdict};
 pub use drive::Drive;
 pub use dynamics::simulate;
 pub use error::{Error, Result};
-pub use force::ForceCurve;
 pub use gaitcam_base::{halt, units};
+pub use gaitcam_gait::{self as force, ForceCurve};
 pub use law::Law;
 pub use problem::Problem;
 pub use scene::{Limits, Scene};

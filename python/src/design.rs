@@ -158,7 +158,7 @@ impl Design {
             origin: Origin::Arrays,
         }) = &self.force
         {
-            let text = gaitcam::force::csv(curve, &[&curve.name]);
+            let text = curve.to_csv(&[&curve.name]);
             sink.write(FILE, text.as_bytes())?;
         }
         Ok(())

@@ -8,9 +8,7 @@
 mod cam;
 mod dynamics;
 mod file;
-mod force;
 mod law;
-mod read;
 mod scene;
 mod sweep;
 mod synth;
@@ -21,10 +19,9 @@ use crate::wording::{Catalogue, WORDS};
 pub use cam::{ArmFault, CamError, CamLength};
 pub use dynamics::DynamicsError;
 pub use file::FileError;
-pub use force::ForceError;
 pub use gaitcam_base::error::{Error, Fault, Place, Placed, Result, UnitsError, nearest};
+pub use gaitcam_gait::error::{CycleColumn, FileKind, ForceError, ReadError};
 pub use law::{JoinCure, LawError, SegmentName};
-pub use read::{CycleColumn, FileKind, ReadError};
 pub use scene::SceneError;
 pub use sweep::SweepError;
 pub use synth::SynthError;
@@ -44,9 +41,7 @@ faults! {
     "cam" => CamError,
     "dynamics" => DynamicsError,
     "file" => FileError,
-    "force" => ForceError,
     "law" => LawError,
-    "read" => ReadError,
     "scene" => SceneError,
     "sweep" => SweepError,
     "synth" => SynthError,

@@ -14,7 +14,7 @@ mod trigonometric;
 
 #[doc(hidden)]
 pub use bspline::{Span, SplineSpace};
-pub(crate) use cells::{Cells, by_ends};
+pub(crate) use cells::Cells;
 pub use fourier::amplitudes;
 pub(crate) use fourier::sums;
 #[doc(hidden)]

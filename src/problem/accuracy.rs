@@ -4,7 +4,6 @@ use super::Problem;
 use super::target::weight_at;
 use crate::cam::FollowerKind;
 use crate::drive::DriveKind;
-use crate::force::spread_rms_n;
 
 /// RMS force error, part of the mean force, that is small enough where the scene asks for none.
 pub(crate) const USUAL_ACCURACY: f64 = 0.005;
@@ -39,7 +38,9 @@ impl Problem {
         let mean = self.target_mean();
         Some(match self.accuracy {
             Some(rms) => rms * mean,
-            None => spread_rms_n(&target.curve)
+            None => target
+                .curve
+                .spread_rms_n()
                 .unwrap_or(0.0)
                 .max(USUAL_ACCURACY * mean),
         })
@@ -82,7 +83,7 @@ impl Problem {
     ///
     /// Such an error adds 2 % to the walker's own variation (1 + 0.2² under the root).
     fn noise(&self) -> f64 {
-        let spread = self.target.as_ref().and_then(|t| spread_rms_n(&t.curve));
+        let spread = self.target.as_ref().and_then(|t| t.curve.spread_rms_n());
         0.2 * spread.unwrap_or(0.0)
     }
 

@@ -19,6 +19,7 @@ pub use notes::Note;
 pub(crate) use size::outside_bore;
 pub use size::{Size, USUAL_PRESSURE_ANGLE};
 pub use target::Target;
+pub(crate) use target::piecewise;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;

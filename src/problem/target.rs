@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::force::ForceCurve;
-use crate::poly::{Cells, amplitudes};
+use crate::poly::{Cells, PiecewisePoly, amplitudes};
 use crate::scene::PhaseWeight;
 
 /// One turn of wanted force, as the fits read it thousands of times.
@@ -55,7 +55,7 @@ impl Target {
     pub fn new(curve: impl Into<Arc<ForceCurve>>) -> Self {
         let curve = curve.into();
         Target {
-            cells: Arc::new(curve.cells()),
+            cells: Arc::new(cells(&curve)),
             mean_n: curve.mean_n(),
             range_n: curve.range_n().into(),
             curve,
@@ -128,6 +128,26 @@ impl Target {
         }
         values
     }
+}
+
+/// The cubics between the samples of a force, N.
+fn cells(force: &ForceCurve) -> Cells {
+    let f = &force.force_n;
+    let mut ends = Vec::with_capacity(f.len() + 1);
+    ends.extend_from_slice(f);
+    ends.push(f[0]);
+    Cells::new(ends, force.slopes(), TAU)
+}
+
+/// A force as a piecewise cubic over θ ∈ [0, 2π], N.
+pub fn piecewise(force: &ForceCurve) -> PiecewisePoly {
+    let n = force.force_n.len();
+    // TAU·n/n need not be TAU: the last break is set, not computed.
+    let breaks = (0..n).map(|i| TAU * i as f64 / n as f64);
+    let breaks = breaks.chain([TAU]).collect();
+    let cells = cells(force);
+    let coef = (0..n).flat_map(|i| cells.cubic(i)).collect();
+    PiecewisePoly::new(breaks, 3, coef)
 }
 
 /// Weight of the force error at a phase of the cycle; where ranges overlap the last one counts.

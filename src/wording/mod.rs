@@ -15,9 +15,7 @@ pub const FILES: &[File] = &[
         include_str!("es/dynamics.ftl"),
     ],
     [include_str!("en/file.ftl"), include_str!("es/file.ftl")],
-    [include_str!("en/force.ftl"), include_str!("es/force.ftl")],
     [include_str!("en/law.ftl"), include_str!("es/law.ftl")],
-    [include_str!("en/read.ftl"), include_str!("es/read.ftl")],
     [include_str!("en/synth.ftl"), include_str!("es/synth.ftl")],
     [
         include_str!("en/infeasible.ftl"),
@@ -31,7 +29,11 @@ pub const FILES: &[File] = &[
 ];
 
 /// The messages of the library and of the crates below it.
-pub static WORDS: Catalogue = Catalogue::new(&[gaitcam_base::wording::FILES, FILES]);
+pub static WORDS: Catalogue = Catalogue::new(&[
+    gaitcam_base::wording::FILES,
+    gaitcam_gait::wording::FILES,
+    FILES,
+]);
 
 /// The library's messages in a language.
 pub fn catalogue(language: Language) -> &'static Messages {

@@ -3,11 +3,9 @@
 mod cam;
 mod dynamics;
 mod examples;
-mod force;
 mod law;
 mod layering;
 mod public_examples;
 mod scene;
-mod support;
 mod synth;
 mod wording;

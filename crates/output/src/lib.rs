@@ -11,6 +11,7 @@ mod data;
 mod figures;
 pub mod files;
 pub mod folder;
+pub mod gait;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod plot;

@@ -7,7 +7,7 @@ use crate::drive::Drive;
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{Extreme, PiecewisePoly};
-use crate::problem::Problem;
+use crate::problem::{Problem, piecewise};
 use crate::scene::Minimise;
 use crate::synth::design::ForceReport;
 use crate::synth::qp::{Limit, Meaning, PEAK, Program, TOLERANCE};
@@ -62,7 +62,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     // ±(F₀ + w·svaj) ≤ ±edge(θ) + bound
     let mut side = |name: Criterion, sign: f64, edge: &ForceCurve, meaning: Meaning| {
         program.shapes.push(PiecewisePoly::combine(
-            &[(sign, &edge.curve())],
+            &[(sign, &piecewise(edge))],
             -sign * rest,
         ));
         let weights = [sign * s, sign * v, sign * a, 0.0, 0.0];
@@ -156,8 +156,8 @@ pub fn accuracy_check(design: &Finished) -> Option<Check> {
     let (problem, force) = (design.problem, design.force);
     if let Some([low, high]) = &problem.band {
         let curve = problem.drive.force_curve(design.pressing);
-        let below = difference(&low.curve(), &curve).extremes().1;
-        let above = difference(&curve, &high.curve()).extremes().1;
+        let below = difference(&piecewise(low), &curve).extremes().1;
+        let above = difference(&curve, &piecewise(high)).extremes().1;
         let worst = if below.value > above.value {
             below
         } else {

@@ -7,6 +7,7 @@ use super::{MOST_AUTO, Range};
 use crate::force::ForceCurve;
 use crate::law::Law;
 use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes, harmonic_values};
+use crate::problem::piecewise;
 
 /// A remainder this near to what is asked (as part of the whole power) leaves the count to the solver.
 const UNDECIDED: f64 = 1e-10;
@@ -187,7 +188,7 @@ fn fits(count: usize) -> Vec<OnceLock<Box<Fit>>> {
 /// Range, mean and mean square of Σ harmonics − (target − mean), exact on the pieces of both.
 fn error_to(curve: &ForceCurve, harmonics: &[(f64, f64)], mean: f64) -> (Range, f64, f64) {
     let wave = Law::harmonic(0.0, harmonics).combination([1.0, 0.0, 0.0, 0.0], 0.0);
-    let target = curve.curve();
+    let target = piecewise(curve);
     let own = wave.cut_at(target.breaks());
     let target = target.cut_at(own.breaks());
     let error = PiecewisePoly::combine(&[(1.0, &own), (-1.0, &target)], mean);

@@ -74,13 +74,6 @@ name-eccentric = eccentric
 name-spans = spans
 name-harmonics = harmonics
 
-# Feet, storage and quantities.
-name-left = left
-name-right = right
-name-vertical = vertical
-name-integers = integers
-name-floats = floats
-
 # Objectives and verdicts.
 name-rms-error-n = force error (RMS)
 name-weighted-rms-error-n = weighted force error (RMS)

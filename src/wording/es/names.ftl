@@ -74,13 +74,6 @@ name-eccentric = excéntrica
 name-spans = tramos
 name-harmonics = armónicos
 
-# Pies, separadores y magnitudes.
-name-left = izquierdo
-name-right = derecho
-name-vertical = vertical
-name-integers = con enteros
-name-floats = con coma flotante
-
 # Objetivos y veredictos.
 name-rms-error-n = error de fuerza (RMS)
 name-weighted-rms-error-n = error de fuerza ponderado (RMS)

@@ -20,6 +20,7 @@ use gaitcam::units::Dimension;
 use gaitcam_files::{read::read_bytes, target::metadata};
 use gaitcam_output as output;
 use gaitcam_output::folder::write_whole;
+use gaitcam_output::gait as tables;
 use places::Places;
 
 const EXAMPLES: &str = "Examples:
@@ -149,14 +150,14 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
     let bytes = read_bytes(path)?;
     let place = || Place::File(path.to_path_buf());
     if let Some(curve) = force::one_cycle(path, &bytes, &options)? {
-        let table = force::cycle_table(&curve, language::current());
+        let table = tables::cycle_table(&curve, language::current());
         return Ok(Read {
             path: path.to_path_buf(),
             understood: None,
             cycle: None,
             fault: None,
             text: format!("{}\n{table}", path.display()),
-            object: force::cycle_json(&curve),
+            object: tables::cycle_json(&curve),
             given: Some(curve),
         });
     }
@@ -170,7 +171,7 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
     let found = cycle.as_ref().ok();
     let understood = Interpretation::of(&name, &recording, &stances, found, feet);
     // A refusal is printed once, on standard error.
-    let table = force::table(
+    let table = tables::table(
         &understood,
         &recording,
         &stances,
@@ -178,7 +179,7 @@ fn read(args: &GaitArgs, path: &Path, feet: Feet) -> Result<Read> {
         language::current(),
     );
     let table = table.trim_end().trim_end_matches(':');
-    let object = force::json(&understood, &recording, &stances, found);
+    let object = tables::json(&understood, &recording, &stances, found);
     let (cycle, fault) = match cycle {
         Ok(cycle) => (Some(cycle), None),
         Err(fault) => (None, Some(fault)),
@@ -220,11 +221,11 @@ impl Read {
     fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.path.display().to_string());
-            write_whole(place, force::csv(curve, &[&from]).as_bytes())?;
+            write_whole(place, curve.to_csv(&[&from]).as_bytes())?;
         }
         if let Some(cycle) = &self.cycle {
             let from = of_files("gait-mean-cycle-of", &self.path.display().to_string());
-            let csv = force::csv(&cycle.curve, &[&from, &cycle.source.to_string()]);
+            let csv = cycle.curve.to_csv(&[&from, &cycle.source.to_string()]);
             write_whole(place, csv.as_bytes())?;
         }
         let Some(understood) = &self.understood else {

@@ -6,9 +6,8 @@ use crate::console::exit_code::{BAD_INPUT, BUILT};
 use crate::console::language;
 use crate::console::terminal::{print, print_json, report};
 use gaitcam::error::Result;
-use gaitcam::force::{
-    self, JointMean, LeftOut, OpenQuestion, Trial, TrialRow, joint_mean, trials_json, trials_table,
-};
+use gaitcam::force::{JointMean, LeftOut, OpenQuestion, Trial, joint_mean};
+use gaitcam_output::gait::{TrialRow, trials_json, trials_table};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
@@ -66,7 +65,7 @@ pub fn describe(
         let used = names.iter().zip(&left_out).filter(|(_, out)| out.is_none());
         let used: Vec<&str> = used.map(|(name, _)| name.as_str()).collect();
         let from = of_files("gait-joint-mean-of", &used.join(", "));
-        write_whole(place, force::csv(&mean.curve, &[&from]).as_bytes())?;
+        write_whole(place, mean.curve.to_csv(&[&from]).as_bytes())?;
         let picture = output::recording::joint_mean(mean, &used, language::current());
         write_picture(place, &picture)?;
     }

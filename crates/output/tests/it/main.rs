@@ -1,6 +1,7 @@
 //! What is written, read back by readers that did not write it.
 
 mod every_format;
+mod gait;
 mod pictures;
 mod report;
 mod summary;

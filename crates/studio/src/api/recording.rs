@@ -11,6 +11,7 @@ use crate::studio::Studio;
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};
+use gaitcam_output::gait as tables;
 use gaitcam_output::recording;
 
 /// Keeps a dropped file and says what it holds.
@@ -82,10 +83,10 @@ fn described(name: &str, bytes: &[u8], without: &[usize], feet: Feet) -> Result<
     let (path, options) = (Path::new(name), ReadOptions::default());
     let language = words::current();
     if let Some(curve) = force::one_cycle(path, bytes, &options)? {
-        let mut found = force::cycle_json(&curve);
+        let mut found = tables::cycle_json(&curve);
         found["file"] = name.into();
         found["use"] = name.into();
-        found["table"] = force::cycle_table(&curve, language).into();
+        found["table"] = tables::cycle_table(&curve, language).into();
         return Ok(found);
     }
     let recording = force::read(path, bytes, &options)?;
@@ -101,15 +102,15 @@ fn described(name: &str, bytes: &[u8], without: &[usize], feet: Feet) -> Result<
     };
     let cycle = force::cycle(&recording, &stances, feet)?;
     let understood = Interpretation::of(name, &recording, &stances, Some(&cycle), feet);
-    let mut found = force::json(&understood, &recording, &all, Some(&cycle));
+    let mut found = tables::json(&understood, &recording, &all, Some(&cycle));
     found["file"] = name.into();
     found["use"] = name.into();
-    found["table"] = force::table(&understood, &recording, &stances, Ok(&cycle), language).into();
+    found["table"] = tables::table(&understood, &recording, &stances, Ok(&cycle), language).into();
     found["without"] = json!(without);
     let picture = recording::recording(&understood, Some(&cycle.curve), language);
     found["picture"] = picture.svg().into();
     let source = cycle.source.to_string();
-    found["csv"] = force::csv(&cycle.curve, &[name, &source]).into();
+    found["csv"] = cycle.curve.to_csv(&[name, &source]).into();
     Ok(found)
 }
 

@@ -118,7 +118,7 @@ fn the_words_looked_for_are_those_of_the_english_messages() {
         include_str!("../../../../../src/wording/en/solver.ftl"),
         include_str!("../../../../../src/wording/en/law.ftl"),
         include_str!("../../../../../src/wording/en/cam.ftl"),
-        include_str!("../../../../../src/wording/en/force.ftl"),
+        include_str!("../../../../gait/src/wording/en/force.ftl"),
     ]
     .concat();
     for word in ENGLISH {

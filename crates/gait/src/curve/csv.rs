@@ -1,0 +1,44 @@
+//! A cycle as csv.
+
+use std::fmt::Write as _;
+
+use super::ForceCurve;
+
+impl ForceCurve {
+    /// The cycle as csv that [`one_cycle`](crate::one_cycle) reads as the same cycle.
+    ///
+    /// `comments` become comment lines; a line end inside one starts another comment line.
+    pub fn to_csv(&self, comments: &[&str]) -> String {
+        let mut out = String::with_capacity(48 * self.force_n.len());
+        // Writing to a String does not fail.
+        let _ = write_csv(&mut out, self, comments);
+        out
+    }
+}
+
+fn write_csv(out: &mut String, curve: &ForceCurve, comments: &[&str]) -> std::fmt::Result {
+    writeln!(out, "# cycle, period_s = {}", curve.period_s)?;
+    if let Some(m) = curve.mass_kg {
+        writeln!(out, "# mass_kg = {m}")?;
+    }
+    for line in comments.iter().flat_map(|c| c.lines()) {
+        writeln!(out, "# {line}")?;
+    }
+    let step = curve.period_s / curve.force_n.len() as f64;
+    let times = (0..).map(|i| f64::from(i) * step);
+    match &curve.spread_n {
+        Some(spread) => {
+            writeln!(out, "time_s,force_n,spread_n")?;
+            for ((t, f), s) in times.zip(&curve.force_n).zip(spread) {
+                writeln!(out, "{t},{f},{s}")?;
+            }
+        }
+        None => {
+            writeln!(out, "time_s,force_n")?;
+            for (t, f) in times.zip(&curve.force_n) {
+                writeln!(out, "{t},{f}")?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,249 @@
+//! One cycle of wanted vertical force.
+
+mod csv;
+mod slopes;
+
+use serde::{Serialize, Serializer};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+pub use slopes::slope_corrections;
+use slopes::{slope_at, slopes};
+
+use crate::error::{ForceError, Result};
+use crate::interpretation::Interpretation;
+use crate::quantity::seconds;
+use crate::recording::Note;
+
+/// Samples of one cycle of a load model and of the mean cycle of a recording.
+pub const SAMPLES: usize = 1024;
+
+/// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
+///
+/// Sample `i` of `n` stands at cam angle θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
+///
+/// ```
+/// use gaitcam_gait::ForceCurve;
+///
+/// // 500 N with a harmonic of 120 N, at equal steps of a cycle of 0.8 s.
+/// let at = |i: u32| 500.0 + 120.0 * (std::f64::consts::TAU * f64::from(i) / 256.0).sin();
+/// let force = ForceCurve::from_samples("a harmonic", 0.8, (0..256).map(at).collect())?;
+/// assert!((force.mean_n() - 500.0).abs() < 1e-9);
+/// assert!((force.range_n().1 - 620.0).abs() < 1e-6);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ForceCurve {
+    /// What the curve is, for reports: "Young 2001, 1.85 Hz" or "walk1.forces, 3 strides".
+    pub name: String,
+    /// Duration of one cycle, s; positive.
+    pub period_s: f64,
+    /// Force at equal steps of phase, N; at least 4 samples, all finite.
+    pub force_n: Vec<f64>,
+    /// Step-to-step standard deviation at the same phases, N, where several cycles were averaged.
+    pub spread_n: Option<Vec<f64>>,
+    /// Mass of the walker, kg, where it is known.
+    pub mass_kg: Option<f64>,
+    /// How the recording that it was made from was understood.
+    #[serde(serialize_with = "interpretation")]
+    pub recording: Option<Arc<Interpretation>>,
+}
+
+/// How a recording was understood, as its own data has it.
+fn interpretation<S: Serializer>(
+    recording: &Option<Arc<Interpretation>>,
+    serializer: S,
+) -> std::result::Result<S::Ok, S::Error> {
+    recording.as_ref().map(|r| r.json()).serialize(serializer)
+}
+
+impl ForceCurve {
+    /// A curve from equal-phase samples of one cycle (the first sample is not repeated at the end).
+    ///
+    /// # Errors
+    /// Fewer than 4 samples, a value that is not finite, a period that is not positive.
+    pub fn from_samples(name: &str, period_s: f64, force_n: Vec<f64>) -> Result<Self> {
+        if force_n.len() < 4 {
+            let samples = force_n.len();
+            return Err(ForceError::FewSamples { samples }.into());
+        }
+        if let Some(i) = force_n.iter().position(|f| !f.is_finite()) {
+            return Err(ForceError::SampleNotFinite { sample: i }.into());
+        }
+        if !(period_s.is_finite() && period_s > 0.0) {
+            let period = seconds(period_s);
+            return Err(ForceError::PeriodNotPositive { period }.into());
+        }
+        Ok(ForceCurve {
+            name: name.to_string(),
+            period_s,
+            force_n,
+            spread_n: None,
+            mass_kg: None,
+            recording: None,
+        })
+    }
+
+    /// Mean force over the cycle, N.
+    pub fn mean_n(&self) -> f64 {
+        // Eight sums side by side: one alone waits for every addition.
+        let mut sums = [0.0; 8];
+        let eights = self.force_n.chunks_exact(8);
+        let rest: f64 = eights.remainder().iter().sum();
+        for eight in eights {
+            for (sum, f) in sums.iter_mut().zip(eight) {
+                *sum += f;
+            }
+        }
+        (sums.iter().sum::<f64>() + rest) / self.force_n.len() as f64
+    }
+}
+
+impl ForceCurve {
+    /// What was guessed, left out or doubtful in the recording, but for mean force and mass, which change when
+    /// the curve is scaled.
+    pub fn warnings(&self) -> impl Iterator<Item = &Note> {
+        let on_mass = |n: &Note| {
+            matches!(
+                n,
+                Note::MeanForceNotWeight { .. } | Note::MassImplausible { .. }
+            )
+        };
+        let all = self.recording.iter().flat_map(|r| &r.warnings);
+        all.filter(move |n| !on_mass(n))
+    }
+
+    /// Smallest and largest sample, N.
+    pub fn range_n(&self) -> (f64, f64) {
+        let widened = |(low, high): (f64, f64), &f: &f64| {
+            (
+                if f < low { f } else { low },
+                if f > high { f } else { high },
+            )
+        };
+        (self.force_n.iter()).fold((f64::INFINITY, -f64::INFINITY), widened)
+    }
+
+    /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.
+    pub fn at(&self, theta: f64) -> f64 {
+        let n = self.force_n.len();
+        let x = (theta / TAU).rem_euclid(1.0) * n as f64;
+        let i = (x as usize).min(n - 1);
+        let u = x - i as f64;
+        let v = 1.0 - u;
+        // Bernstein coefficients of Hermite's cubic.
+        let (first, last) = (self.force_n[i], self.force_n[(i + 1) % n]);
+        let rising = first + 1.0 / 3.0 * slope_at(&self.force_n, i);
+        let falling = last - 1.0 / 3.0 * slope_at(&self.force_n, i + 1);
+        ((first * v + u * 3.0 * rising) * v + u * u * 3.0 * falling) * v + u * u * u * last
+    }
+
+    /// Slopes of the cubics between the samples, N per sample: at every sample and, the same as at the first, at the end.
+    pub fn slopes(&self) -> Vec<f64> {
+        slopes(&self.force_n)
+    }
+
+    /// Root mean square over the cycle of the step-to-step standard deviation, N.
+    pub fn spread_rms_n(&self) -> Option<f64> {
+        let s = self.spread_n.as_ref()?;
+        Some((s.iter().map(|x| x * x).sum::<f64>() / s.len().max(1) as f64).sqrt())
+    }
+
+    /// The curve with every force multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let times = |x: &Vec<f64>| x.iter().map(|f| f * factor).collect();
+        ForceCurve {
+            force_n: times(&self.force_n),
+            spread_n: self.spread_n.as_ref().map(times),
+            ..self.clone()
+        }
+    }
+
+    /// The same cycle begun at another phase, rad: sample 0 of the new curve is the old one at `phase`.
+    #[must_use]
+    pub fn begun_at(&self, phase: f64) -> Self {
+        let n = self.force_n.len();
+        let moved = |curve: &Self| {
+            (0..n)
+                .map(|i| curve.at(phase + TAU * i as f64 / n as f64))
+                .collect()
+        };
+        let spread_n = self
+            .spread_n
+            .as_ref()
+            .map(|s| moved(&self.with_forces(s.clone())));
+        ForceCurve {
+            force_n: moved(self),
+            spread_n,
+            ..self.clone()
+        }
+    }
+
+    /// The same cycle with other forces, N, one for each sample.
+    #[must_use]
+    pub fn with_forces(&self, force_n: Vec<f64>) -> Self {
+        ForceCurve {
+            force_n,
+            spread_n: None,
+            ..self.clone()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smooth_curves_are_interpolated_to_third_order_or_better() {
+        let f = |x: f64| 700.0 + 250.0 * x.sin() + 40.0 * (3.0 * x).cos();
+        let worst = |n: usize| {
+            let samples = (0..n).map(|i| f(TAU * i as f64 / n as f64)).collect();
+            let curve = ForceCurve::from_samples("test", 0.5, samples).unwrap();
+            (0..5000)
+                .map(|i| TAU * f64::from(i) / 5000.0)
+                .fold(0.0_f64, |m, x| m.max((curve.at(x) - f(x)).abs()))
+        };
+        let (coarse, fine) = (worst(128), worst(1024));
+        assert!(fine < 2e-4 && fine < coarse / 60.0, "{coarse} {fine}");
+    }
+
+    #[test]
+    fn a_cycle_begun_elsewhere_is_the_same_cycle() {
+        let samples = (0..200)
+            .map(|i| 700.0 + 250.0 * (TAU * f64::from(i) / 200.0).sin())
+            .collect();
+        let mut curve = ForceCurve::from_samples("test", 0.5, samples).unwrap();
+        curve.spread_n = Some((0..200).map(f64::from).collect());
+        // A quarter turn is fifty samples.
+        let moved = curve.begun_at(TAU / 4.0);
+        for i in 0..200 {
+            assert!((moved.force_n[i] - curve.force_n[(i + 50) % 200]).abs() < 1e-9);
+        }
+        assert!((moved.spread_n.unwrap()[0] - 50.0).abs() < 1e-9);
+        let there_and_back = curve.begun_at(0.3).begun_at(-0.3);
+        for (a, b) in there_and_back.force_n.iter().zip(&curve.force_n) {
+            // Third order at a crest: 2e-4 N at 1024 samples (above) are 0.027 N at 200.
+            assert!((a - b).abs() < 0.03, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_step_is_not_overshot() {
+        let samples = (0..40)
+            .map(|i| if (10..30).contains(&i) { 800.0 } else { 0.0 })
+            .collect();
+        let curve = ForceCurve::from_samples("step", 1.0, samples).unwrap();
+        let values = (0..5000).map(|i| curve.at(TAU * f64::from(i) / 5000.0));
+        let (low, high) = values.fold((800.0_f64, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
+        assert!(low >= 0.0 && high <= 800.0 + 1e-9, "{low} {high}");
+    }
+
+    #[test]
+    fn impossible_cycles_are_refused() {
+        assert!(ForceCurve::from_samples("x", 1.0, vec![1.0]).is_err());
+        assert!(ForceCurve::from_samples("x", 0.0, vec![1.0; 8]).is_err());
+        assert!(ForceCurve::from_samples("x", 1.0, vec![1.0, f64::NAN, 1.0, 1.0]).is_err());
+    }
+}

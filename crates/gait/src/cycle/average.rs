@@ -1,0 +1,222 @@
+//! Means on phase: of cycles, and of stances on their own phase.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::curve::SAMPLES;
+use crate::recording::{Channel, Recording};
+use crate::stance::Stance;
+
+/// Longest that a foot's force lies below the contact threshold before heel strike and after toe-off, s.
+const TAIL_S: f64 = 0.06;
+/// Part of a stance by which a mean stance reaches past its ends, to hold that force.
+const MARGIN: f64 = 0.12;
+
+/// Force at a place between samples, by a straight line.
+pub(super) fn at(force: &[f64], place: f64) -> f64 {
+    // Over i64: the processor has no conversion to unsigned numbers.
+    let i = (place.max(0.0) as i64 as usize).min(force.len().saturating_sub(2));
+    let (Some(&a), Some(&b)) = (force.get(i), force.get(i + 1)) else {
+        return force.first().copied().unwrap_or(0.0);
+    };
+    let x = (place - i as f64).clamp(0.0, 1.0);
+    a + x * (b - a)
+}
+
+/// Strides that one stance may reach over; in walking it is less than one.
+const MOST_TURNS: usize = 5;
+
+/// Running mean and sum of squared deviations per phase (Welford), so that no cycle is kept.
+pub(super) struct Mean {
+    count: f64,
+    mean: Vec<f64>,
+    squares: Vec<f64>,
+}
+
+impl Mean {
+    pub fn new() -> Self {
+        Mean {
+            count: 0.0,
+            mean: vec![0.0; SAMPLES],
+            squares: vec![0.0; SAMPLES],
+        }
+    }
+
+    pub fn add(&mut self, row: &[f64]) {
+        self.count += 1.0;
+        for ((m, s), x) in self.mean.iter_mut().zip(&mut self.squares).zip(row) {
+            let d = x - *m;
+            *m += d / self.count;
+            *s += d * (x - *m);
+        }
+    }
+
+    /// Mean and, of two or more, standard deviation.
+    pub fn finish(self) -> (Vec<f64>, Option<Vec<f64>>) {
+        let degrees = self.count - 1.0;
+        let spread =
+            (degrees > 0.0).then(|| self.squares.iter().map(|s| (s / degrees).sqrt()).collect());
+        (self.mean, spread)
+    }
+}
+
+/// Span of a contact with the force below the threshold on both sides, down to the unloaded level, s.
+///
+/// The threshold tells when a foot stands; the little force beyond it belongs to the walk all the same.
+pub(super) fn whole_span(channel: &Channel, rate_hz: f64, start_s: f64, end_s: f64) -> (f64, f64) {
+    let force = &channel.force_n;
+    let last = force.len().saturating_sub(1);
+    if !channel.rows.is_empty() {
+        return (start_s, end_s);
+    }
+    let most = (TAIL_S * rate_hz) as usize;
+    let floor = 2.0 * channel.noise_n;
+    let goes_on = |inner: usize, outer: usize| force[inner] > floor && force[outer] < force[inner];
+    let mut first = ((start_s * rate_hz).floor() as usize).min(last);
+    let mut steps = 0;
+    while first > 0 && steps < most && goes_on(first, first - 1) {
+        first -= 1;
+        steps += 1;
+    }
+    let mut end = ((end_s * rate_hz).ceil() as usize).min(last);
+    steps = 0;
+    while end < last && steps < most && goes_on(end, end + 1) {
+        end += 1;
+        steps += 1;
+    }
+    (
+        (first as f64 / rate_hz).min(start_s),
+        (end as f64 / rate_hz).max(end_s),
+    )
+}
+
+/// Fills `row` with one cycle of a force that need not repeat exactly.
+///
+/// Within `half_s` of its ends the cycle is blended with what came one cycle later or earlier, so that the row
+/// closes without a jump and every sample of the force counts once.
+pub(super) fn periodic(
+    row: &mut [f64],
+    start_s: f64,
+    length_s: f64,
+    half_s: f64,
+    force: impl Fn(f64) -> f64,
+) {
+    let step = length_s / row.len() as f64;
+    let weight = |inside: f64| 0.5 * (1.0 + (FRAC_PI_2 * inside / half_s).sin());
+    for (i, x) in row.iter_mut().enumerate() {
+        let since = i as f64 * step;
+        let t = start_s + since;
+        let left = length_s - since;
+        *x = if since < half_s {
+            let w = weight(since);
+            w * force(t) + (1.0 - w) * force(t + length_s)
+        } else if left < half_s {
+            let w = weight(left);
+            w * force(t) + (1.0 - w) * force(t - length_s)
+        } else {
+            force(t)
+        };
+    }
+}
+
+/// The mean stance of some stances on its own phase.
+pub(super) struct MeanStance {
+    pub count: usize,
+    pub duration_s: f64,
+    pub impulse_ns: f64,
+    /// Force at equal steps from `margin` stances before heel strike to as much after toe-off.
+    pub force: Vec<f64>,
+    pub margin: f64,
+    pub spread: Option<Vec<f64>>,
+}
+
+/// Averages stances with the force below the threshold around them.
+pub(super) fn mean_stance(recording: &Recording, stances: &[&Stance]) -> MeanStance {
+    mean_within(recording, stances, MARGIN)
+}
+
+/// Averages stances; where each has its own mass, in body weights, then scaled to the mean mass.
+pub(super) fn mean_within(recording: &Recording, stances: &[&Stance], margin: f64) -> MeanStance {
+    let masses: Option<Vec<f64>> = stances.iter().map(|s| s.mass_kg).collect();
+    let usual = masses
+        .as_ref()
+        .map(|m| m.iter().sum::<f64>() / m.len() as f64);
+    let mut mean = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    let (mut duration, mut impulse) = (0.0, 0.0);
+    for s in stances {
+        stance_row(recording, s, usual, margin, &mut row);
+        mean.add(&row);
+        let stance_s = s.end_s - s.start_s;
+        duration += stance_s;
+        let mean_n = row.iter().sum::<f64>() / (row.len() - 1) as f64;
+        impulse += mean_n * stance_s * (1.0 + 2.0 * margin);
+    }
+    let n = stances.len();
+    let (force, spread) = mean.finish();
+    MeanStance {
+        count: n,
+        duration_s: duration / n as f64,
+        impulse_ns: impulse / n as f64,
+        force,
+        margin,
+        spread,
+    }
+}
+
+/// Fills `row` with one stance at equal phases, `margin` stances more at both ends, scaled to the `usual` mass.
+pub(super) fn stance_row(
+    recording: &Recording,
+    stance: &Stance,
+    usual: Option<f64>,
+    margin: f64,
+    row: &mut [f64],
+) {
+    let scale = match (usual, stance.mass_kg) {
+        (Some(u), Some(m)) => u / m,
+        _ => 1.0,
+    };
+    let channel = &recording.channels[stance.channel];
+    let rate = recording.rate_hz;
+    let duration = stance.end_s - stance.start_s;
+    let (from, to) = whole_span(channel, rate, stance.start_s, stance.end_s);
+    let step = (1.0 + 2.0 * margin) * duration / (row.len() - 1) as f64;
+    for (i, x) in row.iter_mut().enumerate() {
+        let t = stance.start_s - margin * duration + i as f64 * step;
+        // A hair of rounding at the ends of the stance is not outside it.
+        let inside = t > from - 1e-9 * duration && t < to + 1e-9 * duration;
+        *x = if inside {
+            scale * at(&channel.force_n, t * rate)
+        } else {
+            0.0
+        };
+    }
+}
+
+/// Adds a stance to a stride of `period` s, starting at phase `shift`.
+pub(super) fn place(
+    stance: &MeanStance,
+    period: f64,
+    shift: f64,
+    force: &mut [f64],
+    variance: &mut [f64],
+) {
+    let n = force.len() as f64;
+    for i in 0..force.len() {
+        // Phases of the stride at which this sample falls into the stance: a stance may reach past the wrap.
+        let phase = (i as f64 / n - shift).rem_euclid(1.0);
+        let reach = stance.margin * stance.duration_s;
+        let mut t = (phase - 1.0) * period;
+        let mut turns = 0;
+        while t <= stance.duration_s + reach && turns < MOST_TURNS {
+            if t >= -reach {
+                let place = (t + reach) / (stance.duration_s + 2.0 * reach) * (SAMPLES - 1) as f64;
+                force[i] += at(&stance.force, place);
+                if let Some(s) = &stance.spread {
+                    variance[i] += at(s, place).powi(2);
+                }
+            }
+            t += period;
+            turns += 1;
+        }
+    }
+}

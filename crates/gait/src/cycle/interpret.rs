@@ -1,0 +1,126 @@
+//! What was recognised in a recording, gathered for reports and pictures.
+
+use super::{Cycle, overlay};
+use crate::interpretation::{Clock, Column, Contact, Interpretation, Period};
+use crate::recording::{Channel, CycleSource, Feet, Recording};
+use crate::stance::{RejectReason, Stances};
+
+/// Points of a channel that are kept for its picture: lowest and highest force of so many pieces.
+const PIECES: usize = 700;
+/// Single stances that are kept for a picture; the means are of all.
+const DRAWN: usize = 60;
+
+impl Interpretation {
+    /// Gathers what was found in a recording; `cycle` is `None` where it was refused.
+    pub fn of(
+        file: &str,
+        recording: &Recording,
+        stances: &Stances,
+        cycle: Option<&Cycle>,
+        feet: Feet,
+    ) -> Interpretation {
+        let r = recording;
+        let given = r.mass_kg.zip(r.mass_from);
+        let notes = r.notes.iter();
+        Interpretation {
+            file: file.to_string(),
+            format: r.format,
+            kind: cycle.map(|c| c.kind).or(stances.recognised),
+            kind_given: r.kind.is_some(),
+            clock: Clock {
+                rate_hz: r.rate_hz,
+                start_s: r.start_s,
+                duration_s: r.duration_s,
+                from: r.clock,
+            },
+            unit: r.unit,
+            unit_from: r.unit_from,
+            columns: r.channels.iter().map(Column::of).collect(),
+            feet,
+            contacts: contacts(r, stances, cycle),
+            period: cycle.map(|c| Period {
+                seconds: c.curve.period_s,
+                from: c.period_from,
+                spread_s: c.period_spread_s,
+            }),
+            mass: given.or(cycle.map(|c| (c.mass_kg, c.mass_from))),
+            cycle: cycle.map(|c| c.source),
+            warnings: match cycle {
+                Some(c) => notes.chain(&c.notes).cloned().collect(),
+                None => notes.chain(&stances.notes).cloned().collect(),
+            },
+            overlay: overlay(r, stances, DRAWN),
+        }
+    }
+}
+
+impl Column {
+    fn of(channel: &Channel) -> Column {
+        Column {
+            name: channel.name.clone(),
+            foot: channel.foot,
+            baseline_n: channel.baseline_n,
+            noise_n: channel.noise_n,
+            idle: channel.idle,
+            envelope_n: envelope(&channel.force_n, PIECES),
+        }
+    }
+}
+
+/// Lowest and highest value of pieces of equal length, so that no peak is lost.
+fn envelope(force: &[f64], pieces: usize) -> Vec<[f64; 2]> {
+    let length = force.len().div_ceil(pieces).max(1);
+    let ends = |piece: &[f64]| {
+        piece
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |e, x| {
+                [
+                    if *x < e[0] { *x } else { e[0] },
+                    if *x > e[1] { *x } else { e[1] },
+                ]
+            })
+    };
+    force.chunks(length).map(ends).collect()
+}
+
+/// Contacts in order of time, on the file's own clock.
+fn contacts(r: &Recording, stances: &Stances, cycle: Option<&Cycle>) -> Vec<Contact> {
+    // The sum of both feet keeps stances that the mean of one foot leaves out.
+    let whole = matches!(
+        cycle.map(|c| c.source),
+        Some(CycleSource::WholeStrides { .. })
+    );
+    let used = stances.used.iter().map(|s| Contact {
+        column: s.channel,
+        foot: s.foot,
+        from_s: r.start_s + s.start_s,
+        to_s: r.start_s + s.end_s,
+        rejected: (s.unlike && !whole).then_some(RejectReason::Unlike),
+    });
+    let rejected = stances.rejected.iter().map(|x| Contact {
+        column: x.channel,
+        foot: r.channels.get(x.channel).and_then(|c| c.foot),
+        from_s: r.start_s + x.from_s,
+        to_s: r.start_s + x.to_s,
+        rejected: Some(x.reason),
+    });
+    let mut all: Vec<Contact> = used.chain(rejected).collect();
+    all.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_envelope_keeps_every_peak() {
+        let mut force = vec![0.0; 10_000];
+        force[7_777] = 900.0;
+        force[123] = -5.0;
+        let e = envelope(&force, 700);
+        assert!(e.len() <= 700);
+        assert_eq!(e.iter().map(|p| p[1]).fold(0.0, f64::max), 900.0);
+        assert_eq!(e.iter().map(|p| p[0]).fold(0.0, f64::min), -5.0);
+    }
+}

@@ -1,0 +1,388 @@
+//! One mean cycle of several recordings of one movement: the trials of a walker, or walkers side by side.
+
+use std::f64::consts::SQRT_2;
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::curve::ForceCurve;
+use crate::cycle::Cycle;
+use crate::error::{ForceError, Result};
+use crate::quantity::{kilograms, seconds};
+use crate::recording::{CycleSource, Foot, Kind, MassSource, Note, OpenQuestion};
+use crate::stance::largest_group;
+use crate::units::Quantity;
+
+/// Masses within this part of each other are of one walker.
+const ONE_WALKER: f64 = 0.1;
+/// Part of a cycle by which the second foot of a stride may land off its middle.
+const LIMP: f64 = 0.1;
+
+/// The mean cycle of one recording on the way into a joint mean.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let trial = Trial { cycle: &mean, open: &[] };
+/// // Two recordings that are one: the mean is that of either.
+/// let joint = joint_mean(&[trial, Trial { cycle: &mean, open: &[] }])?;
+/// assert!((joint.curve.mean_n() / mean.curve.mean_n() - 1.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Trial<'a> {
+    /// Its mean cycle.
+    pub cycle: &'a Cycle,
+    /// What is open about it.
+    pub open: &'a [OpenQuestion],
+}
+
+/// Why a recording takes no part in a joint mean.
+///
+/// ```
+/// use gaitcam_gait::{Feet, LeftOut, OpenQuestion, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let sure = Trial { cycle: &mean, open: &[] };
+/// let unsure = Trial { cycle: &mean, open: &[OpenQuestion::Mass] };
+/// let joint = joint_mean(&[sure, unsure])?;
+/// assert_eq!(joint.left_out[0], None);
+/// assert!(matches!(&joint.left_out[1], Some(LeftOut::Open { questions }) if questions == &[OpenQuestion::Mass]));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum LeftOut {
+    /// Kind, clock or mass are open.
+    Open {
+        /// Which.
+        questions: Vec<OpenQuestion>,
+    },
+    /// Most recordings are of another movement.
+    OtherKind {
+        /// What this one is of.
+        movement: Kind,
+        /// What most are of.
+        most: Kind,
+    },
+    /// Most recordings are of another speed.
+    OtherSpeed {
+        /// Duration of its stride.
+        period: Quantity,
+        /// Shortest stride of the mean.
+        low: Quantity,
+        /// Longest stride of the mean.
+        high: Quantity,
+    },
+    /// It is a mean cycle already, beside recordings that are not.
+    MeanAlready,
+    /// It gives no cycle.
+    NoCycle,
+}
+
+/// A mean over recordings.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, Trial, cycle, joint_mean, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// let joint = joint_mean(&[Trial { cycle: &mean, open: &[] }, Trial { cycle: &mean, open: &[] }])?;
+/// assert_eq!((joint.trials(), joint.cycles), (2, 2 * mean.averaged));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointMean {
+    /// The mean cycle; its spread is the standard deviation of all cycles, within and between recordings.
+    pub curve: ForceCurve,
+    /// For each trial, in the order given, why it takes no part; `None` where it does.
+    pub left_out: Vec<Option<LeftOut>>,
+    /// The cycle of each trial that takes part, on the phase of the mean and scaled as in it, N.
+    pub trials_n: Vec<Vec<f64>>,
+    /// Cycles in the mean.
+    pub cycles: usize,
+    /// What it is of.
+    pub kind: Kind,
+    /// Standard deviation of the duration of a cycle, s, where there are several.
+    pub period_spread_s: Option<f64>,
+    /// Coefficient of repeatability, N, as of [`Cycle`].
+    pub repeatability_n: Option<f64>,
+    /// Mass, kg: the mean over the cycles.
+    pub mass_kg: f64,
+    /// Where the masses are from; `None` where recordings differ in this.
+    pub mass_from: Option<MassSource>,
+    /// What a person should know of it.
+    pub notes: Vec<Note>,
+}
+
+impl JointMean {
+    /// Recordings in the mean.
+    pub fn trials(&self) -> usize {
+        self.left_out.iter().filter(|l| l.is_none()).count()
+    }
+}
+
+/// The mean over the cycles of all trials of the most frequent movement and speed about which nothing is open.
+///
+/// A trial counts as often as it has cycles. Where the masses are of several walkers, forces are averaged in body
+/// weights and scaled to the mean mass.
+///
+/// # Errors
+///
+/// Where no trial is left.
+pub fn joint_mean(trials: &[Trial]) -> Result<JointMean> {
+    let mut left_out: Vec<Option<LeftOut>> = trials.iter().map(open).collect();
+    let Some(kind) = most_frequent_kind(trials, &left_out) else {
+        let trials = trials.len();
+        return Err(ForceError::NoJointMean { trials }.into());
+    };
+    for (trial, out) in trials.iter().zip(&mut left_out) {
+        let own = trial.cycle.kind;
+        if out.is_none() && own != kind {
+            *out = Some(LeftOut::OtherKind {
+                movement: own,
+                most: kind,
+            });
+        }
+    }
+    leave_out_other_speeds(trials, &mut left_out);
+    let used: Vec<&Cycle> = trials
+        .iter()
+        .zip(&left_out)
+        .filter(|(_, out)| out.is_none())
+        .map(|(trial, _)| trial.cycle)
+        .collect();
+    average(&used, kind, left_out)
+}
+
+fn open(trial: &Trial) -> Option<LeftOut> {
+    let questions = trial.open.to_vec();
+    (!questions.is_empty()).then_some(LeftOut::Open { questions })
+}
+
+fn most_frequent_kind(trials: &[Trial], left_out: &[Option<LeftOut>]) -> Option<Kind> {
+    let kinds = || {
+        let all = trials.iter().zip(left_out);
+        all.filter(|(_, out)| out.is_none())
+            .map(|(t, _)| t.cycle.kind)
+    };
+    let count = |kind: Kind| kinds().filter(|k| *k == kind).count();
+    kinds().max_by_key(|k| count(*k))
+}
+
+/// Keeps the trials whose strides last within one range, the fullest.
+fn leave_out_other_speeds(trials: &[Trial], left_out: &mut [Option<LeftOut>]) {
+    let period = |t: &Trial| t.cycle.curve.period_s;
+    let kept = trials.iter().zip(left_out.iter());
+    let mut sorted: Vec<f64> = kept
+        .filter(|(_, out)| out.is_none())
+        .map(|(t, _)| period(t))
+        .collect();
+    sorted.sort_by(f64::total_cmp);
+    let (low, high, _) = largest_group(&sorted);
+    for (trial, out) in trials.iter().zip(left_out) {
+        if out.is_none() && !(low..=high).contains(&period(trial)) {
+            *out = Some(LeftOut::OtherSpeed {
+                period: seconds(period(trial)),
+                low: seconds(low),
+                high: seconds(high),
+            });
+        }
+    }
+}
+
+fn average(used: &[&Cycle], kind: Kind, left_out: Vec<Option<LeftOut>>) -> Result<JointMean> {
+    let counts: Vec<f64> = used.iter().map(|c| cycles(c) as f64).collect();
+    let weighted = |of: &dyn Fn(usize) -> f64| {
+        let sum: f64 = counts.iter().enumerate().map(|(i, n)| n * of(i)).sum();
+        sum / counts.iter().sum::<f64>()
+    };
+    let mass_kg = weighted(&|i| used[i].mass_kg);
+    let period_s = weighted(&|i| used[i].curve.period_s);
+    let mut notes = Vec::new();
+    let masses = || used.iter().map(|c| c.mass_kg);
+    let (low, high) = masses().fold((f64::INFINITY, 0.0), |m: (f64, f64), x| {
+        (m.0.min(x), m.1.max(x))
+    });
+    let several = high > (1.0 + ONE_WALKER) * low;
+    if several {
+        let (low, high, mean) = (kilograms(low), kilograms(high), kilograms(mass_kg));
+        notes.push(Note::SeveralMasses { low, high, mean });
+    }
+    let rows = on_one_phase(used);
+    let scale = |i: usize| {
+        if several {
+            mass_kg / used[i].mass_kg
+        } else {
+            1.0
+        }
+    };
+    let scaled = |row: &[f64], i: usize| -> Vec<f64> { row.iter().map(|x| scale(i) * x).collect() };
+    let rows = rows.iter().enumerate();
+    let (trials_n, spreads): (Vec<_>, Vec<_>) = rows
+        .map(|(i, (force, spread))| (scaled(force, i), scaled(spread, i)))
+        .unzip();
+    let samples = trials_n.first().map_or(0, Vec::len);
+    let force: Vec<f64> = (0..samples)
+        .map(|k| weighted(&|i| trials_n[i][k]))
+        .collect();
+    let spread = |k: usize| pooled(&counts, &|i| spreads[i][k], &|i| trials_n[i][k], force[k]);
+    let spread_n: Option<Vec<f64>> = (0..samples).map(spread).collect();
+    let mut curve = ForceCurve::from_samples("", period_s, force)?;
+    curve.spread_n = spread_n;
+    curve.mass_kg = Some(mass_kg);
+    let period_spread_s = pooled(
+        &counts,
+        &|i| used[i].period_spread_s.unwrap_or(0.0),
+        &|i| used[i].curve.period_s,
+        period_s,
+    );
+    let from = used.first().map(|c| c.mass_from);
+    Ok(JointMean {
+        repeatability_n: curve.spread_rms_n().map(|s| 1.96 * SQRT_2 * s),
+        curve,
+        left_out,
+        trials_n,
+        cycles: counts.iter().sum::<f64>() as usize,
+        kind,
+        period_spread_s,
+        mass_kg,
+        mass_from: from.filter(|f| used.iter().all(|c| c.mass_from == *f)),
+        notes,
+    })
+}
+
+/// Standard deviation of all values of groups whose counts, deviations and means are known; `None` of one value.
+fn pooled(
+    counts: &[f64],
+    deviation: &dyn Fn(usize) -> f64,
+    mean: &dyn Fn(usize) -> f64,
+    all: f64,
+) -> Option<f64> {
+    let degrees = counts.iter().sum::<f64>() - 1.0;
+    let squares = counts.iter().enumerate().map(|(i, n)| {
+        let within = (n - 1.0) * deviation(i).powi(2);
+        within + n * (mean(i) - all).powi(2)
+    });
+    (degrees > 0.0).then(|| (squares.sum::<f64>() / degrees).sqrt())
+}
+
+/// Cycles that a mean cycle is of: of a stride built from single stances, as many as the foot with fewer has.
+fn cycles(cycle: &Cycle) -> usize {
+    match cycle.source {
+        CycleSource::WholeStrides { strides, .. } | CycleSource::TotalForce { strides } => strides,
+        CycleSource::RightAndLeft { right, left, .. } => right.min(left),
+        CycleSource::TwoFeet { one, other, .. } => one.min(other),
+        CycleSource::AnyFoot { stances, .. } | CycleSource::OneFoot { stances, .. } => stances,
+    }
+    .max(1)
+}
+
+/// Forces and deviations (0 where there is none) of the cycles from the same moment of the stride on.
+///
+/// A cycle that begins with the left heel strike is shifted to the right one; a total force, which has no heel
+/// strike, to where it is most like the others.
+fn on_one_phase(used: &[&Cycle]) -> Vec<(Vec<f64>, Vec<f64>)> {
+    let total = |c: &&&Cycle| matches!(c.source, CycleSource::TotalForce { .. });
+    let first = used.iter().find(|c| !total(c)).or(used.first());
+    let Some(reference) = first else {
+        return Vec::new();
+    };
+    let start = foot(reference);
+    let shifted = |cycle: &Cycle| {
+        let force = &cycle.curve.force_n;
+        let n = force.len();
+        let zeros = || vec![0.0; n];
+        let spread = cycle.curve.spread_n.clone().unwrap_or_else(zeros);
+        let other_foot = start.zip(foot(cycle)).is_some_and(|(a, b)| a != b);
+        let places = match (cycle.source, other_foot) {
+            (CycleSource::TotalForce { .. }, _) => 0..n,
+            (_, true) => {
+                let most = (LIMP * n as f64) as usize;
+                n / 2 - most..n / 2 + most
+            }
+            (_, false) => 0..1,
+        };
+        let shift = most_alike(&reference.curve.force_n, force, places);
+        (rotated(force, shift), rotated(&spread, shift))
+    };
+    used.iter().map(|c| shifted(c)).collect()
+}
+
+/// The foot whose heel strike begins a cycle of both feet.
+fn foot(cycle: &Cycle) -> Option<Foot> {
+    match cycle.source {
+        CycleSource::WholeStrides { from, .. } => from,
+        CycleSource::RightAndLeft { .. } => Some(Foot::Right),
+        CycleSource::TwoFeet { .. }
+        | CycleSource::AnyFoot { .. }
+        | CycleSource::OneFoot { .. }
+        | CycleSource::TotalForce { .. } => None,
+    }
+}
+
+/// The shift, of those given, with which a periodic row is most like another.
+fn most_alike(reference: &[f64], row: &[f64], shifts: std::ops::Range<usize>) -> usize {
+    let likeness = |shift: usize| -> f64 {
+        let later = row.iter().cycle().skip(shift);
+        reference.iter().zip(later).map(|(a, b)| a * b).sum()
+    };
+    let first = shifts.start;
+    if shifts.len() < 2 {
+        return first;
+    }
+    let all = shifts.map(|s| (s, likeness(s)));
+    all.max_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or(first, |best| best.0)
+}
+
+fn rotated(row: &[f64], shift: usize) -> Vec<f64> {
+    let mut out = row.to_vec();
+    let count = out.len().max(1);
+    out.rotate_left(shift % count);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_pool_to_the_deviation_of_all_their_values() {
+        let groups: [&[f64]; 3] = [&[1.0, 2.0, 4.0], &[3.0], &[5.0, 6.0]];
+        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+        let deviation = |v: &[f64]| {
+            let m = mean(v);
+            let square: f64 = v.iter().map(|x| (x - m).powi(2)).sum();
+            (square / (v.len() as f64 - 1.0).max(1.0)).sqrt()
+        };
+        let all = groups.concat();
+        let counts = groups.map(|g| g.len() as f64);
+        let found = pooled(
+            &counts,
+            &|i| deviation(groups[i]),
+            &|i| mean(groups[i]),
+            mean(&all),
+        );
+        assert!((found.unwrap() - deviation(&all)).abs() < 1e-12);
+        assert_eq!(pooled(&[1.0], &|_| 0.0, &|_| 7.0, 7.0), None);
+    }
+
+    #[test]
+    fn a_row_that_starts_later_is_turned_back() {
+        let row: Vec<f64> = (0..64)
+            .map(|i| (std::f64::consts::TAU * f64::from(i) / 64.0).sin())
+            .collect();
+        let later = rotated(&row, 50);
+        assert_eq!(most_alike(&row, &later, 0..64), 14);
+        assert_eq!(rotated(&later, 14), row);
+    }
+}

@@ -1,0 +1,213 @@
+//! The mean cycle of a recording, on phase, with its step-to-step spread.
+//!
+//! Where the plates (or insoles) cover whole strides, both feet are summed and the strides averaged.
+//! Elsewhere a stride is built from single stances: the mean left and the mean right one, half a stride apart.
+
+mod average;
+mod interpret;
+mod joint;
+mod overlay;
+mod plausibility;
+mod refusal;
+mod single;
+mod stride;
+mod stride_time;
+mod total;
+mod warnings;
+
+use std::f64::consts::SQRT_2;
+
+use refusal::no_stance;
+use single::{both_feet, one_foot};
+use stride::{averaged, whole_strides};
+use total::{TotalStride, total_of_plates, total_stride};
+use warnings::{confirm_clock, warnings};
+
+use crate::curve::ForceCurve;
+use crate::error::Result;
+use crate::interpretation::Period;
+use crate::recording::{CycleSource, Feet, Foot, Kind, MassSource, Note, PeriodSource, Recording};
+use crate::stance::{RejectReason, Rejected, Stances};
+use crate::units::G;
+use plausibility::{ADULT_KG, mean_of_weight, ranges};
+
+pub use joint::{JointMean, LeftOut, Trial, joint_mean};
+pub use overlay::overlay;
+pub use plausibility::implausible;
+
+/// One mean cycle of a recording and how it was computed.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// // Nobody gave a mass: it is the one whose weight is the mean force.
+/// assert!((mean.mean_of_weight - 1.0).abs() < 1e-9 && mean.mass_fits);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cycle {
+    /// The mean cycle; its period is a stride, its spread the standard deviation from step to step.
+    pub curve: ForceCurve,
+    /// Cycles that were averaged: whole strides, or stances where the stride was built from them.
+    pub averaged: usize,
+    /// How the cycle was computed.
+    pub source: CycleSource,
+    /// What its period was taken from.
+    pub period_from: PeriodSource,
+    /// Coefficient of repeatability, N: two cycles of this walker differ by less in 95 of 100 cases
+    /// (1.96 √2 times the standard deviation, root mean square over the phases). `None` for one cycle.
+    pub repeatability_n: Option<f64>,
+    /// Mass, kg: given, or the mean force over the stride divided by g.
+    pub mass_kg: f64,
+    /// Where the mass is from.
+    pub mass_from: MassSource,
+    /// What the cycle is of.
+    pub kind: Kind,
+    /// Standard deviation of the strides that the period was taken from, s.
+    pub period_spread_s: Option<f64>,
+    /// Mean force over the cycle as a part of the weight that the feet of the cycle carry: 1 for a walker
+    /// whose mass is right.
+    pub mean_of_weight: f64,
+    /// Whether mean force and mass can be of one walker.
+    pub mass_fits: bool,
+    /// What does not look right.
+    pub notes: Vec<Note>,
+}
+
+/// A mean cycle before mass and plausibility are settled.
+struct Average {
+    period: Period,
+    force_n: Vec<f64>,
+    spread_n: Option<Vec<f64>>,
+    averaged: usize,
+    source: CycleSource,
+}
+
+/// Averages the stances of a recording into one cycle.
+///
+/// `feet`: both feet summed, one foot (all stances taken alike), or one side.
+///
+/// # Errors
+///
+/// Where there is no whole stance, or none of the wanted side.
+pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
+    let kind = stances.kind.unwrap_or(Kind::Walking);
+    let slow = recording.kind == Some(Kind::Walking);
+    let ranges = ranges(kind, recording.mass_kg.unwrap_or(ADULT_KG.start), slow);
+    let average = match feet {
+        Feet::Both if stances.used.is_empty() => both_in_one(recording, stances, false)
+            .ok_or_else(|| no_stance(recording, stances, feet))?,
+        Feet::Total => both_in_one(recording, stances, true)
+            .ok_or_else(|| no_stance(recording, stances, feet))?,
+        _ if stances.used.is_empty() => return Err(no_stance(recording, stances, feet).into()),
+        Feet::Both => {
+            let strides = whole_strides(stances);
+            let crossing = || crossed(recording, stances, strides.len());
+            if let Some(total) = crossing() {
+                total
+            } else if strides.is_empty() {
+                both_feet(recording, stances, &ranges)
+            } else {
+                averaged(recording, &strides)
+            }
+        }
+        Feet::One => one_foot(recording, stances, None, &ranges)?,
+        Feet::Left => one_foot(recording, stances, Some(Foot::Left), &ranges)?,
+        Feet::Right => one_foot(recording, stances, Some(Foot::Right), &ranges)?,
+    };
+    finish(recording, stances, average, feet)
+}
+
+/// The total of both feet in one column, unless what stands there is another movement.
+fn both_in_one(recording: &Recording, stances: &Stances, stated: bool) -> Option<Average> {
+    let jumps = stances.recognised == Some(Kind::Jumping) && recording.kind.is_none();
+    let runs = stances.recognised == Some(Kind::Running) && !recording.runs();
+    if jumps || runs {
+        return None;
+    }
+    total_stride(recording, stances, stated).map(of_total)
+}
+
+/// The sum of all plates, where feet that cross from one to another leave fewer than half of the strides whole.
+fn crossed(recording: &Recording, stances: &Stances, whole: usize) -> Option<Average> {
+    let both = |r: &Rejected| {
+        matches!(
+            r.reason,
+            RejectReason::TwoPlates | RejectReason::CrossOver | RejectReason::Standing
+        )
+    };
+    let named = recording.channels.iter().any(|c| c.foot.is_some());
+    if named || !stances.rejected.iter().any(both) {
+        return None;
+    }
+    let total = total_of_plates(recording, stances)?;
+    (total.strides > 2 * whole).then(|| of_total(total))
+}
+
+fn of_total(total: TotalStride) -> Average {
+    Average {
+        period: Period {
+            seconds: total.period_s,
+            from: PeriodSource::TotalForce,
+            spread_s: total.period_spread_s,
+        },
+        force_n: total.force_n,
+        spread_n: total.spread_n,
+        averaged: total.strides,
+        source: CycleSource::TotalForce {
+            strides: total.strides,
+        },
+    }
+}
+
+/// Settles mass and repeatability of a mean cycle and compares its mean force with the weight.
+fn finish(recording: &Recording, stances: &Stances, average: Average, feet: Feet) -> Result<Cycle> {
+    let Average {
+        period,
+        force_n,
+        spread_n,
+        averaged,
+        source,
+    } = average;
+    let mut curve = ForceCurve::from_samples("", period.seconds, force_n)?;
+    let repeatability_n = spread_n.as_ref().map(|s: &Vec<f64>| {
+        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
+        1.96 * SQRT_2 * square.sqrt()
+    });
+    let (mass_kg, mass_from) = match (recording.mass_kg, recording.mass_from) {
+        (Some(m), from) => (m, from.unwrap_or(MassSource::File)),
+        (None, _) => (curve.mean_n() / (feet.share() * G), MassSource::MeanForce),
+    };
+    curve.spread_n = spread_n;
+    let counts = |n: &Note| matches!(n, Note::CountsScaled { .. });
+    if recording.notes.iter().any(counts) && curve.mean_n() > 0.0 {
+        curve = curve.scaled(feet.share() * mass_kg * G / curve.mean_n());
+    }
+    curve.mass_kg = Some(mass_kg);
+    let warning = implausible(&curve, feet);
+    let total = matches!(source, CycleSource::TotalForce { .. });
+    let mut cycle = Cycle {
+        averaged,
+        source,
+        period_from: period.from,
+        period_spread_s: period.spread_s,
+        repeatability_n,
+        mass_kg,
+        mass_from,
+        kind: match stances.kind {
+            Some(Kind::Running) => Kind::Running,
+            _ => Kind::Walking,
+        },
+        mean_of_weight: mean_of_weight(&curve, feet).unwrap_or(1.0),
+        mass_fits: warning.is_none(),
+        notes: warning.into_iter().collect(),
+        curve,
+    };
+    let more = warnings(recording, stances, &cycle, total);
+    cycle.notes.extend(more);
+    confirm_clock(recording, &mut cycle)?;
+    Ok(cycle)
+}

@@ -1,0 +1,69 @@
+//! Stances laid over each other on phase, with the mean of each foot and its band, for a picture.
+
+use super::average::{mean_within, stance_row};
+use crate::interpretation::{MeanStanceCurve, Overlay};
+use crate::recording::{Foot, Recording};
+use crate::stance::{Point, Stance, Stances};
+
+/// Lays the used stances over each other; `None` where there is none.
+///
+/// At most `most` of them are returned, evenly spread over the recording; the means are of all but those that are
+/// unlike their fellows. Where stances have masses of their own, forces are scaled to the mean mass.
+pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<Overlay> {
+    let all: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
+    if all.is_empty() {
+        return None;
+    }
+    let masses: Option<Vec<f64>> = all.iter().map(|s| s.mass_kg).collect();
+    let usual = masses.map(|m| m.iter().sum::<f64>() / m.len() as f64);
+    let shown = all.iter().step_by(all.len().div_ceil(most.max(1)));
+    let curves = shown.map(|s| {
+        let mut row = vec![0.0; ROW];
+        stance_row(recording, s, usual, 0.0, &mut row);
+        (s.foot, row)
+    });
+    let sides = [Some(Foot::Left), Some(Foot::Right), None];
+    let of = |foot: Option<Foot>| -> Vec<&Stance> {
+        all.iter().copied().filter(|s| s.foot == foot).collect()
+    };
+    let means = sides.map(of).into_iter().filter(|own| !own.is_empty());
+    Some(Overlay {
+        stances: curves.collect(),
+        means: means.map(|own| mean_of(recording, &own)).collect(),
+    })
+}
+
+/// Samples of a stance that is drawn.
+const ROW: usize = 256;
+
+fn mean_of(recording: &Recording, own: &[&Stance]) -> MeanStanceCurve {
+    let mean = mean_within(recording, own, 0.0);
+    let point = |of: fn(&Stance) -> Option<Point>| {
+        let all: Vec<Point> = own.iter().filter_map(|s| of(s)).collect();
+        // A landmark that half of the stances lack is none.
+        (2 * all.len() > own.len()).then(|| Point {
+            force_n: all.iter().map(|p| p.force_n).sum::<f64>() / all.len() as f64,
+            at: all.iter().map(|p| p.at).sum::<f64>() / all.len() as f64,
+        })
+    };
+    // A stance with one hump has one peak only, which is neither of the two.
+    let single = |s: &Stance| s.valley.is_none();
+    let humps = 2 * own.iter().filter(|s| !single(s)).count() > own.len();
+    let landmarks = if humps {
+        [
+            point(|s| s.valley.map(|_| s.p1)),
+            point(|s| s.valley),
+            point(|s| s.p2),
+        ]
+    } else {
+        [point(|s| Some(s.p1)), None, None]
+    };
+    MeanStanceCurve {
+        foot: own.first().and_then(|s| s.foot),
+        count: mean.count,
+        duration_s: mean.duration_s,
+        mean_n: mean.force,
+        spread_n: mean.spread,
+        landmarks,
+    }
+}

@@ -1,0 +1,119 @@
+//! Plausibility: whether a mean cycle can be of a person who walks or runs, and its mean force of one mass.
+
+use std::ops::Range;
+
+use crate::curve::ForceCurve;
+use crate::quantity::{kilograms, newtons, seconds};
+use crate::recording::{Feet, Kind, Note, WeightShare};
+use crate::units::{G, Quantity};
+
+/// A mean force further than this from the weight is no rounding of insoles or of a scale.
+const TOLERANCE: f64 = 0.1;
+/// Masses of people who walk over plates, kg.
+const MASS_KG: Range<f64> = 10.0..250.0;
+/// Masses that confirm a unit which the file does not give, kg.
+pub(super) const ADULT_KG: Range<f64> = 30.0..160.0;
+/// Walkers lighter than this are children, kg.
+const CHILD_KG: f64 = 30.0;
+/// A small child's stride is shorter than this, s, and its mass smaller than that, kg.
+const SMALL_CHILD: (f64, f64) = (1.15, 22.0);
+
+/// What a movement allows.
+pub(super) struct Ranges {
+    /// Durations of a stride, s.
+    pub stride_s: Range<f64>,
+    /// Share of a stride that a foot stands.
+    pub duty: Range<f64>,
+    /// Highest force of a stance, body weights.
+    pub peak_bw: Range<f64>,
+    /// The usual share of a stride that a foot stands.
+    pub usual_duty: f64,
+    /// A stride over its stance.
+    pub stride_of_stance: Range<f64>,
+    /// A step over its stance.
+    pub step_of_stance: Range<f64>,
+}
+
+/// Ranges of walking (wider for children) and of running.
+///
+/// `slow`: walking was asked for, so strides may be longer than is usual.
+pub(super) fn ranges(kind: Kind, mass_kg: f64, slow: bool) -> Ranges {
+    if kind == Kind::Running {
+        return Ranges {
+            stride_s: 0.35..1.1,
+            duty: 0.12..0.5,
+            peak_bw: 1.3..5.0,
+            usual_duty: 0.36,
+            stride_of_stance: 1.7..7.0,
+            step_of_stance: 0.9..3.5,
+        };
+    }
+    let child = mass_kg < CHILD_KG;
+    let slowest = if slow { 6.0 } else { 2.2 };
+    Ranges {
+        stride_s: if child { 0.5 } else { 0.7 }..slowest,
+        duty: 0.52..0.75,
+        peak_bw: 0.85..if child { 2.0 } else { 1.7 },
+        usual_duty: 0.62,
+        stride_of_stance: 1.0..2.5,
+        // Feet that land together (a jump, standing) are not in step.
+        step_of_stance: 0.4..1.2,
+    }
+}
+
+/// Mean force of a cycle over the weight that its feet carry: 1 for a walker whose mass is right.
+///
+/// `None` where no mass is known.
+pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
+    Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
+}
+
+/// Why mean force and mass cannot be of one walker; `None` where they can.
+pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
+    let ratio = mean_of_weight(curve, feet)?;
+    let mass_kg = curve.mass_kg?;
+    let mass = kilograms(mass_kg);
+    if (ratio - 1.0).abs() > TOLERANCE {
+        let share = match feet {
+            Feet::Both | Feet::Total => WeightShare::Whole,
+            Feet::One | Feet::Left | Feet::Right => WeightShare::Half,
+        };
+        return Some(Note::MeanForceNotWeight { ratio, mass, share });
+    }
+    let mean = newtons(curve.mean_n());
+    let small = mass_kg < SMALL_CHILD.1 && curve.period_s > SMALL_CHILD.0;
+    (small || !MASS_KG.contains(&mass_kg)).then_some(Note::MassImplausible { mean, mass })
+}
+
+/// What nobody does who moves like this: a stride, a share of stance or a highest force out of range.
+///
+/// `stance_s`: mean duration of a stance; `peak_n`: mean highest force of a stance, N.
+pub(super) fn out_of_range(
+    ranges: &Ranges,
+    period_s: f64,
+    mass_kg: f64,
+    stance_s: Option<f64>,
+    peak_n: Option<f64>,
+) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let percent = |r: &Range<f64>| [Quantity::share(r.start), Quantity::share(r.end)];
+    if !ranges.stride_s.contains(&period_s) {
+        notes.push(Note::StrideImplausible {
+            period: seconds(period_s),
+            low: seconds(ranges.stride_s.start),
+            high: seconds(ranges.stride_s.end),
+        });
+    }
+    let duty = stance_s.map(|s| s / period_s);
+    if let Some(duty) = duty.filter(|d| !ranges.duty.contains(d)) {
+        let duty = Quantity::share(duty);
+        let [low, high] = percent(&ranges.duty);
+        notes.push(Note::DutyImplausible { duty, low, high });
+    }
+    let ratio = peak_n.map(|p| p / (mass_kg * G));
+    if let Some(ratio) = ratio.filter(|r| !ranges.peak_bw.contains(r)) {
+        let (low, high) = (ranges.peak_bw.start, ranges.peak_bw.end);
+        notes.push(Note::PeakImplausible { ratio, low, high });
+    }
+    notes
+}

@@ -1,0 +1,89 @@
+//! Why a recording without a whole stance gives no cycle.
+
+use super::total::total_stride;
+use crate::error::ForceError;
+use crate::quantity::seconds;
+use crate::recording::{Feet, Kind, Note, Recording};
+use crate::stance::{RejectReason, Stances};
+use crate::units::Quantity;
+
+/// Usual part of a stride that a walker's foot stands.
+const USUAL_DUTY: f64 = 0.62;
+
+/// The reason, from the contacts that were rejected and from what the header announces.
+pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) -> ForceError {
+    let duration = seconds(recording.duration_s);
+    let Some(first) = stances.rejected.first() else {
+        if let Some(refusal) = another_movement(stances, duration) {
+            return refusal;
+        }
+        return if recording.channels.iter().all(|c| c.idle.is_some()) {
+            ForceError::NoLiveChannel { duration }
+        } else {
+            ForceError::NoContact { duration }
+        };
+    };
+    if matches!(feet, Feet::One | Feet::Left | Feet::Right)
+        && total_stride(recording, stances, false).is_some()
+    {
+        return ForceError::TotalOfBothFeet { duration };
+    }
+    let guessed = |n: &Note| matches!(n, Note::MillisecondsGuessed { .. });
+    if recording.notes.iter().any(guessed) {
+        // A walk on a wrong clock looks like running, or like standing.
+        let mean = stances
+            .rejected
+            .iter()
+            .map(|r| r.to_s - r.from_s)
+            .sum::<f64>()
+            / stances.rejected.len() as f64;
+        let period = seconds(mean / USUAL_DUTY);
+        return ForceError::ClockImplausible { period };
+    }
+    if let Some(refusal) = another_movement(stances, duration) {
+        return refusal;
+    }
+    let reason = usual_reason(stances).into();
+    let cut = recording.notes.iter().find_map(|n| match n {
+        Note::RowsDiffer { announced, found } if found < announced => Some((*announced, *found)),
+        Note::FramesMissing { announced, found } => Some((*announced, *found)),
+        _ => None,
+    });
+    match cut {
+        Some((announced, found)) => ForceError::NoStanceFileCut {
+            duration,
+            announced,
+            found,
+            reason,
+        },
+        None => ForceError::NoStance {
+            duration,
+            contacts: stances.rejected.len(),
+            from: seconds(first.from_s),
+            to: seconds(first.to_s),
+            reason,
+        },
+    }
+}
+
+/// The refusal of a recording of another movement than the one asked for.
+fn another_movement(stances: &Stances, duration: Quantity) -> Option<ForceError> {
+    let kind = stances.recognised?;
+    match kind {
+        Kind::Running => Some(ForceError::Running { duration }),
+        Kind::Jumping | Kind::Standing | Kind::SitToStand => {
+            let movement = kind.name();
+            Some(ForceError::NotWalking { movement, duration })
+        }
+        Kind::Walking | Kind::Other => None,
+    }
+}
+
+/// The reason that rejects most contacts.
+fn usual_reason(stances: &Stances) -> RejectReason {
+    let mut reasons: Vec<RejectReason> = stances.rejected.iter().map(|r| r.reason).collect();
+    reasons.sort_unstable();
+    let runs = reasons.chunk_by(|a, b| a == b);
+    let longest = runs.max_by_key(|run| run.len());
+    longest.map_or(RejectReason::TooShort, |run| run[0])
+}

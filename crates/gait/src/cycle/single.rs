@@ -1,0 +1,142 @@
+//! A stride built from single stances: both feet half a stride apart, or one foot with its swing.
+
+use super::Average;
+use super::average::{mean_stance, place};
+use super::stride_time::stride_time;
+use crate::curve::SAMPLES;
+use crate::cycle::plausibility::Ranges;
+use crate::error::{ForceError, Result};
+use crate::recording::{CycleSource, Foot, Recording};
+use crate::stance::{Stance, Stances, same_foot};
+
+/// A stride of both feet built from single stances half a stride apart.
+pub(super) fn both_feet(recording: &Recording, stances: &Stances, ranges: &Ranges) -> Average {
+    let all: Vec<&Stance> = stances.used.iter().collect();
+    let (left, right) = by_side(&all, recording);
+    let (left, right) = (fellows(left), fellows(right));
+    let sides = !left.is_empty() && !right.is_empty();
+    let (first, second) = if sides {
+        (
+            mean_stance(recording, &right),
+            mean_stance(recording, &left),
+        )
+    } else {
+        (mean_stance(recording, &all), mean_stance(recording, &all))
+    };
+    let impulse = first.impulse_ns + second.impulse_ns;
+    let period = stride_time(recording, stances, impulse, &first, ranges);
+    let (period_s, from) = (period.seconds, period.from);
+    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&first, period_s, 0.0, &mut force_n, &mut variance);
+    place(&second, period_s, 0.5, &mut force_n, &mut variance);
+    let known = first.spread.is_some() && second.spread.is_some();
+    let named = all.iter().any(|s| s.foot.is_some());
+    let source = match (sides, named) {
+        (true, true) => CycleSource::RightAndLeft {
+            right: first.count,
+            left: second.count,
+            period: from,
+        },
+        (true, false) => CycleSource::TwoFeet {
+            one: first.count,
+            other: second.count,
+            period: from,
+        },
+        (false, _) => CycleSource::AnyFoot {
+            stances: all.len(),
+            period: from,
+        },
+    };
+    Average {
+        period,
+        force_n,
+        spread_n: known.then(|| roots(&variance)),
+        averaged: all.len(),
+        source,
+    }
+}
+
+fn roots(variance: &[f64]) -> Vec<f64> {
+    variance.iter().map(|v| v.sqrt()).collect()
+}
+
+/// The stances that are like their fellows; all, where none is.
+fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
+    let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
+    if alike.is_empty() { stances } else { alike }
+}
+
+/// Stances of the left and of the right foot; where no side is known, of the one and of the other.
+///
+/// Without sides the feet are told apart by turns, as far as the stances follow each other; the rows of a
+/// table of stances do not.
+pub(super) fn by_side<'a>(
+    stances: &[&'a Stance],
+    recording: &Recording,
+) -> (Vec<&'a Stance>, Vec<&'a Stance>) {
+    let of = |foot| {
+        stances
+            .iter()
+            .copied()
+            .filter(|s| s.foot == Some(foot))
+            .collect()
+    };
+    if stances.iter().any(|s| s.foot.is_some()) {
+        return (of(Foot::Left), of(Foot::Right));
+    }
+    let mut sides = (Vec::new(), Vec::new());
+    if recording.has_rows() {
+        return sides;
+    }
+    let mut first = true;
+    for (i, s) in stances.iter().enumerate() {
+        let same = i.checked_sub(1).map_or(Some(true), |j| {
+            same_foot(&stances[j].into(), &(*s).into(), recording.runs())
+        });
+        match same {
+            Some(same) => first = first == same,
+            None => return (Vec::new(), Vec::new()),
+        }
+        if first { &mut sides.1 } else { &mut sides.0 }.push(*s);
+    }
+    sides
+}
+
+/// One foot over a stride, zero in swing.
+pub(super) fn one_foot(
+    recording: &Recording,
+    stances: &Stances,
+    foot: Option<Foot>,
+    ranges: &Ranges,
+) -> Result<Average> {
+    let wanted: Vec<&Stance> = stances
+        .used
+        .iter()
+        .filter(|s| foot.is_none() || s.foot == foot)
+        .collect();
+    if let (Some(foot), true) = (foot, wanted.is_empty()) {
+        let named = stances.used.iter().any(|s| s.foot.is_some());
+        let foot = foot.name();
+        return Err(if named {
+            ForceError::NoStanceOfFoot { foot }.into()
+        } else {
+            ForceError::FeetNotNamed { foot }.into()
+        });
+    }
+    let wanted = fellows(wanted);
+    let mean = mean_stance(recording, &wanted);
+    let period = stride_time(recording, stances, 2.0 * mean.impulse_ns, &mean, ranges);
+    let (period_s, from) = (period.seconds, period.from);
+    let (mut force_n, mut variance) = (vec![0.0; SAMPLES], vec![0.0; SAMPLES]);
+    place(&mean, period_s, 0.0, &mut force_n, &mut variance);
+    Ok(Average {
+        period,
+        force_n,
+        spread_n: mean.spread.is_some().then(|| roots(&variance)),
+        averaged: wanted.len(),
+        source: CycleSource::OneFoot {
+            stances: wanted.len(),
+            period: from,
+        },
+    })
+}

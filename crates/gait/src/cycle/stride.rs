@@ -1,0 +1,173 @@
+//! Whole strides of both feet in a recording.
+
+use super::Average;
+use super::average::{Mean, at, periodic, whole_span};
+use super::stride_time::{deviation_of, median};
+use crate::curve::SAMPLES;
+use crate::interpretation::Period;
+use crate::recording::{CycleSource, Foot, PeriodSource, Recording};
+use crate::stance::{RejectReason, Rejected, Stance, Stances};
+
+/// One contact in the row of footfalls: its span and whether it is whole.
+#[derive(Debug, Clone, Copy)]
+struct Footfall<'a> {
+    channel: usize,
+    start_s: f64,
+    end_s: f64,
+    stance: Option<&'a Stance>,
+    cut: Option<RejectReason>,
+}
+
+/// Time from a heel strike to the next of the same foot, with every contact that carries force in it.
+#[derive(Debug, Clone)]
+pub(super) struct Stride {
+    pub start_s: f64,
+    pub end_s: f64,
+    pub foot: Option<Foot>,
+    /// Time on record beyond both ends, in which every foot that stands is known, s.
+    beyond_s: f64,
+    /// Channel and span of each contact that reaches into the stride.
+    contacts: Vec<(usize, f64, f64)>,
+}
+
+/// A stride whose duration is further than this from the middle one is not averaged.
+const ODD_STRIDE: f64 = 0.25;
+/// Part of a stride about its ends over which it is blended with its neighbours.
+const BLEND: f64 = 0.04;
+
+/// Strides in which every footfall is on record.
+///
+/// Four footfalls in turn, each overlapping the next: the second to the fourth heel strike is a
+/// stride, the first gives its first double support and may be cut before, the fourth begins it anew.
+pub(super) fn whole_strides(stances: &Stances) -> Vec<Stride> {
+    let mut falls: Vec<Footfall> = stances
+        .used
+        .iter()
+        .map(|s| Footfall {
+            channel: s.channel,
+            start_s: s.start_s,
+            end_s: s.end_s,
+            stance: Some(s),
+            cut: None,
+        })
+        .chain(
+            stances
+                .rejected
+                .iter()
+                .filter(|r| !matches!(r.reason, RejectReason::TooShort | RejectReason::CrossTalk))
+                .map(rejected_fall),
+        )
+        .collect();
+    falls.sort_by(|a, b| (a.start_s.total_cmp(&b.start_s)).then(a.end_s.total_cmp(&b.end_s)));
+    let overlap = |a: &Footfall, b: &Footfall| b.start_s < a.end_s && b.end_s > a.end_s;
+    let found = falls.windows(4).filter(|w| {
+        let whole = w[1].stance.is_some() && w[2].stance.is_some();
+        let ends = (w[0].stance.is_some() || w[0].cut == Some(RejectReason::CutAtStart))
+            && (w[3].stance.is_some() || w[3].cut == Some(RejectReason::CutAtEnd));
+        let in_turn = w.windows(2).all(|p| overlap(&p[0], &p[1]));
+        whole && ends && in_turn && w[0].end_s < w[2].start_s && w[1].end_s < w[3].end_s
+    });
+    found
+        .map(|w| Stride {
+            start_s: w[1].start_s,
+            end_s: w[3].start_s,
+            foot: w[1].stance.and_then(|s| s.foot),
+            beyond_s: (w[1].start_s - w[0].start_s).min(w[3].end_s - w[3].start_s),
+            contacts: w.iter().map(|f| (f.channel, f.start_s, f.end_s)).collect(),
+        })
+        .collect()
+}
+
+fn rejected_fall(r: &Rejected) -> Footfall<'_> {
+    Footfall {
+        channel: r.channel,
+        start_s: r.from_s,
+        end_s: r.to_s,
+        stance: None,
+        cut: matches!(r.reason, RejectReason::CutAtStart | RejectReason::CutAtEnd)
+            .then_some(r.reason),
+    }
+}
+
+/// Mean of whole strides that begin with the same foot.
+pub(super) fn averaged(recording: &Recording, strides: &[Stride]) -> Average {
+    let (kept, from) = like_strides(strides);
+    let mut mean = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    for stride in &kept {
+        sample_stride(recording, stride, &mut row);
+        mean.add(&row);
+    }
+    let n = kept.len();
+    let durations: Vec<f64> = kept.iter().map(|s| s.end_s - s.start_s).collect();
+    let (force_n, spread_n) = mean.finish();
+    Average {
+        period: Period {
+            seconds: durations.iter().sum::<f64>() / n as f64,
+            from: PeriodSource::HeelStrikes,
+            spread_s: deviation_of(&durations),
+        },
+        force_n,
+        spread_n,
+        averaged: n,
+        source: CycleSource::WholeStrides { strides: n, from },
+    }
+}
+
+/// Strides of usual duration that begin with the same foot, and that foot.
+///
+/// Strides from left to left and from right to right share their samples; one kind is averaged.
+fn like_strides(strides: &[Stride]) -> (Vec<&Stride>, Option<Foot>) {
+    let durations = strides.iter().map(|s| s.end_s - s.start_s).collect();
+    let usual = median(durations).unwrap_or(0.0);
+    let usual_length = |s: &&Stride| ((s.end_s - s.start_s) / usual - 1.0).abs() < ODD_STRIDE;
+    let of = |foot: Option<Foot>| -> Vec<&Stride> {
+        let usual = strides.iter().filter(usual_length);
+        usual.filter(|s| s.foot == foot).collect()
+    };
+    let best = [Some(Foot::Right), Some(Foot::Left), None]
+        .into_iter()
+        .max_by_key(|f| of(*f).len())
+        .unwrap_or(None);
+    let kept = of(best);
+    match best {
+        Some(_) => (kept, best),
+        // Sides unknown: neighbours in the list alternate, every other one starts with the same foot.
+        None => (alternate(&kept), None),
+    }
+}
+
+/// Every other stride of each run of strides that overlap.
+fn alternate<'a>(strides: &[&'a Stride]) -> Vec<&'a Stride> {
+    let mut kept: Vec<&Stride> = Vec::new();
+    for s in strides {
+        let clash = kept
+            .last()
+            .is_some_and(|k: &&Stride| s.start_s < k.end_s - 0.05 * (k.end_s - k.start_s));
+        if !clash {
+            kept.push(s);
+        }
+    }
+    kept
+}
+
+/// Sum of the contacts of a stride at equal phases, closed at its ends.
+fn sample_stride(recording: &Recording, stride: &Stride, row: &mut [f64]) {
+    let rate = recording.rate_hz;
+    let spans: Vec<(&[f64], f64, f64)> = stride
+        .contacts
+        .iter()
+        .map(|&(channel, start_s, end_s)| {
+            let channel = &recording.channels[channel];
+            let (from, to) = whole_span(channel, rate, start_s, end_s);
+            (&channel.force_n[..], from, to)
+        })
+        .collect();
+    let total = |t: f64| -> f64 {
+        let loaded = spans.iter().filter(|s| t >= s.1 && t <= s.2);
+        loaded.map(|s| at(s.0, t * rate)).sum()
+    };
+    let length = stride.end_s - stride.start_s;
+    let half = (BLEND * length).min(stride.beyond_s);
+    periodic(row, stride.start_s, length, half, total);
+}

@@ -1,0 +1,142 @@
+//! How long a stride lasts, where it was built from single stances.
+
+use super::average::MeanStance;
+use crate::cycle::plausibility::Ranges;
+use crate::interpretation::Period;
+use crate::recording::{Foot, PeriodSource, Recording};
+use crate::stance::{Stances, footfalls, same_foot};
+use crate::units::G;
+
+impl Period {
+    fn of(strides: &[f64], from: PeriodSource) -> Option<Self> {
+        Some(Period {
+            seconds: median(strides.to_vec())?,
+            from,
+            spread_s: deviation_of(strides),
+        })
+    }
+
+    fn alone(seconds: f64, from: PeriodSource) -> Self {
+        Period {
+            seconds,
+            from,
+            spread_s: None,
+        }
+    }
+}
+
+/// Standard deviation of two or more values.
+pub(super) fn deviation_of(values: &[f64]) -> Option<f64> {
+    let n = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / n;
+    let square = values.iter().map(|v| (v - mean).powi(2)).sum::<f64>();
+    (values.len() > 1).then(|| (square / (n - 1.0)).sqrt())
+}
+
+/// Duration of a stride and what it was taken from.
+///
+/// One foot's own consecutive heel strikes give it, else those that the file marks, else doubled steps; else a
+/// known mass, since both feet together carry it (impulse of both = M g T); else the usual part of a stride that
+/// a foot stands.
+pub(super) fn stride_time(
+    recording: &Recording,
+    stances: &Stances,
+    impulse_ns: f64,
+    stance: &MeanStance,
+    ranges: &Ranges,
+) -> Period {
+    if !recording.has_rows() {
+        let strikes = strikes(recording, stances, stance.duration_s, ranges);
+        if let Some(found) = strikes {
+            return found;
+        }
+    }
+    if let Some(mass) = recording.mass_kg {
+        let period = impulse_ns / (mass * G);
+        // A stride shorter than its stance or longer than a pause tells of a wrong mass.
+        let ratio = period / stance.duration_s;
+        if ratio > 1.1 && ratio < ranges.stride_of_stance.end + 0.5 {
+            return Period::alone(period, PeriodSource::Impulse);
+        }
+    }
+    Period::alone(
+        stance.duration_s / ranges.usual_duty,
+        PeriodSource::UsualDuty,
+    )
+}
+
+/// Duration of a stride from heel strikes.
+fn strikes(
+    recording: &Recording,
+    stances: &Stances,
+    stance_s: f64,
+    ranges: &Ranges,
+) -> Option<Period> {
+    let falls = footfalls(recording, stances);
+    let is_stride = |s: f64| ranges.stride_of_stance.contains(&(s / stance_s));
+    let is_step = |s: f64| ranges.step_of_stance.contains(&(s / stance_s));
+    let mut own: Vec<f64> = Vec::new();
+    let mut steps: Vec<f64> = Vec::new();
+    // The step before, if the foot changed with it.
+    let mut before = None;
+    for w in falls.windows(2) {
+        let time = w[1].start_s - w[0].start_s;
+        let step = match same_foot(&w[0], &w[1], recording.runs()) {
+            Some(true) if is_stride(time) => {
+                own.push(time);
+                None
+            }
+            Some(false) if is_step(time) => Some(time),
+            _ => None,
+        };
+        if let (Some(a), Some(b)) = (before, step) {
+            own.push(a + b);
+        }
+        steps.extend(step);
+        before = step;
+    }
+    if let Some(stride) = Period::of(&own, PeriodSource::HeelStrikes) {
+        return Some(stride);
+    }
+    let mut marked = marked_strides(recording);
+    marked.retain(|s| is_stride(*s));
+    if let Some(stride) = Period::of(&marked, PeriodSource::MarkedStrikes) {
+        return Some(stride);
+    }
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    (!steps.is_empty()).then_some(Period {
+        seconds: 2.0 * mean,
+        from: PeriodSource::DoubledSteps,
+        spread_s: deviation_of(&steps).map(|d| 2.0 * d),
+    })
+}
+
+/// Times between the strikes of either foot that the file marks, s.
+fn marked_strides(recording: &Recording) -> Vec<f64> {
+    let of = |foot: Foot| -> Vec<f64> {
+        let own = recording.strikes.iter().filter(|s| s.foot == foot);
+        own.map(|s| s.at_s).collect()
+    };
+    let pairs = [of(Foot::Left), of(Foot::Right)];
+    let times = pairs.iter().flat_map(|at| at.windows(2));
+    times.map(|w| w[1] - w[0]).collect()
+}
+
+/// The middle value, or the mean of the two middle ones.
+pub(super) fn median(mut v: Vec<f64>) -> Option<f64> {
+    v.sort_by(f64::total_cmp);
+    let (a, b) = (v.len().checked_sub(1)? / 2, v.len() / 2);
+    Some(0.5 * (v[a] + v[b]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_of_two_is_their_mean() {
+        assert_eq!(median(vec![1.2, 1.0]), Some(1.1));
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(Vec::new()), None);
+    }
+}

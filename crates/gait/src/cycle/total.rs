@@ -1,0 +1,246 @@
+//! Walking on one plate that both feet share, as on a treadmill with one belt: the total force, never zero.
+
+use super::average::{Mean, at, periodic};
+use super::stride_time::deviation_of;
+use crate::curve::SAMPLES;
+use crate::recording::Recording;
+use crate::stance::{RejectReason, Rejected, Stances};
+
+/// A total force that moves less than this part of its mean is standing.
+const STEADY: f64 = 0.05;
+/// Steps whose duration is further than this from the middle one are not averaged.
+const ODD_STEP: f64 = 0.25;
+/// Fewest regular steps that make a walk.
+const FEWEST_STEPS: usize = 5;
+/// Part of a stride about its ends over which it is blended with its neighbours.
+const BLEND: f64 = 0.04;
+/// Durations of a step that a walker can keep, s.
+const STEP_S: std::ops::Range<f64> = 0.3..1.2;
+/// The same of a runner.
+const RUNNING_STEP_S: std::ops::Range<f64> = 0.15..0.55;
+/// A step longer than this, s, moves the total force of a walker by less than that part of its mean.
+const SLOW: (f64, f64) = (0.85, 0.25);
+
+/// The mean stride of a total force.
+pub(super) struct TotalStride {
+    pub period_s: f64,
+    pub period_spread_s: Option<f64>,
+    pub force_n: Vec<f64>,
+    pub spread_n: Option<Vec<f64>>,
+    pub strides: usize,
+}
+
+/// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
+/// `None` where nobody walks on it.
+///
+/// A step is the time between two rises of the force, smoothed over half a step, through its mean; a stride is two steps, so that
+/// a difference between the feet is kept. Which foot begins is not known.
+///
+/// `stated`: the user says that the column is the total of both feet, so that it may fall to zero.
+pub(super) fn total_stride(
+    recording: &Recording,
+    stances: &Stances,
+    stated: bool,
+) -> Option<TotalStride> {
+    let force = if stated {
+        stated_total(recording, stances)?
+    } else {
+        lasting_load(recording, stances)?
+    };
+    strides_of(force, recording)
+}
+
+/// Part of the mean below which the total of a walker who is on the plates all the time does not fall.
+const ON_THE_PLATES: f64 = 0.3;
+
+/// Averages the strides of the sum of all plates, from the first contact to the last, where they carry the walker all
+/// the time: feet may lie across two of them, as on the belts of a treadmill. `None` where they do not.
+pub(super) fn total_of_plates(recording: &Recording, stances: &Stances) -> Option<TotalStride> {
+    let live = recording.channels.iter().filter(|c| c.idle.is_none());
+    let (from, to) = first_to_last(stances, |_| true)?;
+    let count = live.clone().map(|c| c.force_n.len()).min()?;
+    let sample = |s: f64| ((s * recording.rate_hz) as usize).min(count);
+    let mut sum = vec![0.0; sample(to).checked_sub(sample(from))?];
+    for channel in live {
+        for (sum, f) in sum.iter_mut().zip(&channel.force_n[sample(from)..]) {
+            *sum += f;
+        }
+    }
+    let mean = sum.iter().sum::<f64>() / sum.len().max(1) as f64;
+    let lowest = sum.iter().copied().fold(f64::INFINITY, f64::min);
+    if lowest < ON_THE_PLATES * mean {
+        return None;
+    }
+    strides_of(&sum, recording)
+}
+
+/// From the first to the last contact, s, on the channels that count.
+fn first_to_last(stances: &Stances, counts: impl Fn(usize) -> bool) -> Option<(f64, f64)> {
+    let used = stances.used.iter().map(|s| (s.channel, s.start_s, s.end_s));
+    let rejected = stances.rejected.iter();
+    let rejected = rejected.map(|r| (r.channel, r.from_s, r.to_s));
+    let own = used
+        .chain(rejected)
+        .filter(|(channel, ..)| counts(*channel));
+    own.map(|(_, from, to)| (from, to))
+        .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// The channel that is the total, from its first contact to its last.
+fn stated_total<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
+    let live = recording.channels.iter().enumerate();
+    let mut live = live.filter(|(_, c)| c.idle.is_none());
+    let (index, channel) = live.next().filter(|_| live.next().is_none())?;
+    let (from, to) = first_to_last(stances, |c| c == index)?;
+    let sample = |s: f64| ((s * recording.rate_hz) as usize).min(channel.force_n.len());
+    channel.force_n.get(sample(from)..sample(to))
+}
+
+/// The longest load that is too long for one foot.
+fn lasting_load<'a>(recording: &'a Recording, stances: &Stances) -> Option<&'a [f64]> {
+    let long = |r: &&Rejected| {
+        let lasting = matches!(
+            r.reason,
+            RejectReason::NeverUnloaded
+                | RejectReason::Standing
+                | RejectReason::CrossOver
+                | RejectReason::CutAtStart
+                | RejectReason::CutAtEnd
+        );
+        lasting && r.to_s - r.from_s > FEWEST_STEPS as f64 * STEP_S.start
+    };
+    let loaded = (stances.rejected.iter().filter(long))
+        .max_by(|a, b| (a.to_s - a.from_s).total_cmp(&(b.to_s - b.from_s)))?;
+    let whole = &recording.channels.get(loaded.channel)?.force_n;
+    let sample = |s: f64| ((s * recording.rate_hz) as usize).min(whole.len());
+    Some(match loaded.reason {
+        RejectReason::NeverUnloaded => &whole[..],
+        _ => &whole[sample(loaded.from_s)..sample(loaded.to_s)],
+    })
+}
+
+fn strides_of(force: &[f64], recording: &Recording) -> Option<TotalStride> {
+    let n = force.len() as f64;
+    let mean = force.iter().sum::<f64>() / n;
+    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    if deviation < STEADY * mean {
+        return None;
+    }
+    let range = if recording.runs() {
+        RUNNING_STEP_S
+    } else {
+        STEP_S
+    };
+    let step_s = step_by_repetition(force, mean, recording.rate_hz, &range)?;
+    // Half a step of mean leaves the first harmonic of the step, whatever humps a step has.
+    let half = ((0.5 * step_s * recording.rate_hz) as usize).max(1);
+    let rises = rises(force, half, mean, 0.25 * deviation);
+    let steps: Vec<f64> = rises
+        .windows(2)
+        .map(|w| (w[1] - w[0]) / recording.rate_hz)
+        .collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let usual = *sorted.get(sorted.len() / 2)?;
+    let regular = |s: &f64| (s / usual - 1.0).abs() < ODD_STEP;
+    let count = steps.iter().filter(|s| regular(s)).count();
+    if usual > SLOW.0 && deviation > SLOW.1 * mean {
+        return None;
+    }
+    if !range.contains(&usual) || count < FEWEST_STEPS || 4 * count < 3 * steps.len() {
+        return None;
+    }
+    let mut average = Mean::new();
+    let mut row = vec![0.0; SAMPLES];
+    let mut durations: Vec<f64> = Vec::new();
+    for (pair, ends) in steps.windows(2).zip(rises.windows(3)).step_by(2) {
+        if !pair.iter().all(regular) {
+            continue;
+        }
+        // All in samples; the recording goes on beyond both ends.
+        let length = ends[2] - ends[0];
+        let half = (BLEND * length).min(ends[0]).min(n - 1.0 - ends[2]);
+        periodic(&mut row, ends[0], length, half, |t| at(force, t));
+        average.add(&row);
+        durations.push(pair[0] + pair[1]);
+    }
+    let (force_n, spread_n) = average.finish();
+    let strides = durations.len();
+    (strides > 0).then(|| TotalStride {
+        period_s: durations.iter().sum::<f64>() / strides as f64,
+        period_spread_s: deviation_of(&durations),
+        force_n,
+        spread_n,
+        strides,
+    })
+}
+
+/// Longest part of a total that is looked at for its repetition, s, and the rate at which it is, Hz.
+const LOOKED_AT: (f64, f64) = (60.0, 100.0);
+/// Least correlation of a total with itself one step later.
+const REPEATS: f64 = 0.3;
+/// A shorter lag that correlates nearly as well as the best is the step, and the best a multiple of it.
+const NEARLY: f64 = 0.8;
+
+/// Duration of a step, s: the lag at which the force repeats best; `None` where it does not.
+fn step_by_repetition(
+    force: &[f64],
+    mean: f64,
+    rate_hz: f64,
+    range: &std::ops::Range<f64>,
+) -> Option<f64> {
+    let thin = ((rate_hz / LOOKED_AT.1) as usize).max(1);
+    let rate = rate_hz / thin as f64;
+    let most = (LOOKED_AT.0 * rate) as usize;
+    let x: Vec<f64> = force
+        .iter()
+        .step_by(thin)
+        .take(most)
+        .map(|f| f - mean)
+        .collect();
+    let power = x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64;
+    let lags = (range.start * rate) as usize..((range.end * rate) as usize).min(x.len() / 2);
+    let first = lags.start;
+    let likeness: Vec<f64> = lags
+        .map(|lag| {
+            let pairs = x.iter().zip(&x[lag..]);
+            pairs.map(|(a, b)| a * b).sum::<f64>() / ((x.len() - lag) as f64 * power)
+        })
+        .collect();
+    let best = likeness.iter().copied().fold(0.0, f64::max);
+    let is_crest = |k: usize| {
+        let at = |k: usize| likeness.get(k).copied().unwrap_or(f64::NEG_INFINITY);
+        k > 0 && at(k) >= at(k - 1) && at(k) > at(k + 1) && at(k) > NEARLY * best
+    };
+    let crest = (0..likeness.len()).find(|&k| is_crest(k))?;
+    (best > REPEATS).then(|| (first + crest) as f64 / rate)
+}
+
+/// Places, in samples, where the mean over `half` samples on either side rises through a level after having been
+/// `margin` below it.
+fn rises(force: &[f64], half: usize, level: f64, margin: f64) -> Vec<f64> {
+    let width = half.max(2) / 2;
+    let count = (2 * width + 1) as f64;
+    let mut places = Vec::new();
+    let mut low = false;
+    let mut crossing = None;
+    if force.len() <= 2 * width + 1 {
+        return places;
+    }
+    let mut sum: f64 = force[..2 * width + 1].iter().sum();
+    for i in width + 1..force.len() - width {
+        let before = sum / count;
+        sum += force[i + width] - force[i - width - 1];
+        let now = sum / count;
+        low |= before < level - margin;
+        if low && before <= level && now > level {
+            crossing = Some((i - 1) as f64 + (level - before) / (now - before));
+        }
+        // The rise counts once the force is as far above.
+        if low && now > level + margin {
+            places.extend(crossing.take());
+            low = false;
+        }
+    }
+    places
+}

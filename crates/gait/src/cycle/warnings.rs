@@ -1,0 +1,159 @@
+//! What a person should know of a mean cycle: what was assumed, what does not fit, what is open.
+
+use super::Cycle;
+use super::single::by_side;
+use super::stride_time::median;
+use crate::cycle::plausibility::{ADULT_KG, out_of_range, ranges};
+use crate::error::{ForceError, Result};
+use crate::quantity::{kilograms, seconds};
+use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSource};
+use crate::stance::{Stance, Stances};
+use crate::units::{G, Quantity};
+
+/// What a person should know of a mean cycle beside its mass.
+pub(super) fn warnings(
+    recording: &Recording,
+    stances: &Stances,
+    cycle: &Cycle,
+    total: bool,
+) -> Vec<Note> {
+    let mut notes = Vec::new();
+    if let CycleSource::AnyFoot { stances, .. } = cycle.source {
+        // What changes the whole curve comes before what was guessed.
+        notes.push(Note::OneFootForBoth { stances });
+    }
+    notes.extend(stances.notes.iter().cloned());
+    let period_s = cycle.curve.period_s;
+    if cycle.period_from == PeriodSource::UsualDuty {
+        let period = seconds(period_s);
+        notes.push(Note::StrideAssumed { period });
+    }
+    let used: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
+    let mean = |of: fn(&Stance) -> f64| {
+        let sum = used.iter().map(|s| of(s)).sum::<f64>();
+        (!used.is_empty() && !total).then(|| sum / used.len() as f64)
+    };
+    // Subjects of a table differ in mass; each has its own peak.
+    let peak_n = mean(Stance::peak_n).filter(|_| !recording.has_rows());
+    let slow = recording.kind == Some(Kind::Walking);
+    let ranges = ranges(cycle.kind, cycle.mass_kg, slow);
+    let stance_s = mean(Stance::duration_s);
+    notes.extend(out_of_range(
+        &ranges,
+        period_s,
+        cycle.mass_kg,
+        stance_s,
+        peak_n,
+    ));
+    if total {
+        let plates = recording.channels.iter().filter(|c| c.idle.is_none());
+        notes.push(match plates.count() {
+            0 | 1 => Note::TotalColumn,
+            plates => Note::PlatesSummed { plates },
+        });
+    }
+    notes.extend(differ(recording, &used, cycle));
+    notes.extend(mass_is_guessed(recording, cycle));
+    notes
+}
+
+/// What a mass that follows from the mean force depends on.
+fn mass_is_guessed(recording: &Recording, cycle: &Cycle) -> Vec<Note> {
+    let mut notes = Vec::new();
+    let mass = kilograms(cycle.mass_kg);
+    if recording.mass_kg.is_some() {
+        return notes;
+    }
+    if recording.is_insole() {
+        notes.push(Note::InsoleMass { mass });
+    }
+    if recording.unit_from == UnitSource::Guessed && !ADULT_KG.contains(&cycle.mass_kg) {
+        let unit = recording.unit;
+        notes.push(Note::UnitUnconfirmed { unit, mass });
+    }
+    notes
+}
+
+/// Part of the weight by which stances may differ, and part of the mean impulse by which the feet may.
+const DIFFERENCE: f64 = 0.2;
+
+/// Part by which impulse or peak of one of a few stances may be off the middle ones.
+const OFF: f64 = 0.1;
+/// Stances that are few.
+const FEW: usize = 6;
+
+/// How far the impulse or the highest force of a stance is from the middle one, as a part of it.
+fn off_fellows(used: &[&Stance]) -> f64 {
+    let worst = |of: fn(&Stance) -> f64| {
+        let all: Vec<f64> = used.iter().map(|s| of(s)).collect();
+        let usual = median(all.clone()).unwrap_or(1.0);
+        all.iter()
+            .map(|x| (x / usual - 1.0).abs())
+            .fold(0.0, f64::max)
+    };
+    worst(|s| s.impulse_ns).max(worst(Stance::peak_n))
+}
+
+/// Stances, or the impulses of the two feet, that differ more than those of a walker on whole plates.
+fn differ(recording: &Recording, used: &[&Stance], cycle: &Cycle) -> Option<Note> {
+    if recording.has_rows() || recording.is_insole() {
+        return None;
+    }
+    let spread = cycle.curve.spread_n.as_ref().map_or(0.0, |s| {
+        let square = s.iter().map(|x| x * x).sum::<f64>() / s.len() as f64;
+        square.sqrt() / (cycle.mass_kg * G)
+    });
+    let (left, right) = by_side(used, recording);
+    let impulse = |side: &[&Stance]| {
+        let sum = side.iter().map(|s| s.impulse_ns).sum::<f64>();
+        sum / side.len() as f64
+    };
+    let feet = if left.is_empty() || right.is_empty() {
+        0.0
+    } else {
+        let (l, r) = (impulse(&left), impulse(&right));
+        2.0 * (l - r).abs() / (l + r)
+    };
+    // Few stances have no average to hide in: one that is off its fellows is a partial contact.
+    let few = (3..=FEW).contains(&used.len());
+    let off = if few { off_fellows(used) } else { 0.0 };
+    let share = spread.max(feet).max(if off > OFF {
+        off.max(DIFFERENCE + 1e-9)
+    } else {
+        0.0
+    });
+    (share > DIFFERENCE).then(|| Note::StancesDiffer {
+        share: Quantity::share(share),
+    })
+}
+
+/// Whether the stride confirms a clock that was guessed.
+///
+/// # Errors
+///
+/// Where it shows that the guess is wrong.
+pub(super) fn confirm_clock(recording: &Recording, cycle: &mut Cycle) -> Result<()> {
+    let guessed = recording.notes.iter().find_map(|n| match n {
+        Note::MillisecondsGuessed { step } => Some(*step),
+        _ => None,
+    });
+    let Some(step) = guessed else {
+        return Ok(());
+    };
+    let clock = |n: &Note| {
+        matches!(
+            n,
+            Note::StrideImplausible { .. } | Note::DutyImplausible { .. }
+        )
+    };
+    let period = seconds(cycle.curve.period_s);
+    if cycle.notes.iter().any(clock) {
+        return Err(ForceError::ClockImplausible { period }.into());
+    }
+    // Samples are counted in ones; so are milliseconds at 1000 Hz.
+    if (step - 1.0).abs() < 1e-6 {
+        let stride = period;
+        cycle.notes.push(Note::CountOrMilliseconds { stride });
+    }
+    Ok(())
+}

@@ -1,0 +1,99 @@
+//! What is wrong with a force curve, a load model or a mean cycle.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use super::Fault;
+use crate::units::Quantity;
+use crate::wording::{Catalogue, WORDS};
+
+/// Why there is no force curve.
+///
+/// ```
+/// use gaitcam_gait::ForceCurve;
+/// use gaitcam_gait::error::ForceError;
+///
+/// let error = ForceCurve::from_samples("short", 1.0, vec![700.0; 3]).unwrap_err();
+/// assert_eq!(error.fault(), Some(&ForceError::FewSamples { samples: 3 }));
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named for what they hold
+pub enum ForceError {
+    /// A cycle of fewer than four samples.
+    FewSamples { samples: usize },
+    /// Times and forces that do not go together.
+    Lengths { times: usize, forces: usize },
+    /// A sample is not a finite number.
+    SampleNotFinite { sample: usize },
+    /// The period is not positive.
+    PeriodNotPositive { period: Quantity },
+    /// A word that names no feet.
+    UnknownFeet { word: String },
+    /// A word that is no kind of movement.
+    UnknownKind { word: String },
+    /// A word that names no doubt.
+    UnknownDoubt { word: String },
+    /// No recording gives a cycle for a joint mean.
+    NoJointMean { trials: usize },
+    /// A word that is no unit of force.
+    UnknownUnit { word: String },
+    /// No load model has this name.
+    UnknownModel { name: String, known: String },
+    /// No load model has this name; one is spelt much like it.
+    MisspeltModel { name: String, near: String },
+    /// The body weight is not positive.
+    WeightNotPositive { weight: Quantity },
+    /// The load model is not made for this step frequency.
+    FrequencyOutOfRange {
+        model: String,
+        frequency: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// The load model needs a step frequency.
+    FrequencyMissing { model: String },
+    /// The load model gives both feet together only.
+    BothFeetOnly { model: String },
+    /// The time column was taken as milliseconds, and no walker takes such strides.
+    ClockImplausible { period: Quantity },
+    /// The recording is of running, and running was not asked for.
+    Running { duration: Quantity },
+    /// The recording is of another movement than walking or running.
+    NotWalking {
+        movement: &'static str,
+        duration: Quantity,
+    },
+    /// The column is the total of both feet, and one foot was asked for.
+    TotalOfBothFeet { duration: Quantity },
+    /// No contact of the recording is a whole walking stance.
+    NoStance {
+        duration: Quantity,
+        contacts: usize,
+        from: Quantity,
+        to: Quantity,
+        reason: &'static str,
+    },
+    /// The file ends before the rows that its header announces, and holds no whole stance.
+    NoStanceFileCut {
+        duration: Quantity,
+        announced: usize,
+        found: usize,
+        reason: &'static str,
+    },
+    /// No channel takes part: every one is constant or empty.
+    NoLiveChannel { duration: Quantity },
+    /// No channel rises above the contact threshold.
+    NoContact { duration: Quantity },
+    /// Every stance is of the other foot.
+    NoStanceOfFoot { foot: &'static str },
+    /// The file does not say which foot is which.
+    FeetNotNamed { foot: &'static str },
+}
+
+impl Fault for ForceError {
+    const AREA: &'static str = "force";
+    const WORDS: &'static Catalogue = &WORDS;
+}

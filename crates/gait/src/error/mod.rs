@@ -1,0 +1,8 @@
+//! What may be wrong with a recording, a force curve or a load model.
+
+mod force;
+mod read;
+
+pub use force::ForceError;
+pub use gaitcam_base::error::{Error, Fault, Place, Placed, Result, nearest};
+pub use read::{CycleColumn, FileKind, ReadError};

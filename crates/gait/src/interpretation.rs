@@ -1,0 +1,284 @@
+//! How a recording was understood: one record of everything that was recognised, guessed, left out or is in doubt.
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::recording::{
+    ClockSource, CycleSource, Feet, Foot, ForceUnit, Format, Idle, Kind, MassSource, Note,
+    OpenQuestion, PeriodSource, UnitSource,
+};
+use crate::stance::{Point, RejectReason};
+
+/// How a recording was understood.
+///
+/// ```
+/// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let understood = curve.recording.unwrap();
+/// assert_eq!(understood.kind, Some(Kind::Walking));
+/// assert_eq!(understood.columns.len(), 2);
+/// assert!(understood.doubts().is_empty());
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interpretation {
+    /// Name of the file.
+    pub file: String,
+    /// Kind of file.
+    pub format: Format,
+    /// What was recorded; `None` where nothing shows it.
+    pub kind: Option<Kind>,
+    /// Whether the user said so.
+    pub kind_given: bool,
+    /// Rate, span and source of the time of a sample.
+    pub clock: Clock,
+    /// Unit of the force columns.
+    pub unit: ForceUnit,
+    /// Where it is from.
+    pub unit_from: UnitSource,
+    /// Columns (plates, insoles, belts) of vertical force.
+    pub columns: Vec<Column>,
+    /// Feet of the cycle.
+    pub feet: Feet,
+    /// Every contact, used or rejected, in order of time.
+    pub contacts: Vec<Contact>,
+    /// Duration of a cycle, what it was taken from and how far single strides differ.
+    pub period: Option<Period>,
+    /// Mass, kg, and where it is from.
+    pub mass: Option<(f64, MassSource)>,
+    /// How the cycle was computed.
+    pub cycle: Option<CycleSource>,
+    /// What was guessed, left out or does not look right.
+    pub warnings: Vec<Note>,
+    /// The stances over each other with the mean of each foot.
+    pub overlay: Option<Overlay>,
+}
+
+/// The time of a sample.
+///
+/// ```
+/// use gaitcam_gait::{ClockSource, Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let clock = &curve.recording.unwrap().clock;
+/// // A column of seconds in steps of 10 ms.
+/// assert_eq!(clock.from, ClockSource::Times);
+/// assert!((clock.rate_hz - 100.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clock {
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// Time of the first sample on the file's own clock, s.
+    pub start_s: f64,
+    /// Time from the first sample to the last, s.
+    pub duration_s: f64,
+    /// What it was taken from.
+    pub from: ClockSource,
+}
+
+/// One column of vertical force.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // The plates of this made recording read +4 N and −6 N when nobody stands on them.
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let baselines: Vec<f64> = curve.recording.unwrap().columns.iter().map(|c| c.baseline_n).collect();
+/// assert!((baselines[0] - 4.0).abs() < 0.5 && (baselines[1] + 6.0).abs() < 0.5);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Name in the file.
+    pub name: String,
+    /// The foot, where the file says it.
+    pub foot: Option<Foot>,
+    /// Unloaded reading that was removed, N.
+    pub baseline_n: f64,
+    /// Standard deviation of the unloaded reading, N.
+    pub noise_n: f64,
+    /// Why it takes no part, if so.
+    pub idle: Option<Idle>,
+    /// Lowest and highest force in pieces of equal duration over the whole recording, N; for a picture.
+    pub envelope_n: Vec<[f64; 2]>,
+}
+
+/// One contact.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, RejectReason, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // The recording begins while the right foot stands.
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let first = curve.recording.unwrap().contacts[0].clone();
+/// assert_eq!((first.from_s, first.rejected), (0.0, Some(RejectReason::CutAtStart)));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Its column.
+    pub column: usize,
+    /// The foot, where it is known.
+    pub foot: Option<Foot>,
+    /// Start on the file's own clock, s.
+    pub from_s: f64,
+    /// End, s.
+    pub to_s: f64,
+    /// Why it is not used; `None` where it is.
+    pub rejected: Option<RejectReason>,
+}
+
+/// A stride of the walk that the recording holds.
+///
+/// ```
+/// use gaitcam_gait::{Feet, ReadOptions, force_curve};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+/// let period = curve.recording.unwrap().period.clone().unwrap();
+/// assert!((period.seconds - 2.0 / 1.9).abs() < 0.002);
+/// // Made strides are all alike but for the noise of the plates.
+/// assert!(period.spread_s.unwrap() < 0.005);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Period {
+    /// Duration, s.
+    pub seconds: f64,
+    /// What it was taken from.
+    pub from: PeriodSource,
+    /// Standard deviation of the single strides, s, where there are several.
+    pub spread_s: Option<f64>,
+}
+
+/// Stances on their own phase: sample `i` of `n` stands at the fraction i/(n − 1) of the stance.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, overlay, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let shown = overlay(&recording, &stances(&recording), 6).unwrap();
+/// assert!(shown.stances.len() <= 6);
+/// // One mean for each foot.
+/// assert_eq!(shown.means.len(), 2);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Overlay {
+    /// Foot and force, N, of the stances shown.
+    pub stances: Vec<(Option<Foot>, Vec<f64>)>,
+    /// The mean of each foot, left first; one mean where the feet have no names.
+    pub means: Vec<MeanStanceCurve>,
+}
+
+/// The mean stance of one foot.
+///
+/// ```
+/// use gaitcam_gait::{Foot, ReadOptions, overlay, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let left = overlay(&recording, &stances(&recording), 6).unwrap().means[0].clone();
+/// assert_eq!((left.foot, left.count), (Some(Foot::Left), 10));
+/// assert!((left.duration_s - 1.0 / (0.76 * 1.9)).abs() < 0.005);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeanStanceCurve {
+    /// The foot, where it is known.
+    pub foot: Option<Foot>,
+    /// Stances in the mean.
+    pub count: usize,
+    /// Mean duration, s.
+    pub duration_s: f64,
+    /// Force, N.
+    pub mean_n: Vec<f64>,
+    /// Standard deviation from stance to stance, N, where there are two or more.
+    pub spread_n: Option<Vec<f64>>,
+    /// Loading peak, valley and push-off peak: the means over the stances that have them.
+    pub landmarks: [Option<Point>; 3],
+}
+
+impl Interpretation {
+    /// What is open about kind, clock or mass, each once.
+    pub fn doubts(&self) -> Vec<OpenQuestion> {
+        let mut all: Vec<OpenQuestion> = self.warnings.iter().filter_map(Note::doubt).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The warnings that open a question.
+    pub fn opened_by(&self, question: OpenQuestion) -> Vec<Note> {
+        let opens = |n: &&Note| n.doubt() == Some(question);
+        self.warnings.iter().filter(opens).cloned().collect()
+    }
+
+    /// Codes of the warnings, each once, in the order in which they stand.
+    pub fn codes(&self) -> Vec<&'static str> {
+        let mut all: Vec<&str> = Vec::new();
+        for code in self.warnings.iter().map(Note::code) {
+            if !all.contains(&code) {
+                all.push(code);
+            }
+        }
+        all
+    }
+
+    /// Used contacts, and rejected ones.
+    pub fn counts(&self) -> (usize, usize) {
+        let used = self.contacts.iter().filter(|c| c.rejected.is_none());
+        let used = used.count();
+        (used, self.contacts.len() - used)
+    }
+
+    /// The mean stances of the picture, left first.
+    pub fn means(&self) -> &[MeanStanceCurve] {
+        self.overlay.as_ref().map_or(&[], |o| &o.means)
+    }
+
+    /// What programs want to know of it.
+    pub fn json(&self) -> Value {
+        let contacts: Vec<Value> = self.contacts.iter().map(|c| self.contact(c)).collect();
+        json!({
+            "file": self.file, "kind": self.kind, "kind_given": self.kind_given,
+            "clock": {"rate_hz": self.clock.rate_hz, "start_s": self.clock.start_s,
+                "duration_s": self.clock.duration_s, "from": self.clock.from},
+            "unit": self.unit, "unit_from": self.unit_from,
+            "period_s": self.period.map(|p| p.seconds), "period_from": self.period.map(|p| p.from),
+            "period_spread_s": self.period.and_then(|p| p.spread_s),
+            "mass_kg": self.mass.map(|m| m.0), "mass_from": self.mass.map(|m| m.1),
+            "contacts": contacts, "doubts": self.doubts(),
+            "warnings": self.warnings.iter().map(coded).collect::<Vec<_>>(),
+        })
+    }
+
+    fn contact(&self, c: &Contact) -> Value {
+        let column = self.columns.get(c.column).map(|c| &c.name);
+        json!({
+            "column": column, "foot": c.foot, "from_s": c.from_s, "to_s": c.to_s,
+            "used": c.rejected.is_none(), "reason": c.rejected,
+        })
+    }
+}
+
+/// An enum as its code and its data.
+pub fn coded(value: &impl Serialize) -> Value {
+    match serde_json::to_value(value) {
+        Ok(Value::Object(map)) if map.len() == 1 => map
+            .into_iter()
+            .next()
+            .map(|(code, data)| json!({"code": code, "data": data}))
+            .unwrap_or_default(),
+        Ok(code) => json!({"code": code, "data": {}}),
+        Err(_) => Value::Null,
+    }
+}

@@ -1,0 +1,51 @@
+//! Recordings of the vertical ground reaction force, their mean cycle, and published load models.
+//!
+//! A recording of any laboratory goes [`read`] → [`stances`] → [`cycle`] → [`ForceCurve`]; [`force_curve`] is the four in
+//! one. A published load model gives its [`ForceCurve`] at once ([`model`]).
+//!
+//! ```
+//! use gaitcam_gait::{Feet, ReadOptions, force_curve};
+//!
+//! # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+//! // Two force plates, 10.5 s of walking: nine whole strides.
+//! let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
+//! assert!((curve.period_s - 2.0 / 1.9).abs() < 0.002);
+//! assert!((curve.mean_n() - 700.0).abs() < 7.0);
+//! # Ok::<(), gaitcam_gait::error::Error>(())
+//! ```
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(clippy::missing_errors_doc)]
+
+mod curve;
+mod cycle;
+pub mod error;
+mod interpretation;
+mod models;
+mod quantity;
+mod read;
+mod recording;
+mod source;
+mod stance;
+pub mod wording;
+
+pub use curve::{ForceCurve, SAMPLES, slope_corrections};
+pub use cycle::{Cycle, JointMean, LeftOut, Trial, cycle, implausible, joint_mean, overlay};
+pub use gaitcam_base::units;
+pub use interpretation::{
+    Clock, Column, Contact, Interpretation, MeanStanceCurve, Overlay, Period, coded,
+};
+pub use models::{ModelInfo, Status, catalogue, fourier, model};
+pub use read::{Cell, NumberTable, metadata_name, of_arrays, one_cycle, read};
+pub use recording::{
+    Axis, Channel, ClockSource, CycleSource, DecimalMark, Feet, Foot, ForceUnit, Format, Idle,
+    Kind, MassSource, Note, OpenQuestion, PeriodSource, Processor, ReadOptions, Recording, Row,
+    SeparatorName, Storage, Strike, UnitSource, WeightShare,
+};
+pub use source::force_curve;
+pub use stance::{Point, RejectReason, Rejected, Stance, Stances, stances};
+
+/// The program in the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

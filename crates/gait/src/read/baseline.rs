@@ -1,0 +1,299 @@
+//! From the raw reading of a plate to upward force: missing samples, sign, unloaded baseline, constant channels.
+
+use crate::quantity::newtons;
+use crate::recording::{Channel, Idle};
+
+/// A channel that moves less than this was never stepped on, N.
+const TOUCHED_N: f64 = 30.0;
+
+/// A recording shorter than this cannot tell a dead plate from a loaded one, s.
+const STEP_S: f64 = 0.4;
+
+/// A level above this part of the highest reading is a load.
+const LOADED: f64 = 0.15;
+
+/// Values looked at to find baseline and sign; more are thinned evenly.
+const SAMPLE: usize = 1 << 15;
+
+/// Makes a channel of raw readings in newtons of either sign (NaN where samples are missing).
+///
+/// The sign is such that the load is positive; the unloaded baseline is the densest level at the
+/// unloaded end of the readings; where there is none, `zero` may name samples (first, one past the last)
+/// that the file calls unloaded, and they count if they are quiet. A channel that never moves is marked idle and keeps its readings.
+pub(super) fn channel(
+    name: String,
+    mut raw: Vec<f64>,
+    rate_hz: f64,
+    zero: Option<(usize, usize)>,
+) -> Channel {
+    let missing = bridge(&mut raw);
+    let lacking: usize = missing.iter().map(|(a, b)| b - a).sum();
+    let mut out = Channel {
+        name,
+        foot: None,
+        force_n: raw,
+        baseline_n: 0.0,
+        noise_n: 0.0,
+        missing,
+        idle: None,
+        rows: Vec::new(),
+    };
+    if 2 * lacking > out.force_n.len() {
+        out.idle = Some(Idle::MostlyEmpty {
+            missing: lacking,
+            samples: out.force_n.len(),
+        });
+        return out;
+    }
+    let mut sorted = thinned(&out.force_n);
+    sorted.sort_by(f64::total_cmp);
+    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
+        out.idle = Some(Idle::Empty);
+        return out;
+    };
+    // Within a fraction of a step even a loaded plate hardly changes.
+    let brief = (out.force_n.len() as f64) < STEP_S * rate_hz && high > low;
+    if high - low < TOUCHED_N && !brief {
+        let level = sorted[sorted.len() / 2];
+        out.idle = Some(if level.abs() < 3.0 * TOUCHED_N {
+            Idle::NeverLoaded
+        } else {
+            let level = newtons(level);
+            Idle::Constant { level }
+        });
+        return out;
+    }
+    if let Some(level) = stuck_level(&sorted).map(newtons) {
+        out.idle = Some(Idle::Constant { level });
+        return out;
+    }
+    if loads_downwards(&sorted) {
+        for x in &mut out.force_n {
+            *x = -*x + 0.0; // no signed zeros
+        }
+        sorted.reverse();
+        for x in &mut sorted {
+            *x = -*x;
+        }
+    }
+    let found = baseline(&sorted, &out.force_n, rate_hz);
+    if let Some((level, noise)) = found.or_else(|| quiet(out.force_n.get(zero?.0..zero?.1)?)) {
+        out.baseline_n = level;
+        out.noise_n = noise;
+        for x in &mut out.force_n {
+            *x -= level;
+        }
+    }
+    out
+}
+
+/// Fills missing samples by straight lines (ends are held) and says where they were.
+fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
+    let mut missing = Vec::new();
+    let mut i = 0;
+    while i < force.len() {
+        if force[i].is_finite() {
+            i += 1;
+            continue;
+        }
+        let end = force[i..].iter().position(|x| x.is_finite());
+        let end = end.map_or(force.len(), |e| i + e);
+        let before = i.checked_sub(1).map(|b| force[b]);
+        let after = force.get(end).copied();
+        let (a, b) = match (before, after) {
+            (Some(a), Some(b)) => (a, b),
+            (Some(a), None) => (a, a),
+            (None, Some(b)) => (b, b),
+            (None, None) => (0.0, 0.0),
+        };
+        let steps = (end - i + 1) as f64;
+        for (k, x) in force[i..end].iter_mut().enumerate() {
+            *x = a + (b - a) * (k as f64 + 1.0) / steps;
+        }
+        missing.push((i, end));
+        i = end;
+    }
+    missing
+}
+
+fn thinned(force: &[f64]) -> Vec<f64> {
+    let step = force.len() / SAMPLE + 1;
+    force.iter().step_by(step).copied().collect()
+}
+
+/// A large value that most samples share exactly: an amplifier at its stop.
+fn stuck_level(sorted: &[f64]) -> Option<f64> {
+    let middle = sorted[sorted.len() / 2];
+    let same = sorted.iter().filter(|&&x| x == middle).count();
+    (middle.abs() > 10.0 * TOUCHED_N && 2 * same > sorted.len()).then_some(middle)
+}
+
+/// Whether the loaded readings are the negative ones.
+///
+/// Clear where the readings reach much further to one side of zero; otherwise the unloaded end is the
+/// one where the readings crowd together.
+fn loads_downwards(sorted: &[f64]) -> bool {
+    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+    if low >= 0.0 || low.abs() < 0.2 * high.abs() {
+        return false;
+    }
+    if high <= 0.0 || high.abs() < 0.2 * low.abs() {
+        return true;
+    }
+    let band = 0.04 * (high - low);
+    crowd(sorted, high - 0.3 * (high - low), high, band).1
+        > crowd(sorted, low, low + 0.3 * (high - low), band).1
+}
+
+/// The level between `from` and `to` around which most samples lie within half a `band`, with their count.
+fn crowd(sorted: &[f64], from: f64, to: f64, band: f64) -> (f64, usize) {
+    let mut best = (from, 0);
+    let mut end = 0;
+    for (start, &x) in sorted.iter().enumerate() {
+        while end < sorted.len() && sorted[end] <= x + band {
+            end += 1;
+        }
+        if x >= from && x <= to && end - start > best.1 {
+            best = (sorted[(start + end) / 2], end - start);
+        }
+    }
+    best
+}
+
+/// Unloaded level and its standard deviation, N, of readings whose load is positive.
+///
+/// The level must hold 4 % of the samples; far from zero it must also be held for a fifth of a second
+/// on end, which a loaded foot does not do. `None` where the plate was never unloaded.
+fn baseline(sorted: &[f64], force: &[f64], rate_hz: f64) -> Option<(f64, f64)> {
+    let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
+    let range = high - low;
+    let band = (0.03 * range).max(6.0);
+    let (level, count) = crowd(sorted, low, low + 0.3 * range, band);
+    if count * 25 < sorted.len() || count < 5 {
+        return None;
+    }
+    if level.abs() > (0.1 * range).max(30.0) {
+        // A load, not an offset: high above zero, or left behind when the foot leaves the plate.
+        let below = sorted.partition_point(|x| *x < level - band);
+        if level > LOADED * high || level > 0.0 && 200 * below > sorted.len() {
+            return None;
+        }
+        let held = (0.2 * rate_hz).max(3.0) as usize;
+        if longest_run(force, level - 0.5 * band, level + 0.5 * band) < held {
+            return None;
+        }
+    }
+    let mut off: Vec<f64> = sorted
+        .iter()
+        .map(|x| (x - level).abs())
+        .filter(|d| *d <= band)
+        .collect();
+    off.sort_by(f64::total_cmp);
+    Some((level, 1.4826 * off[off.len() / 2]))
+}
+
+/// Level and standard deviation of samples that should be unloaded; `None` where they move.
+fn quiet(force: &[f64]) -> Option<(f64, f64)> {
+    let n = force.len() as f64;
+    let mean = force.iter().sum::<f64>() / n;
+    let deviation = (force.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    (n >= 2.0 && deviation < 5.0 && mean.abs() < 100.0).then_some((mean, deviation))
+}
+
+fn longest_run(force: &[f64], low: f64, high: f64) -> usize {
+    let mut longest = 0;
+    let mut run = 0;
+    for x in force {
+        run = if (low..=high).contains(x) { run + 1 } else { 0 };
+        longest = longest.max(run);
+    }
+    longest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// Ten stances of 0.6 s in strides of 1 s at 100 Hz, peak 800 N.
+    fn walk() -> Vec<f64> {
+        let foot = |i: usize| {
+            let t = (i % 100) as f64 / 60.0;
+            if t < 1.0 { 800.0 * (PI * t).sin() } else { 0.0 }
+        };
+        (0..1000).map(foot).collect()
+    }
+
+    #[test]
+    fn sign_and_offset_are_removed_whatever_they_are() {
+        for (sign, offset) in [
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (1.0, -19.7),
+            (-1.0, 14.0),
+            (-1.0, 250.0),
+            (1.0, 120.0),
+        ] {
+            let raw = walk().iter().map(|f| sign * f + offset).collect();
+            let c = channel(String::new(), raw, 100.0, None);
+            let worst = c
+                .force_n
+                .iter()
+                .zip(walk())
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f64::max);
+            assert!(worst < 1e-9, "{sign} {offset}: {worst}");
+            assert!((c.baseline_n - sign * offset).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn force_of_both_feet_that_never_falls_to_zero_keeps_its_level() {
+        let raw: Vec<f64> = (0..2000)
+            .map(|i| 700.0 + 250.0 * (f64::from(i) * 0.115).sin())
+            .collect();
+        let c = channel(String::new(), raw.clone(), 100.0, None);
+        assert_eq!(c.baseline_n, 0.0);
+        assert!(c.force_n == raw);
+    }
+
+    #[test]
+    fn standing_before_a_jump_is_no_offset() {
+        // A second of standing, half a second in the air, a landing.
+        let raw: Vec<f64> = (0..2000)
+            .map(|i| match i {
+                0..1000 => 690.0 + 3.0 * (0.05 * f64::from(i)).sin(),
+                1000..1500 => 2.0,
+                1500..1600 => 4700.0 * (PI * f64::from(i - 1500) / 100.0).sin(),
+                _ => 690.0,
+            })
+            .collect();
+        let c = channel(String::new(), raw, 1000.0, None);
+        assert!(c.baseline_n.abs() < 10.0, "{}", c.baseline_n);
+    }
+
+    #[test]
+    fn dead_plates_are_named() {
+        let idle = |v: Vec<f64>| channel(String::new(), v, 100.0, None).idle;
+        let constant = |level: f64| {
+            let level = newtons(level);
+            Some(Idle::Constant { level })
+        };
+        assert_eq!(idle(vec![-0.0; 50]), Some(Idle::NeverLoaded));
+        assert_eq!(idle(vec![812.0; 50]), constant(812.0));
+        assert!(matches!(
+            idle(vec![f64::NAN; 50]),
+            Some(Idle::MostlyEmpty { .. })
+        ));
+        let mut half = vec![5000.0; 80];
+        half.extend((0..40).map(|i| f64::from(i) * 20.0));
+        assert_eq!(idle(half), constant(5000.0));
+    }
+
+    #[test]
+    fn missing_samples_are_bridged_and_reported() {
+        let mut v = vec![f64::NAN, 1.0, f64::NAN, f64::NAN, 4.0, f64::NAN];
+        assert_eq!(bridge(&mut v), [(0, 1), (2, 4), (5, 6)]);
+        assert_eq!(v, [1.0, 1.0, 2.0, 3.0, 4.0, 4.0]);
+    }
+}

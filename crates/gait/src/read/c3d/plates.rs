@@ -1,0 +1,273 @@
+//! Force plates of a C3D file: which channels make the vertical force of each.
+
+use std::path::Path;
+
+use super::parameters::Parameters;
+use super::storage::Analog;
+use crate::error::{Placed, ReadError, Result};
+use crate::read::columns::{Role, role};
+use crate::read::raw::RawForce;
+use crate::recording::{Axis, Note, ReadOptions};
+
+/// Channels of a plate and their weights in its vertical force.
+type Weights = Vec<(usize, f64)>;
+
+/// Most plates that are read; laboratories have up to a dozen.
+const MOST_PLATES: usize = 64;
+
+/// Raw vertical force of every plate; without plates, of every channel whose label says force.
+pub(super) fn forces(
+    path: &Path,
+    analog: &Analog,
+    parameters: &Parameters,
+    options: &ReadOptions,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<RawForce>> {
+    let channels = Channels::of(analog, parameters);
+    if !options.force.is_empty() {
+        return options
+            .force
+            .iter()
+            .map(|name| channels.named(path, name))
+            .collect();
+    }
+    let used = parameters
+        .number("FORCE_PLATFORM", "USED")
+        .unwrap_or(0.0)
+        .max(0.0) as usize;
+    let mut raw = Vec::new();
+    let mut unknown = None;
+    // Every plate needs channels of its own, so their number is bounded by the file.
+    for plate in 0..used.min(MOST_PLATES).min(analog.channels) {
+        match weights(plate, analog, parameters) {
+            Ok(weights) => raw.push(channels.column(
+                plate_name(plate, &weights, &channels.labels),
+                Axis::Vertical,
+                &weights,
+            )),
+            Err(note) => {
+                if let Note::PlateTypeUnknown { plate, kind } = note {
+                    unknown = Some((plate, kind));
+                }
+                notes.push(note);
+            }
+        }
+    }
+    tilted(parameters, used, notes);
+    // Channels of a plate of unknown type are no forces because their names look like it.
+    if raw.is_empty() && unknown.is_none() {
+        raw = channels.labelled_force();
+        if !raw.is_empty() {
+            notes.push(Note::NoPlates);
+        }
+    }
+    if !raw.is_empty() {
+        return Ok(raw);
+    }
+    let channels = channels.list(40);
+    Err(match unknown {
+        Some((plate, kind)) => ReadError::PlateTypeUnknown {
+            plate,
+            kind,
+            channels,
+        },
+        None => ReadError::NoPlate { channels },
+    }
+    .in_file(path))
+}
+
+/// The analog channels of a file with what is written about them.
+struct Channels<'a> {
+    analog: &'a Analog<'a>,
+    labels: Vec<String>,
+    units: Vec<String>,
+}
+
+impl<'a> Channels<'a> {
+    fn of(analog: &'a Analog, parameters: &Parameters) -> Self {
+        Channels {
+            analog,
+            labels: parameters.strings("ANALOG", "LABELS"),
+            units: parameters.strings("ANALOG", "UNITS"),
+        }
+    }
+
+    /// The weighted sum of some channels.
+    fn column(&self, name: String, axis: Axis, weights: &Weights) -> RawForce {
+        let mut values = vec![0.0; self.analog.samples];
+        for &(channel, weight) in weights {
+            self.analog.add(channel, weight, &mut values);
+        }
+        let first = weights.first().and_then(|w| self.units.get(w.0));
+        let foot = match role(&name) {
+            Role::Force { foot, .. } => foot,
+            _ => None,
+        };
+        RawForce {
+            name,
+            axis,
+            foot,
+            unit: first.and_then(|u| u.parse().ok()),
+            values,
+        }
+    }
+
+    /// The channel of a label, or of a number from 1.
+    fn named(&self, path: &Path, name: &str) -> Result<RawForce> {
+        let mut labels = self.labels.iter();
+        let place = labels
+            .position(|l| l.eq_ignore_ascii_case(name))
+            .or_else(|| name.parse::<usize>().ok()?.checked_sub(1))
+            .filter(|i| *i < self.analog.channels);
+        let place = place.ok_or_else(|| {
+            ReadError::NoChannel {
+                channel: name.to_string(),
+                channels: self.list(usize::MAX),
+            }
+            .in_file(path)
+        })?;
+        Ok(self.column(name.to_string(), Axis::Vertical, &vec![(place, 1.0)]))
+    }
+
+    /// Every channel whose label says force.
+    fn labelled_force(&self) -> Vec<RawForce> {
+        let most = self.analog.channels.min(3 * MOST_PLATES);
+        let labels = self.labels.iter().enumerate().take(most);
+        labels
+            .filter_map(|(i, label)| match role(label) {
+                Role::Force { axis, .. } => Some(self.column(label.clone(), axis, &vec![(i, 1.0)])),
+                _ => None,
+            })
+            .collect()
+    }
+
+    fn list(&self, most: usize) -> String {
+        let shown: Vec<&str> = self.labels.iter().take(most).map(String::as_str).collect();
+        shown.join(", ")
+    }
+}
+
+fn plate_name(plate: usize, weights: &Weights, labels: &[String]) -> String {
+    let label = weights
+        .first()
+        .and_then(|w| labels.get(w.0))
+        .filter(|l| !l.is_empty());
+    match (weights.len(), label) {
+        (1, Some(label)) => format!("plate {} {label}", plate + 1),
+        _ => format!("plate {}", plate + 1),
+    }
+}
+
+/// Weights of the channels in the force normal to a plate, by the plate's TYPE.
+///
+/// 1 and 2: the third channel. 3: four vertical sensors. 4 (six channels) and 5 (eight): the third row of the
+/// calibration matrix. 6 (twelve) and 7 (eight): the vertical sensors of the four corners, which are the rows of
+/// the matrix that add up; where the file gives no matrix, the channels are forces already.
+fn weights(
+    plate: usize,
+    analog: &Analog,
+    parameters: &Parameters,
+) -> std::result::Result<Weights, Note> {
+    let kind = parameters
+        .numbers("FORCE_PLATFORM", "TYPE")
+        .get(plate)
+        .copied()
+        .unwrap_or(2.0) as i64;
+    let numbers = parameters.numbers("FORCE_PLATFORM", "CHANNEL");
+    let stride = first_dimension(parameters, "CHANNEL").unwrap_or(6);
+    let number = plate + 1;
+    let channel = |k: usize| -> std::result::Result<usize, Note> {
+        let n = (k < stride)
+            .then(|| numbers.get(plate * stride + k))
+            .flatten();
+        let n = n.filter(|n| **n >= 1.0 && **n <= analog.channels as f64);
+        n.map(|n| *n as usize - 1).ok_or(Note::PlateChannelMissing {
+            plate: number,
+            channel: k + 1,
+        })
+    };
+    let plain = |ks: &[usize]| ks.iter().map(|&k| Ok((channel(k)?, 1.0))).collect();
+    let calibrated = |columns: usize, rows: &[usize]| {
+        let sums = matrix_sums(plate, columns, rows, parameters)?;
+        let pairs = sums.into_iter().enumerate();
+        Some(pairs.map(|(k, w)| Ok((channel(k)?, w))).collect())
+    };
+    let no_matrix = || Err(Note::PlateMatrixMissing { plate: number });
+    match kind {
+        1 | 2 => plain(&[2]),
+        3 => plain(&[4, 5, 6, 7]),
+        4 => calibrated(6, &[2]).unwrap_or_else(no_matrix),
+        5 => calibrated(8, &[2]).unwrap_or_else(no_matrix),
+        6 => calibrated(12, &[2, 5, 8, 11]).unwrap_or_else(|| plain(&[2, 5, 8, 11])),
+        7 => calibrated(8, &[4, 5, 6, 7]).unwrap_or_else(|| plain(&[4, 5, 6, 7])),
+        _ => Err(Note::PlateTypeUnknown {
+            plate: number,
+            kind,
+        }),
+    }
+}
+
+fn first_dimension(parameters: &Parameters, name: &str) -> Option<usize> {
+    parameters.dims("FORCE_PLATFORM", name).first().copied()
+}
+
+/// For each of `columns` channels the sum of some rows of a plate's calibration matrix; `None` where the file
+/// has no such matrix (or only zeros).
+fn matrix_sums(
+    plate: usize,
+    columns: usize,
+    rows: &[usize],
+    parameters: &Parameters,
+) -> Option<Vec<f64>> {
+    let matrix = parameters.numbers("FORCE_PLATFORM", "CAL_MATRIX");
+    let dims = parameters.dims("FORCE_PLATFORM", "CAL_MATRIX");
+    let high = dims.first().copied().unwrap_or(6);
+    let across = dims.get(1).copied().unwrap_or(columns);
+    if across < columns || rows.iter().any(|r| *r >= high) {
+        return None;
+    }
+    let entry = |row: usize, k: usize| {
+        let x = matrix.get(plate * high * across + k * high + row);
+        x.copied().filter(|x| x.is_finite())
+    };
+    let sums: Option<Vec<f64>> = (0..columns)
+        .map(|k| rows.iter().map(|&r| entry(r, k)).sum())
+        .collect();
+    sums.filter(|s| s.iter().any(|w| *w != 0.0))
+}
+
+/// Notes plates whose normal points another way than that of the first, by their corners.
+fn tilted(parameters: &Parameters, used: usize, notes: &mut Vec<Note>) {
+    let corners = parameters.numbers("FORCE_PLATFORM", "CORNERS");
+    let normals: Vec<Option<[f64; 3]>> = corners.chunks_exact(12).take(used).map(normal).collect();
+    let Some(Some(first)) = normals.first() else {
+        return;
+    };
+    for (i, n) in normals.iter().enumerate().skip(1) {
+        if let Some(n) = n {
+            let cosine: f64 = n.iter().zip(first).map(|(a, b)| a * b).sum();
+            if cosine.abs() < 0.9 {
+                notes.push(Note::PlateTilted { plate: i + 1 });
+            }
+        }
+    }
+}
+
+/// Unit normal of a plate from its four corners; `None` where they span nothing.
+fn normal(c: &[f64]) -> Option<[f64; 3]> {
+    let d = |a: usize, b: usize| {
+        [
+            c[3 * a] - c[3 * b],
+            c[3 * a + 1] - c[3 * b + 1],
+            c[3 * a + 2] - c[3 * b + 2],
+        ]
+    };
+    let (u, v) = (d(0, 2), d(1, 3));
+    let n = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (length.is_finite() && length > 0.0).then(|| n.map(|x| x / length))
+}

@@ -1,0 +1,251 @@
+//! Header and data section of a C3D file: number formats, frames, analog samples.
+
+use std::path::Path;
+
+use super::BLOCK;
+use super::parameters::Parameters;
+use crate::error::{Placed, ReadError, Result};
+use crate::recording::{Format, Note, Processor, Storage};
+
+/// How a processor wrote its numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Words {
+    /// Little endian, IEEE floats.
+    Intel,
+    /// Little endian words, VAX floats.
+    Dec,
+    /// Big endian, IEEE floats.
+    Sgi,
+}
+
+impl Words {
+    /// From the fourth byte of the parameter section.
+    pub fn of(bytes: &[u8], parameters: usize) -> Option<Self> {
+        match bytes.get(parameters + 3)? {
+            84 => Some(Words::Intel),
+            85 => Some(Words::Dec),
+            86 => Some(Words::Sgi),
+            _ => None,
+        }
+    }
+
+    pub fn u16(self, bytes: &[u8], at: usize) -> Option<u16> {
+        let b = bytes.get(at..at.checked_add(2)?)?;
+        let pair = [b[0], b[1]];
+        Some(match self {
+            Words::Sgi => u16::from_be_bytes(pair),
+            Words::Intel | Words::Dec => u16::from_le_bytes(pair),
+        })
+    }
+
+    pub fn i16(self, bytes: &[u8], at: usize) -> Option<i16> {
+        self.u16(bytes, at).map(u16::cast_signed)
+    }
+
+    /// A float; the VAX one has its halves swapped and an exponent two greater.
+    pub fn f32(self, bytes: &[u8], at: usize) -> Option<f32> {
+        let b = bytes.get(at..at.checked_add(4)?)?;
+        Some(match self {
+            Words::Intel => f32::from_le_bytes([b[0], b[1], b[2], b[3]]),
+            Words::Sgi => f32::from_be_bytes([b[0], b[1], b[2], b[3]]),
+            Words::Dec => f32::from_le_bytes([b[2], b[3], b[0], b[1]]) / 4.0,
+        })
+    }
+}
+
+/// The analog samples of a file, read channel by channel.
+#[derive(Debug)]
+pub(super) struct Analog<'a> {
+    words: Words,
+    /// Whole frames of the data section.
+    data: &'a [u8],
+    is_float: bool,
+    unsigned: bool,
+    /// Bytes of the markers before the analog samples of a frame.
+    markers: usize,
+    frame: usize,
+    pub channels: usize,
+    /// Samples of one channel in one frame.
+    pub per_frame: usize,
+    /// Samples of one channel in the file.
+    pub samples: usize,
+    pub first_frame: usize,
+    pub frame_hz: f64,
+    pub rate_hz: f64,
+    scale: Vec<f64>,
+    offset: Vec<f64>,
+    general_scale: f64,
+}
+
+impl<'a> Analog<'a> {
+    /// Places the data section; fewer frames than announced are noted.
+    pub fn read(
+        path: &Path,
+        bytes: &'a [u8],
+        words: Words,
+        parameters: &Parameters,
+        notes: &mut Vec<Note>,
+    ) -> Result<Self> {
+        let word = |at: usize| words.u16(bytes, at).map_or(0, usize::from);
+        let points = word(2);
+        let (first, last) = (word(6), word(8));
+        let (per_all, per_frame) = values_per_frame(path, word(4), word(18), parameters)?;
+        let start = start_of_data(word(16), parameters);
+        let scale = words.f32(bytes, 12).map_or(1.0, f64::from);
+        let is_float = parameters.number("POINT", "SCALE").unwrap_or(scale) < 0.0;
+        let width = if is_float { 4 } else { 2 };
+        let markers = 4 * points * width;
+        let frame = markers + per_all * width;
+        let rest = bytes.get(start..).unwrap_or(&[]);
+        let found = rest.len() / frame;
+        let announced = announced_frames(first, last, parameters);
+        let frames = announced.map_or(found, |a| a.min(found));
+        if let Some(announced) = announced.filter(|a| *a > found) {
+            notes.push(Note::FramesMissing { announced, found });
+        }
+        if frames == 0 {
+            return Err(ReadError::NoFrame { bytes: frame }.at_byte(path, start.min(bytes.len())));
+        }
+        let in_header = words.f32(bytes, 20).map_or(0.0, f64::from);
+        let (frame_hz, rate_hz) = rates(in_header, per_frame, parameters)
+            .ok_or_else(|| ReadError::NoFrameRate.at_byte(path, 20))?;
+        Ok(Analog {
+            words,
+            data: &rest[..frames * frame],
+            is_float,
+            unsigned: parameters
+                .strings("ANALOG", "FORMAT")
+                .first()
+                .is_some_and(|f| f.eq_ignore_ascii_case("UNSIGNED")),
+            markers,
+            frame,
+            channels: per_all / per_frame,
+            per_frame,
+            samples: frames * per_frame,
+            first_frame: first,
+            frame_hz,
+            rate_hz,
+            scale: parameters.numbers("ANALOG", "SCALE"),
+            offset: parameters.numbers("ANALOG", "OFFSET"),
+            general_scale: parameters.number("ANALOG", "GEN_SCALE").unwrap_or(1.0),
+        })
+    }
+
+    /// Adds `factor` times a channel (from 0) to `sum`; a sample that is not finite makes NaN.
+    pub fn add(&self, channel: usize, factor: f64, sum: &mut [f64]) {
+        let scale = self.scale.get(channel).copied().unwrap_or(1.0) * self.general_scale * factor;
+        let offset = self.offset.get(channel).map_or(0.0, |o| {
+            if self.unsigned && *o < 0.0 {
+                o + 65536.0
+            } else {
+                *o
+            }
+        });
+        let width = if self.is_float { 4 } else { 2 };
+        for (i, x) in sum.iter_mut().enumerate() {
+            let (frame, k) = (i / self.per_frame, i % self.per_frame);
+            let at = frame * self.frame + self.markers + (k * self.channels + channel) * width;
+            let raw = if self.is_float {
+                self.words.f32(self.data, at).map(f64::from)
+            } else if self.unsigned {
+                self.words.u16(self.data, at).map(f64::from)
+            } else {
+                self.words.i16(self.data, at).map(f64::from)
+            };
+            let value = raw
+                .filter(|r| r.is_finite())
+                .map_or(f64::NAN, |r| (r - offset) * scale);
+            *x += value;
+        }
+    }
+
+    /// Number format and storage of the file.
+    pub fn format(&self) -> Format {
+        Format::C3d {
+            processor: match self.words {
+                Words::Intel => Processor::Intel,
+                Words::Dec => Processor::Dec,
+                Words::Sgi => Processor::Sgi,
+            },
+            storage: if self.is_float {
+                Storage::Floats
+            } else {
+                Storage::Integers
+            },
+        }
+    }
+}
+
+/// Analog values of one frame, all channels together, and samples of one channel in it.
+///
+/// Some programs write the number of channels where the number of values belongs.
+fn values_per_frame(
+    path: &Path,
+    values: usize,
+    samples: usize,
+    parameters: &Parameters,
+) -> Result<(usize, usize)> {
+    let used = parameters.number("ANALOG", "USED");
+    if samples > 1 && used == Some(values as f64) {
+        return Ok((values * samples, samples));
+    }
+    if values == 0 || samples == 0 {
+        return Err(ReadError::NoAnalog.at_byte(path, 4));
+    }
+    if !values.is_multiple_of(samples) {
+        return Err(ReadError::OddAnalog { values, samples }.at_byte(path, 18));
+    }
+    Ok((values, samples))
+}
+
+/// Frames and analog samples per second; `None` where the file gives neither.
+fn rates(in_header: f64, per_frame: usize, parameters: &Parameters) -> Option<(f64, f64)> {
+    let is_rate = |r: &f64| r.is_finite() && *r > 0.0;
+    let frame_hz = [parameters.number("POINT", "RATE"), Some(in_header)]
+        .into_iter()
+        .flatten()
+        .find(is_rate);
+    let rate_hz = frame_hz
+        .map(|r| r * per_frame as f64)
+        .or(parameters.number("ANALOG", "RATE"))
+        .filter(is_rate)?;
+    Some((frame_hz.unwrap_or(rate_hz / per_frame as f64), rate_hz))
+}
+
+fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
+    let named = parameters
+        .number("POINT", "DATA_START")
+        .filter(|b| *b >= 1.0)
+        .map(|b| b as usize);
+    let block = if in_header >= 1 {
+        in_header
+    } else {
+        named.unwrap_or(1)
+    };
+    (block - 1) * BLOCK
+}
+
+/// Frames the file claims to hold; `None` where 16 bits cannot say it and nothing else does.
+fn announced_frames(first: usize, last: usize, parameters: &Parameters) -> Option<usize> {
+    let field = |name| {
+        let words = parameters.numbers("TRIAL", name);
+        // Two 16-bit words, low one first.
+        let unsigned = |x: &f64| if *x < 0.0 { x + 65536.0 } else { *x };
+        match words.as_slice() {
+            [low, high, ..] => Some(unsigned(low) + 65536.0 * unsigned(high)),
+            _ => None,
+        }
+    };
+    if let (Some(a), Some(b)) = (field("ACTUAL_START_FIELD"), field("ACTUAL_END_FIELD"))
+        && b >= a
+    {
+        return Some((b - a) as usize + 1);
+    }
+    if last == 65535 {
+        return parameters
+            .number("POINT", "LONG_FRAMES")
+            .filter(|f| *f >= 1.0)
+            .map(|f| f as usize);
+    }
+    Some((last + 1).saturating_sub(first))
+}

@@ -1,0 +1,244 @@
+//! What the columns of a table hold, from their names.
+//!
+//! Names are taken apart into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
+//! `left total force[N]` all say force, component and owner in some order.
+
+use super::vocabulary::{FORCE, FRAME, LEFT, OTHER, RIGHT, TIME, VERTICAL, VERTICAL_FORCE};
+use crate::recording::{Axis, Foot};
+
+/// What a column holds.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Role {
+    Time,
+    /// Running number of sample or frame.
+    Frame,
+    SubFrame,
+    Force {
+        axis: Axis,
+        foot: Option<Foot>,
+    },
+    Other,
+}
+
+/// Words of a name, lower case, unit in brackets left out; `ForY1` gives `for`, `y`, `1`.
+pub(super) fn words(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut word = String::new();
+    let mut depth = 0usize;
+    let letters: Vec<char> = name.chars().collect();
+    for (i, &c) in letters.iter().enumerate() {
+        match c {
+            '[' | '(' => depth += 1,
+            ']' | ')' => depth = depth.saturating_sub(1),
+            _ => (),
+        }
+        let before = i.checked_sub(1).map(|j| letters[j]);
+        let after = letters.get(i + 1);
+        let turn = before.is_some_and(|b| {
+            b.is_numeric() != c.is_numeric()
+                || b.is_lowercase() && c.is_uppercase()
+                || b.is_uppercase() && c.is_uppercase() && after.is_some_and(|a| a.is_lowercase())
+        });
+        if (turn || !c.is_alphanumeric()) && !word.is_empty() {
+            words.push(std::mem::take(&mut word));
+        }
+        if depth == 0 && c.is_alphanumeric() {
+            word.extend(c.to_lowercase());
+        }
+    }
+    if !word.is_empty() {
+        words.push(word);
+    }
+    words
+}
+
+/// The unit in brackets at the end of a name, as in `Force [N]` or `time(ms)`.
+pub(super) fn bracketed(name: &str) -> Option<&str> {
+    let open = name.rfind(['[', '('])?;
+    let rest = &name[open + 1..];
+    let close = rest.find([']', ')'])?;
+    Some(rest[..close].trim())
+}
+
+/// Reads one column name.
+pub(super) fn role(name: &str) -> Role {
+    let words = words(name);
+    let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    if words.iter().any(|w| w.starts_with("sub")) && has(FRAME) {
+        return Role::SubFrame;
+    }
+    if has(OTHER) {
+        return Role::Other;
+    }
+    if let Some(axis) = force_axis(&words) {
+        return Role::Force {
+            axis,
+            foot: foot(&words),
+        };
+    }
+    let first_is = |list: &[&str]| words.first().is_some_and(|w| list.contains(&w.as_str()));
+    if first_is(TIME) || has(&TIME[..5]) {
+        return Role::Time;
+    }
+    if first_is(FRAME) || name.trim() == "#" {
+        return Role::Frame;
+    }
+    Role::Other
+}
+
+/// Whether a name says that the force is vertical, total or normal, not only that it is a force.
+pub(super) fn says_vertical(name: &str) -> bool {
+    const WHOLE: [&str; 4] = ["total", "gesamt", "sum", "plate"];
+    let is = |w: &String| {
+        let w = w.as_str();
+        VERTICAL.contains(&w) || VERTICAL_FORCE.contains(&w) || WHOLE.contains(&w)
+    };
+    words(name).iter().any(is)
+}
+
+/// The side a name speaks of.
+pub(super) fn foot(words: &[String]) -> Option<Foot> {
+    let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
+    match (has(LEFT), has(RIGHT)) {
+        (true, false) => Some(Foot::Left),
+        (false, true) => Some(Foot::Right),
+        _ => None,
+    }
+}
+
+fn axis_letter(word: &str) -> Option<Axis> {
+    match word {
+        "x" | "fx" | "lfx" | "rfx" | "vx" | "forcex" | "grfx" => Some(Axis::X),
+        "y" | "fy" | "lfy" | "rfy" | "vy" | "forcey" | "grfy" => Some(Axis::Y),
+        "z" | "fz" | "lfz" | "rfz" | "vz" | "forcez" | "grfz" => Some(Axis::Z),
+        _ => None,
+    }
+}
+
+/// The component, where the words name a force at all.
+fn force_axis(words: &[String]) -> Option<Axis> {
+    let is = |list: &[&str], w: &String| list.contains(&w.as_str());
+    let named = words.iter().any(|w| is(FORCE, w));
+    if words.iter().any(|w| is(VERTICAL_FORCE, w)) || named && words.iter().any(|w| is(VERTICAL, w))
+    {
+        return Some(Axis::Vertical);
+    }
+    let axis = words.iter().rev().find_map(|w| Some((w, axis_letter(w)?)));
+    if let Some((word, axis)) = axis {
+        // `HFx` is a marker, `LFz` a foot: a letter of its own before the component must be a side.
+        let before = words.iter().rev().skip_while(|w| *w != word).nth(1);
+        let marker = before.is_some_and(|b| {
+            let lone = b.chars().count() == 1 && !b.starts_with(|c: char| c.is_ascii_digit());
+            lone && !is(LEFT, b) && !is(RIGHT, b) && !is(FORCE, b) && !is(VERTICAL, b)
+        });
+        if marker {
+            return None;
+        }
+        let whole = word.len() > 1 && !word.starts_with('v');
+        return (whole || named).then_some(axis);
+    }
+    // `f1_3`: the third component of force 1.
+    if let [f, _, component] = words
+        && is(FORCE, f)
+    {
+        match component.as_str() {
+            "1" => return Some(Axis::X),
+            "2" => return Some(Axis::Y),
+            "3" => return Some(Axis::Z),
+            _ => (),
+        }
+    }
+    // A lone `F` or `for` is a force only where nothing but a number or a side stands beside it.
+    let strong = words
+        .iter()
+        .any(|w| is(&FORCE[..2], w) || is(&FORCE[4..], w));
+    let bare = |w: &String| {
+        is(FORCE, w) || is(LEFT, w) || is(RIGHT, w) || w == "n" || w.parse::<u8>().is_ok()
+    };
+    let named = strong || named && words.iter().all(bare);
+    let sides = words.len() == 1 && (is(&LEFT[..2], &words[0]) || is(&RIGHT[..2], &words[0]));
+    (named || sides).then_some(Axis::Vertical)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn force(name: &str) -> (Axis, Option<Foot>) {
+        match role(name) {
+            Role::Force { axis, foot } => (axis, foot),
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+
+    #[test]
+    fn force_columns_of_every_house_are_recognised() {
+        use Axis::{Vertical, X, Y, Z};
+        let cases: &[(&str, Axis, Option<Foot>)] = &[
+            ("ground_force_vy", Y, None),
+            ("1_ground_force_vy", Y, None),
+            ("l_ground_force_vy", Y, Some(Foot::Left)),
+            ("ground_force_r_vx", X, Some(Foot::Right)),
+            ("f1_3", Z, None),
+            ("FY7", Y, None),
+            ("F1Z", Z, None),
+            ("Platte 1 Fz", Z, None),
+            ("FP1.ForY", Y, None),
+            ("Force_Z", Z, None),
+            ("LFz", Z, Some(Foot::Left)),
+            ("RFZ", Z, Some(Foot::Right)),
+            ("Left Fz (N)", Z, Some(Foot::Left)),
+            ("walk.c3d FP1 FORCE ORIGINAL Z", Z, None),
+            ("LGroundReactionForce Z", Z, Some(Foot::Left)),
+            ("left total force[N]", Vertical, Some(Foot::Left)),
+            ("vGRF_right", Vertical, Some(Foot::Right)),
+            ("vertical force", Vertical, None),
+            ("force_n", Vertical, None),
+            ("Kraft links [N]", Vertical, Some(Foot::Left)),
+            ("force", Vertical, None),
+        ];
+        for (name, axis, foot) in cases {
+            assert_eq!(force(name), (*axis, *foot), "{name}");
+        }
+    }
+
+    #[test]
+    fn markers_moments_and_pressures_are_not_forces() {
+        for name in [
+            "FHx",
+            "HFx",
+            "FMx",
+            "LMx",
+            "CAx",
+            "COPx",
+            "Mz",
+            "MX1",
+            "ground_force_px",
+            "ground_force_l_px",
+            "ground_torque_x",
+            "p1_1",
+            "m1_3",
+            "X1",
+            "left pressure 1[N/cm²]",
+            "left acceleration X[g]",
+            "AMTI - CoP Cx",
+            "FP1.MomX",
+            "Ax",
+            "|Ft|",
+            "LNormalisedGRF Z",
+        ] {
+            assert_eq!(role(name), Role::Other, "{name}");
+        }
+    }
+
+    #[test]
+    fn time_and_frame_columns_are_recognised() {
+        for name in ["time", "Zeit", "Time [s]", "abs time (s)", "t", "TimeStamp"] {
+            assert_eq!(role(name), Role::Time, "{name}");
+        }
+        assert_eq!(role("Frame"), Role::Frame);
+        assert_eq!(role("Sub Frame"), Role::SubFrame);
+        assert_eq!(role("#Sample"), Role::Frame);
+        assert_eq!(bracketed("time [ms]"), Some("ms"));
+    }
+}

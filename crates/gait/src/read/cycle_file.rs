@@ -1,0 +1,397 @@
+//! Texts that hold exactly one cycle: equal or unequal samples, or the critical points of a curve.
+//!
+//! A comment line says so, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
+//! table below has a time and a force column and perhaps one of spread.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use super::columns::{Role, role, words};
+use super::critical_points::{critical, through};
+use super::keys;
+use super::text::{
+    Layout, Lines, Position, Table, column, detect, next_table, numbers, plain, text, unit_label,
+};
+use crate::curve::{ForceCurve, SAMPLES};
+use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
+use crate::quantity::seconds;
+use crate::recording::{ForceUnit, ReadOptions};
+
+/// Lines at the start of a text among which the mark must stand.
+const HEAD: usize = 40;
+
+/// What a text holds, by its mark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Cycle,
+    CriticalPoints,
+}
+
+/// Reads a text that says it is one cycle; `None` for any other file.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+    let bytes = &*plain(bytes);
+    let comments: Vec<String> = Lines::new(bytes)
+        .take(HEAD)
+        .filter(|(_, l)| l.first() == Some(&b'#'))
+        .map(|(_, l)| text(l).trim_start_matches('#').trim().to_string())
+        .collect();
+    let asked = options.period_s.is_some() || options.span_rad.is_some();
+    let said = comments.iter().find_map(|c| kind(c));
+    let Some(kind) = said.or(asked.then_some(Kind::Cycle)) else {
+        return Ok(None);
+    };
+    let layout = detect(bytes);
+    let table = next_table(bytes, layout, Position { offset: 0, line: 1 })
+        .ok_or_else(|| ReadError::CycleWithoutTable.in_file(path))?;
+    let columns = CycleColumns::of(path, &table, options)?;
+    let Samples {
+        times,
+        mut force,
+        mut spread,
+    } = columns.samples(path, bytes, layout, &table)?;
+    let keys = keys::read(&comments, layout.comma);
+    let mass_kg = options.mass_kg.or(keys.mass_kg);
+    let unit = options
+        .unit
+        .or(unit_label(&table, columns.force))
+        .unwrap_or(ForceUnit::Newton);
+    let factor = unit.newtons(mass_kg).ok_or_else(|| {
+        let unit = unit.name();
+        ReadError::MassMissing { unit }.at_line(path, table.start.line)
+    })?;
+    for x in force.iter_mut().chain(spread.iter_mut().flatten()) {
+        *x *= factor;
+    }
+    let said = comments.iter().find_map(|c| period(c));
+    let period = options.period_s.or(said);
+    let times = match kind {
+        Kind::Cycle if asked => stretched(times, options),
+        _ => times,
+    };
+    let name = path.file_name().and_then(|n| n.to_str());
+    let name = name.unwrap_or("cycle");
+    let place = |e: Error| e.in_file(path);
+    let mut curve = match kind {
+        Kind::CriticalPoints => critical(name, &times, &force, period),
+        Kind::Cycle => match options.span_rad {
+            Some(span) => spanned(name, &times, &force, span / TAU, period),
+            None => sampled(name, &times, &force, period),
+        },
+    }
+    .map_err(place)?;
+    if let (Kind::Cycle, Some(spread)) = (kind, spread) {
+        let spread = sampled(name, &times, &spread, period).map_err(place)?;
+        curve.spread_n = Some(spread.force_n);
+    }
+    curve.mass_kg = mass_kg;
+    Ok(Some(curve))
+}
+
+/// Where the columns of a cycle stand in its table.
+struct CycleColumns {
+    time: usize,
+    force: usize,
+    spread: Option<usize>,
+}
+
+/// The rows of a cycle, in the units of the file.
+struct Samples {
+    times: Vec<f64>,
+    force: Vec<f64>,
+    spread: Option<Vec<f64>>,
+}
+
+impl CycleColumns {
+    fn of(path: &Path, table: &Table, options: &ReadOptions) -> Result<Self> {
+        let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+        let place = |wanted: fn(&Role) -> bool, column: CycleColumn| {
+            roles.iter().position(wanted).ok_or_else(|| {
+                let columns = table.names.join(", ");
+                let line = table.start.line.saturating_sub(1).max(1);
+                ReadError::CycleColumnMissing { column, columns }.at_line(path, line)
+            })
+        };
+        let is_spread = |w: &String| w == "spread" || w == "sd";
+        Ok(CycleColumns {
+            time: match &options.time {
+                Some(name) => column(path, table, name)?,
+                None => place(|r| *r == Role::Time, CycleColumn::Time)?,
+            },
+            force: match options.force.first() {
+                Some(name) => column(path, table, name)?,
+                None => place(|r| matches!(r, Role::Force { .. }), CycleColumn::Force)?,
+            },
+            spread: table
+                .names
+                .iter()
+                .position(|n| words(n).first().is_some_and(is_spread)),
+        })
+    }
+
+    /// Reads the rows; every one must be complete.
+    fn samples(&self, path: &Path, bytes: &[u8], layout: Layout, table: &Table) -> Result<Samples> {
+        let mut wanted: Vec<usize> = [Some(self.time), Some(self.force), self.spread]
+            .into_iter()
+            .flatten()
+            .collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        let slot = |i: usize| wanted.iter().position(|&w| w == i).unwrap_or(0);
+        let read = numbers(path, bytes, layout, table, &wanted, Some(slot(self.time)))?;
+        if let Some(bad) = read.skipped.first() {
+            return Err(ReadError::CycleRow.at_line(path, *bad));
+        }
+        for c in &read.columns {
+            if let Some(i) = c.iter().position(|x| !x.is_finite()) {
+                return Err(ReadError::CycleValue.at_line(path, table.start.line + i));
+            }
+        }
+        Ok(Samples {
+            times: read.columns[slot(self.time)].clone(),
+            force: read.columns[slot(self.force)].clone(),
+            spread: self.spread.map(|s| read.columns[slot(s)].clone()),
+        })
+    }
+}
+
+fn kind(comment: &str) -> Option<Kind> {
+    let lower = comment.to_lowercase();
+    if lower.starts_with("critical points") {
+        Some(Kind::CriticalPoints)
+    } else if lower == "cycle"
+        || lower.starts_with("cycle,")
+        || lower.starts_with("cycle ")
+        || lower.starts_with("cycle:")
+    {
+        Some(Kind::Cycle)
+    } else {
+        None
+    }
+}
+
+/// `period_s = 0.5` or `period 0.5 s` in a comment.
+fn period(comment: &str) -> Option<f64> {
+    let lower = comment.to_lowercase();
+    let rest = &lower[lower.find("period")? + "period".len()..];
+    let rest = rest
+        .trim_start_matches("_s")
+        .trim_start_matches([' ', '=', ':']);
+    let end = rest
+        .find(|c: char| !(c.is_ascii_digit() || ".e+-".contains(c)))
+        .unwrap_or(rest.len());
+    rest[..end]
+        .parse()
+        .ok()
+        .filter(|p: &f64| p.is_finite() && *p > 0.0)
+}
+
+/// A cycle from samples: as they stand where they are equal in time, else on equal phases.
+pub(super) fn sampled(
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    period: Option<f64>,
+) -> Result<ForceCurve> {
+    let n = times.len();
+    if n < 4 {
+        return Err(ForceError::FewSamples { samples: n }.into());
+    }
+    let span = times[n - 1] - times[0];
+    if span <= 0.0 {
+        let at = seconds(times[0]);
+        return Err(ReadError::TimeStandsStill { at }.into());
+    }
+    let step = span / (n - 1) as f64;
+    let period = period.unwrap_or(span + step);
+    if span > period * (1.0 + 1e-9) {
+        let (span, period) = (seconds(span), seconds(period));
+        return Err(ReadError::CycleTooLong { span, period }.into());
+    }
+    // The first sample may be repeated at the end.
+    let closed = (span - period).abs() < 1e-6 * period;
+    let count = if closed { n - 1 } else { n };
+    let even = period / count as f64;
+    let strays = times
+        .iter()
+        .enumerate()
+        .any(|(i, t)| (t - times[0] - i as f64 * even).abs() > 0.01 * even);
+    if !strays {
+        return ForceCurve::from_samples(name, period, force[..count].to_vec());
+    }
+    let mut points: Vec<(f64, f64)> = times
+        .iter()
+        .zip(force)
+        .map(|(t, f)| (t - times[0], *f))
+        .collect();
+    points.dedup_by(|b, a| b.0 <= a.0);
+    through(name, points, period)
+}
+
+/// Times of a file that is one cycle whatever its clock says: its rows fill the period, or the part of it that the
+/// span covers.
+fn stretched(times: Vec<f64>, options: &ReadOptions) -> Vec<f64> {
+    let (Some(period), [first, .., last]) = (options.period_s, &times[..]) else {
+        return times;
+    };
+    let covered = options.span_rad.map_or(period, |s| period * s / TAU);
+    let step = (last - first) / (times.len() - 1) as f64;
+    // A file that ends where it began, or that covers a span, holds both ends.
+    let holds_ends = options.span_rad.is_some() || ((last - first) / period - 1.0).abs() < 1e-6;
+    let length = if holds_ends {
+        last - first
+    } else {
+        last - first + step
+    };
+    let (first, factor) = (*first, covered / length);
+    times.iter().map(|t| (t - first) * factor).collect()
+}
+
+/// A force over a part of the turn, zero in the rest of it.
+fn spanned(
+    name: &str,
+    times: &[f64],
+    force: &[f64],
+    share: f64,
+    period: Option<f64>,
+) -> Result<ForceCurve> {
+    let n = times.len();
+    if n < 4 {
+        return Err(ForceError::FewSamples { samples: n }.into());
+    }
+    let length = times[n - 1] - times[0];
+    let period = period.unwrap_or(length / share);
+    let mut piece = 0;
+    let samples = (0..SAMPLES).map(|k| {
+        let t = period * k as f64 / SAMPLES as f64;
+        if t > length {
+            return 0.0;
+        }
+        while piece + 2 < n && times[piece + 1] - times[0] <= t {
+            piece += 1;
+        }
+        let (a, b) = (times[piece] - times[0], times[piece + 1] - times[0]);
+        let x = if b > a {
+            ((t - a) / (b - a)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        force[piece] + x * (force[piece + 1] - force[piece])
+    });
+    ForceCurve::from_samples(name, period, samples.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Place;
+
+    fn curve(t: &str) -> Result<ForceCurve> {
+        read(Path::new("c.csv"), t.as_bytes(), &ReadOptions::default()).map(|c| c.expect("a cycle"))
+    }
+
+    #[test]
+    fn a_marked_cycle_is_taken_as_it_stands() {
+        let c = curve("# cycle, period_s = 0.8\ntime_s,force_n,spread_n\n0,1,0.1\n0.2,2,0.2\n0.4,3,0.3\n0.6,4,0.4\n").unwrap();
+        assert_eq!(
+            (c.period_s, &c.force_n[..]),
+            (0.8, &[1.0, 2.0, 3.0, 4.0][..])
+        );
+        assert_eq!(c.spread_n.unwrap(), [0.1, 0.2, 0.3, 0.4]);
+        let closed = curve("# cycle\n# period 0.6 s\ntime_s,force_lbf\n0,1\n0.2,2\n0.4,3\n0.6,1\n");
+        assert!(closed.is_err(), "three samples are too few");
+    }
+
+    #[test]
+    fn a_period_makes_any_file_one_cycle_and_a_span_leaves_the_rest_zero() {
+        let text: String = (0..101)
+            .map(|i| format!("{},{}\n", f64::from(i) * 0.01, -50.0 + f64::from(i)))
+            .collect();
+        let text = format!("time,force\n{text}");
+        let open = |period_s, span_rad| {
+            let options = ReadOptions {
+                period_s,
+                span_rad,
+                ..ReadOptions::default()
+            };
+            let c = read(Path::new("m.csv"), text.as_bytes(), &options);
+            c.unwrap().unwrap()
+        };
+        let whole = open(Some(0.5), None);
+        assert_eq!((whole.period_s, whole.force_n.len()), (0.5, 101));
+        assert_eq!(
+            (whole.force_n[0], whole.force_n[100]),
+            (-50.0, 50.0),
+            "forces keep their sign"
+        );
+        let half = open(Some(2.0), Some(0.5 * TAU));
+        let n = half.force_n.len();
+        assert_eq!(half.period_s, 2.0);
+        assert!((half.force_n[n / 4]).abs() < 1e-9 && half.force_n[3 * n / 4] == 0.0);
+        // Without a period the rows take as long as they say.
+        assert!((open(None, Some(0.25 * TAU)).period_s - 4.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn critical_points_are_met_level_and_without_overshoot() {
+        let c = curve("# critical points, period_s = 0.5\ntime_s,force_n\n0,0\n0.125,100\n0.25,50\n0.375,80\n0.4375,0\n").unwrap();
+        let n = c.force_n.len();
+        for (k, f) in [
+            (0, 0.0),
+            (n / 4, 100.0),
+            (n / 2, 50.0),
+            (3 * n / 4, 80.0),
+            (7 * n / 8, 0.0),
+        ] {
+            assert!((c.force_n[k] - f).abs() < 1e-9);
+        }
+        assert!(c.force_n.iter().all(|f| (-1e-9..=100.0 + 1e-9).contains(f)));
+        assert!(c.force_n[7 * n / 8..].iter().all(|f| f.abs() < 1e-9));
+    }
+
+    #[test]
+    fn a_faulty_cycle_is_refused_by_line() {
+        let fault = |t: &str| {
+            let e = curve(t).unwrap_err();
+            let kind = e
+                .fault::<ReadError>()
+                .cloned()
+                .expect("a fault of the file");
+            match e.place {
+                Place::Line(_, line) => (kind, Some(line)),
+                _ => (kind, None),
+            }
+        };
+        assert_eq!(
+            fault("# cycle\ntime_s,force_n\n0,1\n1,nan\n2,3\n3,3\n"),
+            (ReadError::CycleValue, Some(4))
+        );
+        let (time, after) = (1.0, 2.0);
+        assert_eq!(
+            fault("# cycle\ntime_s,force_n\n0,1\n2,2\n1,3\n3,3\n"),
+            (ReadError::TimeBackwards { time, after }, Some(5))
+        );
+        assert!(matches!(
+            fault("# cycle\ntime_s,height_m\n0,1\n2,2\n3,3\n").0,
+            ReadError::CycleColumnMissing {
+                column: CycleColumn::Force,
+                ..
+            }
+        ));
+        assert_eq!(
+            fault("# critical points\ntime_s,force_n\n0,1\n2,2\n").0,
+            ReadError::CyclePeriodMissing
+        );
+    }
+
+    #[test]
+    fn files_without_the_mark_are_not_cycles() {
+        assert_eq!(
+            read(
+                Path::new("a"),
+                b"# cycles of a walk\ntime,fz\n0,1\n1,2\n",
+                &ReadOptions::default()
+            ),
+            Ok(None)
+        );
+    }
+}

@@ -1,0 +1,100 @@
+//! Readers: bytes of a file in, [`Recording`] out.
+//!
+//! The kind of file is told from its bytes, never from its name. Nothing here trusts a count in a file:
+//! memory is reserved for what the bytes present can hold.
+
+mod arrays;
+mod baseline;
+mod c3d;
+mod columns;
+mod critical_points;
+mod cycle_file;
+mod keys;
+mod number;
+mod number_table;
+mod raw;
+mod text;
+mod timebase;
+mod vertical;
+mod vocabulary;
+
+use std::path::Path;
+
+use crate::curve::ForceCurve;
+use crate::error::{FileKind, Placed, ReadError, Result};
+use crate::quantity::{hertz, kilograms};
+use crate::recording::{ReadOptions, Recording};
+
+pub use arrays::of_arrays;
+pub use number_table::{Cell, NumberTable};
+pub use text::metadata_name;
+
+/// Reads a recording of vertical force.
+///
+/// `path` serves messages only.
+///
+/// # Errors
+///
+/// With file and line (or byte), where the file holds no vertical force, time goes backwards, or its numbers
+/// cannot be placed in time.
+pub fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    check(options)?;
+    if bytes.is_empty() {
+        return Err(ReadError::Empty.in_file(path));
+    }
+    if c3d::is_c3d(bytes) {
+        return c3d::read(path, bytes, options);
+    }
+    match foreign(bytes) {
+        Some(kind) => Err(ReadError::Foreign { kind }.in_file(path)),
+        None => text::read(path, bytes, options),
+    }
+}
+
+/// What a file is that is neither text nor C3D.
+fn foreign(bytes: &[u8]) -> Option<FileKind> {
+    let known: [(&[u8], FileKind); 9] = [
+        (b"PK\x03\x04", FileKind::Zip),
+        (b"\xD0\xCF\x11\xE0", FileKind::OldOffice),
+        (b"MATLAB 5.0", FileKind::Matlab),
+        (b"\x89HDF", FileKind::Hdf5),
+        (b"PAR1", FileKind::Parquet),
+        (b"\x1F\x8B", FileKind::Gzip),
+        (b"%PDF", FileKind::Pdf),
+        (b"<?xml", FileKind::Xml),
+        (b"\x93NUMPY", FileKind::Numpy),
+    ];
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    if let Some((_, kind)) = known.iter().find(|(mark, _)| start.starts_with(mark)) {
+        return Some(*kind);
+    }
+    // UTF-16 has its byte-order mark; other text holds hardly any control characters, binary numbers many.
+    let wide = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF");
+    let head = &bytes[..bytes.len().min(4096)];
+    let control = |b: &&u8| **b < 9 || (14..32).contains(*b);
+    let controls = head.iter().filter(control).count();
+    (!wide && 20 * controls > head.len()).then_some(FileKind::Binary)
+}
+
+/// A text that is one cycle as it stands, as [`csv`](crate::csv) writes it; `None` for any other file.
+///
+/// # Errors
+/// A line that is not a number, or too few samples.
+pub fn one_cycle(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
+    check(options)?;
+    if c3d::is_c3d(bytes) {
+        return Ok(None);
+    }
+    cycle_file::read(path, bytes, options)
+}
+
+fn check(options: &ReadOptions) -> Result<()> {
+    let is_bad = |x: &f64| !(x.is_finite() && *x > 0.0);
+    if let Some(rate) = options.rate_hz.filter(is_bad) {
+        return Err(ReadError::RateNotPositive { rate: hertz(rate) }.into());
+    }
+    match options.mass_kg.filter(is_bad).map(kilograms) {
+        Some(mass) => Err(ReadError::MassNotPositive { mass }.into()),
+        None => Ok(()),
+    }
+}

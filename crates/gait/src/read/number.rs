@@ -1,0 +1,187 @@
+//! Numbers as laboratories write them, read straight from bytes.
+
+/// What one field of a delimited text holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Field {
+    /// A finite number.
+    Number(f64),
+    /// Nothing, or a word that means nothing: `NaN`, `-`, `n/a`, `1.#QNAN`.
+    Missing,
+    /// Anything else.
+    Text,
+}
+
+/// Longest field that can be a number; longer ones are text.
+const LONGEST: usize = 64;
+
+/// Powers of ten for as many decimal places as [`short`] takes.
+const TEN: [f64; DIGITS + 1] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+];
+
+/// Most digits of a number whose digits, as a whole number, are exact in f64.
+const DIGITS: usize = 15;
+
+/// Reads one field, blanks and quotes around it ignored.
+///
+/// `comma` takes `,` for the decimal mark (then `.` groups thousands).
+pub(super) fn field(bytes: &[u8], comma: bool) -> Field {
+    let b = trim(bytes);
+    match b.first() {
+        None => Field::Missing,
+        Some(b'0'..=b'9' | b'-' | b'+' | b'.' | b',') => match short(b, comma) {
+            Some((x, length)) if length == b.len() => Field::Number(x),
+            _ => long(b, comma),
+        },
+        Some(_) => word(b),
+    }
+}
+
+/// The number of at most 15 digits, without exponent, that some bytes begin with, and its length.
+///
+/// Quotient of two exact numbers and so correctly rounded.
+#[inline]
+pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
+    let mark = if comma { b',' } else { b'.' };
+    let first = *b.first()?;
+    let start = usize::from(first == b'-' || first == b'+');
+    let (mut at, mut digits, mut places) = (start, 0u64, None);
+    while let Some(&c) = b.get(at) {
+        let digit = c.wrapping_sub(b'0');
+        if digit <= 9 {
+            digits = digits.wrapping_mul(10).wrapping_add(u64::from(digit));
+        } else if c == mark && places.is_none() {
+            places = Some(at + 1);
+        } else {
+            break;
+        }
+        at += 1;
+    }
+    let count = at - start - usize::from(places.is_some());
+    if count == 0 || count > DIGITS {
+        return None;
+    }
+    let size = digits as f64 / TEN[places.map_or(0, |from| at - from)];
+    Some((if first == b'-' { -size } else { size }, at))
+}
+
+/// A field that is wanted as a number; NaN where there is none.
+pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
+    match field(bytes, comma) {
+        Field::Number(x) => x,
+        Field::Missing | Field::Text => f64::NAN,
+    }
+}
+
+/// Cuts blanks and one pair of quotes from both ends.
+pub(super) fn trim(mut b: &[u8]) -> &[u8] {
+    let cut = |c: &u8| matches!(c, b' ' | b'\t' | b'\r' | b'"' | b'\'' | 0);
+    while let Some((first, rest)) = b.split_first() {
+        if !cut(first) {
+            break;
+        }
+        b = rest;
+    }
+    while let Some((last, rest)) = b.split_last() {
+        if !cut(last) {
+            break;
+        }
+        b = rest;
+    }
+    b
+}
+
+/// Numbers with exponents, many digits or grouped thousands, and odd spellings of nothing.
+fn long(b: &[u8], comma: bool) -> Field {
+    if b.len() > LONGEST || !b.is_ascii() {
+        return Field::Text;
+    }
+    let kept = b.iter().filter(|&&c| !(comma && c == b'.'));
+    let plain = kept.map(|&c| match c {
+        b',' if comma => '.',
+        b'D' | b'd' => 'e', // Fortran
+        c => char::from(c),
+    });
+    let text: String = plain.collect();
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() => Field::Number(x),
+        Ok(_) => Field::Missing,
+        Err(_) if text.contains('#') || text.chars().all(|c| "-+.,".contains(c)) => Field::Missing,
+        Err(_) => word(b),
+    }
+}
+
+fn word(b: &[u8]) -> Field {
+    let nothing: [&[u8]; 11] = [
+        b"nan",
+        b"na",
+        b"n/a",
+        b"null",
+        b"none",
+        b"inf",
+        b"-inf",
+        b"-nan",
+        b"+inf",
+        b"missing",
+        b"-nan(ind)",
+    ];
+    if nothing.iter().any(|n| b.eq_ignore_ascii_case(n)) {
+        Field::Missing
+    } else {
+        Field::Text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_spelling_agrees_with_the_standard_library() {
+        for text in [
+            "0",
+            "-0.00",
+            "745.4661142",
+            "331.7057913303967",
+            "1e-3",
+            "+2.5E+02",
+            ".5",
+            "5.",
+            "-22.9",
+            "0.1",
+            "123456789012345678",
+            "0.000000000000001",
+            "9007199254740993",
+            "1.7976931348623157e308",
+        ] {
+            let expected: f64 = text.parse().unwrap();
+            match field(text.as_bytes(), false) {
+                Field::Number(x) => assert_eq!(x.to_bits(), expected.to_bits(), "{text}"),
+                other => panic!("{text}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn decimal_commas_thousands_quotes_and_fortran_exponents_are_numbers() {
+        assert_eq!(field(b" \"-12,5\" ", true), Field::Number(-12.5));
+        assert_eq!(field(b"1.234,5", true), Field::Number(1234.5));
+        assert_eq!(field(b"1.5D+02", false), Field::Number(150.0));
+    }
+
+    #[test]
+    fn words_for_nothing_are_missing_and_other_words_are_text() {
+        for nothing in [
+            "", "  ", "NaN", "-", "n/a", "1.#QNAN", "-1.#IND", "1e999", "--",
+        ] {
+            assert_eq!(
+                field(nothing.as_bytes(), false),
+                Field::Missing,
+                "{nothing}"
+            );
+        }
+        for text in ["Left", "12:30:01", "1,5", "0x10", "1.2.3", "\u{e9}"] {
+            assert_eq!(field(text.as_bytes(), false), Field::Text, "{text}");
+        }
+    }
+}

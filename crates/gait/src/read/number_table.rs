@@ -1,0 +1,109 @@
+//! Tables of numbers under a header, strict: every row is kept with its line, nothing is skipped but blank lines and
+//! comments.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use super::columns::bracketed;
+use super::foreign;
+use super::number::{Field, field, trim};
+use super::text::{Fields, Layout, Lines, Position, Table, detect, next_table, plain, text};
+use crate::error::{Placed, ReadError, Result};
+
+/// A table of a delimited text, its rows not yet read.
+pub struct NumberTable<'a> {
+    bytes: Cow<'a, [u8]>,
+    layout: Layout,
+    table: Table,
+}
+
+/// One field of a row.
+pub struct Cell {
+    /// Its finite number; `None` for anything else.
+    pub number: Option<f64>,
+    /// As it is written.
+    pub text: String,
+}
+
+impl<'a> NumberTable<'a> {
+    /// The first table of a text; `path` serves messages only.
+    ///
+    /// # Errors
+    /// Files that are no text or hold no table of numbers.
+    pub fn find(path: &Path, bytes: &'a [u8]) -> Result<NumberTable<'a>> {
+        if let Some(kind) = foreign(bytes) {
+            return Err(ReadError::Foreign { kind }.in_file(path));
+        }
+        let bytes = plain(bytes);
+        let layout = detect(&bytes);
+        let start = Position { offset: 0, line: 1 };
+        let Some(table) = next_table(&bytes, layout, start) else {
+            if bytes.trim_ascii().is_empty() {
+                return Err(ReadError::Empty.in_file(path));
+            }
+            let start = text(&bytes[..bytes.len().min(60)]);
+            let start = start.chars().take(40).collect();
+            return Err(ReadError::NoTable { start }.in_file(path));
+        };
+        Ok(NumberTable {
+            bytes,
+            layout,
+            table,
+        })
+    }
+
+    /// Names of the columns; none without a header.
+    pub fn names(&self) -> &[String] {
+        &self.table.names
+    }
+
+    /// Line of the header, from 1; the first row's where there is none.
+    pub fn header_line(&self) -> usize {
+        match self.table.names.is_empty() {
+            true => self.table.start.line,
+            false => self.table.start.line.saturating_sub(1).max(1),
+        }
+    }
+
+    /// Name and unit of a column: `lift_mm`, `lift [mm]` and `lift (mm)` alike, or the unit of a row of units.
+    pub fn name_and_unit(&self, column: usize) -> (String, Option<String>) {
+        let whole = self.table.names[column].trim();
+        let row = self.table.units.get(column);
+        let row = row.map(|u| u.trim_matches(['[', ']', '(', ')']).trim());
+        if let Some(unit) = row.filter(|u| !u.is_empty()) {
+            return (whole.to_lowercase(), Some(unit.to_string()));
+        }
+        let (name, unit) = match (bracketed(whole), whole.find(['[', '('])) {
+            (Some(unit), Some(open)) => (&whole[..open], Some(unit)),
+            _ => match whole.split_once(['_', ' ']) {
+                Some((name, unit)) => (name, Some(unit)),
+                None => (whole, None),
+            },
+        };
+        let name = name.trim().trim_end_matches('_').to_lowercase();
+        (name, unit.map(str::to_string).filter(|u| !u.is_empty()))
+    }
+
+    /// The rows with their lines, to the end of the text.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, Vec<Cell>)> + '_ {
+        let lines = Lines::from(&self.bytes, self.table.start);
+        let is_row = |line: &[u8]| {
+            let line = line.trim_ascii();
+            !line.is_empty() && !line.starts_with(b"#")
+        };
+        lines
+            .filter(move |(_, line)| is_row(line))
+            .map(|(at, line)| (at.line, self.cells(line)))
+    }
+
+    fn cells(&self, line: &[u8]) -> Vec<Cell> {
+        let cell = |f: &[u8]| Cell {
+            number: match field(f, self.layout.comma) {
+                Field::Number(x) => Some(x),
+                Field::Missing | Field::Text => None,
+            },
+            text: text(trim(f)),
+        };
+        Fields::new(line, self.layout).map(cell).collect()
+    }
+}

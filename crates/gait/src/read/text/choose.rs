@@ -1,0 +1,154 @@
+//! Which columns of a table to read.
+
+use std::path::Path;
+
+use super::listed;
+use super::table::Table;
+use crate::error::{Error, Placed, ReadError, Result, nearest};
+use crate::read::columns::{Role, bracketed, foot, role, words};
+use crate::recording::{Axis, Foot, ForceUnit, ReadOptions};
+
+/// Which columns of a table to read, and how.
+pub(super) struct Plan {
+    pub time: Option<usize>,
+    /// Whether the time column counts samples instead of seconds.
+    pub counts: bool,
+    pub force: Vec<(usize, Axis, Option<Foot>)>,
+}
+
+/// Decides which columns to read; `None` where the table holds no force.
+pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan>> {
+    let roles: Vec<Role> = table.names.iter().map(|n| role(n)).collect();
+    let mut force = Vec::new();
+    for (i, r) in roles.iter().enumerate() {
+        if let Role::Force { axis, foot } = r {
+            force.push((i, *axis, *foot));
+        }
+    }
+    if force.is_empty() {
+        force = columns_in_newtons(table, &roles);
+    }
+    if force.is_empty() {
+        force = named_by_side(table);
+    }
+    if !options.force.is_empty() {
+        force.clear();
+        for name in &options.force {
+            let i = column(path, table, name)?;
+            force.push((i, Axis::Vertical, foot(&words(&table.names[i]))));
+        }
+        force.sort_by_key(|f| f.0);
+        force.dedup_by_key(|f| f.0);
+    }
+    if force.is_empty() {
+        return Ok(None);
+    }
+    let place = |wanted: &Role| roles.iter().position(|r| r == wanted);
+    let (time, counts) = match &options.time {
+        Some(name) => (Some(column(path, table, name)?), false),
+        None => match (place(&Role::Time), place(&Role::Frame)) {
+            (Some(t), _) => (Some(t), false),
+            (None, Some(f)) => (Some(f), true),
+            (None, None) => (None, false),
+        },
+    };
+    force.retain(|f| Some(f.0) != time);
+    if force.is_empty() {
+        return Err(force_is_time(path, table));
+    }
+    // Sub-frames repeat and frames stand still meanwhile: rows are counted instead.
+    let sub = place(&Role::SubFrame).is_some();
+    Ok(Some(Plan {
+        time: time.filter(|_| !(counts && sub)),
+        counts,
+        force,
+    }))
+}
+
+/// The user named one column as both time and force.
+pub(super) fn force_is_time(path: &Path, table: &Table) -> Error {
+    ReadError::ForceIsTime.at_line(path, table.start.line)
+}
+
+/// Columns of unknown name whose unit says force.
+fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option<Foot>)> {
+    let forces =
+        (0..table.names.len()).filter(|&i| roles[i] == Role::Other && is_newtons(table, i));
+    forces
+        .map(|i| {
+            let name = table.names[i].clone();
+            let side = foot(&words(&name));
+            (i, Axis::Vertical, side)
+        })
+        .collect()
+}
+
+/// Two columns called left and right and nothing else: the two insoles or belts.
+fn named_by_side(table: &Table) -> Vec<(usize, Axis, Option<Foot>)> {
+    let sides = [("left", Foot::Left), ("right", Foot::Right)];
+    let places = sides.map(|(word, side)| {
+        let place = table.names.iter().position(|n| words(n) == [word]);
+        place.map(|i| (i, Axis::Vertical, Some(side)))
+    });
+    match places {
+        [Some(left), Some(right)] => vec![left, right],
+        _ => Vec::new(),
+    }
+}
+
+fn is_newtons(table: &Table, i: usize) -> bool {
+    let plain_name = !words(&table.names[i])
+        .iter()
+        .any(|w| w.starts_with("cop") || w.starts_with("moment"));
+    plain_name
+        && matches!(
+            unit_label(table, i),
+            Some(ForceUnit::Newton | ForceUnit::BodyWeight | ForceUnit::PercentBodyWeight)
+        )
+}
+
+pub(crate) fn unit_label(table: &Table, i: usize) -> Option<ForceUnit> {
+    let name = table.names.get(i)?;
+    let row = table
+        .units
+        .get(i)
+        .map(|u| u.trim_matches(['[', ']', '(', ')']));
+    let label = row.filter(|u| !u.is_empty()).or_else(|| bracketed(name));
+    match label {
+        Some(label) => label.parse().ok(),
+        None => {
+            let last = words(name).pop()?;
+            // `force_n`, `fz_lbf`; a lone `n` or `lb` before that is part of a name.
+            let known = ["n", "kn", "lbf", "lb", "bw"].contains(&last.as_str());
+            (known && name.contains(['_', ' ']))
+                .then(|| last.parse().ok())
+                .flatten()
+        }
+    }
+}
+
+/// A column by name (case does not matter) or by number from 1.
+pub(crate) fn column(path: &Path, table: &Table, wanted: &str) -> Result<usize> {
+    let plain = |s: &str| s.trim().to_lowercase();
+    let names = &table.names;
+    let found = names
+        .iter()
+        .position(|n| n == wanted)
+        .or_else(|| names.iter().position(|n| plain(n) == plain(wanted)));
+    let number = wanted
+        .parse::<usize>()
+        .ok()
+        .filter(|n| (1..=names.len()).contains(n));
+    found.or(number.map(|n| n - 1)).ok_or_else(|| {
+        let (column, columns) = (wanted.to_string(), listed(names));
+        let error = match nearest(wanted, names.iter().take(200).map(String::as_str)) {
+            Some(near) => ReadError::MisspeltColumn {
+                column,
+                near: near.to_string(),
+                columns,
+            },
+            None => ReadError::NoColumn { column, columns },
+        };
+        error.at_line(path, table.start.line.saturating_sub(1).max(1))
+    })
+}

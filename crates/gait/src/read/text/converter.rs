@@ -1,0 +1,107 @@
+//! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, no calibration.
+//!
+//! The header gives the rate as `PreciseRate`; names of channels stand in a line `Name`, their rates and ranges in
+//! the next two. Muscles may be called like forces (`L GRF`: the left gastrocnemius), so that only numbered plates
+//! count.
+
+use std::path::Path;
+
+use super::choose::{Plan, plan};
+use super::layout::{Lines, Position, text};
+use super::table::Table;
+use crate::error::{Placed, ReadError, Result};
+use crate::quantity::kilograms;
+use crate::read::raw::RawForce;
+use crate::recording::{Axis, Note, ReadOptions};
+use crate::units::G;
+
+/// Lines among which the header must stand.
+const HEAD: usize = 40;
+/// Usual highest force of a stance, body weights: it places the contact threshold before the mean is known.
+const USUAL_PEAK: f64 = 1.1;
+
+/// The table of a file of converter counts with its rate; `None` for any other text.
+pub(super) fn table(bytes: &[u8]) -> Option<(Table, Option<f64>)> {
+    let mut rate = None;
+    let mut names: Option<Vec<String>> = None;
+    let mut lines = Lines::from(bytes, Position { offset: 0, line: 1 }).take(HEAD);
+    let (_, first) = lines.next()?;
+    if !text(first).starts_with("File_Type") {
+        return None;
+    }
+    for (at, line) in lines {
+        let line = text(line);
+        let fields: Vec<&str> = line.split_whitespace().collect();
+        if let Some(place) = fields.iter().position(|f| *f == "PreciseRate:") {
+            rate = fields.get(place + 1).and_then(|r| r.parse().ok());
+        }
+        match fields.first() {
+            Some(&"Name") => {
+                let all = line.split('\t').skip(1).map(|n| n.trim().to_string());
+                let time = std::iter::once("time".to_string());
+                names = Some(time.chain(all).collect());
+            }
+            Some(&("Rate" | "Range")) | None => (),
+            Some(word) if word.parse::<f64>().is_ok() => {
+                let names = names?;
+                let table = Table {
+                    start: at,
+                    width: names.len(),
+                    units: Vec::new(),
+                    head: Vec::new(),
+                    names,
+                };
+                return Some((table, rate));
+            }
+            Some(_) => (),
+        }
+    }
+    None
+}
+
+/// The channels of numbered plates, or those that the user names.
+pub(super) fn plates(path: &Path, table: &Table, options: &ReadOptions) -> Result<Option<Plan>> {
+    let Some(mut plan) = plan(path, table, options)? else {
+        return Ok(None);
+    };
+    if options.force.is_empty() {
+        plan.force.retain(|(i, axis, _)| {
+            let numbered = table.names[*i].contains(|c: char| c.is_ascii_digit());
+            numbered && *axis != Axis::Vertical
+        });
+    }
+    Ok((!plan.force.is_empty()).then_some(plan))
+}
+
+/// Brings counts to about newtons by the mass of the walker; the mean cycle is brought to it exactly.
+///
+/// # Errors
+///
+/// Where neither mass nor unit is given.
+pub(super) fn scale(
+    path: &Path,
+    forces: &mut [RawForce],
+    options: &ReadOptions,
+) -> Result<Option<Note>> {
+    if options.unit.is_some() {
+        return Ok(None);
+    }
+    let mass = (options.mass_kg).ok_or_else(|| ReadError::CountsWithoutMass.in_file(path))?;
+    // The vertical components are the ones that reach furthest.
+    let reach = |f: &RawForce| {
+        let mut values: Vec<f64> = f.values.iter().copied().filter(|x| x.is_finite()).collect();
+        values.sort_by(f64::total_cmp);
+        let rest = values.get(values.len() / 2).copied().unwrap_or(0.0);
+        let ends = values.first().zip(values.last());
+        ends.map_or(0.0, |(a, b)| (b - rest).max(rest - a))
+    };
+    let top = forces.iter().map(reach).fold(0.0, f64::max);
+    if top > 0.0 {
+        let factor = USUAL_PEAK * mass * G / top;
+        for x in forces.iter_mut().flat_map(|f| &mut f.values) {
+            *x *= factor;
+        }
+    }
+    let mass = kilograms(mass);
+    Ok(Some(Note::CountsScaled { mass }))
+}

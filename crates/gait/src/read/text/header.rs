@@ -1,0 +1,135 @@
+//! The header of a table: names over columns, groups over names, units, lines above.
+
+use super::layout::{Fields, Layout, Position, Separator, text};
+use super::table::Table;
+use crate::read::number::{Field, field, trim};
+
+fn cells(line: &[u8], layout: Layout, width: usize) -> Vec<String> {
+    let split = |l: &[u8]| -> Vec<String> {
+        let mut all: Vec<String> = Fields::new(l, layout).map(|f| text(trim(f))).collect();
+        while all.last().is_some_and(String::is_empty) {
+            all.pop();
+        }
+        all
+    };
+    let line = uncommented(line);
+    let all = split(line);
+    if layout.separator == Separator::Blanks && all.len() != width {
+        // Names may hold single blanks where wider gaps part the columns.
+        let whole = text(line).replace('\t', "  ");
+        let wide = whole.split("  ").map(str::trim).filter(|c| !c.is_empty());
+        let wide: Vec<String> = wide.map(str::to_string).collect();
+        if wide.len() == width {
+            return wide;
+        }
+    }
+    all
+}
+
+fn uncommented(line: &[u8]) -> &[u8] {
+    let line = line.trim_ascii_end();
+    let marks = line.iter().take_while(|b| b"#%!".contains(b)).count();
+    if marks == 0 {
+        return line;
+    }
+    line[marks..].strip_prefix(b" ").unwrap_or(&line[marks..])
+}
+
+pub(super) fn with_header(start: Position, width: usize, head: &[&[u8]], layout: Layout) -> Table {
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    let mut units = Vec::new();
+    let mut above = head.len();
+    while above > 0 && rows.len() < 6 {
+        let line = head[above - 1];
+        let blank = line.trim_ascii().is_empty();
+        let row = cells(line, layout, width);
+        if units.is_empty() && rows.is_empty() && is_unit_row(&row) && row.len() <= width + 1 {
+            units = row;
+        } else if match rows.last() {
+            None => is_name_row(&row, width, layout),
+            Some(below) => is_group_row(&row, below, width, layout),
+        } {
+            rows.push(row);
+        } else if !(blank && rows.is_empty() && above == head.len()) {
+            break;
+        }
+        above -= 1;
+    }
+    rows.reverse();
+    Table {
+        start,
+        width,
+        names: joined(&rows),
+        units,
+        head: head[..above]
+            .iter()
+            .map(|l| text(uncommented(l)).trim().to_string())
+            .collect(),
+    }
+}
+
+fn filled(row: &[String]) -> usize {
+    row.iter().filter(|c| !c.is_empty()).count()
+}
+
+fn is_wordy(row: &[String], layout: Layout) -> bool {
+    let number = |c: &&String| matches!(field(c.as_bytes(), layout.comma), Field::Number(_));
+    row.iter().filter(number).count() == 0
+        && !row
+            .first()
+            .is_some_and(|c| c.contains('=') || c.eq_ignore_ascii_case("endheader"))
+}
+
+/// A row that names at least half the columns.
+fn is_name_row(row: &[String], width: usize, layout: Layout) -> bool {
+    let named = filled(row);
+    named > 0 && 2 * named >= width && row.len() <= 2 * width + 2 && is_wordy(row, layout)
+}
+
+/// A row above the names that tells apart columns of the same name: plates over their components.
+fn is_group_row(row: &[String], below: &[String], width: usize, layout: Layout) -> bool {
+    let mut names: Vec<&String> = below.iter().filter(|c| !c.is_empty()).collect();
+    let all = names.len();
+    names.sort();
+    names.dedup();
+    let repeats = names.len() < all;
+    let fits = filled(row) > 0 && row.len() <= width + 1 && is_wordy(row, layout);
+    let over_names = row.first().is_some_and(String::is_empty);
+    fits && (over_names || repeats && filled(row) * 2 >= width)
+}
+
+/// Whether a cell is nothing but the name of a unit.
+fn is_unit_row(row: &[String]) -> bool {
+    const UNITS: &str = " s sec secs seconds ms min n kn newton newtons lbf lb lbs kgf kg mm cm m nmm n.mm n*mm nm n.m n*m n-m \
+        n·m n·mm v mv uv µv volt volts deg ° deg/s rad hz - % bw %bw n/kg n/bw adc bits a.u. g mm/s m/s m/s^2 m/s² n/cm² kpa frame frames ";
+    let unit = |c: &&String| {
+        let bare = c.trim_matches(['[', ']', '(', ')', ' ']).to_lowercase();
+        !bare.is_empty() && UNITS.contains(&format!(" {bare} "))
+    };
+    let named = filled(row);
+    named > 0 && row.iter().filter(unit).count() * 4 >= named * 3
+}
+
+/// Joins the rows of a header column by column; a group name holds until the next one.
+fn joined(rows: &[Vec<String>]) -> Vec<String> {
+    let Some(last) = rows.last() else {
+        return Vec::new();
+    };
+    let mut names = vec![String::new(); last.len()];
+    for (depth, row) in rows.iter().enumerate() {
+        let mut held = "";
+        for (name, i) in names.iter_mut().zip(0..) {
+            let cell = row.get(i).map_or("", String::as_str);
+            if !cell.is_empty() || depth + 1 == rows.len() {
+                held = cell;
+            }
+            if !held.is_empty() {
+                if !name.is_empty() {
+                    name.push(' ');
+                }
+                name.push_str(held);
+            }
+        }
+    }
+    names
+}

@@ -1,0 +1,284 @@
+//! Tables without a header: which column is time and which are vertical forces, from the numbers alone.
+
+use std::path::Path;
+
+use super::choose::force_is_time;
+use super::layout::Layout;
+use super::raw::Raw;
+use super::table::{Numbers, Table, numbers};
+use crate::error::{Placed, ReadError, Result};
+use crate::read::raw::RawForce;
+use crate::recording::{Axis, Foot, Note, ReadOptions};
+
+/// Fewest rows that are taken for a recording when nothing names the columns.
+const FEWEST: usize = 10;
+
+/// Rows looked at, evenly spread, to tell the columns apart.
+const SAMPLE: usize = 4096;
+
+/// Columns beyond which a table without names is not a recording of forces.
+const WIDEST: usize = 400;
+
+/// Values per row beyond which nameless columns are pressure sensors, not plates (twelve plates of six).
+const MOST_VALUES: usize = 72;
+
+/// Reads a table without column names; `None` where it is too short to be a recording.
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    options: &ReadOptions,
+) -> Result<Option<Raw>> {
+    let wanted: Vec<usize> = (0..table.width.min(WIDEST)).collect();
+    let Numbers {
+        mut columns,
+        skipped,
+    } = numbers(path, bytes, layout, table, &wanted, None)?;
+    let samples = columns.first().map_or(0, Vec::len);
+    if samples < FEWEST && options.force.is_empty() {
+        return Ok(None);
+    }
+    let number = |name: &str| -> Result<usize> {
+        let n = name
+            .parse::<usize>()
+            .ok()
+            .filter(|n| (1..=columns.len()).contains(n));
+        n.map(|n| n - 1).ok_or_else(|| {
+            ReadError::NoColumnNumber {
+                column: name.to_string(),
+                count: columns.len(),
+            }
+            .at_line(path, table.start.line)
+        })
+    };
+    let time = match &options.time {
+        Some(name) => Some(number(name)?),
+        None => time_column(&columns),
+    };
+    let mut forces: Vec<usize> = if options.force.is_empty() {
+        force_columns(&columns, time)
+    } else {
+        options
+            .force
+            .iter()
+            .map(|f| number(f))
+            .collect::<Result<_>>()?
+    };
+    let named = !forces.is_empty();
+    forces.retain(|&i| Some(i) != time);
+    forces.sort_unstable();
+    forces.dedup();
+    if named && forces.is_empty() {
+        return Err(force_is_time(path, table));
+    }
+    if forces.is_empty() {
+        return Err(ReadError::NamelessColumns.at_line(path, table.start.line));
+    }
+    if let Some(t) = time {
+        rising(path, table, &columns[t])?;
+    }
+    let counts = time.is_some_and(|t| counts_samples(&columns[t]));
+    let times = time.map(|t| std::mem::take(&mut columns[t]));
+    let sides = if options.force.is_empty() {
+        insole_sides(&forces, columns.len(), time)
+    } else {
+        None
+    };
+    let insoles = sides.map(|_| Note::InsoleColumns {
+        left: forces[0] + 1,
+        right: forces[1] + 1,
+    });
+    let forces = forces
+        .into_iter()
+        .enumerate()
+        .map(|(k, i)| RawForce {
+            name: format!("column {}", i + 1),
+            axis: Axis::Vertical,
+            foot: sides.map(|s| s[k]),
+            unit: None,
+            values: std::mem::take(&mut columns[i]),
+        })
+        .collect();
+    Ok(Some(Raw {
+        times,
+        time_unit: None,
+        counts,
+        forces,
+        samples,
+        skipped,
+        notes: insoles.into_iter().collect(),
+    }))
+}
+
+/// Left and right, where the table is time, two like sets of sensors and their two sums, in this order.
+///
+/// So are the insole recordings of PhysioNet's gait database, left foot first.
+fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[Foot; 2]> {
+    let sensors = width.checked_sub(3)?;
+    let is_layout = time == Some(0)
+        && sensors >= 6
+        && sensors.is_multiple_of(2)
+        && forces == [width - 2, width - 1];
+    is_layout.then_some([Foot::Left, Foot::Right])
+}
+
+fn rising(path: &Path, table: &Table, times: &[f64]) -> Result<()> {
+    let fall = times.windows(2).position(|w| w[1] < w[0] || w[1].is_nan());
+    match fall {
+        None => Ok(()),
+        // Rows follow each other without gaps in such files, so the line is the row.
+        Some(i) => {
+            let (after, time) = (times[i], times[i + 1]);
+            let error = if time.is_nan() {
+                ReadError::TimeMissing { after }
+            } else {
+                ReadError::TimeBackwards { time, after }
+            };
+            Err(error.at_line(path, table.start.line + i + 1))
+        }
+    }
+}
+
+fn thinned(column: &[f64]) -> impl Iterator<Item = f64> + '_ {
+    column.iter().step_by(column.len() / SAMPLE + 1).copied()
+}
+
+/// The first column, where it rises through nearly all rows in steps that are much alike.
+fn time_column(columns: &[Vec<f64>]) -> Option<usize> {
+    if columns.len() < 2 {
+        return None;
+    }
+    let t = columns.first().filter(|t| t.len() >= 2)?;
+    let rises = t.windows(2).filter(|w| w[1] >= w[0]).count();
+    let mut steps: Vec<f64> = t
+        .windows(2)
+        .step_by(t.len() / SAMPLE + 1)
+        .map(|w| w[1] - w[0])
+        .collect();
+    steps.sort_by(f64::total_cmp);
+    let at = |q: f64| steps[((steps.len() - 1) as f64 * q) as usize];
+    let alike = at(0.9) > 0.0 && at(0.9) <= 4.0 * at(0.5).max(0.25 * at(0.9)) && at(0.1) >= 0.0;
+    (100 * rises >= 95 * (t.len() - 1) && alike).then_some(0)
+}
+
+fn counts_samples(times: &[f64]) -> bool {
+    times.windows(2).all(|w| w[1] - w[0] == 1.0)
+}
+
+/// Columns that carry a vertical force.
+///
+/// Sums of a block of other columns first (insoles: sensors and their totals); then the third of every six
+/// (plates: Fx Fy Fz Mx My Mz), or whichever of the first three carries the load; then every column that
+/// pushes to one side and reaches at least two fifths of the largest.
+fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
+    let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
+    if data.len() > MOST_VALUES {
+        return Vec::new();
+    }
+    let totals = totals(columns, &data);
+    if !totals.is_empty() {
+        return totals;
+    }
+    let reach = |i: usize| {
+        thinned(&columns[i])
+            .filter(|x| x.is_finite())
+            .fold(0.0, |m: f64, x| m.max(x.abs()))
+    };
+    if data.len() >= 6 && data.len().is_multiple_of(6) {
+        let plates: Vec<&[usize]> = data.chunks(6).collect();
+        let load = |k: usize| plates.iter().map(|p| reach(p[k])).sum::<f64>();
+        let vertical = (0..3)
+            .max_by(|&a, &b| load(a).total_cmp(&load(b)))
+            .unwrap_or(2);
+        return plates.iter().map(|p| p[vertical]).collect();
+    }
+    let one_sided = |i: usize| {
+        let (mut up, mut down) = (0.0, 0.0);
+        for x in thinned(&columns[i]).filter(|x| x.is_finite()) {
+            if x > 0.0 {
+                up += x;
+            } else {
+                down -= x;
+            }
+        }
+        up.max(down) > 0.9 * (up + down)
+    };
+    let pushing: Vec<usize> = data.into_iter().filter(|&i| one_sided(i)).collect();
+    let most = pushing.iter().map(|&i| reach(i)).fold(0.0, f64::max);
+    pushing
+        .into_iter()
+        .filter(|&i| most > 0.0 && reach(i) > 0.4 * most)
+        .collect()
+}
+
+/// Columns that are the sum of a run of at least three neighbouring columns in nearly every row.
+fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
+    let samples = columns.first().map_or(0, Vec::len);
+    if data.len() < 4 || data.len() > 64 || samples == 0 {
+        return Vec::new();
+    }
+    // A hundred loaded rows settle it.
+    let rows: Vec<usize> = (0..samples).step_by(samples / 100 + 1).collect();
+    let is_sum = |total: usize, block: &[usize]| {
+        let agrees = |&&r: &&usize| {
+            let sum: f64 = block.iter().map(|&i| columns[i][r]).sum();
+            (sum - columns[total][r]).abs() <= 0.5 + 0.005 * sum.abs()
+        };
+        let loaded = rows
+            .iter()
+            .filter(|&&r| columns[total][r].abs() > 50.0)
+            .count();
+        5 * loaded > rows.len() && 100 * rows.iter().filter(agrees).count() >= 95 * rows.len()
+    };
+    let mut found = Vec::new();
+    for (k, &total) in data.iter().enumerate() {
+        let blocks = (0..k).flat_map(|a| (a + 3..=k).map(move |b| (a, b)));
+        if blocks
+            .map(|(a, b)| &data[a..b])
+            .any(|block| is_sum(total, block))
+        {
+            found.push(total);
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stance(i: usize, shift: usize) -> f64 {
+        let t = ((i + shift) % 100) as f64 / 60.0;
+        if t < 1.0 {
+            800.0 * (std::f64::consts::PI * t).sin()
+        } else {
+            0.0
+        }
+    }
+
+    #[test]
+    fn the_third_of_six_the_totals_and_the_one_sided_are_found() {
+        let t: Vec<f64> = (0..400).map(|i| 0.01 * i as f64).collect();
+        let z: Vec<f64> = (0..400).map(|i| -stance(i, 0)).collect();
+        let s: Vec<f64> = (0..400).map(|i| 150.0 * (i as f64 * 0.1).sin()).collect();
+        let m: Vec<f64> = z.iter().map(|f| 900.0 * f).collect();
+        let plate = vec![
+            t.clone(),
+            s.clone(),
+            s.clone(),
+            z.clone(),
+            m.clone(),
+            m.clone(),
+            m,
+        ];
+        assert_eq!(time_column(&plate), Some(0));
+        assert_eq!(force_columns(&plate, Some(0)), [3]);
+        let three = vec![t.clone(), s.clone(), s, z.clone()];
+        assert_eq!(force_columns(&three, Some(0)), [3]);
+        let part = |k: f64| z.iter().map(|f| k * f).collect::<Vec<f64>>();
+        let insole = vec![t, part(0.2), part(0.3), part(0.5), z.clone()];
+        assert_eq!(force_columns(&insole, Some(0)), [4]);
+        assert_eq!(time_column(&[z.clone(), z]), None);
+    }
+}

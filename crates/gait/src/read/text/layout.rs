@@ -1,0 +1,269 @@
+//! How a delimited text is laid out: its lines, its separator and its decimal mark.
+
+use std::borrow::Cow;
+
+use crate::read::number::{Field, field, trim};
+
+/// What stands between two fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Separator {
+    /// One of this byte between every two fields.
+    Byte(u8),
+    /// Any number of blanks.
+    Blanks,
+}
+
+/// Separator and decimal mark of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Layout {
+    pub separator: Separator,
+    /// True where the decimal mark is a comma.
+    pub comma: bool,
+}
+
+/// A place in a text: byte offset from 0 and line number from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Position {
+    pub offset: usize,
+    pub line: usize,
+}
+
+/// The lines of a text with their places, without their ends.
+#[derive(Clone)]
+pub(crate) struct Lines<'a> {
+    bytes: &'a [u8],
+    pub at: Position,
+}
+
+impl<'a> Lines<'a> {
+    pub fn new(bytes: &'a [u8]) -> Self {
+        Lines::from(bytes, Position { offset: 0, line: 1 })
+    }
+
+    pub fn from(bytes: &'a [u8], at: Position) -> Self {
+        Lines { bytes, at }
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = (Position, &'a [u8]);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let rest = self.bytes.get(self.at.offset..)?;
+        if rest.is_empty() {
+            return None;
+        }
+        let here = self.at;
+        let end = rest.iter().position(|&b| b == b'\n');
+        let line = &rest[..end.unwrap_or(rest.len())];
+        self.at.offset += end.map_or(rest.len(), |e| e + 1);
+        self.at.line += 1;
+        Some((here, line.strip_suffix(b"\r").unwrap_or(line)))
+    }
+}
+
+/// Plain bytes with `\n` line ends: byte-order marks cut, UTF-16 and lone carriage returns converted.
+pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
+    if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
+        return Cow::Borrowed(rest);
+    }
+    let wide = |rest: &[u8], order: fn([u8; 2]) -> u16| -> Vec<u8> {
+        let units = rest.chunks_exact(2).map(|c| order([c[0], c[1]]));
+        let text: String = char::decode_utf16(units)
+            .map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
+            .collect();
+        text.into_bytes()
+    };
+    if let Some(rest) = bytes.strip_prefix(b"\xFF\xFE") {
+        return Cow::Owned(wide(rest, u16::from_le_bytes));
+    }
+    if let Some(rest) = bytes.strip_prefix(b"\xFE\xFF") {
+        return Cow::Owned(wide(rest, u16::from_be_bytes));
+    }
+    let start = &bytes[..bytes.len().min(1 << 16)];
+    if start.contains(&b'\r') && !start.contains(&b'\n') {
+        let ends = |&b: &u8| if b == b'\r' { b'\n' } else { b };
+        return Cow::Owned(bytes.iter().map(ends).collect());
+    }
+    Cow::Borrowed(bytes)
+}
+
+/// Text of some bytes: UTF-8 where it is that, Latin-1 otherwise.
+pub(crate) fn text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(s) => s.to_string(),
+        Err(_) => bytes.iter().map(|&b| char::from(b)).collect(),
+    }
+}
+
+/// Lines looked at to find separator and decimal mark.
+const SAMPLE: usize = 60;
+
+/// Finds separator and decimal mark from lines that look like numbers, a few from each part of the text.
+pub(crate) fn detect(bytes: &[u8]) -> Layout {
+    let mut sample: Vec<&[u8]> = Vec::new();
+    for part in 0..4 {
+        let mut lines = Lines::new(bytes);
+        lines.at.offset = bytes.len() / 4 * part;
+        let skip = usize::from(part > 0); // that line may have been entered half-way
+        let numeric = lines.skip(skip).take(400).map(|(_, l)| l).filter(|l| {
+            let first = trim(l).first();
+            first.is_some_and(|c| c.is_ascii_digit() || b"+-.,;".contains(c))
+        });
+        sample.extend(numeric.take(SAMPLE / 4));
+    }
+    let all_have = |b: u8| {
+        let having = sample.iter().filter(|l| l.contains(&b)).count();
+        having > 0 && 2 * having > sample.len()
+    };
+    let separator = if all_have(b'\t') {
+        Separator::Byte(b'\t')
+    } else if all_have(b';') {
+        Separator::Byte(b';')
+    } else if all_have(b'|') {
+        Separator::Byte(b'|')
+    } else if all_have(b',') && !sample.iter().all(|l| blanks_part_decimal_commas(l))
+        || sample.is_empty() && bytes.contains(&b',')
+    {
+        Separator::Byte(b',')
+    } else {
+        Separator::Blanks
+    };
+    let plain = Layout {
+        separator,
+        comma: false,
+    };
+    let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
+    // Between commas a decimal comma stands in quotes.
+    let quoted = |l: &&[u8]| {
+        Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
+    };
+    Layout {
+        separator,
+        comma: if separator == Separator::Byte(b',') {
+            sample.iter().any(quoted)
+        } else {
+            sample.iter().any(has_comma)
+        },
+    }
+}
+
+/// `0,00  12,5  3`: numbers with a decimal comma, at least two of them, parted by blanks.
+fn blanks_part_decimal_commas(line: &[u8]) -> bool {
+    let mut words = 0;
+    for word in line
+        .split(u8::is_ascii_whitespace)
+        .filter(|w| !w.is_empty())
+    {
+        words += 1;
+        if field(word, true) == Field::Text || word.ends_with(b",") {
+            return false;
+        }
+    }
+    words >= 2
+}
+
+fn is_decimal_comma(f: &[u8]) -> bool {
+    // The seconds of a clock time count as well.
+    let last = f.rsplit(|&b| b == b':').next().unwrap_or(f);
+    last.contains(&b',') && matches!(field(last, true), Field::Number(_))
+}
+
+/// The fields of one line; a field in double quotes may hold the separator.
+#[derive(Clone)]
+pub(crate) struct Fields<'a> {
+    rest: Option<&'a [u8]>,
+    separator: Separator,
+}
+
+impl<'a> Fields<'a> {
+    pub fn new(line: &'a [u8], layout: Layout) -> Self {
+        let rest = match layout.separator {
+            Separator::Blanks => Some(line.trim_ascii()).filter(|l| !l.is_empty()),
+            Separator::Byte(_) => Some(line),
+        };
+        Fields {
+            rest,
+            separator: layout.separator,
+        }
+    }
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = &'a [u8];
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let rest = self.rest?;
+        match self.separator {
+            Separator::Byte(s) => {
+                let from = closing_quote(rest);
+                let end = rest[from..].iter().position(|&b| b == s).map(|e| e + from);
+                self.rest = end.map(|e| &rest[e + 1..]);
+                Some(&rest[..end.unwrap_or(rest.len())])
+            }
+            Separator::Blanks => {
+                let end = rest.iter().position(u8::is_ascii_whitespace);
+                self.rest = end.map(|e| rest[e..].trim_ascii_start());
+                Some(&rest[..end.unwrap_or(rest.len())])
+            }
+        }
+    }
+}
+
+/// Where to look for the separator: behind a quoted field, or at once.
+fn closing_quote(rest: &[u8]) -> usize {
+    if rest.first() != Some(&b'"') {
+        return 0;
+    }
+    rest[1..]
+        .iter()
+        .position(|&b| b == b'"')
+        .map_or(0, |e| e + 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn separator_and_decimal_mark_are_found_from_the_numbers() {
+        let found = |t: &str| {
+            let l = detect(t.as_bytes());
+            (l.separator, l.comma)
+        };
+        let b = Separator::Byte;
+        assert_eq!(found("t,f\n0.0,1.5\n0.1,2\n"), (b(b','), false));
+        assert_eq!(found("t;f\n0,0;1,5\n0,1;2\n"), (b(b';'), true));
+        assert_eq!(found("t\tf\n0,0\t1,5\n0,1\t2\n"), (b(b'\t'), true));
+        assert_eq!(found("t f\n0,0 1,5\n0,1   2\n"), (Separator::Blanks, true));
+        assert_eq!(
+            found("t f\n 0.0 1.5\n 0.1   2\n"),
+            (Separator::Blanks, false)
+        );
+        assert_eq!(found("0, 1\n1, 2\n"), (b(b','), false));
+        let quoted = "t,f\n\"0,000\",\"1,5\"\n\"0,001\",\"2,25\"\n";
+        assert_eq!(found(quoted), (b(b','), true));
+        assert_eq!(found("\"t\",\"f\"\n\"0.0\",\"1.5\"\n"), (b(b','), false));
+    }
+
+    #[test]
+    fn lines_of_every_system_and_encoding_come_out_plain() {
+        assert_eq!(&*plain(b"a\rb\r"), b"a\nb\n");
+        assert_eq!(&*plain(b"\xFF\xFEa\0\n\0"), b"a\n");
+        assert_eq!(&*plain(b"\xEF\xBB\xBFa"), b"a");
+        assert_eq!(text(b"Gr\xF6\xDFe"), "Größe");
+        let all: Vec<_> = Lines::new(b"a\r\n\nb").map(|(p, l)| (p.line, l)).collect();
+        assert_eq!(all, [(1, &b"a"[..]), (2, b""), (3, b"b")]);
+    }
+
+    #[test]
+    fn quoted_fields_may_hold_the_separator() {
+        let layout = Layout {
+            separator: Separator::Byte(b','),
+            comma: false,
+        };
+        let fields: Vec<_> = Fields::new(b"\"a,b\",c,", layout).collect();
+        assert_eq!(fields, [&b"\"a,b\""[..], b"c", b""]);
+    }
+}

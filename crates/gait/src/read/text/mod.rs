@@ -1,0 +1,206 @@
+//! Recordings in delimited text: one row per sample.
+
+mod choose;
+mod clock_time;
+mod converter;
+mod format;
+mod header;
+mod headerless;
+mod layout;
+mod plain_row;
+mod raw;
+mod stance_table;
+mod table;
+mod times;
+
+use std::path::Path;
+
+use choose::{Plan, plan};
+use format::format;
+use raw::Raw;
+use table::{Numbers, skip};
+use times::{time_base, time_unit};
+
+use super::columns::{Role, role};
+use super::keys;
+use super::number::trim;
+use super::raw::RawForce;
+use super::vertical::{self, Facts};
+use crate::error::{Error, Placed, ReadError, Result};
+use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
+
+pub(super) use choose::{column, unit_label};
+pub(super) use layout::{Fields, Layout, Lines, Position, detect, plain, text};
+pub use stance_table::metadata_name;
+pub(super) use table::{Table, next_table, numbers};
+
+/// Reads a delimited text; the first table with a force column counts.
+pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {
+    let bytes = &*plain(bytes);
+    let layout = detect(bytes);
+    if let Some((table, rate)) = converter::table(bytes) {
+        return converter_counts(path, bytes, layout, &table, rate, options);
+    }
+    let mut from = Position { offset: 0, line: 1 };
+    let mut head: Vec<String> = Vec::new();
+    let mut seen: Vec<String> = Vec::new();
+    while let Some(table) = next_table(bytes, layout, from) {
+        let room = 600usize.saturating_sub(head.len());
+        head.extend(table.head.iter().take(room).cloned());
+        if stance_table::is_stance_table(&table.names) {
+            return stance_table::read(path, bytes, layout, &table, &head, options);
+        }
+        if table.names.is_empty() && options.force.iter().all(|f| f.parse::<usize>().is_ok()) {
+            if let Some(raw) = headerless::read(path, bytes, layout, &table, options)? {
+                return finish(path, layout, &table, &head, raw, options);
+            }
+        } else if let Some(plan) = plan(path, &table, options)? {
+            let raw = extract(path, bytes, layout, &table, &plan)?;
+            return finish(path, layout, &table, &head, raw, options);
+        }
+        seen.extend(
+            table
+                .names
+                .iter()
+                .take(200usize.saturating_sub(seen.len()))
+                .cloned(),
+        );
+        from = skip(bytes, layout, &table);
+    }
+    Err(nothing_found(path, bytes, layout, &seen))
+}
+
+/// Reads the plates of a file of converter counts.
+fn converter_counts(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    rate: Option<f64>,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let place = |e: Error| e.in_file(path);
+    let Some(plan) = converter::plates(path, table, options)? else {
+        return Err(nothing_found(path, bytes, layout, &table.names));
+    };
+    let mut raw = extract(path, bytes, layout, table, &plan)?;
+    let mut notes: Vec<Note> = Vec::new();
+    notes.extend(converter::scale(path, &mut raw.forces, options)?);
+    let base = time_base(&raw, options, rate, &mut notes).map_err(place)?;
+    let facts = Facts {
+        format: Format::ConverterCounts,
+        samples: raw.samples,
+        mass_kg: None,
+        zero: None,
+        notes,
+    };
+    let mut forces = raw.forces;
+    for f in &mut forces {
+        f.unit = Some(ForceUnit::Newton);
+    }
+    vertical::recording(forces, base, facts, options).map_err(place)
+}
+
+fn nothing_found(path: &Path, bytes: &[u8], layout: Layout, seen: &[String]) -> Error {
+    if bytes.trim_ascii().is_empty() {
+        return ReadError::Empty.in_file(path);
+    }
+    // A table whose rows start with words has no numbers to go by; its first line may name its columns.
+    let first = bytes.split(|&b| b == b'\n').next().unwrap_or(bytes);
+    let head = Fields::new(first, layout).take(40).map(|f| text(trim(f)));
+    let head: Vec<String> = head.filter(|f| f.len() < 60).collect();
+    let names = if seen.is_empty() && head.len() > 1 {
+        &head[..]
+    } else {
+        seen
+    };
+    if names.is_empty() {
+        let start = text(&bytes[..bytes.len().min(60)])
+            .chars()
+            .take(40)
+            .collect();
+        return ReadError::NoTable { start }.in_file(path);
+    }
+    let force = names.iter().find(|n| matches!(role(n), Role::Force { .. }));
+    if let (true, Some(column)) = (seen.is_empty(), force.cloned()) {
+        return ReadError::HeaderWithoutRows { column }.in_file(path);
+    }
+    let columns = listed(names);
+    ReadError::NoForceColumn { columns }.in_file(path)
+}
+
+/// The first names of columns, for a message.
+fn listed(names: &[String]) -> String {
+    let shown: Vec<&str> = names.iter().take(40).map(String::as_str).collect();
+    shown.join(", ")
+}
+
+fn extract(path: &Path, bytes: &[u8], layout: Layout, table: &Table, plan: &Plan) -> Result<Raw> {
+    let mut wanted: Vec<usize> = plan.force.iter().map(|f| f.0).chain(plan.time).collect();
+    wanted.sort_unstable();
+    wanted.dedup();
+    let slot = |i: usize| wanted.iter().position(|&w| w == i);
+    let time_slot = plan.time.and_then(slot);
+    let Numbers {
+        mut columns,
+        skipped,
+    } = numbers(path, bytes, layout, table, &wanted, time_slot)?;
+    let samples = columns.first().map_or(0, Vec::len);
+    let times = time_slot.map(|t| std::mem::take(&mut columns[t]));
+    let mut forces = Vec::new();
+    for (i, axis, side) in &plan.force {
+        let Some(s) = slot(*i) else { continue };
+        forces.push(RawForce {
+            name: table.names[*i].trim().to_string(),
+            axis: *axis,
+            foot: *side,
+            unit: unit_label(table, *i),
+            values: std::mem::take(&mut columns[s]),
+        });
+    }
+    Ok(Raw {
+        times,
+        time_unit: plan.time.and_then(|t| time_unit(table, t)),
+        counts: plan.counts,
+        forces,
+        samples,
+        skipped,
+        notes: Vec::new(),
+    })
+}
+
+/// Puts raw columns on a time base and makes channels of vertical force of them.
+fn finish(
+    path: &Path,
+    layout: Layout,
+    table: &Table,
+    head: &[String],
+    raw: Raw,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let keys = keys::read(head, layout.comma);
+    let samples = raw.samples;
+    if samples < 2 {
+        return Err(ReadError::FewSamples { samples }.at_line(path, table.start.line));
+    }
+    let mut notes = raw.notes.clone();
+    if let Some(announced) = keys.rows.filter(|r| *r != samples) {
+        notes.push(Note::RowsDiffer {
+            announced,
+            found: samples,
+        });
+    }
+    if let Some(&first_line) = raw.skipped.first() {
+        notes.push(Note::LinesSkipped { first_line });
+    }
+    let place = |e: Error| e.in_file(path);
+    let base = time_base(&raw, options, keys.rate_hz, &mut notes).map_err(place)?;
+    let facts = Facts {
+        format: format(path, layout, table, head),
+        samples,
+        mass_kg: keys.mass_kg,
+        zero: None,
+        notes,
+    };
+    vertical::recording(raw.forces, base, facts, options).map_err(place)
+}

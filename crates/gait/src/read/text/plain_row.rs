@@ -1,0 +1,88 @@
+//! Rows of plain numbers, read in one pass over their bytes: most of a long recording.
+
+use super::layout::{Layout, Separator};
+use crate::read::number::short;
+
+/// Reads the wanted fields (numbers from 0, ascending) of the row that `rest` begins with; the length of the row with
+/// its line end.
+///
+/// `None`, with `row` in any state, for a row that needs more care: one that has anything but a short number in a field
+/// up to the last wanted one, that lacks such a field, or is the last without a line end.
+#[inline]
+pub(super) fn plain_row(
+    rest: &[u8],
+    layout: Layout,
+    wanted: &[usize],
+    row: &mut [f64],
+) -> Option<usize> {
+    let Separator::Byte(separator) = layout.separator else {
+        return None;
+    };
+    let (mut at, mut next) = (0, 0);
+    for column in 0..=*wanted.last()? {
+        let (x, length) = short(&rest[at..], layout.comma)?;
+        let end = *rest.get(at + length)?;
+        let is_last = next + 1 == wanted.len() && wanted[next] == column;
+        let is_ended = end == separator || is_last && matches!(end, b'\n' | b'\r');
+        if !is_ended {
+            return None;
+        }
+        if wanted[next] == column {
+            row[next] = x;
+            next += 1;
+        }
+        at += length + 1;
+    }
+    // The byte behind the last wanted field may be the line end.
+    let end = rest[at - 1..].iter().position(|&b| b == b'\n')?;
+    Some(at + end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::layout::Fields;
+    use super::*;
+    use crate::read::number::value;
+
+    #[test]
+    fn every_row_is_read_as_field_by_field_or_left_to_it() {
+        let dot = |byte: u8, comma: bool| Layout {
+            separator: Separator::Byte(byte),
+            comma,
+        };
+        let mut plain = 0;
+        for (layout, text) in [
+            (dot(b',', false), "0.001,745.46,-0.00\n"),
+            (dot(b',', false), "1,2,3,words, and more\r\n"),
+            (dot(b',', false), "+5,.5,5.\r\n"),
+            (dot(b';', true), "0,125;-12,5;1e3\n"),
+            (dot(b';', true), "0,125;-12,5;1.234,5\n"),
+            (dot(b'\t', false), "1\t\t3\n"),
+            (dot(b'\t', false), " 1\t2\t3\n"),
+            (dot(b',', false), "1,2\n3,4,5\n"),
+            (dot(b',', false), "1,2,3"),
+            (dot(b',', false), "123456789012345678,1,2\n"),
+            (dot(b',', false), "9007199254740993,1,2\n"),
+            (dot(b',', false), "1.2.3,1,2\n"),
+            (dot(b',', false), "-,1,2\n"),
+            (dot(b',', false), "00:00.1,1,2\n"),
+        ] {
+            let wanted = [0, 1, 2];
+            let mut row = [f64::NAN; 3];
+            let Some(length) = plain_row(text.as_bytes(), layout, &wanted, &mut row) else {
+                continue;
+            };
+            plain += 1;
+            let line = text.split_inclusive('\n').next().unwrap();
+            assert_eq!(length, line.len(), "{text:?}");
+            let fields = Fields::new(line.trim_end().as_bytes(), layout);
+            let slow: Vec<f64> = fields.take(3).map(|f| value(f, layout.comma)).collect();
+            let bits = |row: &[f64]| row.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+            assert_eq!(bits(&row), bits(&slow), "{text:?}");
+        }
+        assert_eq!(plain, 3);
+        let mut row = [0.0; 2];
+        let some = plain_row(b"7,8,9,10\n", dot(b',', false), &[1, 3], &mut row);
+        assert_eq!((some, row), (Some(9), [8.0, 10.0]));
+    }
+}

@@ -1,0 +1,20 @@
+//! The columns of a table that are read, before time and unit are decided.
+
+use crate::read::raw::RawForce;
+use crate::recording::Note;
+
+/// Raw columns with their time.
+#[derive(Debug)]
+pub(super) struct Raw {
+    /// Times as written, where there is a time column.
+    pub times: Option<Vec<f64>>,
+    /// Scale of the times to seconds, where their column says it.
+    pub time_unit: Option<f64>,
+    /// Whether times count samples.
+    pub counts: bool,
+    pub forces: Vec<RawForce>,
+    pub samples: usize,
+    pub skipped: Vec<usize>,
+    /// What was guessed in the choice of columns.
+    pub notes: Vec<Note>,
+}

@@ -1,0 +1,306 @@
+//! Tables with one stance per row, as the GaitRec and Gutenberg databases have them.
+//!
+//! Identifiers come first, then samples `F_V_RAW_1 … F_V_RAW_n`, rows padded with empty fields. There is
+//! no time; the masses stand in a table of subjects beside it.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
+use super::table::Table;
+use crate::error::{Placed, ReadError, Result};
+use crate::quantity::{hertz, seconds};
+use crate::read::columns::{Role, foot, role, words};
+use crate::read::keys;
+use crate::read::number::{trim, value};
+use crate::recording::{
+    Channel, ClockSource, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, Row,
+    UnitSource,
+};
+use crate::units::G;
+
+/// Numbered columns from which a table is one of stances.
+const FEWEST_SAMPLES: usize = 40;
+
+/// Rates a laboratory samples forces at, Hz; far enough apart to be told by the length of a stance.
+const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
+
+/// Usual duration of a stance in level walking, s (README of the recordings: 0.43 to 0.81 s).
+const USUAL_STANCE_S: f64 = 0.65;
+
+/// Whether the column names are numbered samples: the same words with 1, 2, 3 … behind.
+///
+/// With a column of times the numbers are sensors, and a row is a moment.
+pub(super) fn is_stance_table(names: &[String]) -> bool {
+    names.len() > FEWEST_SAMPLES
+        && numbered(names).is_some_and(|first| {
+            let timed = names[..first].iter().any(|n| role(n) == Role::Time);
+            !timed && names.len() - first >= FEWEST_SAMPLES
+        })
+}
+
+/// First of the columns that are numbered through to the end.
+fn numbered(names: &[String]) -> Option<usize> {
+    let parts = |n: &str| {
+        let digits = n.len() - n.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        let (stem, number) = n.split_at(n.len() - digits);
+        number.parse::<usize>().ok().map(|k| (stem.to_string(), k))
+    };
+    let (stem, count) = parts(names.last()?)?;
+    let first = names.len().checked_sub(count)?;
+    let runs = names[first..]
+        .iter()
+        .enumerate()
+        .all(|(i, n)| parts(n) == Some((stem.clone(), i + 1)));
+    runs.then_some(first)
+}
+
+/// Name of the table of subjects that belongs to a table of stances: `GRF_F_V_RAW_left.csv` has
+/// `GRF_metadata.csv`. `None` for files that are not named so.
+pub fn metadata_name(path: &Path) -> Option<std::path::PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    let cut = name.find("_F_V_").or_else(|| name.find("_f_v_"))?;
+    Some(path.with_file_name(format!("{}_metadata.csv", &name[..cut])))
+}
+
+/// Reads the stances of a table.
+pub(super) fn read(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    head: &[String],
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let (mut force, rows) = stances(path, bytes, layout, table, options)?;
+    if rows.is_empty() {
+        return Err(ReadError::NoStanceRow.at_line(path, table.start.line));
+    }
+    let mut notes = vec![Note::StancePerRow { rows: rows.len() }];
+    let (unit, unit_from) = scale(path, &mut force, &rows, options, &mut notes)?;
+    let keys = keys::read(head, layout.comma);
+    let (rate_hz, clock) = match (options.rate_hz, keys.rate_hz) {
+        (Some(rate), _) => (rate, ClockSource::User),
+        (None, Some(rate)) => (rate, ClockSource::Header),
+        (None, None) => (likely_rate(&rows, &mut notes), ClockSource::GuessedRate),
+    };
+    let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
+    if masses.len() < rows.len() {
+        notes.push(Note::MassesMissing {
+            known: masses.len(),
+            rows: rows.len(),
+        });
+    }
+    let subjects = masses.iter().sum::<f64>() / masses.len() as f64;
+    let mean = (!masses.is_empty()).then_some((subjects, MassSource::Subjects));
+    let mass = options.mass_kg.map(|m| (m, MassSource::User)).or(mean);
+    let name = path
+        .file_stem()
+        .and_then(|s| s.to_str())
+        .unwrap_or("stances")
+        .to_string();
+    Ok(Recording {
+        format: Format::StanceTable,
+        rate_hz,
+        start_s: 0.0,
+        clock,
+        unit,
+        unit_from,
+        kind: options.kind,
+        duration_s: (force.len() - 1) as f64 / rate_hz,
+        mass_kg: mass.map(|m| m.0),
+        mass_from: mass.map(|m| m.1),
+        channels: vec![Channel {
+            foot: foot(&words(&name)),
+            name,
+            force_n: force,
+            baseline_n: 0.0,
+            noise_n: 0.0,
+            missing: Vec::new(),
+            idle: None,
+            rows,
+        }],
+        strikes: Vec::new(),
+        gaps_s: Vec::new(),
+        notes,
+    })
+}
+
+/// Samples of all stances one behind the other, and the place of each.
+fn stances(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    options: &ReadOptions,
+) -> Result<(Vec<f64>, Vec<Row>)> {
+    let first = numbered(&table.names).unwrap_or(0);
+    let masses = options.metadata.as_deref().map(masses).unwrap_or_default();
+    let mut force = Vec::with_capacity(bytes.len() / 4);
+    let mut rows = Vec::new();
+    for (at, line) in Lines::from(bytes, table.start) {
+        let mut fields = Fields::new(line, layout);
+        let subject = fields.next().map(|f| text(trim(f))).unwrap_or_default();
+        let from = force.len();
+        for f in fields.skip(first.saturating_sub(1)) {
+            let x = value(f, layout.comma);
+            if x.is_finite() {
+                force.push(x);
+            } else if trim(f).is_empty() {
+                break;
+            } else {
+                let sample = force.len() - from + 1;
+                let text = text(trim(f));
+                return Err(ReadError::StanceSample { sample, text }.at_line(path, at.line));
+            }
+        }
+        if force.len() > from {
+            rows.push(Row {
+                from,
+                to: force.len(),
+                mass_kg: options.mass_kg.or_else(|| masses.get(&subject).copied()),
+            });
+        }
+    }
+    force.shrink_to_fit();
+    Ok((force, rows))
+}
+
+/// Brings samples to newtons and the load to positive.
+fn scale(
+    path: &Path,
+    force: &mut [f64],
+    rows: &[Row],
+    options: &ReadOptions,
+    notes: &mut Vec<Note>,
+) -> Result<(ForceUnit, UnitSource)> {
+    let top = force
+        .iter()
+        .fold(0.0, |m: f64, x| if x.abs() > m.abs() { *x } else { m });
+    let sign = if top < 0.0 { -1.0 } else { 1.0 };
+    let unit = options.unit.unwrap_or(if top.abs() < 6.0 {
+        ForceUnit::BodyWeight
+    } else {
+        ForceUnit::Newton
+    });
+    if options.unit.is_none() && unit == ForceUnit::BodyWeight {
+        let peak = top.abs();
+        notes.push(Note::UnitGuessed { peak, unit });
+    }
+    for (i, row) in rows.iter().enumerate() {
+        let factor = unit.newtons(row.mass_kg).ok_or_else(|| {
+            let (unit, row) = (unit.name(), i + 1);
+            ReadError::RowMassMissing { unit, row }.in_file(path)
+        })?;
+        for x in &mut force[row.from..row.to] {
+            *x *= sign * factor;
+        }
+    }
+    let from = match options.unit {
+        Some(_) => UnitSource::User,
+        None => UnitSource::Guessed,
+    };
+    Ok((unit, from))
+}
+
+/// The rate at which the middle one of the stances lasts a usual time.
+fn likely_rate(rows: &[Row], notes: &mut Vec<Note>) -> f64 {
+    let mut lengths: Vec<usize> = rows.iter().map(|r| r.to - r.from).collect();
+    lengths.sort_unstable();
+    let samples = lengths[lengths.len() / 2];
+    let middle = samples as f64;
+    let off = |rate: &f64| (middle / rate / USUAL_STANCE_S).ln().abs();
+    let rate = RATES
+        .into_iter()
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+        .unwrap_or(1000.0);
+    if lengths.first() == lengths.last() {
+        notes.push(Note::DurationsLost {
+            samples,
+            assumed: seconds(middle / rate),
+        });
+    } else {
+        notes.push(Note::RateGuessed {
+            rate: hertz(rate),
+            stance: seconds(middle / rate),
+        });
+    }
+    rate
+}
+
+/// Masses of a table of subjects by the text of its first column, kg.
+fn masses(bytes: &[u8]) -> HashMap<String, f64> {
+    let bytes = &*plain(bytes);
+    let layout = detect(bytes);
+    // The first column is a name, so the header is found as the first line, not by its numbers.
+    let mut lines = Lines::from(bytes, Position { offset: 0, line: 1 });
+    let names: Vec<String> = match lines.next() {
+        Some((_, line)) => Fields::new(line, layout)
+            .map(|f| text(trim(f)).to_lowercase())
+            .collect(),
+        None => return HashMap::new(),
+    };
+    let find = |wanted: &[&str]| {
+        names
+            .iter()
+            .position(|n| wanted.iter().any(|w| n.contains(w)))
+    };
+    let mass = find(&["body_mass", "mass"]);
+    let weight = find(&["body_weight", "weight"]);
+    let mut found = HashMap::new();
+    for (_, line) in lines {
+        let fields: Vec<&[u8]> = Fields::new(line, layout).take(256).collect();
+        let at = |i: Option<usize>| {
+            let x = value(fields.get(i?)?, layout.comma);
+            x.is_finite().then_some(x)
+        };
+        // A weight beside no mass may be either; walkers of 200 N and 200 kg are both rare.
+        let weighed = at(weight).map(|w| if w > 200.0 { w / G } else { w });
+        if let (Some(id), Some(kg)) = (fields.first(), at(mass).or(weighed))
+            && (3.0..=400.0).contains(&kg)
+        {
+            found.insert(text(trim(id)), kg);
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::Foot;
+
+    #[test]
+    fn rows_are_stances_with_the_mass_of_their_subject() {
+        let names: Vec<String> = (1..=50).map(|i| format!("F_V_RAW_{i}")).collect();
+        let stance = |n: usize| -> String { (1..=n).map(|i| format!(",{}", i * 10)).collect() };
+        let t = format!(
+            "SUBJECT_ID,SESSION_ID,{}\nA,1{}{}\nB,1{}\n",
+            names.join(","),
+            stance(48),
+            ",".repeat(2),
+            stance(50)
+        );
+        let options = ReadOptions {
+            metadata: Some(b"SUBJECT_ID,BODY_WEIGHT\nA,294.3\nB,60\n".to_vec()),
+            ..ReadOptions::default()
+        };
+        let r =
+            super::super::read(Path::new("X_F_V_RAW_left.csv"), t.as_bytes(), &options).unwrap();
+        let c = &r.channels[0];
+        assert_eq!(c.foot, Some(Foot::Left));
+        let rows: Vec<_> = c
+            .rows
+            .iter()
+            .map(|r| (r.to - r.from, r.mass_kg.unwrap().round()))
+            .collect();
+        assert_eq!(rows, [(48, 30.0), (50, 60.0)]);
+    }
+
+    #[test]
+    fn the_table_of_subjects_is_known_by_name() {
+        let name = metadata_name(Path::new("d/GRF_F_V_RAW_left.csv"));
+        assert_eq!(name, Some(std::path::PathBuf::from("d/GRF_metadata.csv")));
+        assert_eq!(metadata_name(Path::new("walk.csv")), None);
+    }
+}

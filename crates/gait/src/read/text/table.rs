@@ -1,0 +1,356 @@
+//! Tables in a delimited text: where one starts, what its columns are called, its numbers.
+
+use std::collections::VecDeque;
+use std::path::Path;
+
+use super::clock_time::clock;
+use super::header::with_header;
+use super::layout::{Fields, Layout, Lines, Position};
+use super::plain_row::plain_row;
+use crate::error::{Error, Placed, ReadError, Result};
+use crate::read::number::{Field, field, trim, value};
+
+/// Lines of a header that are kept; more are skipped in the middle.
+const HEADER_LINES: usize = 300;
+
+/// One table: its place and the words above it.
+#[derive(Debug, Clone)]
+pub(crate) struct Table {
+    /// First row of numbers.
+    pub start: Position,
+    /// Fields in that row, trailing empty ones not counted.
+    pub width: usize,
+    /// Name of each column, rows of a header of several rows joined by a blank; empty without one.
+    pub names: Vec<String>,
+    /// Unit of each column where there is a row of units, else empty.
+    pub units: Vec<String>,
+    /// Lines above the table that are not its header row, comment marks cut.
+    pub head: Vec<String>,
+}
+
+/// Finds the next table at or after a position.
+///
+/// A table starts at the first of two lines that are rows of numbers (or the last line of the text).
+pub(crate) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option<Table> {
+    let mut head: VecDeque<&[u8]> = VecDeque::new();
+    let mut lines = Lines::from(bytes, from);
+    while let Some((at, line)) = lines.next() {
+        if row_width(line, layout).is_some() {
+            let next = lines
+                .clone()
+                .map(|(_, l)| l)
+                .find(|l| !l.trim_ascii().is_empty());
+            if next.is_none_or(|n| row_width(n, layout).is_some()) {
+                let width = row_width(line, layout).unwrap_or(0);
+                let head: Vec<&[u8]> = head.into_iter().collect();
+                return Some(with_header(at, width, &head, layout));
+            }
+        }
+        // One blank line of several says as much.
+        if line.is_empty() && head.back().is_some_and(|l| l.is_empty()) {
+            continue;
+        }
+        if head.len() >= HEADER_LINES {
+            head.remove(HEADER_LINES / 2);
+        }
+        head.push_back(line);
+    }
+    None
+}
+
+/// Number of fields of a row of numbers; `None` for any other line.
+///
+/// Numbers must outweigh words, and the row must start with a number or a clock time, or be long.
+fn row_width(line: &[u8], layout: Layout) -> Option<usize> {
+    let (mut width, mut numbers, mut words, mut count) = (0, 0, 0, 0);
+    let mut starts_well = None;
+    for f in Fields::new(line, layout) {
+        count += 1;
+        match field(f, layout.comma) {
+            Field::Number(_) => {
+                numbers += 1;
+                starts_well.get_or_insert(true);
+            }
+            Field::Text if starts_well.is_none() && clock(f, layout.comma).is_some() => {
+                numbers += 1;
+                starts_well = Some(true);
+            }
+            Field::Text => {
+                words += 1;
+                starts_well.get_or_insert(false);
+            }
+            Field::Missing if trim(f).is_empty() => continue,
+            Field::Missing => (),
+        }
+        width = count;
+    }
+    let long = width >= 5 && numbers >= 4 * words;
+    let is_row = numbers > words && (starts_well == Some(true) || long);
+    is_row.then_some(width)
+}
+
+/// Numbers of some columns of a table, NaN where a field holds none.
+#[derive(Debug)]
+pub(crate) struct Numbers {
+    /// One vector per wanted column, all of the same length.
+    pub columns: Vec<Vec<f64>>,
+    /// Lines that were skipped because they hold no row, up to the first few.
+    pub skipped: Vec<usize>,
+}
+
+/// Reads the wanted columns (numbers from 0, ascending) of a table.
+///
+/// `time` is the place in `wanted` of a time column, which must not fall (equal values are kept because times
+/// are rounded). Room is reserved for no more rows than there are line ends, and a row that lacks most of its
+/// fields ends the reading with an error, so that memory stays within a small multiple of the text.
+pub(crate) fn numbers(
+    path: &Path,
+    bytes: &[u8],
+    layout: Layout,
+    table: &Table,
+    wanted: &[usize],
+    time: Option<usize>,
+) -> Result<Numbers> {
+    let body = bytes.get(table.start.offset..).unwrap_or(&[]);
+    let most = line_ends(body) + 1;
+    // A row needs at least one byte per field it fills.
+    let room = most.min(body.len() / wanted.len().max(1) + 1);
+    let mut columns: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(room)).collect();
+    let mut row = vec![f64::NAN; wanted.len()];
+    let mut absent = 0usize;
+    let mut skipped = Vec::new();
+    let mut lines = Lines::from(bytes, table.start);
+    let mut last = Last {
+        time: f64::NEG_INFINITY,
+        room,
+    };
+    loop {
+        let here = lines.at;
+        let rest = bytes.get(here.offset..).unwrap_or(&[]);
+        if let Some(length) = plain_row(rest, layout, wanted, &mut row) {
+            last.push(&mut columns, &row, time)
+                .map_err(|e| fault(e, table, path, here.line))?;
+            lines.at = Position {
+                offset: here.offset + length,
+                line: here.line + 1,
+            };
+            continue;
+        }
+        let Some((at, line)) = lines.next() else {
+            break;
+        };
+        let present = wanted_fields(line, layout, wanted, &mut row, time);
+        let usable = row.iter().filter(|x| x.is_finite()).count();
+        if usable == 0 || time.is_some_and(|t| row[t].is_nan()) {
+            if line.trim_ascii().is_empty() || row_width(line, layout).is_some() || is_comment(line)
+            {
+                if usable > 0 || !line.trim_ascii().is_empty() {
+                    note_line(&mut skipped, at.line);
+                }
+                // A row of nothing but blanks still took its time.
+                if time.is_none() && columns[0].len() < room && row_width(line, layout).is_some() {
+                    push(&mut columns, &row);
+                }
+                continue;
+            }
+            let next = lines.clone().map(|(_, l)| l).next();
+            let goes_on = |n: &[u8]| row_width(n, layout).is_some_and(|w| 2 * w > table.width);
+            if next.is_some_and(goes_on) {
+                note_line(&mut skipped, at.line);
+                continue;
+            }
+            break;
+        }
+        absent += wanted.len() - present;
+        let ragged = absent > columns[0].len() * wanted.len() / 2 + 64 * wanted.len().max(8);
+        let pushed = if ragged {
+            Err(Unfit::Ragged)
+        } else {
+            last.push(&mut columns, &row, time)
+        };
+        pushed.map_err(|e| fault(e, table, path, at.line))?;
+    }
+    Ok(Numbers { columns, skipped })
+}
+
+/// Number of line ends, summed in bytes first so that many are counted at once.
+fn line_ends(bytes: &[u8]) -> usize {
+    let of = |block: &[u8]| block.iter().map(|&b| u8::from(b == b'\n')).sum::<u8>();
+    bytes.chunks(128).map(|block| usize::from(of(block))).sum()
+}
+
+/// Why a row cannot follow the rows before it.
+enum Unfit {
+    /// Rows lack most of their fields.
+    Ragged,
+    /// Time falls.
+    Backwards { time: f64, after: f64 },
+}
+
+fn fault(unfit: Unfit, table: &Table, path: &Path, line: usize) -> Error {
+    match unfit {
+        Unfit::Ragged => {
+            let fields = table.width;
+            ReadError::ShortRows { fields }.at_line(path, line)
+        }
+        Unfit::Backwards { time, after } => {
+            ReadError::TimeBackwards { time, after }.at_line(path, line)
+        }
+    }
+}
+
+/// What the next row has to follow.
+struct Last {
+    time: f64,
+    /// Rows for which there is room.
+    room: usize,
+}
+
+impl Last {
+    /// Adds a row, if its time does not fall.
+    #[inline]
+    fn push(
+        &mut self,
+        columns: &mut [Vec<f64>],
+        row: &[f64],
+        time: Option<usize>,
+    ) -> std::result::Result<(), Unfit> {
+        if columns[0].len() == self.room {
+            return Err(Unfit::Ragged);
+        }
+        if let Some(t) = time {
+            if row[t] < self.time {
+                let (time, after) = (row[t], self.time);
+                return Err(Unfit::Backwards { time, after });
+            }
+            self.time = row[t];
+        }
+        push(columns, row);
+        Ok(())
+    }
+}
+
+/// Passes over a table without reading its numbers.
+pub(crate) fn skip(bytes: &[u8], layout: Layout, table: &Table) -> Position {
+    let mut lines = Lines::from(bytes, table.start);
+    let mut end = table.start;
+    while let Some((_, line)) = lines.next() {
+        if row_width(line, layout).is_none() && !line.trim_ascii().is_empty() {
+            break;
+        }
+        end = lines.at;
+    }
+    end
+}
+
+fn push(columns: &mut [Vec<f64>], row: &[f64]) {
+    for (column, x) in columns.iter_mut().zip(row) {
+        column.push(*x);
+    }
+}
+
+fn note_line(lines: &mut Vec<usize>, line: usize) {
+    if lines.len() < 8 {
+        lines.push(line);
+    }
+}
+
+fn is_comment(line: &[u8]) -> bool {
+    line.trim_ascii()
+        .first()
+        .is_some_and(|b| b"#%!/".contains(b))
+}
+
+/// Fills `row` with the wanted fields of a line; the number of them that the line has.
+#[inline]
+fn wanted_fields(
+    line: &[u8],
+    layout: Layout,
+    wanted: &[usize],
+    row: &mut [f64],
+    time: Option<usize>,
+) -> usize {
+    row.fill(f64::NAN);
+    let mut next = 0;
+    for (i, f) in Fields::new(line, layout).enumerate() {
+        if wanted.get(next) != Some(&i) {
+            if next >= wanted.len() {
+                break;
+            }
+            continue;
+        }
+        row[next] = value(f, layout.comma);
+        if time == Some(next) && row[next].is_nan() {
+            row[next] = clock(f, layout.comma).unwrap_or(f64::NAN);
+        }
+        next += 1;
+    }
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::layout::detect;
+    use super::*;
+
+    fn table(t: &str) -> Table {
+        let layout = detect(t.as_bytes());
+        next_table(t.as_bytes(), layout, Position { offset: 0, line: 1 }).unwrap()
+    }
+
+    #[test]
+    fn names_units_and_key_lines_are_told_apart() {
+        let t =
+            table("Abtastrate [Hz];1000\nGewicht [kg];56,8\n\nZeit;Fz\ns;N\n0,0;1,5\n0,1;2,5\n");
+        assert_eq!(t.names, ["Zeit", "Fz"]);
+        assert_eq!(t.units, ["s", "N"]);
+        assert_eq!(t.head[1], "Gewicht [kg];56,8");
+        assert_eq!(t.start.line, 6);
+    }
+
+    #[test]
+    fn group_rows_are_joined_to_the_names_below_them() {
+        let t = table(
+            "Devices\n1000\n,,Plate 1 - Force,,,Plate 1 - Moment,,\nFrame,Sub Frame,Fx,Fy,Fz,Mx,My,Mz\n,,N,N,N,N.mm,N.mm,N.mm\n1,0,1,2,3,4,5,6\n1,1,1,2,3,4,5,6\n",
+        );
+        assert_eq!(t.names[4], "Plate 1 - Force Fz");
+        assert_eq!(t.names[5], "Plate 1 - Moment Mx");
+        assert_eq!(t.head, ["Devices", "1000"]);
+        let t = table(
+            "\tw.c3d\tw.c3d\tw.c3d\n\tFP1\tFP1\tFP1\n\tFORCE\tFORCE\tFORCE\nITEM\tX\tY\tZ\n1\t0\t0\t5\n2\t0\t0\t6\n",
+        );
+        assert_eq!(t.names[3], "w.c3d FP1 FORCE Z");
+    }
+
+    #[test]
+    fn padded_opensim_headers_leave_only_the_names() {
+        let t = table(
+            "my walk\t\t\nversion=1\t\t\nendheader\t\t\ntime\t   vx\t  vy\n0\t1\t2\n0.1\t1\t2\n",
+        );
+        assert_eq!(t.names, ["time", "vx", "vy"]);
+        assert_eq!(t.head.len(), 3);
+    }
+
+    #[test]
+    fn time_that_falls_is_refused_by_line() {
+        let text = b"time,f\n0.0,1\n0.2,2\n0.1,3\n";
+        let layout = detect(text);
+        let t = next_table(text, layout, Position { offset: 0, line: 1 }).unwrap();
+        let e = numbers(Path::new("a.csv"), text, layout, &t, &[0, 1], Some(0)).unwrap_err();
+        assert!(
+            e.to_string().starts_with("a.csv line 4: time decreases"),
+            "{e}"
+        );
+    }
+
+    #[test]
+    fn blanks_words_and_clock_times_inside_the_data_are_borne() {
+        let text = b"time;f\n00:00,0;1\n00:00,1;\n00:00,2;--\nPause\n00:00,3;4\n";
+        let layout = detect(text);
+        let t = next_table(text, layout, Position { offset: 0, line: 1 }).unwrap();
+        let n = numbers(Path::new("a"), text, layout, &t, &[0, 1], Some(0)).unwrap();
+        assert_eq!(n.columns[0], [0.0, 0.1, 0.2, 0.3]);
+        assert!(n.columns[1][1].is_nan() && n.columns[1][2].is_nan());
+        assert_eq!(n.skipped, [5]);
+    }
+}

@@ -1,0 +1,227 @@
+//! The time base: rate from a time column, uneven samples put on even ones, gaps named.
+
+use crate::error::{ReadError, Result};
+use crate::quantity::seconds;
+use crate::recording::ClockSource;
+
+/// An even time base for the samples of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TimeBase {
+    pub rate_hz: f64,
+    /// Time of the first sample, s.
+    pub start_s: f64,
+    /// What it was taken from.
+    pub source: ClockSource,
+    /// Times in samples from the first, where they are too uneven to be taken as even.
+    uneven: Option<Vec<f64>>,
+    /// Spans without samples, s from the first.
+    pub gaps_s: Vec<(f64, f64)>,
+    /// Single samples that are missing between others: how many, and where the first, s from the first.
+    pub missed: Option<(usize, f64)>,
+}
+
+/// A sample may lie this far from its even place, in steps, before samples are moved.
+const SLACK: f64 = 0.75;
+
+/// A step this many times the usual one is a gap.
+const GAP: f64 = 2.5;
+
+impl TimeBase {
+    /// An even base of known rate.
+    pub fn even(rate_hz: f64, source: ClockSource) -> Self {
+        TimeBase {
+            rate_hz,
+            start_s: 0.0,
+            source,
+            uneven: None,
+            gaps_s: Vec::new(),
+            missed: None,
+        }
+    }
+
+    /// The same with the first sample at another time of the file's clock, s.
+    #[must_use]
+    pub fn starting_at(self, start_s: f64) -> Self {
+        TimeBase { start_s, ..self }
+    }
+
+    /// From times in seconds that never fall; the rate is (n − 1)/duration, since single steps are rounded.
+    ///
+    /// With a gap the rate is that of the samples outside gaps.
+    ///
+    /// # Errors
+    /// Fewer than two samples; a time that stands still.
+    pub fn from_times(times: &[f64]) -> Result<Self> {
+        let n = times.len();
+        let (Some(first), Some(last)) = (times.first(), times.last()) else {
+            return Err(ReadError::FewSamples { samples: 0 }.into());
+        };
+        if n < 2 {
+            return Err(ReadError::FewSamples { samples: n }.into());
+        }
+        let whole = last - first;
+        if whole <= 0.0 {
+            let at = seconds(*first);
+            return Err(ReadError::TimeStandsStill { at }.into());
+        }
+        let usual = usual_step(times);
+        let is_gap = |w: &&[f64]| w[1] - w[0] > GAP * usual;
+        let gaps: Vec<(f64, f64)> = times
+            .windows(2)
+            .filter(is_gap)
+            .map(|w| (w[0] - first, w[1] - first))
+            .collect();
+        let lost: f64 = gaps.iter().map(|(a, b)| b - a).sum();
+        let steps = (n - 1 - gaps.len()) as f64;
+        let step = if steps > 0.0 && whole > lost {
+            (whole - lost) / steps
+        } else {
+            usual
+        };
+        // A gap may not call for more memory than the samples themselves do.
+        let slots = whole / step;
+        if slots > 4.0 * n as f64 + 1000.0 {
+            let (lost, whole) = (seconds(lost), seconds(whole));
+            return Err(ReadError::MostlyGaps { lost, whole }.into());
+        }
+        let strays = times
+            .iter()
+            .enumerate()
+            .any(|(i, t)| (t - first - i as f64 * step).abs() > SLACK * step);
+        let uneven = (strays || !gaps.is_empty())
+            .then(|| times.iter().map(|t| (t - first) / step).collect());
+        Ok(TimeBase {
+            rate_hz: 1.0 / step,
+            start_s: *first,
+            source: ClockSource::Times,
+            uneven,
+            gaps_s: gaps,
+            missed: missed(times, usual),
+        })
+    }
+
+    /// Whether samples have to be moved to even places.
+    pub fn is_uneven(&self) -> bool {
+        self.uneven.is_some()
+    }
+
+    /// Values at even times, by straight lines between the samples; missing ones stay missing.
+    pub fn resampled(&self, values: Vec<f64>) -> Vec<f64> {
+        let Some(at) = &self.uneven else {
+            return values;
+        };
+        let last = at.last().copied().unwrap_or(0.0);
+        let count = last.round() as usize + 1;
+        let mut out = Vec::with_capacity(count);
+        let mut i = 0;
+        for k in 0..count {
+            let t = (k as f64).min(last);
+            while i + 2 < at.len() && at[i + 1] <= t {
+                i += 1;
+            }
+            let (a, b) = (at[i], at[i + 1]);
+            let x = if b > a {
+                ((t - a) / (b - a)).clamp(0.0, 1.0)
+            } else {
+                1.0
+            };
+            out.push(match x {
+                x if x < 1e-9 => values[i],
+                x if x > 1.0 - 1e-9 => values[i + 1],
+                x => values[i] + x * (values[i + 1] - values[i]),
+            });
+        }
+        out
+    }
+}
+
+/// Steps twice as long as all the others; `None` where steps are too unequal to tell.
+fn missed(times: &[f64], usual: f64) -> Option<(usize, f64)> {
+    let steps = || times.windows(2).map(|w| (w[1] - w[0]) / usual);
+    let even = |s: &f64| (0.75..1.25).contains(s);
+    let twice = |s: &f64| (1.75..2.25).contains(s);
+    let count = steps().filter(twice).count();
+    let all = times.len() - 1;
+    // Most are even, and hardly any are double: not the steps of rounded times.
+    if count == 0 || 20 * count > all || steps().filter(even).count() + 2 * count < all {
+        return None;
+    }
+    let first = steps().position(|s| twice(&s))?;
+    Some((count, 0.5 * (times[first] + times[first + 1]) - times[0]))
+}
+
+/// Median step of a thinned set of neighbours; the mean where times are so rounded that it is zero.
+pub(super) fn usual_step(times: &[f64]) -> f64 {
+    let thin = times.len() / 4096 + 1;
+    let mut steps: Vec<f64> = times
+        .windows(2)
+        .step_by(thin)
+        .map(|w| w[1] - w[0])
+        .collect();
+    steps.sort_by(f64::total_cmp);
+    match steps.get(steps.len() / 2) {
+        Some(&s) if s > 0.0 => s,
+        _ => (times[times.len() - 1] - times[0]) / (times.len() - 1).max(1) as f64,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounded_times_give_the_true_rate() {
+        // 600 Hz written with four decimals: steps of 0.0016 and 0.0017.
+        let times: Vec<f64> = (0..1501)
+            .map(|i| (f64::from(i) / 600.0 * 1e4).round() / 1e4)
+            .collect();
+        let base = TimeBase::from_times(&times).unwrap();
+        assert!((base.rate_hz - 600.0).abs() < 0.05, "{}", base.rate_hz);
+        assert!(!base.is_uneven());
+        // 2000 Hz written with three decimals repeats every time.
+        let times: Vec<f64> = (0..4001)
+            .map(|i| (f64::from(i) / 2000.0 * 1e3).floor() / 1e3)
+            .collect();
+        assert!((TimeBase::from_times(&times).unwrap().rate_hz - 2000.0).abs() < 1.0);
+    }
+
+    #[test]
+    fn a_sample_that_is_missing_is_counted_and_rounding_is_none() {
+        let even: Vec<f64> = (0..500).map(|i| 0.01 * f64::from(i)).collect();
+        assert_eq!(TimeBase::from_times(&even).unwrap().missed, None);
+        let mut lacking = even;
+        lacking.remove(320);
+        let base = TimeBase::from_times(&lacking).unwrap();
+        let (count, at) = base.missed.unwrap();
+        assert!(count == 1 && (at - 3.2).abs() < 1e-9);
+        // (n − 1)/duration, as for any other file.
+        assert!((base.rate_hz - 498.0 / 4.99).abs() < 1e-9);
+        let rounded: Vec<f64> = (0..4001)
+            .map(|i| (f64::from(i) / 1600.0 * 1e3).floor() / 1e3)
+            .collect();
+        assert_eq!(TimeBase::from_times(&rounded).unwrap().missed, None);
+    }
+
+    #[test]
+    fn a_straight_line_survives_jitter_and_a_gap() {
+        let times: Vec<f64> = (0..600)
+            .filter(|i| !(200..230).contains(i))
+            .map(|i| 5.0 + 0.01 * f64::from(i) + 0.002 * (f64::from(i) * 0.7).sin())
+            .collect();
+        let base = TimeBase::from_times(&times).unwrap();
+        assert!((base.rate_hz - 100.0).abs() < 0.2, "{}", base.rate_hz);
+        assert_eq!(base.gaps_s.len(), 1);
+        let line = base.resampled(times.iter().map(|t| 3.0 * (t - times[0])).collect());
+        for (k, y) in line.iter().enumerate().take(line.len() - 1) {
+            assert!((y - 3.0 * k as f64 / base.rate_hz).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn one_sample_still_time_and_endless_gaps_are_refused() {
+        assert!(TimeBase::from_times(&[1.0]).is_err());
+        assert!(TimeBase::from_times(&[1.0, 1.0]).is_err());
+        let e = TimeBase::from_times(&[0.0, 1e-6, 2e-6, 1e6]).unwrap_err();
+        assert!(e.to_string().contains("samples are missing"), "{e}");
+    }
+}

@@ -1,0 +1,192 @@
+//! From raw force columns to channels of upward force: which component, which unit, which sign.
+
+use super::baseline;
+use super::columns::says_vertical;
+use super::raw::RawForce;
+use super::timebase::TimeBase;
+use crate::error::{ReadError, Result};
+use crate::quantity::newtons;
+use crate::recording::{
+    Axis, Foot, ForceUnit, Format, MassSource, Note, ReadOptions, Recording, UnitSource,
+};
+
+/// Largest force on the ground in walking that is believable, N.
+const HARDEST_N: f64 = 8000.0;
+/// Smallest peak of a walking force that is believable, N.
+const SOFTEST_N: f64 = 60.0;
+
+/// What a file says of a recording beside its columns of force.
+pub(super) struct Facts {
+    pub format: Format,
+    pub samples: usize,
+    /// Mass in the file, kg.
+    pub mass_kg: Option<f64>,
+    /// Samples that the file calls unloaded (first, one past the last).
+    pub zero: Option<(usize, usize)>,
+    pub notes: Vec<Note>,
+}
+
+/// Makes the recording of raw columns on their time base.
+pub(super) fn recording(
+    mut raw: Vec<RawForce>,
+    base: TimeBase,
+    facts: Facts,
+    options: &ReadOptions,
+) -> Result<Recording> {
+    let mut notes = facts.notes;
+    let mass_kg = options.mass_kg.or(facts.mass_kg);
+    keep_vertical(&mut raw, &mut notes);
+    let (unit, unit_from) = unit(&raw, options, &mut notes);
+    let factor = unit
+        .newtons(mass_kg)
+        .ok_or(ReadError::MassMissing { unit: unit.name() })?;
+    if base.is_uneven() {
+        notes.push(Note::UnevenSamples);
+    }
+    let opensim_pair = is_opensim_pair(&raw);
+    let mut channels = Vec::with_capacity(raw.len());
+    for column in raw {
+        let mut values = base.resampled(column.values);
+        if factor != 1.0 {
+            for x in &mut values {
+                *x *= factor;
+            }
+        }
+        let mut channel = baseline::channel(column.name, values, base.rate_hz, facts.zero);
+        channel.foot = column.foot;
+        channels.push(channel);
+    }
+    if opensim_pair {
+        for c in &mut channels {
+            let left = c.name.starts_with("1_");
+            c.foot = Some(if left { Foot::Left } else { Foot::Right });
+        }
+        notes.push(Note::FeetGuessed);
+    }
+    let count = channels.first().map_or(facts.samples, |c| c.force_n.len());
+    Ok(Recording {
+        format: facts.format,
+        rate_hz: base.rate_hz,
+        start_s: base.start_s,
+        clock: base.source,
+        unit,
+        unit_from,
+        kind: options.kind,
+        duration_s: count.saturating_sub(1) as f64 / base.rate_hz,
+        mass_kg,
+        mass_from: match (options.mass_kg, facts.mass_kg) {
+            (Some(_), _) => Some(MassSource::User),
+            (None, Some(_)) => Some(MassSource::File),
+            (None, None) => None,
+        },
+        channels,
+        strikes: Vec::new(),
+        gaps_s: base.gaps_s,
+        notes,
+    })
+}
+
+/// OpenSim's example recordings call the right foot `ground_force` and the left one `1_ground_force`.
+fn is_opensim_pair(raw: &[RawForce]) -> bool {
+    raw.len() == 2 && raw.iter().all(|r| r.foot.is_none()) && {
+        let is = |name: &str| raw.iter().any(|r| r.name.to_lowercase().starts_with(name));
+        is("ground_force_v") && is("1_ground_force_v")
+    }
+}
+
+/// Keeps one component: the one the names call vertical, else the one that carries the load.
+fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
+    let components = raw.iter().any(|r| r.axis != Axis::Vertical);
+    // A name without a component may be that of a muscle (`L GRF`) beside the components of the plates.
+    if components {
+        raw.retain(|r| r.axis != Axis::Vertical || says_vertical(&r.name));
+    }
+    let named = raw.iter().any(|r| r.axis == Axis::Vertical);
+    let keep = if named && components {
+        // A column that is the only one of its owner and names no component, beside full triples,
+        // is a total or resultant only where it says vertical; the triples are then its parts.
+        Axis::Vertical
+    } else if named {
+        return;
+    } else {
+        let mut axes = [Axis::X, Axis::Y, Axis::Z].map(|a| (a, swing_of(raw, a)));
+        axes.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let (best, second) = (axes[0], axes[1]);
+        if second.1 > 0.6 * best.1 {
+            notes.push(Note::VerticalGuessed {
+                vertical: best.0,
+                other: second.0,
+            });
+        }
+        best.0
+    };
+    raw.retain(|r| r.axis == keep);
+}
+
+/// Sum over the plates of how far a component swings from its median.
+fn swing_of(raw: &[RawForce], axis: Axis) -> f64 {
+    let columns = raw.iter().filter(|r| r.axis == axis);
+    columns.map(|r| swing(&r.values)).sum()
+}
+
+/// How far the values reach from their resting level, ignoring single outliers: 98th percentile.
+fn swing(values: &[f64]) -> f64 {
+    let step = values.len() / 8192 + 1;
+    let mut v: Vec<f64> = values
+        .iter()
+        .step_by(step)
+        .copied()
+        .filter(|x| x.is_finite())
+        .collect();
+    if v.is_empty() {
+        return 0.0;
+    }
+    v.sort_by(f64::total_cmp);
+    let at = |q: f64| v[((v.len() - 1) as f64 * q) as usize];
+    // The resting level is zero unless the readings never come near it.
+    let rest = if at(0.0) > 0.0 {
+        at(0.0)
+    } else if at(1.0) < 0.0 {
+        at(1.0)
+    } else {
+        0.0
+    };
+    (at(0.99) - rest).abs().max((at(0.01) - rest).abs())
+}
+
+/// The unit of the columns: the user's word, then a believable label, then what the size suggests.
+fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (ForceUnit, UnitSource) {
+    if let Some(unit) = options.unit {
+        return (unit, UnitSource::User);
+    }
+    let peak = raw.iter().map(|r| swing(&r.values)).fold(0.0, f64::max);
+    let believable = |u: ForceUnit| {
+        let newtons = peak
+            * u.newtons(Some(options.mass_kg.unwrap_or(70.0)))
+                .unwrap_or(1.0);
+        (SOFTEST_N..=HARDEST_N).contains(&newtons)
+    };
+    let label = raw.iter().find_map(|r| r.unit);
+    if let Some(unit) = label
+        && (believable(unit) || peak == 0.0)
+    {
+        return (unit, UnitSource::File);
+    }
+    // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
+    if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
+        let peak = newtons(peak);
+        notes.push(Note::LowForce { peak });
+        return (ForceUnit::Newton, UnitSource::File);
+    }
+    let unit = if !believable(ForceUnit::Newton) && (0.3..=6.0).contains(&peak) {
+        ForceUnit::BodyWeight
+    } else {
+        ForceUnit::Newton
+    };
+    if let Some(label) = label.filter(|l| *l != unit) {
+        notes.push(Note::UnitLabelRejected { label, peak, unit });
+    } else if unit != ForceUnit::Newton {
+        notes.push(Note::UnitGuessed { peak, unit });
+    }
+    (unit, UnitSource::Guessed)
+}

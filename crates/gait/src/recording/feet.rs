@@ -1,0 +1,104 @@
+//! Whose force a curve is.
+
+use serde::Serialize;
+
+use crate::error::{Error, ForceError, Result};
+
+/// The side of the body.
+///
+/// ```
+/// use gaitcam_gait::Foot;
+///
+/// assert_eq!(Foot::Left.other(), Foot::Right);
+/// assert_eq!(Foot::Left.name(), "left");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Foot {
+    /// Left.
+    Left,
+    /// Right.
+    Right,
+}
+
+impl Foot {
+    /// `left` or `right`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Foot::Left => "left",
+            Foot::Right => "right",
+        }
+    }
+
+    /// The other side.
+    #[must_use]
+    pub fn other(self) -> Foot {
+        match self {
+            Foot::Left => Foot::Right,
+            Foot::Right => Foot::Left,
+        }
+    }
+}
+
+/// Whose force a curve is.
+///
+/// ```
+/// use gaitcam_gait::{Feet, model};
+///
+/// // Both feet carry the whole weight, one foot half of it.
+/// assert_eq!((Feet::Both.share(), Feet::One.share()), (1.0, 0.5));
+/// let one = model("li-2010", Some(1.9), 700.0, Feet::One)?;
+/// assert!((one.mean_n() / 350.0 - 1.0).abs() < 0.05);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feet {
+    /// The sum of both feet, as a floor or footbridge feels it.
+    Both,
+    /// One foot, whichever the source offers (the mean of both where it offers both).
+    One,
+    /// The left foot.
+    Left,
+    /// The right foot.
+    Right,
+    /// The sum of both feet, which the recording holds in one column.
+    Total,
+}
+
+impl Feet {
+    /// Every choice.
+    pub const ALL: [Feet; 5] = [Feet::Both, Feet::One, Feet::Left, Feet::Right, Feet::Total];
+
+    /// Part of the weight that the feet carry on the mean over a stride.
+    pub fn share(self) -> f64 {
+        match self {
+            Feet::Both | Feet::Total => 1.0,
+            Feet::One | Feet::Left | Feet::Right => 0.5,
+        }
+    }
+
+    /// The name used in scenes: `both`, `one`, `left`, `right`, `total`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Feet::Both => "both",
+            Feet::One => "one",
+            Feet::Left => "left",
+            Feet::Right => "right",
+            Feet::Total => "total",
+        }
+    }
+}
+
+impl std::str::FromStr for Feet {
+    type Err = Error;
+
+    fn from_str(word: &str) -> Result<Self> {
+        Feet::ALL
+            .into_iter()
+            .find(|f| f.name() == word)
+            .ok_or_else(|| {
+                let word = word.to_string();
+                ForceError::UnknownFeet { word }.into()
+            })
+    }
+}

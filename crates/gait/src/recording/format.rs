@@ -1,0 +1,149 @@
+//! Kinds of file that hold a recording.
+
+use std::fmt;
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::wording::{Language, sentence};
+
+/// What kind of file a recording was read from.
+///
+/// ```
+/// use gaitcam_gait::{Format, ReadOptions, SeparatorName, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(matches!(recording.format, Format::Text { separator: SeparatorName::Comma, .. }));
+/// assert_eq!(recording.format.to_string(), "comma separated text");
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Format {
+    /// C3D, with the processor whose number format it uses.
+    C3d {
+        /// Number format.
+        processor: Processor,
+        /// How samples are stored.
+        storage: Storage,
+    },
+    /// OpenSim storage with a header of `name`, `datacolumns`, `datarows`.
+    OpenSimOld,
+    /// OpenSim storage with a header of `version`, `nRows`, `nColumns`.
+    OpenSimNew,
+    /// Text with `[Force Data]` and key lines.
+    ForceData,
+    /// Device export of Vicon Nexus.
+    Nexus,
+    /// Text export of pressure insoles.
+    Insole,
+    /// Text export of Kistler BioWare.
+    BioWare,
+    /// Text export of Qualisys.
+    Qualisys,
+    /// AMTI text without header.
+    Amti,
+    /// Converter counts of Motion Analysis.
+    ConverterCounts,
+    /// One stance per row.
+    StanceTable,
+    /// Delimited text with a header.
+    Text {
+        /// What stands between fields.
+        separator: SeparatorName,
+        /// Decimal mark.
+        decimal: DecimalMark,
+    },
+    /// Delimited text without a header.
+    HeaderlessText {
+        /// What stands between fields.
+        separator: SeparatorName,
+        /// Decimal mark.
+        decimal: DecimalMark,
+    },
+}
+
+/// Number format of a C3D file.
+///
+/// ```
+/// use gaitcam_gait::{Format, Processor, Storage};
+///
+/// // Digital's floats are not those of IEEE: a C3D file says which it has.
+/// let file = Format::C3d { processor: Processor::Dec, storage: Storage::Floats };
+/// assert!(file.to_string().contains("DEC"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum Processor {
+    /// Little endian, IEEE floats.
+    Intel,
+    /// Little endian words, VAX floats.
+    #[serde(rename = "DEC")]
+    Dec,
+    /// Big endian, IEEE floats.
+    #[serde(rename = "SGI")]
+    Sgi,
+}
+
+/// How samples of a C3D file are stored.
+///
+/// ```
+/// use gaitcam_gait::{Format, Processor, Storage};
+///
+/// let file = Format::C3d { processor: Processor::Intel, storage: Storage::Integers };
+/// assert!(file.to_string().contains("integer"), "{file}");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the names are the documentation
+pub enum Storage {
+    Integers,
+    Floats,
+}
+
+/// What stands between two fields of a text.
+///
+/// ```
+/// use gaitcam_gait::{DecimalMark, Format, SeparatorName};
+///
+/// let text = Format::Text { separator: SeparatorName::Semicolon, decimal: DecimalMark::Comma };
+/// assert!(text.to_string().starts_with("semicolon separated text"), "{text}");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the names are the documentation
+pub enum SeparatorName {
+    Tab,
+    Semicolon,
+    Bar,
+    Comma,
+    Blank,
+}
+
+/// The decimal mark of a text.
+///
+/// ```
+/// use gaitcam_gait::{DecimalMark, Format, ReadOptions, read};
+///
+/// // 1,5 is one and a half where semicolons stand between the fields.
+/// let text = "time (s);Fz (N)\n0,0;700,5\n0,1;701,5\n0,2;700,5\n0,3;701,5\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert!(matches!(recording.format, Format::Text { decimal: DecimalMark::Comma, .. }));
+/// assert!((recording.rate_hz - 10.0).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[allow(missing_docs)] // the names are the documentation
+pub enum DecimalMark {
+    Point,
+    Comma,
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sentence(Language::En, "format", self))
+    }
+}

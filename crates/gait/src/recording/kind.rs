@@ -1,0 +1,135 @@
+//! Kinds of movement that a recording may hold, and what about it may be in doubt.
+
+use std::str::FromStr;
+
+use serde::Serialize;
+use strum::{IntoStaticStr, VariantNames};
+
+use crate::error::{Error, ForceError, Result};
+
+/// What was recorded.
+///
+/// ```
+/// use gaitcam_gait::Kind;
+///
+/// assert_eq!("running".parse::<Kind>()?, Kind::Running);
+/// assert_eq!(Kind::SitToStand.name(), "sit-to-stand");
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Kind {
+    /// A foot stands for 52 to 75 % of the stride; there is always one on the ground.
+    Walking,
+    /// A foot stands for less than half of the stride; between the feet there is a flight.
+    Running,
+    /// The weight rests on the plates and hardly moves.
+    Standing,
+    /// Both feet leave the ground at the same time.
+    Jumping,
+    /// The load rises from that of the feet alone to the weight, or falls back.
+    SitToStand,
+    /// None of these.
+    Other,
+}
+
+impl Kind {
+    /// Every kind.
+    pub const ALL: [Kind; 6] = [
+        Kind::Walking,
+        Kind::Running,
+        Kind::Standing,
+        Kind::Jumping,
+        Kind::SitToStand,
+        Kind::Other,
+    ];
+
+    /// The name used in scenes, options and JSON.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
+impl FromStr for Kind {
+    type Err = Error;
+
+    fn from_str(word: &str) -> Result<Self> {
+        let known = Kind::ALL.into_iter().find(|k| k.name() == word);
+        known.ok_or_else(|| {
+            ForceError::UnknownKind {
+                word: word.to_string(),
+            }
+            .into()
+        })
+    }
+}
+
+/// What about a recording is open until the user answers.
+///
+/// ```
+/// use gaitcam_gait::OpenQuestion;
+///
+/// assert_eq!(OpenQuestion::list("mass, clock")?, [OpenQuestion::Mass, OpenQuestion::Clock]);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum OpenQuestion {
+    /// What was recorded.
+    Kind,
+    /// The duration of a stride.
+    Clock,
+    /// The mass of the walker, and with it the size of the forces.
+    Mass,
+}
+
+impl OpenQuestion {
+    /// Every doubt.
+    pub const ALL: [OpenQuestion; 3] =
+        [OpenQuestion::Kind, OpenQuestion::Clock, OpenQuestion::Mass];
+
+    /// The name used in scenes and JSON.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// Reads a list such as `kind, clock, mass`.
+    ///
+    /// # Errors
+    ///
+    /// On a word that is none of the three.
+    pub fn list(words: &str) -> Result<Vec<OpenQuestion>> {
+        let parts = words.split([',', ' ']).filter(|w| !w.is_empty());
+        let read = parts.map(|word| {
+            let known = OpenQuestion::ALL.into_iter().find(|d| d.name() == word);
+            known.ok_or_else(|| {
+                let word = word.to_string();
+                Error::from(ForceError::UnknownDoubt { word })
+            })
+        });
+        read.collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_and_lists_of_doubts_are_read_and_others_refused() {
+        for kind in Kind::ALL {
+            assert_eq!(kind.name().parse::<Kind>(), Ok(kind));
+        }
+        assert_eq!("sit-to-stand".parse(), Ok(Kind::SitToStand));
+        assert!("dancing".parse::<Kind>().is_err());
+        let all = OpenQuestion::list("kind, clock,mass").unwrap();
+        assert_eq!(all, OpenQuestion::ALL);
+        assert_eq!(OpenQuestion::list("").unwrap(), []);
+        assert!(OpenQuestion::list("time").is_err());
+    }
+}

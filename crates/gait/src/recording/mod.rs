@@ -1,0 +1,227 @@
+//! What a recording is once it has been read: channels of vertical force on one even time base.
+
+use serde::Serialize;
+use strum::VariantNames;
+
+use crate::units::Quantity;
+
+mod feet;
+mod format;
+mod kind;
+mod note;
+mod unit;
+
+pub use feet::{Feet, Foot};
+pub use format::{DecimalMark, Format, Processor, SeparatorName, Storage};
+pub use kind::{Kind, OpenQuestion};
+pub use note::{
+    Axis, ClockSource, CycleSource, MassSource, Note, PeriodSource, UnitSource, WeightShare,
+};
+pub use unit::ForceUnit;
+
+/// What the user says about a file, where the file does not say it or says it wrongly.
+///
+/// ```
+/// use gaitcam_gait::{ForceUnit, ReadOptions, read};
+///
+/// let text = "t,a,b\n0.0,0.70,1\n0.1,0.72,1\n0.2,0.71,1\n0.3,0.70,1\n";
+/// let options = ReadOptions {
+///     force: vec!["a".to_string()],
+///     unit: Some(ForceUnit::Kilonewton),
+///     ..ReadOptions::default()
+/// };
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
+/// assert_eq!((recording.channels.len(), recording.unit), (1, ForceUnit::Kilonewton));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ReadOptions {
+    /// Name (or number from 1) of the time column.
+    pub time: Option<String>,
+    /// Names (or numbers from 1) of the vertical force columns.
+    pub force: Vec<String>,
+    /// Unit of the force columns.
+    pub unit: Option<ForceUnit>,
+    /// Samples per second.
+    pub rate_hz: Option<f64>,
+    /// Mass of the walker, kg.
+    pub mass_kg: Option<f64>,
+    /// What was recorded.
+    pub kind: Option<Kind>,
+    /// The file is exactly one cycle of this duration, s.
+    pub period_s: Option<f64>,
+    /// The file covers this part of a turn, rad; the force is zero in the rest.
+    pub span_rad: Option<f64>,
+    /// The bytes of the table of subjects that belongs to a table of stances
+    /// (see [`metadata_name`](super::metadata_name)).
+    pub metadata: Option<Vec<u8>>,
+}
+
+/// A moment at which the file says that a foot struck the ground.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Texts mark no strikes; C3D files may.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(recording.strikes.iter().all(|strike| strike.at_s >= 0.0) && recording.strikes.is_empty());
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Strike {
+    /// Time from the first sample, s.
+    pub at_s: f64,
+    /// Which foot.
+    pub foot: Foot,
+}
+
+/// One stance of a table that has a row per stance, as samples of its channel.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // A recording over time has no rows of stances, a table of stances one for each.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert!(!recording.has_rows() && recording.channels[0].rows.is_empty());
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// First sample.
+    pub from: usize,
+    /// One past the last sample.
+    pub to: usize,
+    /// Mass of that subject, kg, where known.
+    pub mass_kg: Option<f64>,
+}
+
+/// Vertical force of one plate, insole or side.
+///
+/// ```
+/// use gaitcam_gait::{Foot, ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let left = &recording.channels[0];
+/// assert_eq!((left.foot, left.force_n.len()), (Some(Foot::Left), 1050));
+/// // Noise of 2 N on the made plates.
+/// assert!((left.noise_n - 2.0).abs() < 0.3);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Name in the file.
+    pub name: String,
+    /// The foot it belongs to, where the file says so.
+    pub foot: Option<Foot>,
+    /// Upward force on the body, N, unloaded baseline removed; always finite.
+    pub force_n: Vec<f64>,
+    /// Unloaded reading that was removed, N (sign as in `force_n`).
+    pub baseline_n: f64,
+    /// Standard deviation of the unloaded reading, N.
+    pub noise_n: f64,
+    /// Samples (first, one past the last) that the file lacks; they were bridged by straight lines.
+    pub missing: Vec<(usize, usize)>,
+    /// Why the channel takes no part, if so.
+    pub idle: Option<Idle>,
+    /// Stances by row; empty for an ordinary recording.
+    pub rows: Vec<Row>,
+}
+
+/// Why a channel takes no part.
+///
+/// ```
+/// use gaitcam_gait::{Idle, ReadOptions, read};
+///
+/// // A plate that nobody stands on.
+/// let text = "time (s),Left Fz (N),Right Fz (N)\n0,0,700\n0.1,0,1\n0.2,0,720\n0.3,0,2\n0.4,0,700\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!(recording.channels[0].idle, Some(Idle::NeverLoaded));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Idle {
+    /// It hardly moves about zero.
+    NeverLoaded,
+    /// It hardly moves, or most samples have the same large value.
+    Constant {
+        /// That value.
+        level: Quantity,
+    },
+    /// More than half of its samples are missing.
+    MostlyEmpty {
+        /// Samples that are missing.
+        missing: usize,
+        /// All samples.
+        samples: usize,
+    },
+    /// It has no samples.
+    Empty,
+}
+
+/// A recording on an even time base.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Two plates, 10.5 s at 100 Hz: the last of 1050 samples stands at 10.49 s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// assert_eq!(recording.channels.len(), 2);
+/// assert!((recording.duration_s - 10.49).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    /// What kind of file it was.
+    pub format: Format,
+    /// Samples per second.
+    pub rate_hz: f64,
+    /// Time of the first sample on the file's own clock, s.
+    pub start_s: f64,
+    /// Time from the first sample to the last, s.
+    pub duration_s: f64,
+    /// What the time of a sample was taken from.
+    pub clock: ClockSource,
+    /// Unit of the force columns.
+    pub unit: ForceUnit,
+    /// Where that unit is from.
+    pub unit_from: UnitSource,
+    /// What was recorded, where the user says it.
+    pub kind: Option<Kind>,
+    /// Mass of the walker, kg, where the file or the user gives it.
+    pub mass_kg: Option<f64>,
+    /// Where that mass is from.
+    pub mass_from: Option<MassSource>,
+    /// Channels of vertical force, in the order of the file.
+    pub channels: Vec<Channel>,
+    /// Foot strikes the file marks, in order of time.
+    pub strikes: Vec<Strike>,
+    /// Spans without samples, s.
+    pub gaps_s: Vec<(f64, f64)>,
+    /// How the file was understood: what was guessed, left out or doubtful.
+    pub notes: Vec<Note>,
+}
+
+impl Recording {
+    /// Whether the user says that it is of running.
+    pub fn runs(&self) -> bool {
+        self.kind == Some(Kind::Running)
+    }
+
+    /// Whether it is a table of single stances.
+    pub fn has_rows(&self) -> bool {
+        self.channels.iter().any(|c| !c.rows.is_empty())
+    }
+
+    /// Whether the forces are those of pressure insoles.
+    pub fn is_insole(&self) -> bool {
+        let sums = |n: &Note| matches!(n, Note::InsoleColumns { .. });
+        self.format == Format::Insole || self.notes.iter().any(sums)
+    }
+}

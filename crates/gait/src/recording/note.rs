@@ -1,0 +1,395 @@
+//! Notes: how a recording was understood, what was guessed or left out, and what does not look right.
+
+use std::fmt;
+
+use serde::Serialize;
+use strum::{IntoStaticStr, VariantNames};
+
+use super::feet::Foot;
+use super::kind::OpenQuestion;
+use super::unit::ForceUnit;
+use crate::units::Quantity;
+use crate::wording::{Language, sentence};
+
+/// A component of force in the axes of a file.
+///
+/// ```
+/// use gaitcam_gait::{Axis, Note};
+///
+/// let note = Note::VerticalGuessed { vertical: Axis::Z, other: Axis::Y };
+/// assert_eq!(serde_json::to_value(&note).unwrap()["vertical-guessed"]["vertical"], "z");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// First component.
+    X,
+    /// Second component.
+    Y,
+    /// Third component.
+    Z,
+    /// The name says that it is the vertical one, or it is the only one there is.
+    Vertical,
+}
+
+/// What a person should know about how a recording was read or averaged.
+///
+/// ```
+/// use gaitcam_gait::{Note, OpenQuestion};
+/// use gaitcam_gait::units::Quantity;
+///
+/// // A stride whose duration was assumed leaves the clock open until the user answers.
+/// let note = Note::StrideAssumed { period: Quantity::time(1.1) };
+/// assert_eq!((note.code(), note.doubt()), ("stride-assumed", Some(OpenQuestion::Clock)));
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, IntoStaticStr, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // fields are named for what they hold
+pub enum Note {
+    /// The header announces another number of rows than there are.
+    RowsDiffer { announced: usize, found: usize },
+    /// The header announces more frames than the file holds.
+    FramesMissing { announced: usize, found: usize },
+    /// Lines that are not rows of numbers were passed over.
+    LinesSkipped { first_line: usize },
+    /// Two nameless columns are sums of sensors and taken for the left and the right insole.
+    InsoleColumns { left: usize, right: usize },
+    /// Each row of the table is one stance.
+    StancePerRow { rows: usize },
+    /// The table of subjects gives the mass of some stances only.
+    MassesMissing { known: usize, rows: usize },
+    /// The durations of stances are lost, since all have the same number of samples.
+    DurationsLost { samples: usize, assumed: Quantity },
+    /// A table of stances gives no rate; the one that makes usual stances was taken.
+    RateGuessed { rate: Quantity, stance: Quantity },
+    /// The rate given takes the place of the time column.
+    RateOverridesTimes { rate: Quantity, column: Quantity },
+    /// Steps of the time column were taken for milliseconds.
+    MillisecondsGuessed { step: f64 },
+    /// Single samples are missing.
+    SamplesMissing { count: usize, first: Quantity },
+    /// Header and time column give different rates; the times count.
+    RatesDiffer { header: Quantity, column: Quantity },
+    /// Samples were put on even steps of time.
+    UnevenSamples,
+    /// The unit of force was guessed from the size of the readings.
+    UnitGuessed { peak: f64, unit: ForceUnit },
+    /// The unit that the file names cannot be right.
+    UnitLabelRejected {
+        label: ForceUnit,
+        peak: f64,
+        unit: ForceUnit,
+    },
+    /// No force is large enough to be a step.
+    LowForce { peak: Quantity },
+    /// Two components are of like size; the larger was taken for vertical.
+    VerticalGuessed { vertical: Axis, other: Axis },
+    /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as OpenSim's examples have it.
+    FeetGuessed,
+    /// The file describes no force plate; channels were chosen by their labels.
+    NoPlates,
+    /// A plate was left out: its TYPE is none of 1 to 7.
+    PlateTypeUnknown { plate: usize, kind: i64 },
+    /// A plate was left out: one of its channels is not in the file.
+    PlateChannelMissing { plate: usize, channel: usize },
+    /// A plate was left out: its type needs a calibration matrix and the file has none.
+    PlateMatrixMissing { plate: usize },
+    /// A plate lies at an angle to the first.
+    PlateTilted { plate: usize },
+    /// The mass is the mean of insoles, which are seldom calibrated.
+    InsoleMass { mass: Quantity },
+    /// Stances of one foot stand for those of the other too.
+    OneFootForBoth { stances: usize },
+    /// Nothing on record gives the duration of a stride; the usual share of stance was assumed.
+    StrideAssumed { period: Quantity },
+    /// A stride that the movement does not have.
+    StrideImplausible {
+        period: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// A share of stance in the stride that the movement does not have.
+    DutyImplausible {
+        duty: Quantity,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// A highest force that the movement does not have, in body weights.
+    PeakImplausible { ratio: f64, low: f64, high: f64 },
+    /// Mean force over the cycle and weight do not fit.
+    MeanForceNotWeight {
+        ratio: f64,
+        mass: Quantity,
+        share: WeightShare,
+    },
+    /// No walker has this mass.
+    MassImplausible { mean: Quantity, mass: Quantity },
+    /// The unit of force was not given, and with the one taken the mass is not that of an adult.
+    UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
+    /// The time column counts in ones and names no unit: milliseconds or samples.
+    CountOrMilliseconds { stride: Quantity },
+    /// The contacts are of another kind than the one asked for.
+    KindDiffers {
+        typed: &'static str,
+        movement: &'static str,
+    },
+    /// The speed changes; the mean is of the stances whose durations lie in one range.
+    SpeedChanges {
+        used: usize,
+        stances: usize,
+        low: Quantity,
+        high: Quantity,
+    },
+    /// Stances or feet differ more than those of one walker on whole plates.
+    StancesDiffer { share: Quantity },
+    /// The mean is of the total of both feet in one column.
+    TotalColumn,
+    /// Feet lie across plates, so the forces of all plates are added.
+    PlatesSummed { plates: usize },
+    /// Readings are converter counts, scaled by the mass.
+    CountsScaled { mass: Quantity },
+    /// Recordings of walkers of several masses are averaged in body weights.
+    SeveralMasses {
+        low: Quantity,
+        high: Quantity,
+        mean: Quantity,
+    },
+}
+
+/// What part of the weight the feet of a cycle carry over a stride.
+///
+/// ```
+/// use gaitcam_gait::{Feet, WeightShare};
+///
+/// // One foot carries half of the weight over a stride.
+/// assert_eq!(Feet::Left.share(), 0.5);
+/// assert_eq!(serde_json::to_value(WeightShare::Half).unwrap(), "half");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WeightShare {
+    /// Both feet: all of it.
+    Whole,
+    /// One foot: half of it.
+    Half,
+}
+
+/// What the time of a sample was taken from.
+///
+/// ```
+/// use gaitcam_gait::{ClockSource, ReadOptions, read};
+///
+/// // The user's rate counts where a file has none.
+/// let text = "Fz (N)\n700\n701\n702\n703\n704\n";
+/// let options = ReadOptions { rate_hz: Some(50.0), ..ReadOptions::default() };
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &options)?;
+/// assert_eq!((recording.clock, recording.rate_hz), (ClockSource::User, 50.0));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum ClockSource {
+    /// The user gave the rate.
+    User,
+    /// A time column whose unit is seconds or named.
+    Times,
+    /// A time column whose unit was guessed.
+    GuessedTimes,
+    /// The rate that the file names.
+    Header,
+    /// The rate was guessed.
+    GuessedRate,
+}
+
+/// Where a unit of force is from.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, UnitSource, read};
+///
+/// let text = "time (s),Fz (N)\n0.0,700\n0.1,701\n0.2,702\n0.3,703\n";
+/// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
+/// assert_eq!(recording.unit_from, UnitSource::File);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum UnitSource {
+    /// The user gave it.
+    User,
+    /// The file names it.
+    File,
+    /// It was guessed from the size of the readings.
+    Guessed,
+}
+
+/// Where a mass is from.
+///
+/// ```
+/// use gaitcam_gait::{Feet, MassSource, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Over a stride the mean force is the weight: 700 N in this made recording.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert_eq!(mean.mass_from, MassSource::MeanForce);
+/// assert!((mean.mass_kg / (700.0 / 9.81) - 1.0).abs() < 0.01);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum MassSource {
+    /// The user gave it.
+    User,
+    /// The file names it.
+    File,
+    /// Mean of the table of subjects.
+    Subjects,
+    /// Mean force over the stride, divided by g.
+    MeanForce,
+}
+
+/// What the duration of a stride was taken from.
+///
+/// ```
+/// use gaitcam_gait::{Feet, PeriodSource, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Steps of 1.9 Hz: a stride of 2/1.9 s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert_eq!(mean.period_from, PeriodSource::HeelStrikes);
+/// assert!((mean.curve.period_s - 2.0 / 1.9).abs() < 0.002);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, IntoStaticStr)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+pub enum PeriodSource {
+    /// Consecutive heel strikes of one foot.
+    HeelStrikes,
+    /// Consecutive strikes of one foot that the file marks.
+    MarkedStrikes,
+    /// Twice the mean step from one foot to the other.
+    DoubledSteps,
+    /// The impulse that carries the known mass over a stride.
+    Impulse,
+    /// The usual part of a stride that a foot stands, since the recording does not say it.
+    UsualDuty,
+    /// Rises of the total force of both feet through its mean.
+    TotalForce,
+    /// The file is one cycle of stated period.
+    File,
+}
+
+impl PeriodSource {
+    /// The code used in JSON.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
+/// How the mean cycle was computed.
+///
+/// ```
+/// use gaitcam_gait::{CycleSource, Feet, ReadOptions, cycle, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // 10.5 s of strides of 1.05 s: nine of them whole.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
+/// assert!(matches!(mean.source, CycleSource::WholeStrides { strides: 9, .. }));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, VariantNames)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+#[allow(missing_docs)] // counts of strides or stances
+pub enum CycleSource {
+    /// Whole strides of both feet, from heel strike to heel strike of one foot.
+    WholeStrides { strides: usize, from: Option<Foot> },
+    /// Single stances of the right and the left foot, half a stride apart.
+    RightAndLeft {
+        right: usize,
+        left: usize,
+        period: PeriodSource,
+    },
+    /// Single stances of two feet without names, half a stride apart.
+    TwoFeet {
+        one: usize,
+        other: usize,
+        period: PeriodSource,
+    },
+    /// Single stances, taken for either foot.
+    AnyFoot {
+        stances: usize,
+        period: PeriodSource,
+    },
+    /// Stances of one foot, zero force in swing.
+    OneFoot {
+        stances: usize,
+        period: PeriodSource,
+    },
+    /// Strides of the total force of both feet.
+    TotalForce { strides: usize },
+}
+
+impl Note {
+    /// The code used in JSON and in tables.
+    pub fn code(&self) -> &'static str {
+        self.into()
+    }
+
+    /// What the note leaves open until the user answers; `None` where it only informs.
+    pub fn doubt(&self) -> Option<OpenQuestion> {
+        match self {
+            Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(OpenQuestion::Kind),
+            Note::CountOrMilliseconds { .. }
+            | Note::StrideAssumed { .. }
+            | Note::StrideImplausible { .. }
+            | Note::DurationsLost { .. }
+            | Note::RatesDiffer { .. } => Some(OpenQuestion::Clock),
+            Note::UnitUnconfirmed { .. }
+            | Note::PeakImplausible { .. }
+            | Note::MeanForceNotWeight { .. }
+            | Note::MassImplausible { .. }
+            | Note::StancesDiffer { .. } => Some(OpenQuestion::Mass),
+            _ => None,
+        }
+    }
+
+    /// Keys of the section `gait` that settle what the note leaves open, the likeliest first.
+    pub fn settled_by(&self) -> &'static [&'static str] {
+        match self {
+            Note::KindDiffers { .. } => &["gait.kind"],
+            Note::DutyImplausible { .. } => &["gait.kind", "gait.rate"],
+            Note::CountOrMilliseconds { .. }
+            | Note::DurationsLost { .. }
+            | Note::RatesDiffer { .. } => &["gait.rate"],
+            Note::StrideAssumed { .. } => &["gait.mass", "gait.period", "gait.span"],
+            Note::StrideImplausible { .. } => &["gait.rate", "gait.kind"],
+            Note::UnitUnconfirmed { .. } => &["gait.unit", "gait.mass"],
+            Note::PeakImplausible { .. } => &["gait.mass", "gait.unit", "gait.kind"],
+            Note::MeanForceNotWeight { .. } => &["gait.mass", "gait.unit", "gait.feet"],
+            Note::MassImplausible { .. } => &["gait.unit", "gait.feet"],
+            Note::StancesDiffer { .. } => &["gait.force", "gait.feet"],
+            _ => &[],
+        }
+    }
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sentence(Language::En, "note", self))
+    }
+}
+
+impl fmt::Display for CycleSource {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&sentence(Language::En, "cycle", self))
+    }
+}

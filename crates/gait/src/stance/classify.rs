@@ -1,0 +1,235 @@
+//! Classification of contacts: whole stances, and the reason why another contact is none.
+
+use super::contact::{Contact, SLOW_STEP_S, STANDING_S, TOUCH_S};
+use super::shape::Shape;
+use super::types::RejectReason;
+use crate::recording::{Channel, Kind, Recording};
+use crate::units::G;
+
+/// Longest contact in running, s.
+const LONGEST_RUNNING_S: f64 = 0.5;
+/// A contact this many times longer than its fellows holds more than one step.
+const LONG: f64 = 1.5;
+/// The same, where its force has more humps than one foot makes.
+const LONG_WITH_HUMPS: f64 = 1.15;
+/// A contact of three humps or more is of both feet from this duration on, s.
+const TWO_STEPS_S: f64 = 0.8;
+/// A cut contact shorter than this part of a whole one is no stance.
+const FRAGMENT: f64 = 0.25;
+/// Missing samples up to this long are bridged, s.
+const BRIDGED_S: f64 = 0.05;
+/// A contact below this part of the force on another plate is its cross-talk.
+const CROSS_TALK: f64 = 0.3;
+/// Part of the shorter contact for which two plates carry load at once, above which they share a foot: in
+/// walking both feet stand for less than a third of a stance at either end.
+const SHARED: f64 = 0.4;
+/// Two overlapping contacts that together last no longer are one stance, s.
+const WHOLE_S: f64 = 0.85;
+/// Contacts on either side in time that a contact is compared with.
+const FELLOWS: usize = 4;
+/// A contact that reaches this part of the highest may be a whole step.
+const MAIN: f64 = 0.5;
+
+/// What whole contacts of the recording are like.
+pub(super) struct Usual {
+    /// Places (of the list of contacts) and durations, s, of the main contacts in order of time.
+    main: Vec<(usize, f64)>,
+    peak_n: Option<f64>,
+    weight_n: Option<f64>,
+    slow: bool,
+}
+
+impl Usual {
+    pub fn of(contacts: &[Contact], recording: &Recording) -> Self {
+        let top = contacts.iter().map(|c| c.peak_n).fold(0.0, f64::max);
+        let slow = recording.kind == Some(Kind::Walking) || slow_steps(contacts, top);
+        let longest = if slow { SLOW_STEP_S } else { STANDING_S };
+        let main: Vec<(usize, f64)> = contacts
+            .iter()
+            .enumerate()
+            .filter(|(_, c)| c.cut.is_none() && c.peak_n > MAIN * top)
+            .filter(|(_, c)| (TOUCH_S..longest).contains(&c.duration_s()))
+            .map(|(i, c)| (i, c.duration_s()))
+            .collect();
+        let peaks: Vec<f64> = main.iter().map(|(i, _)| contacts[*i].peak_n).collect();
+        Usual {
+            peak_n: low_median(peaks),
+            weight_n: recording.mass_kg.map(|m| m * G),
+            main,
+            slow,
+        }
+    }
+
+    /// Whether two contacts together last no longer than one stance does elsewhere, or at all.
+    fn is_one_stance(&self, i: usize, j: usize, together_s: f64) -> bool {
+        let others = self.main.iter().filter(|(k, _)| *k != i && *k != j);
+        let longest = others.map(|m| m.1).fold(0.0, f64::max);
+        together_s
+            < if longest > 0.0 {
+                1.2 * longest
+            } else {
+                WHOLE_S
+            }
+    }
+
+    /// Duration of the contacts about a place of the list, s.
+    fn duration_s(&self, place: usize) -> Option<f64> {
+        let at = self.main.partition_point(|(i, _)| *i < place);
+        let from = at.saturating_sub(FELLOWS);
+        let to = (at + FELLOWS + 1).min(self.main.len());
+        low_median(self.main[from..to].iter().map(|m| m.1).collect())
+    }
+}
+
+/// Steps of very slow walkers: three or more contacts alike that are longer than standing is otherwise taken for.
+fn slow_steps(contacts: &[Contact], top: f64) -> bool {
+    let long: Vec<&Contact> = contacts
+        .iter()
+        .filter(|c| c.cut.is_none() && c.peak_n > 0.8 * top)
+        .collect();
+    let Some(usual) = low_median(long.iter().map(|c| c.duration_s()).collect()) else {
+        return false;
+    };
+    let alike = |c: &&&Contact| (c.duration_s() / usual - 1.0).abs() < 0.15;
+    let count = long.iter().filter(alike).count();
+    (STANDING_S..SLOW_STEP_S).contains(&usual) && count >= 3 && 5 * count >= 4 * long.len()
+}
+
+/// The lower of the two middle values, so that one long contact of two does not count as usual.
+fn low_median(mut v: Vec<f64>) -> Option<f64> {
+    v.sort_by(f64::total_cmp);
+    v.get(v.len().checked_sub(1)? / 2).copied()
+}
+
+/// One contact among the others.
+pub(super) struct Judged<'a> {
+    pub place: usize,
+    pub contact: &'a Contact,
+    pub shape: &'a Shape,
+    pub beside: Beside,
+}
+
+/// Why a contact is no whole stance of walking or, where that is asked for, of running; `None` where it is one.
+pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
+    let (contact, shape) = (judged.contact, judged.shape);
+    let duration = contact.duration_s();
+    let fellows = usual.duration_s(judged.place);
+    if let Some(cut) = contact.cut {
+        let fragment = fellows.is_some_and(|d| duration < FRAGMENT * d);
+        return Some(if fragment {
+            RejectReason::EdgeFragment
+        } else {
+            cut
+        });
+    }
+    if judged.beside == Beside::CrossTalk {
+        return Some(RejectReason::CrossTalk);
+    }
+    if duration < TOUCH_S {
+        return Some(RejectReason::TooShort);
+    }
+    let weak = usual.peak_n.is_some_and(|p| contact.peak_n < 0.5 * p)
+        || usual.weight_n.is_some_and(|w| contact.peak_n < 0.5 * w);
+    let reason = match kind {
+        Kind::Running => (duration > LONGEST_RUNNING_S).then_some(RejectReason::Standing),
+        _ => too_long(duration, shape, fellows, usual),
+    };
+    if reason.is_some() {
+        return reason;
+    }
+    if judged.beside == Beside::Shared {
+        return Some(RejectReason::TwoPlates);
+    }
+    weak.then_some(RejectReason::PartialContact)
+}
+
+/// Longer than one foot stands.
+fn too_long(
+    duration: f64,
+    shape: &Shape,
+    fellows: Option<f64>,
+    usual: &Usual,
+) -> Option<RejectReason> {
+    let longest = if usual.slow { SLOW_STEP_S } else { STANDING_S };
+    if duration > longest {
+        return Some(RejectReason::Standing);
+    }
+    let longer = |factor: f64| fellows.is_some_and(|d| duration > factor * d);
+    if longer(LONG) && duration > TWO_STEPS_S {
+        return Some(RejectReason::CrossOver);
+    }
+    let alone = usual.main.len() < 3 && duration > TWO_STEPS_S;
+    // Double support in the middle, where one foot has its valley.
+    if shape.peaks_in_the_middle && duration > TWO_STEPS_S && !usual.slow {
+        return Some(RejectReason::CrossOver);
+    }
+    let both = shape.humps >= 3 && (longer(LONG_WITH_HUMPS) || alone);
+    (both || shape.humps > 4 && duration > TWO_STEPS_S).then_some(RejectReason::CrossOver)
+}
+
+/// What the other plates carry while a contact lasts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beside {
+    /// Nothing, or the other foot at either end.
+    Apart,
+    /// A part of the same foot.
+    Shared,
+    /// The foot whose force disturbs this channel.
+    CrossTalk,
+}
+
+/// Contacts beside one on another plate: one foot on two plates, or cross-talk between their amplifiers.
+///
+/// Sides that are named (insoles, split belts) cannot share a foot.
+pub(super) fn beside(
+    contacts: &[Contact],
+    shapes: &[Shape],
+    usual: &Usual,
+    recording: &Recording,
+) -> Vec<Beside> {
+    let mut found = vec![Beside::Apart; contacts.len()];
+    let is_plate = |c: &Contact| recording.channels[c.channel].foot.is_none();
+    for (i, a) in contacts.iter().enumerate() {
+        let later = contacts.iter().enumerate().skip(i + 1);
+        for (j, b) in later.take_while(|(_, b)| b.start_s < a.end_s) {
+            let both = a.end_s.min(b.end_s) - b.start_s;
+            let shorter = a.duration_s().min(b.duration_s());
+            let together = b.end_s.max(a.end_s) - a.start_s;
+            let halves = shapes[i].valley.is_none() && shapes[j].valley.is_none()
+                || shapes[i].is_early() && shapes[j].is_late();
+            let one_foot = halves && both > 0.1 * shorter && usual.is_one_stance(i, j, together);
+            if a.channel == b.channel || both < SHARED * shorter && !one_foot {
+                continue;
+            }
+            let (low, high) = if a.peak_n < b.peak_n { (i, j) } else { (j, i) };
+            let weak = contacts[low].peak_n < CROSS_TALK * contacts[high].peak_n;
+            if weak {
+                found[low] = Beside::CrossTalk;
+            } else if is_plate(a) && is_plate(b) && a.cut.is_none() && b.cut.is_none() {
+                for k in [i, j] {
+                    if found[k] == Beside::Apart {
+                        found[k] = Beside::Shared;
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether samples are missing inside a contact.
+pub(super) fn missing(
+    contact: &Contact,
+    channel: &Channel,
+    recording: &Recording,
+) -> Option<RejectReason> {
+    let rate = recording.rate_hz;
+    let inside =
+        |from: f64, to: f64| to - from > BRIDGED_S && from < contact.end_s && to > contact.start_s;
+    let lacks = channel
+        .missing
+        .iter()
+        .any(|&(a, b)| inside(a as f64 / rate, b as f64 / rate));
+    let gaps = recording.gaps_s.iter().any(|&(a, b)| inside(a, b));
+    (lacks || gaps).then_some(RejectReason::MissingSamples)
+}

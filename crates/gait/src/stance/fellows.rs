@@ -1,0 +1,121 @@
+//! Whole stances compared with each other: those of one speed, and those unlike their fellows.
+
+use super::types::{RejectReason, Rejected, Stance, Stances};
+use crate::quantity::seconds;
+use crate::recording::{Note, Recording};
+
+/// Durations within this part of each other are of one speed: three deviations of steady walking.
+const ONE_SPEED: f64 = 0.1;
+/// Share of stances outside that range from which the speed is taken to change.
+const OUTSIDE: f64 = 0.15;
+/// Fewest stances that show a change of speed.
+const FEWEST: usize = 8;
+/// A stance this much longer or shorter than its fellows is left out of the mean of one foot.
+const DURATION: f64 = 0.1;
+/// The same of its loading peak and its impulse.
+const FORCE: f64 = 0.15;
+/// Fewest stances of a channel that are fellows: with one of them unlike, three agree.
+const FELLOWS: usize = 4;
+
+/// Keeps the stances of the speed that most of them have, if the speed changes, and notes it.
+pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
+    let rows = recording.channels.iter().any(|c| !c.rows.is_empty());
+    let count = out.used.len();
+    if rows || count < FEWEST {
+        return;
+    }
+    let mut sorted: Vec<f64> = out.used.iter().map(Stance::duration_s).collect();
+    sorted.sort_by(f64::total_cmp);
+    let (low, high, inside) = largest_group(&sorted);
+    if (count - inside) as f64 <= OUTSIDE * count as f64 {
+        return;
+    }
+    let of_group = |s: &Stance| (low..=high).contains(&s.duration_s());
+    let (kept, others): (Vec<Stance>, Vec<Stance>) = std::mem::take(&mut out.used)
+        .into_iter()
+        .partition(of_group);
+    out.used = kept;
+    out.rejected.extend(others.iter().map(|s| Rejected {
+        channel: s.channel,
+        from_s: s.start_s,
+        to_s: s.end_s,
+        reason: RejectReason::OtherSpeed,
+    }));
+    out.rejected.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
+    out.notes.push(Note::SpeedChanges {
+        used: inside,
+        stances: count,
+        low: seconds(low),
+        high: seconds(high),
+    });
+}
+
+/// First and last of the sorted values in the fullest window, and how many lie in it.
+pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
+    let mut best = (0.0, 0.0, 0);
+    let mut end = 0;
+    for (start, low) in sorted.iter().enumerate() {
+        let top = low * (1.0 + ONE_SPEED) / (1.0 - ONE_SPEED);
+        end = end.max(start + 1);
+        while end < sorted.len() && sorted[end] <= top {
+            end += 1;
+        }
+        if end - start > best.2 {
+            best = (*low, sorted[end - 1], end - start);
+        }
+    }
+    best
+}
+
+/// Marks stances whose duration, loading peak or impulse is unlike those of their channel: parts of the other
+/// foot stand on the plate, or parts of this one beside it.
+pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
+    for channel in 0..channels {
+        let own: Vec<usize> = (0..used.len())
+            .filter(|&i| used[i].channel == channel && used[i].mass_kg.is_none())
+            .collect();
+        if own.len() < FELLOWS {
+            continue;
+        }
+        let usual = |of: fn(&Stance) -> f64| median(own.iter().map(|&i| of(&used[i])).collect());
+        let first = |s: &Stance| s.p1.force_n;
+        let (duration, peak, impulse) = (
+            usual(Stance::duration_s),
+            usual(first),
+            usual(|s| s.impulse_ns),
+        );
+        let off = |x: f64, usual: f64| (x / usual - 1.0).abs();
+        let unlike: Vec<usize> = own
+            .iter()
+            .copied()
+            .filter(|&i| {
+                let s = &used[i];
+                off(s.duration_s(), duration) > DURATION
+                    || off(s.p1.force_n, peak) > FORCE
+                    || off(s.impulse_ns, impulse) > FORCE
+            })
+            .collect();
+        // Where many differ there is no usual one.
+        if 2 * unlike.len() <= own.len() {
+            for i in unlike {
+                used[i].unlike = true;
+            }
+        }
+    }
+}
+
+fn median(mut v: Vec<f64>) -> f64 {
+    v.sort_by(f64::total_cmp);
+    0.5 * (v[(v.len() - 1) / 2] + v[v.len() / 2])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fullest_window_wins() {
+        let sorted = [0.6, 0.61, 0.62, 0.63, 0.9, 0.91];
+        assert_eq!(largest_group(&sorted), (0.6, 0.63, 4));
+    }
+}

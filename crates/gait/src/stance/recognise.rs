@@ -1,0 +1,231 @@
+//! What was recorded, told by contact times, flight, duty factor, peaks and repetition.
+//!
+//! Ranges of walking and running: a walker's foot stands for more than half of the stride and there is no
+//! flight; a runner's stands for less and for 0.1 to 0.35 s (Nilsson and Thorstensson 1989; Keller et al. 1996).
+
+use super::contact::{Contact, STANDING_S, TOUCH_S};
+use super::shape::Shape;
+use crate::recording::{Foot, Idle, Kind, Recording};
+use crate::units::G;
+
+/// A contact this short is none of walking, s.
+const SHORT_S: f64 = 0.33;
+/// A contact below this is short where something else speaks of running, s.
+const BRISK_S: f64 = 0.42;
+/// Share of a stride that a foot stands, below which it is running.
+const RUNNING_DUTY: f64 = 0.5;
+/// A stride of one foot this short is of running, s.
+const RUNNING_STRIDE_S: f64 = 0.6;
+/// Highest force of a single hump over its mean: a half sine has 1.57, a walker's single hump about 1.25.
+const PEAKED: f64 = 1.45;
+/// Highest force in body weights that walking does not reach.
+const HARD_BW: f64 = 1.75;
+/// Time in the air between two feet of a runner, s.
+const FLIGHT_S: std::ops::Range<f64> = 0.02..0.3;
+/// Time in the air in a jump, s.
+const AIRBORNE_S: std::ops::Range<f64> = 0.08..1.0;
+/// Standing before a jump lasts at least this, s.
+const BEFORE_JUMP_S: f64 = 0.8;
+/// A landing over the level before or after it.
+const LANDING: f64 = 1.6;
+/// Feet that land and leave within this are a jump, s.
+const TOGETHER_S: f64 = 0.08;
+/// A contact that reaches this part of the highest is a step.
+const MAIN: f64 = 0.4;
+/// Variation of a total force (deviation over mean) up to which a person stands.
+const QUIET: f64 = 0.12;
+/// A seated person's feet carry less than this part of the weight.
+const SEATED: f64 = 0.6;
+/// Points at which a level is looked at.
+const LOOKS: usize = 400;
+
+/// Running or jumping, where the contacts show it; `None` leaves it to the stances.
+pub(super) fn ballistic(
+    contacts: &[Contact],
+    shapes: &[Shape],
+    recording: &Recording,
+) -> Option<Kind> {
+    if jumps(contacts, recording) || lands_together(contacts, recording) {
+        return Some(Kind::Jumping);
+    }
+    let top = contacts.iter().map(|c| c.peak_n).fold(0.0, f64::max);
+    let main: Vec<(&Contact, &Shape)> = contacts
+        .iter()
+        .zip(shapes)
+        .filter(|(c, _)| c.cut.is_none() && c.peak_n > MAIN * top)
+        .filter(|(c, _)| (TOUCH_S..STANDING_S).contains(&c.duration_s()))
+        .collect();
+    let duration = median(main.iter().map(|(c, _)| c.duration_s()).collect())?;
+    let peaked = main
+        .iter()
+        .filter(|(c, s)| s.valley.is_none() && peakedness(c, s) > PEAKED);
+    let peaked = 2 * peaked.count() > main.len();
+    let duty = duty(&main);
+    let weight = recording.mass_kg.map(|m| m * G);
+    let hard = weight.is_some_and(|w| top > HARD_BW * w);
+    let runs = duration < SHORT_S
+        || duty.is_some_and(|(duty, stride)| {
+            duty < RUNNING_DUTY || duration < BRISK_S && stride < RUNNING_STRIDE_S
+        })
+        || duration < BRISK_S && (peaked || hard || flies(&main));
+    if runs {
+        return Some(Kind::Running);
+    }
+    // Hops on one spot: as long as steps, but each a single sharp hump.
+    (peaked && main.len() >= 2).then_some(Kind::Jumping)
+}
+
+/// What a recording without a stance holds.
+pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Option<Kind> {
+    let constant = |i: &Idle| matches!(i, Idle::Constant { level } if level.value.abs() > 150.0);
+    let stands = (recording.channels.iter()).any(|c| c.idle.as_ref().is_some_and(constant));
+    let Some(longest) = (contacts.iter()).max_by(|a, b| a.duration_s().total_cmp(&b.duration_s()))
+    else {
+        return stands.then_some(Kind::Standing);
+    };
+    let duration = longest.duration_s();
+    if duration < STANDING_S && !(longest.cut.is_some() && duration > 1.0) {
+        return None;
+    }
+    let levels = levels(recording, longest.start_s, longest.end_s, LOOKS);
+    let mut sorted = levels.clone();
+    sorted.sort_by(f64::total_cmp);
+    let at = |q: f64| sorted[((sorted.len() - 1) as f64 * q) as usize];
+    let top = levels.iter().copied().fold(0.0, f64::max);
+    let early = &levels[..levels.len() / 4];
+    let lands = early.iter().copied().fold(0.0, f64::max) > 1.9 * at(0.5);
+    if lands && longest.start_s > 0.0 {
+        return Some(Kind::Jumping);
+    }
+    if steady(&levels) {
+        return Some(Kind::Standing);
+    }
+    // Two levels, each held: seated and standing.
+    let (low, high) = (at(0.08), at(0.9));
+    let near = |x: f64| {
+        let close = levels.iter().filter(|l| (*l - x).abs() < 0.15 * high);
+        close.count() as f64 / levels.len() as f64
+    };
+    let two = low < SEATED * high && near(low) > 0.08 && near(high) > 0.15 && top < 1.7 * high;
+    let seated_at_an_end = longest.cut.is_some() || duration > 3.0;
+    Some(if two && seated_at_an_end {
+        Kind::SitToStand
+    } else if steady(&levels[levels.len() / 2..]) {
+        Kind::Standing
+    } else {
+        Kind::Other
+    })
+}
+
+/// Whether a level hardly moves.
+fn steady(levels: &[f64]) -> bool {
+    let n = levels.len().max(1) as f64;
+    let mean = levels.iter().sum::<f64>() / n;
+    let square = levels.iter().map(|x| (x - mean).powi(2)).sum::<f64>();
+    (square / n).sqrt() < QUIET * mean
+}
+
+/// Highest force over the mean of the contact.
+fn peakedness(contact: &Contact, shape: &Shape) -> f64 {
+    let mean = shape.impulse_ns / contact.duration_s().max(1e-9);
+    contact.peak_n / mean.max(1e-9)
+}
+
+/// Middle share of a stride that a foot stands and middle stride, s, from contacts that repeat on a channel.
+fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
+    let mut all = Vec::new();
+    for (i, (a, _)) in main.iter().enumerate() {
+        let next = main[i + 1..].iter().find(|(b, _)| b.channel == a.channel);
+        if let Some((b, _)) = next {
+            let stride = b.start_s - a.start_s;
+            // A pause is no swing.
+            if stride < 3.5 * a.duration_s().max(0.15) {
+                all.push((a.duration_s() / stride, stride));
+            }
+        }
+    }
+    let duties = all.iter().map(|a| a.0).collect();
+    let strides = all.iter().map(|a| a.1).collect();
+    Some((median(duties)?, median(strides)?))
+}
+
+/// Whether a flight parts most neighbouring contacts of different channels.
+fn flies(main: &[(&Contact, &Shape)]) -> bool {
+    let pairs: Vec<f64> = main
+        .windows(2)
+        .filter(|w| w[0].0.channel != w[1].0.channel)
+        .map(|w| w[1].0.start_s - w[0].0.end_s)
+        .collect();
+    let flights = pairs.iter().filter(|g| FLIGHT_S.contains(g)).count();
+    flights > 0 && 2 * flights > pairs.len()
+}
+
+/// Whether a person stands, leaves the plates and lands on them.
+fn jumps(contacts: &[Contact], recording: &Recording) -> bool {
+    let spans = loaded_spans(contacts);
+    spans.windows(2).any(|w| {
+        let ((from, to), (landing, end)) = (w[0], w[1]);
+        let stood = to - from > BEFORE_JUMP_S;
+        if !(stood && AIRBORNE_S.contains(&(landing - to))) {
+            return false;
+        }
+        let Some(level) = median(levels(recording, from, to, LOOKS)) else {
+            return false;
+        };
+        let first = levels(recording, landing, end.min(landing + 0.5), LOOKS);
+        first.into_iter().fold(0.0, f64::max) > LANDING * level
+    })
+}
+
+/// Whether both feet, where the file names them, land and leave at the same time.
+fn lands_together(contacts: &[Contact], recording: &Recording) -> bool {
+    let of = |foot: Foot| -> Vec<&Contact> {
+        let own = |c: &&Contact| recording.channels[c.channel].foot == Some(foot);
+        let whole = |c: &&Contact| c.cut.is_none() && c.duration_s() > TOUCH_S;
+        contacts.iter().filter(own).filter(whole).collect()
+    };
+    let (left, right) = (of(Foot::Left), of(Foot::Right));
+    let alike = |a: &Contact, b: &Contact| {
+        (a.start_s - b.start_s).abs() < TOGETHER_S && (a.end_s - b.end_s).abs() < 2.0 * TOGETHER_S
+    };
+    // Contacts stand in order of time, so the partner is near the same place of the list.
+    let mut from = 0;
+    let mut together = 0;
+    for a in &left {
+        while from < right.len() && right[from].start_s < a.start_s - TOGETHER_S {
+            from += 1;
+        }
+        together += usize::from(right.get(from).is_some_and(|b| alike(a, b)));
+    }
+    together > 0 && 2 * together > left.len().max(right.len())
+}
+
+/// Spans in which any channel is loaded, s.
+fn loaded_spans(contacts: &[Contact]) -> Vec<(f64, f64)> {
+    let mut spans: Vec<(f64, f64)> = Vec::new();
+    for c in contacts {
+        match spans.last_mut() {
+            Some(last) if c.start_s <= last.1 => last.1 = last.1.max(c.end_s),
+            _ => spans.push((c.start_s, c.end_s)),
+        }
+    }
+    spans
+}
+
+/// Total force of the live channels at `count` even times of a span, N.
+fn levels(recording: &Recording, from_s: f64, to_s: f64, count: usize) -> Vec<f64> {
+    let at = |k: usize| {
+        let t = from_s + (to_s - from_s) * (k as f64 + 0.5) / count as f64;
+        let i = (t * recording.rate_hz) as usize;
+        let live = recording.channels.iter().filter(|c| c.idle.is_none());
+        live.map(|c| c.force_n.get(i).copied().unwrap_or(0.0))
+            .sum::<f64>()
+    };
+    (0..count).map(at).collect()
+}
+
+fn median(mut v: Vec<f64>) -> Option<f64> {
+    v.sort_by(f64::total_cmp);
+    let (a, b) = (v.len().checked_sub(1)? / 2, v.len() / 2);
+    Some(0.5 * (v[a] + v[b]))
+}

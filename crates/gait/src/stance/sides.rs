@@ -1,0 +1,91 @@
+//! Which foot a stance is of.
+
+use super::types::{RejectReason, Stance, Stances};
+use crate::recording::{Foot, Recording};
+
+/// Names the feet of plates: by marked strikes, then by turns from a stance whose foot is known.
+pub(super) fn name_feet(stances: &mut [Stance], recording: &Recording) {
+    for s in stances.iter_mut().filter(|s| s.foot.is_none()) {
+        let near = |at: f64| (at - s.start_s).abs();
+        let strike = recording
+            .strikes
+            .iter()
+            .min_by(|a, b| near(a.at_s).total_cmp(&near(b.at_s)));
+        s.foot = strike.filter(|k| near(k.at_s) < 0.15).map(|k| k.foot);
+    }
+    let n = stances.len();
+    let turns: Vec<usize> = (1..n).chain((1..n).rev()).collect();
+    for (k, &i) in turns.iter().enumerate() {
+        let (known, open) = if k < n.saturating_sub(1) {
+            (i - 1, i)
+        } else {
+            (i, i - 1)
+        };
+        if stances[open].foot.is_none()
+            && let Some(foot) = stances[known].foot
+            && let Some(same) = same_foot(
+                &(&stances[i - 1]).into(),
+                &(&stances[i]).into(),
+                recording.runs(),
+            )
+        {
+            stances[open].foot = Some(if same { foot } else { foot.other() });
+        }
+    }
+}
+
+/// A heel strike on record, with the contact that it begins.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Footfall {
+    channel: usize,
+    foot: Option<Foot>,
+    pub start_s: f64,
+    end_s: f64,
+}
+
+impl From<&Stance> for Footfall {
+    fn from(s: &Stance) -> Self {
+        Footfall {
+            channel: s.channel,
+            foot: s.foot,
+            start_s: s.start_s,
+            end_s: s.end_s,
+        }
+    }
+}
+
+/// Heel strikes in order of time: those of whole stances and of contacts that the recording cuts at its end.
+pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfall> {
+    let cut = stances.rejected.iter();
+    let cut = cut.filter(|r| r.reason == RejectReason::CutAtEnd);
+    let mut falls: Vec<Footfall> = stances.used.iter().map(Footfall::from).collect();
+    falls.extend(cut.map(|r| Footfall {
+        channel: r.channel,
+        foot: recording.channels.get(r.channel).and_then(|c| c.foot),
+        start_s: r.from_s,
+        end_s: r.to_s,
+    }));
+    falls.sort_by(|a, b| a.start_s.total_cmp(&b.start_s));
+    falls
+}
+
+/// Whether two stances that follow each other are of one foot; `None` where that cannot be told.
+///
+/// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
+/// a flight comes before the next foot, and more than twice as long a time before the same one.
+pub(crate) fn same_foot(a: &Footfall, b: &Footfall, runs: bool) -> Option<bool> {
+    if let (Some(a), Some(b)) = (a.foot, b.foot) {
+        return Some(a == b);
+    }
+    let duration = a.end_s - a.start_s;
+    let pause = b.start_s - a.end_s;
+    let (next, same) = if runs {
+        (1.2, 1.2..5.5)
+    } else {
+        (0.15, 0.3..1.2)
+    };
+    if pause < next * duration && !(runs && a.channel == b.channel) {
+        return Some(false);
+    }
+    (a.channel == b.channel && same.contains(&(pause / duration))).then_some(true)
+}

@@ -1,0 +1,193 @@
+//! Stances and contacts: what is found in a recording.
+
+use serde::Serialize;
+use strum::{IntoStaticStr, VariantNames};
+
+use crate::recording::{Foot, Kind, Note};
+
+/// One point of a stance: force and fraction of the stance.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // The humps of a walking stance: loading in its first half, push-off in its second.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let stance = &stances(&recording).used[0];
+/// let (loading, push_off) = (stance.first_peak().unwrap(), stance.second_peak().unwrap());
+/// assert!(loading.at < 0.5 && push_off.at > 0.5);
+/// assert!(loading.force_n > stance.valley.unwrap().force_n);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Force, N.
+    pub force_n: f64,
+    /// Time since heel strike over the duration of the stance, 0 to 1.
+    pub at: f64,
+}
+
+/// A single peak later than this share of the stance is the push-off.
+const LATE: f64 = 0.6;
+
+/// A whole stance of one foot.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // Made stances last 1/(0.76·1.9) s.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// for stance in stances(&recording).used {
+///     assert!((stance.duration_s() - 1.0 / (0.76 * 1.9)).abs() < 0.01);
+/// }
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stance {
+    /// Channel of the recording.
+    pub channel: usize,
+    /// The foot, where the file says or implies it.
+    pub foot: Option<Foot>,
+    /// Heel strike, s from the first sample.
+    pub start_s: f64,
+    /// Toe-off, s from the first sample.
+    pub end_s: f64,
+    /// Loading peak (the only one of a stance with one hump).
+    pub p1: Point,
+    /// Mid-stance valley, if the stance has two humps.
+    pub valley: Option<Point>,
+    /// Push-off peak, if the stance has two humps.
+    pub p2: Option<Point>,
+    /// Integral of the force over the stance, N s.
+    pub impulse_ns: f64,
+    /// Mass of the walker, kg, where this stance has its own (tables of stances).
+    pub mass_kg: Option<f64>,
+    /// Its duration, loading peak or impulse is unlike those of its channel: it counts in the sum of both feet
+    /// only.
+    pub unlike: bool,
+}
+
+impl Stance {
+    /// Time from heel strike to toe-off, s.
+    pub fn duration_s(&self) -> f64 {
+        self.end_s - self.start_s
+    }
+
+    /// The loading peak; `None` where the only peak comes later than loading does.
+    pub fn first_peak(&self) -> Option<Point> {
+        (self.valley.is_some() || self.p1.at < LATE).then_some(self.p1)
+    }
+
+    /// The push-off peak, which may be the only one.
+    pub fn second_peak(&self) -> Option<Point> {
+        self.p2
+            .or((self.valley.is_none() && self.p1.at >= LATE).then_some(self.p1))
+    }
+
+    /// Highest force, N.
+    pub fn peak_n(&self) -> f64 {
+        self.p2
+            .map_or(self.p1.force_n, |p| p.force_n.max(self.p1.force_n))
+    }
+}
+
+/// Why a contact is not used.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, RejectReason, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let reasons: Vec<RejectReason> = stances(&recording).rejected.iter().map(|r| r.reason).collect();
+/// assert_eq!(reasons, [RejectReason::CutAtStart, RejectReason::CutAtEnd]);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, IntoStaticStr, VariantNames,
+)]
+#[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
+#[non_exhaustive]
+pub enum RejectReason {
+    /// The recording starts inside it.
+    CutAtStart,
+    /// The recording ends inside it.
+    CutAtEnd,
+    /// Cut, and too short to be most of a stance.
+    EdgeFragment,
+    /// The plate was loaded from the first sample to the last.
+    NeverUnloaded,
+    /// Samples are missing inside it.
+    MissingSamples,
+    /// It lasts too short for a step.
+    TooShort,
+    /// A contact of running.
+    Running,
+    /// A take-off or landing of both feet.
+    Jumping,
+    /// The force of a foot on another plate shows in this channel.
+    CrossTalk,
+    /// A whole stance at another speed than most.
+    OtherSpeed,
+    /// It lasts too long for a step.
+    Standing,
+    /// Longer than the others: the other foot came onto the same plate.
+    CrossOver,
+    /// Duration, loading peak or impulse are unlike those of the same channel.
+    Unlike,
+    /// Two plates carried the foot at the same time.
+    TwoPlates,
+    /// Only a part of the foot was on the plate.
+    PartialContact,
+}
+
+/// A contact that is not used.
+///
+/// ```
+/// use gaitcam_gait::{ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// // The last contact is cut by the end of the recording.
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let cut = stances(&recording).rejected.last().unwrap().clone();
+/// assert!((cut.to_s - recording.duration_s).abs() < 1e-9);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejected {
+    /// Channel of the recording.
+    pub channel: usize,
+    /// Start, s.
+    pub from_s: f64,
+    /// End, s.
+    pub to_s: f64,
+    /// The reason.
+    pub reason: RejectReason,
+}
+
+/// All contacts of a recording, each used or rejected, in order of time.
+///
+/// ```
+/// use gaitcam_gait::{Kind, ReadOptions, read, stances};
+///
+/// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
+/// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
+/// let found = stances(&recording);
+/// assert_eq!((found.used.len(), found.rejected.len()), (19, 2));
+/// assert_eq!(found.recognised, Some(Kind::Walking));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Stances {
+    /// Whole walking stances.
+    pub used: Vec<Stance>,
+    /// The others.
+    pub rejected: Vec<Rejected>,
+    /// What the contacts are recognised as.
+    pub recognised: Option<Kind>,
+    /// What they are averaged as: the kind asked for, otherwise the one recognised.
+    pub kind: Option<Kind>,
+    /// What was noticed when stances were compared with each other.
+    pub notes: Vec<Note>,
+}

@@ -1,0 +1,252 @@
+# Force curves, load models, recordings and their mean cycle.
+
+force-few-samples = a force cycle of { $samples } samples is too short
+    .help = give at least 4 samples per cycle
+force-lengths = { $times } times and { $forces } forces
+    .help = give one force for each time
+force-sample-not-finite = force sample { $sample } is not a finite number
+    .help = every sample must be a finite number of newtons
+force-period-not-positive = invalid period { $period }
+    .help = the period must be positive
+force-unknown-feet = invalid value "{ $word }" for feet
+    .help = use both, one, left, right or total
+force-unknown-kind = "{ $word }" is not a kind of movement
+    .help = kinds are walking, running, standing, jumping, sit-to-stand and other; a mean cycle is computed of walking and running
+force-unknown-doubt = "{ $word }" cannot be accepted
+    .help = list what you accept about the recording: kind, clock, mass
+force-no-joint-mean = { $trials ->
+        [one] the recording gives
+       *[other] none of the { $trials } recordings gives
+    } a cycle for a joint mean
+    .help = the table gives the reason for each; settle what is open with the option that it names, or accept it with --accept
+force-unknown-unit = "{ $word }" is not a unit of force
+    .help = units are N, kN, lbf, kgf, N/kg, BW and %BW
+force-unknown-model = "{ $name }" is not a load model
+    .help = the load models are { $known }
+force-misspelt-model = "{ $name }" is not a load model
+    .help = did you mean "{ $near }"?
+force-weight-not-positive = invalid body weight { $weight }
+    .help = it must be positive, for example "700 N"
+force-frequency-out-of-range = { $model } is not defined for a step frequency of { $frequency }
+    .help = give { $low } to { $high }
+force-frequency-missing = { $model } needs a step frequency
+    .help = give for example step_frequency = "1.85 Hz"
+force-both-feet-only = { $model } gives the force of both feet together, not of one
+    .help = use feet = "both", or a single-foot model: li-2010, iso-22675
+force-clock-implausible = with the time column in milliseconds a stride takes { $period }, which is not walking
+    .help = give the sampling rate (option rate): the column may count samples
+force-running = the recording of { $duration } is of running (short contacts, flight between them, less than half of the stride on the ground)
+    .help = use kind = "running" for a running cycle, or give a recording of walking
+force-not-walking = the recording of { $duration } is not of walking: { $movement ->
+        [standing] a person stands; the load hardly changes
+        [jumping] both feet leave the ground together
+        [sit-to-stand] the load rises from that of the feet alone to the body weight
+       *[other] no periodic gait is found
+    }
+    .help = give a recording of walking or running; for any other periodic force use gait.period
+force-total-of-both-feet = no complete stance of one foot in { $duration } of recording: the column is the total force of both feet, which does not return to zero
+    .help = use feet = "both"
+force-no-stance = no complete walking stance in { $duration } of recording
+    .help = { $contacts ->
+        [one] one contact was found, from { $from } to { $to }
+       *[other] { $contacts } contacts were found, the first from { $from } to { $to }
+    }; most frequent reason for rejection: { $reason }
+force-no-stance-file-cut = no complete walking stance in { $duration } of recording: the header states { $announced } rows, the file has { $found }
+    .help = export the complete trial; most frequent reason for rejection: { $reason }
+force-no-live-channel = no complete walking stance in { $duration } of recording: no channel carries a load
+    .help = name the force column (option force)
+force-no-contact = no complete walking stance in { $duration } of recording: no channel exceeds 20 N
+    .help = check the unit of force and the force column (options unit and force)
+force-no-stance-of-foot = no complete stance of the { $foot } foot
+    .help = all stances are of the other foot; use feet = "one" or "both"
+force-feet-not-named = no complete stance of the { $foot } foot
+    .help = the file does not say which foot is which; use feet = "one" or "both"
+
+note-rows-differ = the header states { $announced } rows, the file has { $found }
+note-frames-missing = the header states { $announced } frames, the file has { $found }
+note-lines-skipped = lines that are not rows of numbers were skipped; the first is line { $first-line }
+note-insole-columns = columns { $left } and { $right } are the sums of two equal groups of sensors; they are taken as left and right insole
+note-stance-per-row = one stance per row, { $rows } rows
+note-masses-missing = the mass is known for { $known } of { $rows } stances; add the others to the table of subjects (metadata)
+note-durations-lost = all stances have { $samples } samples, so their durations are unknown; { $assumed } is assumed
+note-rate-guessed = the table gives no sampling rate; { $rate } is assumed, which gives stances of { $stance }; give the rate if this is wrong
+note-rate-overrides-times = the given rate of { $rate } replaces the time column, which gives { $column }
+note-milliseconds-guessed = the time column has steps of { $step }; it is taken as milliseconds
+note-samples-missing = { $count ->
+        [one] one sample is missing
+       *[other] { $count } samples are missing
+    }, the first near { $first }; the sampling rate is computed from the samples present
+note-rates-differ = the header gives a rate of { $header }, the time column { $column }; the time column is used
+note-uneven-samples = the samples are unevenly spaced in time and were resampled at constant intervals
+note-unit-guessed = the unit of force is not given; from the peak of { $peak } it is taken as { $unit }
+note-unit-label-rejected = a peak of { $peak } is implausible in { $label }; the unit is taken as { $unit }
+note-low-force = no force exceeds { $peak }; if the forces are in body weights, give unit BW and the mass
+note-vertical-guessed = components { $vertical } and { $other } have similar magnitudes; { $vertical } is taken as vertical
+note-feet-guessed = ground_force is taken as the right foot, 1_ground_force as the left (convention of OpenSim's examples)
+note-no-plates = the file describes no force plate; analog channels are chosen by their labels
+note-plate-type-unknown = plate { $plate } is ignored: TYPE { $kind } is not supported (types 1 to 7 are); name its force channel to use it
+note-plate-channel-missing = plate { $plate } is ignored: its channel { $channel } is not in the file
+note-plate-matrix-missing = plate { $plate } is ignored: its calibration matrix is missing
+note-plate-tilted = plate { $plate } is not parallel to plate 1: at most one of their normal forces is vertical
+note-insole-mass = the mass of { $mass } is computed from the mean total force of the insoles, which are seldom calibrated: give the walker's mass
+note-one-foot-for-both = { $stances ->
+        [one] one stance of one foot is
+       *[other] { $stances } stances of one foot are averaged and
+    } repeated half a stride apart for the other foot (gait.feet = "both"); gait.feet = "one" gives the force of one foot
+note-stride-assumed = the recording does not give the stride time; { $period } is assumed, with a stance of 62 % of the stride
+note-stride-implausible = the stride time of { $period } is outside the range of { $low } to { $high } for this movement: check the sampling rate (option rate) and the kind of movement (option kind)
+note-duty-implausible = the stance takes { $duty } of the stride, outside the range of { $low } to { $high } for this movement: check the kind of movement (option kind) and the sampling rate (option rate)
+note-peak-implausible = the peak force of a stance is { $ratio } body weights, outside the range of { $low } to { $high } for this movement: check the mass, the unit of force and the kind of movement (options mass, unit and kind)
+note-mean-force-not-weight = the mean force over a stride is { $ratio } times { $share ->
+        [half] half the
+       *[whole] the
+    } weight of { $mass }, where 1 is expected: the mass, the unit of force or its calibration is wrong, or a foot is missing
+note-mass-implausible = a mean force of { $mean } over a stride corresponds to a walker of { $mass }: the unit of force or its calibration is wrong, or a foot is missing
+note-unit-unconfirmed = the unit of force is not given; taken as { $unit } it makes a mass of { $mass }, which is not that of an adult: give the unit or the mass (options unit and mass)
+note-count-or-milliseconds = the time column counts in ones without a unit; taken as milliseconds a stride takes { $stride }, but samples are counted in the same way: give the sampling rate (option rate)
+note-kind-differs = kind { $typed } is given, but the contacts are those of { $movement ->
+        [running] { kind-running }
+        [standing] { kind-standing }
+        [jumping] { kind-jumping }
+        [sit-to-stand] { kind-sit-to-stand }
+        [walking] { kind-walking }
+       *[other] { kind-other }
+    }
+note-speed-changes = the speed changes during the recording; the mean is of the { $used } of { $stances } stances that last { $low } to { $high }, the largest group of one speed
+note-stances-differ = the stances differ by { $share } of the body weight, or of the mean impulse between the feet, where at most 20 % is expected: partial contacts, cross-talk or two feet on one plate
+note-total-column = the column is taken as the total force of both feet
+note-plates-summed = feet cross from plate to plate: the mean cycle is of the sum of { $plates } plates, which carry the walker all the time
+note-several-masses = the recordings are of walkers of { $low } to { $high }: forces are averaged in body weights and scaled to { $mean }
+note-counts-scaled = the readings are converter counts without calibration; they are scaled so that the mean force is the weight of { $mass }
+
+cycle-whole-strides = { $strides ->
+        [one] one whole stride
+       *[other] { $strides } whole strides
+    } of both feet{ $from ->
+        [left] , from left heel strike
+        [right] , from right heel strike
+       *[none] {""}
+    }
+cycle-right-and-left = { $right } right and { $left } left single stances, half a stride apart; stride time from { $period }
+cycle-two-feet = { $one } single stances of one foot and { $other } of the other, half a stride apart; stride time from { $period }
+cycle-any-foot = { $stances ->
+        [one] one single stance
+       *[other] { $stances } single stances
+    }, repeated half a stride apart; stride time from { $period }
+cycle-one-foot = { $stances ->
+        [one] one stance
+       *[other] { $stances } stances
+    } of one foot; stride time from { $period }
+cycle-total-force = { $strides ->
+        [one] one stride
+       *[other] { $strides } strides
+    } of the total force of both feet, between upward crossings of the mean force
+
+kind-walking = walking
+kind-running = running
+kind-standing = standing
+kind-jumping = jumping
+kind-sit-to-stand = sit-to-stand
+kind-other = another movement
+
+open-kind = the kind of movement
+open-clock = the time scale
+open-mass = the mass and the unit of force
+
+left-out-open = open: { $questions }
+left-out-kind = { open-kind }
+left-out-clock = { open-clock }
+left-out-mass = { open-mass }
+left-out-other-kind = { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }, and most recordings are of { $most ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+left-out-other-speed = another speed: a stride of { $period }, and most take { $low } to { $high }
+left-out-mean-already = a mean cycle already, not a recording
+left-out-no-cycle = no cycle
+
+clock-user = given
+clock-times = time column
+clock-guessed-times = time column, unit guessed
+clock-header = from the header
+clock-guessed-rate = guessed
+
+name-file = one cycle, as given
+name-heel-strikes = consecutive heel strikes of one foot
+name-marked-strikes = consecutive marked strikes of one foot
+name-doubled-steps = twice the mean step time
+name-impulse = the impulse balance with the body mass
+name-usual-duty = an assumed stance of 62 % of the stride (not in the recording)
+name-total-force = upward crossings of the mean total force
+
+mass-from-user = given
+mass-from-file = from the file
+mass-from-subjects = mean of the table of subjects
+mass-from-mean-force = mean force over the stride
+
+channel-never-loaded = never loaded
+channel-constant = constant at { $level }
+channel-mostly-empty = mostly empty: { $missing } of { $samples } samples are missing
+channel-empty = empty
+
+contact-cut-at-start = truncated: the recording starts during the stance
+contact-cut-at-end = truncated: the recording ends during the stance
+contact-edge-fragment = partial contact at the edge of the recording, ignored
+contact-never-unloaded = never unloaded: standing, or both feet on one plate
+contact-missing-samples = samples are missing during the stance
+contact-too-short = too short for a step
+contact-running = contact of running
+contact-jumping = take-off or landing of both feet
+contact-cross-talk = cross-talk of a foot on another plate
+contact-other-speed = whole stance at another speed
+contact-unlike = duration, peak or impulse differs from those of the other stances
+contact-standing = too long for a step: standing
+contact-cross-over = too long for one foot: both feet on one plate
+contact-two-plates = the foot lies across two plates
+contact-partial-contact = partial contact: the force is too low for a full step
+
+name-cut-at-start = { contact-cut-at-start }
+name-cut-at-end = { contact-cut-at-end }
+name-edge-fragment = { contact-edge-fragment }
+name-never-unloaded = { contact-never-unloaded }
+name-missing-samples = { contact-missing-samples }
+name-too-short = { contact-too-short }
+name-running = { contact-running }
+name-jumping = { contact-jumping }
+name-cross-talk = { contact-cross-talk }
+name-other-speed = { contact-other-speed }
+name-unlike = { contact-unlike }
+name-standing = { contact-standing }
+name-cross-over = { contact-cross-over }
+name-two-plates = { contact-two-plates }
+name-partial-contact = { contact-partial-contact }
+
+format-c3d = C3D, { $processor } { $storage }
+format-open-sim-old = OpenSim storage, old header
+format-open-sim-new = OpenSim storage, new header
+format-force-data = force data with key lines (.forces)
+format-nexus = Nexus device export
+format-insole = insole text export
+format-bio-ware = BioWare text export
+format-qualisys = Qualisys text export
+format-converter-counts = converter counts (.anc)
+format-amti = AMTI text without header
+format-stance-table = table of stances, one per row
+format-text = { $separator } separated text{ $decimal ->
+        [comma] , decimal comma
+       *[point] {""}
+    }
+format-headerless-text = { $separator } separated text{ $decimal ->
+        [comma] , decimal comma
+       *[point] {""}
+    } without header
+
+# Feet and storage.
+name-left = left
+name-right = right
+name-vertical = vertical
+name-integers = integers
+name-floats = floats

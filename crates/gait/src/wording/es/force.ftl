@@ -1,0 +1,264 @@
+# Curvas de fuerza, modelos de carga, registros y su ciclo medio.
+
+force-few-samples = un ciclo de fuerza de { $samples } muestras es demasiado corto
+    .help = dé al menos 4 muestras por ciclo
+force-lengths = { $times } tiempos y { $forces } fuerzas
+    .help = dé una fuerza para cada tiempo
+force-sample-not-finite = la muestra de fuerza { $sample } no es un número finito
+    .help = cada muestra debe ser un número finito de newtons
+force-period-not-positive = período no válido { $period }
+    .help = el período debe ser positivo
+force-unknown-feet = valor no válido «{ $word }» para feet
+    .help = use both, one, left, right o total
+force-unknown-kind = «{ $word }» no es un tipo de movimiento
+    .help = los tipos son walking, running, standing, jumping, sit-to-stand y other; el ciclo medio se calcula para walking (marcha) y running (carrera)
+force-unknown-doubt = «{ $word }» no se puede aceptar
+    .help = indique lo que acepta del registro: kind (tipo), clock (tiempo), mass (masa)
+force-no-joint-mean = { $trials ->
+        [one] el registro no da
+       *[other] ninguno de los { $trials } registros da
+    } un ciclo para una media conjunta
+    .help = la tabla da el motivo de cada uno; resuelva lo abierto con la opción que cita, o acéptelo con --accept
+force-unknown-unit = «{ $word }» no es una unidad de fuerza
+    .help = las unidades son N, kN, lbf, kgf, N/kg, BW y %BW
+force-unknown-model = «{ $name }» no es un modelo de carga
+    .help = los modelos de carga son { $known }
+force-misspelt-model = «{ $name }» no es un modelo de carga
+    .help = ¿quiso decir «{ $near }»?
+force-weight-not-positive = peso corporal no válido { $weight }
+    .help = debe ser positivo, por ejemplo "700 N"
+force-frequency-out-of-range = { $model } no está definido para una frecuencia de paso de { $frequency }
+    .help = dé un valor de { $low } a { $high }
+force-frequency-missing = { $model } necesita una frecuencia de paso
+    .help = indique por ejemplo step_frequency = "1.85 Hz"
+force-both-feet-only = { $model } da la fuerza conjunta de ambos pies, no la de uno
+    .help = use feet = "both" o un modelo de un solo pie: li-2010, iso-22675
+force-clock-implausible = con la columna de tiempo en milisegundos una zancada dura { $period }, lo que no es caminar
+    .help = indique la frecuencia de muestreo (opción rate): la columna puede contar muestras
+force-running = el registro de { $duration } es de carrera (contactos cortos, vuelo entre ellos, menos de la mitad de la zancada en el suelo)
+    .help = use kind = "running" para un ciclo de carrera, o dé un registro de marcha
+force-not-walking = el registro de { $duration } no es de marcha: { $movement ->
+        [standing] una persona está de pie; la carga apenas cambia
+        [jumping] ambos pies dejan el suelo a la vez
+        [sit-to-stand] la carga sube desde la de los pies solos hasta el peso corporal
+       *[other] no se encuentra una marcha periódica
+    }
+    .help = dé un registro de marcha o carrera; para cualquier otra fuerza periódica use gait.period
+force-total-of-both-feet = ningún apoyo completo de un pie en { $duration } de registro: la columna es la fuerza total de ambos pies, que no vuelve a cero
+    .help = use feet = "both"
+force-no-stance = ningún apoyo completo de marcha en { $duration } de registro
+    .help = { $contacts ->
+        [one] se encontró un contacto, de { $from } a { $to }
+       *[other] se encontraron { $contacts } contactos, el primero de { $from } a { $to }
+    }; motivo de rechazo más frecuente: { $reason }
+force-no-stance-file-cut = ningún apoyo completo de marcha en { $duration } de registro: la cabecera indica { $announced } filas y el archivo tiene { $found }
+    .help = exporte el ensayo completo; motivo de rechazo más frecuente: { $reason }
+force-no-live-channel = ningún apoyo completo de marcha en { $duration } de registro: ningún canal lleva carga
+    .help = indique la columna de fuerza (opción force)
+force-no-contact = ningún apoyo completo de marcha en { $duration } de registro: ningún canal supera 20 N
+    .help = compruebe la unidad de fuerza y la columna de fuerza (opciones unit y force)
+force-no-stance-of-foot = ningún apoyo completo del pie { $foot }
+    .help = todos los apoyos son del otro pie; use feet = "one" o "both"
+force-feet-not-named = ningún apoyo completo del pie { $foot }
+    .help = el archivo no indica qué pie es cada uno; use feet = "one" o "both"
+
+note-rows-differ = la cabecera indica { $announced } filas y el archivo tiene { $found }
+note-frames-missing = la cabecera indica { $announced } cuadros y el archivo tiene { $found }
+note-lines-skipped = se omitieron líneas que no son filas de números; la primera es la línea { $first-line }
+note-insole-columns = las columnas { $left } y { $right } son las sumas de dos grupos iguales de sensores; se toman como plantilla izquierda y derecha
+note-stance-per-row = un apoyo por fila, { $rows } filas
+note-masses-missing = la masa se conoce en { $known } de { $rows } apoyos; añada las demás a la tabla de sujetos (metadata)
+note-durations-lost = todos los apoyos tienen { $samples } muestras, de modo que se desconoce su duración; se supone { $assumed }
+note-rate-guessed = la tabla no da la frecuencia de muestreo; se supone { $rate }, lo que da apoyos de { $stance }; indíquela si no es correcta
+note-rate-overrides-times = la frecuencia de { $rate } indicada sustituye a la columna de tiempo, que da { $column }
+note-milliseconds-guessed = la columna de tiempo tiene incrementos de { $step }; se toma como milisegundos
+note-samples-missing = { $count ->
+        [one] falta una muestra
+       *[other] faltan { $count } muestras
+    }, la primera cerca de { $first }; la frecuencia de muestreo se calcula con las muestras presentes
+note-rates-differ = la cabecera da una frecuencia de { $header } y la columna de tiempo { $column }; se usa la columna de tiempo
+note-uneven-samples = las muestras no son equidistantes en el tiempo y se remuestrearon a intervalos constantes
+note-unit-guessed = no se da la unidad de fuerza; por el pico de { $peak } se toma como { $unit }
+note-unit-label-rejected = un pico de { $peak } no es verosímil en { $label }; la unidad se toma como { $unit }
+note-low-force = ninguna fuerza supera { $peak }; si las fuerzas están en pesos corporales, indique la unidad BW y la masa
+note-vertical-guessed = las componentes { $vertical } y { $other } son de magnitud similar; { $vertical } se toma como vertical
+note-feet-guessed = ground_force se toma como pie derecho y 1_ground_force como izquierdo (convenio de los ejemplos de OpenSim)
+note-no-plates = el archivo no describe ninguna plataforma de fuerza; los canales analógicos se eligen por sus etiquetas
+note-plate-type-unknown = se omite la plataforma { $plate }: TYPE { $kind } no se admite (sí los tipos 1 a 7); para usarla, indique su canal de fuerza
+note-plate-channel-missing = se omite la plataforma { $plate }: su canal { $channel } no está en el archivo
+note-plate-matrix-missing = se omite la plataforma { $plate }: falta su matriz de calibración
+note-plate-tilted = la plataforma { $plate } no es paralela a la plataforma 1: como máximo una de sus fuerzas normales es vertical
+note-insole-mass = la masa de { $mass } se calcula con la fuerza total media de las plantillas, que rara vez están calibradas: indique la masa de la persona
+note-one-foot-for-both = { $stances ->
+        [one] un apoyo de un pie se repite
+       *[other] { $stances } apoyos de un pie se promedian y se repiten
+    } con medio ciclo de diferencia para el otro pie (gait.feet = "both"); gait.feet = "one" da la fuerza de un pie
+note-stride-assumed = el registro no da la duración de la zancada; se supone { $period }, con un apoyo del 62 % de la zancada
+note-stride-implausible = la zancada de { $period } está fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la frecuencia de muestreo (opción rate) y el tipo de movimiento (opción kind)
+note-duty-implausible = el apoyo ocupa { $duty } de la zancada, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe el tipo de movimiento (opción kind) y la frecuencia de muestreo (opción rate)
+note-peak-implausible = la fuerza máxima de un apoyo es { $ratio } pesos corporales, fuera del intervalo de { $low } a { $high } de este movimiento: compruebe la masa, la unidad de fuerza y el tipo de movimiento (opciones mass, unit y kind)
+note-mean-force-not-weight = la fuerza media de una zancada es { $ratio } veces { $share ->
+        [half] la mitad del
+       *[whole] el
+    } peso de { $mass }, cuando se espera 1: la masa, la unidad de fuerza o su calibración es incorrecta, o falta un pie
+note-mass-implausible = una fuerza media de { $mean } en una zancada corresponde a una persona de { $mass }: la unidad de fuerza o su calibración es incorrecta, o falta un pie
+note-unit-unconfirmed = no se da la unidad de fuerza; tomada como { $unit } resulta una masa de { $mass }, que no es la de un adulto: indique la unidad o la masa (opciones unit y mass)
+note-count-or-milliseconds = la columna de tiempo cuenta de uno en uno sin unidad; tomada como milisegundos una zancada dura { $stride }, pero las muestras se cuentan igual: indique la frecuencia de muestreo (opción rate)
+note-kind-differs = se indica kind { $typed }, pero los contactos son de { $movement ->
+        [running] { kind-running }
+        [standing] { kind-standing }
+        [jumping] { kind-jumping }
+        [sit-to-stand] { kind-sit-to-stand }
+        [walking] { kind-walking }
+       *[other] { kind-other }
+    }
+note-speed-changes = la velocidad cambia durante el registro; la media es de los { $used } de { $stances } apoyos que duran de { $low } a { $high }, el mayor grupo de una misma velocidad
+note-stances-differ = los apoyos difieren en { $share } del peso corporal, o del impulso medio entre los pies, cuando se espera como máximo 20 %: contactos parciales, diafonía o dos pies en una plataforma
+note-total-column = la columna se toma como la fuerza total de ambos pies
+note-plates-summed = los pies pasan de una plataforma a otra: el ciclo medio es de la suma de { $plates } plataformas, que llevan a la persona todo el tiempo
+note-several-masses = los registros son de personas de { $low } a { $high }: las fuerzas se promedian en pesos corporales y se escalan a { $mean }
+note-counts-scaled = las lecturas son cuentas del convertidor sin calibración; se escalan de modo que la fuerza media sea el peso de { $mass }
+
+cycle-whole-strides = { $strides ->
+        [one] una zancada completa
+       *[other] { $strides } zancadas completas
+    } de ambos pies{ $from ->
+        [left] , desde el contacto del talón izquierdo
+        [right] , desde el contacto del talón derecho
+       *[none] {""}
+    }
+cycle-right-and-left = { $right } apoyos derechos y { $left } izquierdos, separados media zancada; duración de la zancada: { $period }
+cycle-two-feet = { $one } apoyos de un pie y { $other } del otro, separados media zancada; duración de la zancada: { $period }
+cycle-any-foot = { $stances ->
+        [one] un apoyo
+       *[other] { $stances } apoyos
+    }, repetidos a media zancada; duración de la zancada: { $period }
+cycle-one-foot = { $stances ->
+        [one] un apoyo
+       *[other] { $stances } apoyos
+    } de un pie; duración de la zancada: { $period }
+cycle-total-force = { $strides ->
+        [one] una zancada
+       *[other] { $strides } zancadas
+    } de la fuerza total de ambos pies, entre cruces ascendentes de la fuerza media
+
+kind-walking = marcha
+kind-running = carrera
+kind-standing = de pie
+kind-jumping = salto
+kind-sit-to-stand = levantarse de la silla
+kind-other = otro movimiento
+
+open-kind = el tipo de movimiento
+open-clock = la escala de tiempo
+open-mass = la masa y la unidad de fuerza
+
+left-out-open = abierto: { $questions }
+left-out-kind = { open-kind }
+left-out-clock = { open-clock }
+left-out-mass = { open-mass }
+left-out-other-kind = { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }, y la mayoría de los registros son de { $most ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+left-out-other-speed = otra velocidad: zancada de { $period }, y la mayoría dura de { $low } a { $high }
+left-out-mean-already = ya es un ciclo medio, no un registro
+left-out-no-cycle = sin ciclo
+
+clock-user = indicada
+clock-times = columna de tiempo
+clock-guessed-times = columna de tiempo, unidad supuesta
+clock-header = de la cabecera
+clock-guessed-rate = supuesta
+
+name-file = un ciclo, tal cual
+name-heel-strikes = contactos de talón consecutivos de un pie
+name-marked-strikes = contactos marcados consecutivos de un pie
+name-doubled-steps = el doble de la duración media del paso
+name-impulse = balance de impulso con la masa corporal
+name-usual-duty = apoyo supuesto del 62 % de la zancada (no consta en el registro)
+name-total-force = cruces ascendentes de la fuerza total media
+
+mass-from-user = indicada
+mass-from-file = del archivo
+mass-from-subjects = media de la tabla de sujetos
+mass-from-mean-force = fuerza media de la zancada
+
+channel-never-loaded = nunca con carga
+channel-constant = constante en { $level }
+channel-mostly-empty = casi vacío: faltan { $missing } de { $samples } muestras
+channel-empty = vacío
+
+contact-cut-at-start = truncado: el registro empieza durante el apoyo
+contact-cut-at-end = truncado: el registro termina durante el apoyo
+contact-edge-fragment = contacto parcial en el borde del registro, no se usa
+contact-never-unloaded = nunca sin carga: de pie, o ambos pies en una plataforma
+contact-missing-samples = faltan muestras durante el apoyo
+contact-too-short = demasiado corto para un paso
+contact-running = contacto de carrera
+contact-jumping = despegue o caída de ambos pies
+contact-cross-talk = diafonía de un pie en otra plataforma
+contact-other-speed = apoyo completo a otra velocidad
+contact-unlike = su duración, pico o impulso difiere de los demás apoyos
+contact-standing = demasiado largo para un paso: de pie
+contact-cross-over = demasiado largo para un pie: ambos pies en una plataforma
+contact-two-plates = el pie pisa dos plataformas
+contact-partial-contact = contacto parcial: fuerza demasiado baja para un paso completo
+
+name-cut-at-start = { contact-cut-at-start }
+name-cut-at-end = { contact-cut-at-end }
+name-edge-fragment = { contact-edge-fragment }
+name-never-unloaded = { contact-never-unloaded }
+name-missing-samples = { contact-missing-samples }
+name-too-short = { contact-too-short }
+name-running = { contact-running }
+name-jumping = { contact-jumping }
+name-cross-talk = { contact-cross-talk }
+name-other-speed = { contact-other-speed }
+name-unlike = { contact-unlike }
+name-standing = { contact-standing }
+name-cross-over = { contact-cross-over }
+name-two-plates = { contact-two-plates }
+name-partial-contact = { contact-partial-contact }
+
+format-c3d = C3D, { $processor } { $storage }
+format-open-sim-old = almacenamiento de OpenSim, cabecera antigua
+format-open-sim-new = almacenamiento de OpenSim, cabecera nueva
+format-force-data = datos de fuerza con líneas de claves (.forces)
+format-nexus = exportación de dispositivos de Nexus
+format-insole = exportación de texto de plantillas
+format-bio-ware = exportación de texto de BioWare
+format-qualisys = exportación de texto de Qualisys
+format-converter-counts = cuentas del convertidor (.anc)
+format-amti = texto de AMTI sin cabecera
+format-stance-table = tabla de apoyos, uno por fila
+format-text = texto separado por { $separator ->
+        [tab] tabuladores
+        [semicolon] punto y coma
+        [bar] barras
+        [comma] comas
+       *[blank] espacios
+    }{ $decimal ->
+        [comma] , coma decimal
+       *[point] {""}
+    }
+format-headerless-text = texto separado por { $separator ->
+        [tab] tabuladores
+        [semicolon] punto y coma
+        [bar] barras
+        [comma] comas
+       *[blank] espacios
+    }{ $decimal ->
+        [comma] , coma decimal
+       *[point] {""}
+    }, sin cabecera
+
+# Pies y almacenamiento.
+name-left = izquierdo
+name-right = derecho
+name-vertical = vertical
+name-integers = con enteros
+name-floats = con coma flotante

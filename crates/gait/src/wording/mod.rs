@@ -1,0 +1,19 @@
+//! The messages of this crate in English and Spanish.
+
+use serde::Serialize;
+
+pub use gaitcam_base::wording::{Catalogue, File, Language, code};
+
+/// The Fluent files: names, faults and notes of curves and recordings, faults of files.
+pub const FILES: &[File] = &[
+    [include_str!("en/force.ftl"), include_str!("es/force.ftl")],
+    [include_str!("en/read.ftl"), include_str!("es/read.ftl")],
+];
+
+/// The messages of this crate and of those below it.
+pub static WORDS: Catalogue = Catalogue::new(&[gaitcam_base::wording::FILES, FILES]);
+
+/// The sentence of a note, of a format or of a rejected contact.
+pub(crate) fn sentence(language: Language, area: &str, message: &impl Serialize) -> String {
+    WORDS.of(language).sentence(area, message)
+}

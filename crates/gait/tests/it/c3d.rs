@@ -1,0 +1,105 @@
+//! C3D files of every processor, storage and plate type, made here.
+
+use std::path::Path;
+
+use gaitcam_gait::error::ReadError;
+use gaitcam_gait::{Foot, Note, ReadOptions, Recording, read, stances};
+
+use crate::fault;
+
+use crate::c3d_file::{Build, Processor, build, one_stance};
+
+const RATE: f64 = 500.0;
+
+fn plain(processor: Processor, float: bool, kind: i16) -> Build {
+    Build {
+        processor,
+        float,
+        kind,
+        per_frame: 5,
+        frames: 160,
+        scale: 0.05,
+        offset: 7,
+    }
+}
+
+fn open(b: &Build) -> Recording {
+    let bytes = build(b, |i| one_stance(i, RATE));
+    read(Path::new("made.c3d"), &bytes, &ReadOptions::default()).unwrap()
+}
+
+#[test]
+fn every_processor_storage_and_plate_type_gives_the_same_force() {
+    for processor in [Processor::Intel, Processor::Dec, Processor::Sgi] {
+        for float in [true, false] {
+            for kind in 1..=7 {
+                let r = open(&plain(processor, float, kind));
+                let what = format!("{processor:?} float {float} TYPE {kind}");
+                assert_eq!(r.rate_hz, RATE, "{what}");
+                assert_eq!(r.mass_kg, Some(70.0), "{what}");
+                let c = &r.channels[0];
+                assert_eq!(c.force_n.len(), 800, "{what}");
+                // Four sensors of a plate of TYPE 3, 6 or 7 are rounded to 0.05 N each.
+                for (i, f) in c.force_n.iter().enumerate() {
+                    assert!(
+                        (f + one_stance(i, RATE)).abs() < 0.11,
+                        "{what}: sample {i} is {f}"
+                    );
+                }
+                let s = stances(&r);
+                assert_eq!(s.used.len(), 1, "{what}");
+                assert_eq!(s.used[0].foot, Some(Foot::Right), "{what}");
+                assert!((s.used[0].start_s - 0.5).abs() < 0.01, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_plate_of_unknown_type_is_refused_by_its_number() {
+    let bytes = build(&plain(Processor::Intel, true, 21), |i| one_stance(i, RATE));
+    let e = read(Path::new("odd.c3d"), &bytes, &ReadOptions::default()).unwrap_err();
+    assert_eq!(fault(&e), "odd.c3d: read-plate-type-unknown");
+    assert!(matches!(
+        e.fault(),
+        Some(ReadError::PlateTypeUnknown { kind: 21, .. })
+    ));
+    // Its vertical channel can still be named.
+    let options = ReadOptions {
+        force: vec!["c".to_string()],
+        ..ReadOptions::default()
+    };
+    let r = read(Path::new("odd.c3d"), &bytes, &options).unwrap();
+    assert_eq!(stances(&r).used.len(), 1);
+}
+
+#[test]
+fn a_file_cut_short_keeps_its_whole_frames_and_says_so() {
+    let b = plain(Processor::Intel, true, 2);
+    let whole = build(&b, |i| one_stance(i, RATE));
+    let cut = &whole[..whole.len() - 3000];
+    let r = read(Path::new("cut.c3d"), cut, &ReadOptions::default()).unwrap();
+    assert!(r.channels[0].force_n.len() < 800);
+    assert!(
+        r.notes
+            .iter()
+            .any(|n| matches!(n, Note::FramesMissing { announced: 160, .. })),
+        "{:?}",
+        r.notes
+    );
+}
+
+#[test]
+fn damage_is_named_by_its_byte() {
+    let b = plain(Processor::Intel, true, 2);
+    let whole = build(&b, |i| one_stance(i, RATE));
+    let of = |change: &dyn Fn(&mut Vec<u8>)| {
+        let mut bytes = whole.clone();
+        change(&mut bytes);
+        fault(&read(Path::new("bad.c3d"), &bytes, &ReadOptions::default()).unwrap_err())
+    };
+    assert_eq!(of(&|b| b[515] = 99), "bad.c3d byte 515: read-processor");
+    assert_eq!(of(&|b| b[4] = 0), "bad.c3d byte 4: read-no-analog");
+    assert!(of(&|b| b.truncate(1600)).ends_with("read-no-frame"));
+    assert_eq!(of(&|b| b[18] = 7), "bad.c3d byte 18: read-odd-analog");
+}

@@ -1,0 +1,131 @@
+//! Recordings that could be misread: clocks that count samples, components beside the vertical one, cut strikes.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use gaitcam_gait::error::Result;
+use gaitcam_gait::{
+    Cycle, Feet, Note, OpenQuestion, PeriodSource, ReadOptions, Recording, cycle, force_curve,
+    read, stances,
+};
+
+use crate::fault;
+
+const STANCE_S: f64 = 0.66;
+
+/// Force of one foot t s after its heel strike, N; zero before and after the stance.
+fn stance(t: f64) -> f64 {
+    let x = t / STANCE_S;
+    if !(0.0..1.0).contains(&x) {
+        return 0.0;
+    }
+    720.0 * ((PI * x).sin() + 0.3 * (3.0 * PI * x).sin())
+}
+
+/// Force of heel strikes at these times, N.
+fn foot(strikes: &[f64], t: f64) -> f64 {
+    strikes.iter().map(|s| stance(t - s)).sum()
+}
+
+/// Left and right strikes every 1.1 s.
+fn walk(t: f64) -> (f64, f64) {
+    let every = |first: f64| (0..6).map(move |i| first + 1.1 * f64::from(i));
+    let left: Vec<f64> = every(0.3).collect();
+    let right: Vec<f64> = every(0.85).collect();
+    (foot(&left, t), foot(&right, t))
+}
+
+fn table(head: &str, rate_hz: f64, row: impl Fn(usize, f64) -> String) -> String {
+    let mut text = format!("{head}\n");
+    for i in 0..(7.0 * rate_hz) as usize {
+        writeln!(text, "{}", row(i, i as f64 / rate_hz)).unwrap();
+    }
+    text
+}
+
+fn open(text: &str) -> (Recording, Result<Cycle>) {
+    let r = read(
+        Path::new("walk.csv"),
+        text.as_bytes(),
+        &ReadOptions::default(),
+    )
+    .unwrap();
+    let c = cycle(&r, &stances(&r), Feet::Both);
+    (r, c)
+}
+
+#[test]
+fn a_time_column_that_counts_samples_is_questioned_and_milliseconds_are_not() {
+    let of = |rate_hz: f64| {
+        let text = table("Time,left fz,right fz", rate_hz, |i, t| {
+            let (l, r) = walk(t);
+            format!("{i},{l:.2},{r:.2}")
+        });
+        open(&text).1
+    };
+    let milliseconds = of(1000.0).unwrap();
+    assert!((milliseconds.curve.period_s - 1.1).abs() < 0.005);
+    assert_eq!(fault(&of(300.0).unwrap_err()), "force-clock-implausible");
+}
+
+#[test]
+fn what_was_guessed_goes_with_the_curve() {
+    let text = table("Time,left fz,right fz", 1000.0, |i, t| {
+        let (l, r) = walk(t);
+        format!("{i},{l:.2},{r:.2}")
+    });
+    let options = ReadOptions::default();
+    let curve = force_curve(Path::new("w.csv"), text.as_bytes(), &options, Feet::Both).unwrap();
+    let guessed = |n: &&Note| matches!(n, Note::MillisecondsGuessed { .. });
+    assert!(curve.warnings().any(|n| guessed(&n)));
+    let understood = curve.recording.unwrap();
+    assert_eq!(understood.doubts(), [OpenQuestion::Clock]);
+}
+
+#[test]
+fn shear_components_beside_the_vertical_one_are_not_read_as_vertical() {
+    let text = table(
+        "time,L_mlGRF,L_apGRF,L_vGRF,R_mlGRF,R_apGRF,R_vGRF",
+        200.0,
+        |_, t| {
+            let (l, r) = walk(t);
+            let (a, b, c, d) = (0.05 * l, 0.1 * l, 0.05 * r, 0.1 * r);
+            format!("{t:.3},{a:.2},{b:.2},{l:.2},{c:.2},{d:.2},{r:.2}")
+        },
+    );
+    let (r, c) = open(&text);
+    let names: Vec<&str> = r.channels.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["L_vGRF", "R_vGRF"]);
+    assert!((c.unwrap().curve.period_s - 1.1).abs() < 0.005);
+}
+
+#[test]
+fn the_strike_of_a_cut_contact_ends_a_stride() {
+    // Left on plate 1, right on plate 2, left again on plate 3, where the recording ends; steps differ.
+    let text = table("time,Fz1,Fz2,Fz3", 200.0, |_, t| {
+        let plates = [foot(&[4.9], t), foot(&[5.40], t), foot(&[6.04], t)];
+        let [a, b, c] = plates.map(|f| f + 0.2 * (70.0 * t).sin());
+        format!("{t:.3},{a:.2},{b:.2},{c:.2}")
+    });
+    let cut = text
+        .lines()
+        .take(1 + 6 * 200 + 80)
+        .collect::<Vec<_>>()
+        .join("\n");
+    let c = open(&cut).1.unwrap();
+    assert_eq!(c.period_from, PeriodSource::HeelStrikes);
+    assert!(
+        (c.curve.period_s - 1.14).abs() < 0.004,
+        "{}",
+        c.curve.period_s
+    );
+}
+
+#[test]
+fn a_person_who_stands_throughout_gives_no_cycle() {
+    let text = table("time,total fz", 200.0, |_, t| {
+        format!("{t:.3},{:.2}", 690.0 + 25.0 * (2.0 * t).sin())
+    });
+    assert!(open(&text).1.is_err());
+}

@@ -1,0 +1,28 @@
+//! Reading recordings, their mean cycle, and the load models.
+
+mod c3d;
+mod c3d_file;
+mod cycle;
+mod damaged_files;
+mod doubtful;
+mod hard;
+mod joint;
+mod laboratories;
+mod layouts;
+mod models;
+mod recordings;
+mod wording;
+
+use gaitcam_gait::Recording;
+use gaitcam_gait::error::Error;
+use gaitcam_gait::wording::code;
+
+/// Codes of what was guessed or left out in reading.
+fn notes(r: &Recording) -> Vec<String> {
+    r.notes.iter().map(|n| code("note", n)).collect()
+}
+
+/// Code of an error, with what its place says.
+fn fault(e: &Error) -> String {
+    format!("{}{}", e.place, e.code())
+}

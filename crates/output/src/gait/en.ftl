@@ -1,0 +1,40 @@
+# Labels of the tables of recordings.
+gait-format = format
+gait-kind = kind
+gait-kind-unknown = not recognised
+gait-rate = rate
+gait-mass = mass
+gait-mass-unknown = not known
+gait-note = note
+gait-channel = channel
+gait-channel-columns = foot       baseline N  stances  rejected
+gait-stance-columns = foot       start s    end s   P1 N     @ %   V N     @ %   P2 N     @ %
+gait-rejected = rejected
+gait-more = … and { $count } more
+gait-no-cycle = no mean cycle
+gait-cycle = cycle
+gait-period = period
+gait-mean = mean
+gait-warning = warning
+gait-spread = spread
+gait-repeatability = repeats
+gait-samples = samples
+gait-doubt = open
+gait-doubts = Check { $list }; then give the option named, or accept with gait.accept = "{ $names }".
+gait-trial-columns = file  kind  used  rejected  stride s  mass kg  mean N  notes  joint mean
+gait-used = used
+gait-left-out = left out: { $reason }
+gait-joint-mean = { $trials ->
+        [one] joint mean of one recording
+       *[other] joint mean of { $trials } recordings
+    }, { $cycles ->
+        [one] one cycle
+       *[other] { $cycles } cycles
+    }: { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+gait-no-joint-mean = no joint mean
+gait-as-given = one cycle
+gait-several-sources = of several sources
+gait-one-cycle = one force cycle, used as given (no stance detection)

@@ -1,0 +1,40 @@
+# Rótulos de las tablas de registros.
+gait-format = formato
+gait-kind = tipo
+gait-kind-unknown = no reconocido
+gait-rate = muestreo
+gait-mass = masa
+gait-mass-unknown = no conocida
+gait-note = nota
+gait-channel = canal
+gait-channel-columns = pie        lín. base N  apoyos  rechazos
+gait-stance-columns = pie        inicio s   fin s     P1 N     @ %   V N     @ %   P2 N     @ %
+gait-rejected = rechazado
+gait-more = … y { $count } más
+gait-no-cycle = sin ciclo medio
+gait-cycle = ciclo
+gait-period = período
+gait-mean = media
+gait-warning = aviso
+gait-spread = dispersión
+gait-repeatability = repetib.
+gait-samples = muestras
+gait-doubt = abierto
+gait-doubts = Compruebe { $list }; indique después la opción citada, o acepte con gait.accept = "{ $names }".
+gait-trial-columns = archivo  tipo  usados  rechazados  zancada s  masa kg  media N  notas  media conjunta
+gait-used = usado
+gait-left-out = excluido: { $reason }
+gait-joint-mean = { $trials ->
+        [one] media conjunta de un registro
+       *[other] media conjunta de { $trials } registros
+    }, { $cycles ->
+        [one] un ciclo
+       *[other] { $cycles } ciclos
+    }: { $movement ->
+        [running] { kind-running }
+       *[walking] { kind-walking }
+    }
+gait-no-joint-mean = sin media conjunta
+gait-as-given = un ciclo
+gait-several-sources = de varias fuentes
+gait-one-cycle = un ciclo de fuerza, usado tal cual (sin detección de apoyos)

@@ -1,0 +1,82 @@
+//! What was found in a recording, as JSON for programs.
+
+use serde_json::{Value, json};
+
+use gaitcam::force::{
+    Channel, Cycle, ForceCurve, Interpretation, Note, Point, Recording, Stance, Stances, coded,
+};
+use gaitcam::units::G;
+
+/// The same for programs; `cycle` is null where there is none.
+///
+/// `warnings` holds a code and its data for every note; `notes` the same as sentences. Times of contacts are those
+/// of the file's own clock.
+pub fn json(
+    understood: &Interpretation,
+    recording: &Recording,
+    stances: &Stances,
+    cycle: Option<&Cycle>,
+) -> Value {
+    let r = recording;
+    let channels = r.channels.iter().enumerate();
+    let channels: Vec<Value> = channels.map(|(i, c)| channel(i, c, r, stances)).collect();
+    let rows: Vec<Value> = stances.used.iter().map(|s| stance(s, r)).collect();
+    let mean = cycle.map(|c| {
+        json!({
+            "period_s": c.curve.period_s, "period_from": c.period_from,
+            "mean_n": c.curve.mean_n(), "averaged": c.averaged,
+            "how": c.source.to_string(), "source": coded(&c.source),
+            "spread_rms_n": c.curve.spread_rms_n(), "repeatability_n": c.repeatability_n,
+            "mean_of_weight": c.mean_of_weight, "mass_fits": c.mass_fits,
+        })
+    });
+    let notes: Vec<String> = understood.warnings.iter().map(Note::to_string).collect();
+    let mut out = understood.json();
+    let more = json!({
+        "format": r.format.to_string(), "rate_hz": r.rate_hz, "duration_s": r.duration_s,
+        "notes": notes, "channels": channels, "stances": rows, "cycle": mean,
+    });
+    if let (Value::Object(out), Value::Object(more)) = (&mut out, more) {
+        out.extend(more);
+    }
+    out
+}
+
+fn channel(index: usize, c: &Channel, r: &Recording, stances: &Stances) -> Value {
+    let used = stances.used.iter().filter(|s| s.channel == index).count();
+    let rejected = stances.rejected.iter().filter(|x| x.channel == index);
+    let rejected: Vec<Value> = rejected
+        .map(|x| json!({"from_s": r.start_s + x.from_s, "to_s": r.start_s + x.to_s, "reason": x.reason}))
+        .collect();
+    json!({
+        "name": c.name, "foot": c.foot, "baseline_n": c.baseline_n,
+        "idle": c.idle.as_ref().map(coded), "stances": used, "rejected": rejected,
+    })
+}
+
+fn stance(s: &Stance, r: &Recording) -> Value {
+    let at = |p: Option<Point>| p.map(|p| p.at);
+    let force = |p: Option<Point>| p.map(|p| p.force_n);
+    json!({
+        "foot": s.foot, "channel": s.channel, "start_s": r.start_s + s.start_s,
+        "end_s": r.start_s + s.end_s, "p1_n": force(s.first_peak()), "p1_at": at(s.first_peak()),
+        "valley_n": force(s.valley), "valley_at": at(s.valley),
+        "p2_n": force(s.second_peak()), "p2_at": at(s.second_peak()),
+    })
+}
+
+/// The same for programs, in the shape of [`json()`].
+pub fn cycle_json(curve: &ForceCurve) -> Value {
+    json!({
+        "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,
+        "duration_s": curve.period_s, "mass_kg": curve.mass_kg, "mass_from": "file",
+        "kind": null, "period_s": curve.period_s, "period_from": "file", "contacts": [], "doubts": [],
+        "notes": [], "warnings": [], "channels": [], "stances": [],
+        "cycle": {
+            "period_s": curve.period_s, "period_from": "file", "mean_n": curve.mean_n(), "averaged": 1,
+            "source": {"code": "as-given", "data": {}}, "spread_rms_n": curve.spread_rms_n(),
+            "repeatability_n": null,
+            "mean_of_weight": curve.mass_kg.map(|m| curve.mean_n() / (m * G)),
+        },
+    })
+}

@@ -1,0 +1,203 @@
+//! Several recordings: one line each, and their joint mean.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use super::WORDS;
+use super::table::{label, write_period, write_spread};
+use gaitcam::error::Error;
+use gaitcam::force::{ForceCurve, Interpretation, JointMean, Kind, LeftOut, coded};
+use gaitcam::units::G;
+use gaitcam::wording::{Language, Messages};
+
+/// Widest name of a file in the table.
+const NAME: usize = 40;
+
+/// One of several recordings.
+///
+/// ```
+/// use gaitcam::force::{Feet, model};
+/// use gaitcam_output::gait::{TrialRow, trials_table};
+/// use gaitcam::wording::Language;
+///
+/// let curve = model("young", Some(1.85), 700.0, Feet::Both)?;
+/// let row = TrialRow { name: "a.csv", understood: None, curve: Some(&curve), fault: None, left_out: None };
+/// assert!(trials_table(&[row], None, Language::En).contains("a.csv"));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct TrialRow<'a> {
+    /// Its file, as it is called on the way to it.
+    pub name: &'a str,
+    /// How it was understood; `None` where it could not be read, or is one cycle as it stands.
+    pub understood: Option<&'a Interpretation>,
+    /// Its mean cycle, where it gives one.
+    pub curve: Option<&'a ForceCurve>,
+    /// Why it gives none.
+    pub fault: Option<&'a Error>,
+    /// Why it takes no part in the joint mean; `None` where it does.
+    pub left_out: Option<&'a LeftOut>,
+}
+
+/// Lines of the table that carry data.
+#[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Line {
+    LeftOut {
+        reason: String,
+    },
+    JointMean {
+        trials: usize,
+        cycles: usize,
+        movement: Kind,
+    },
+}
+
+/// A table of several recordings, with their joint mean below it.
+pub fn trials_table(rows: &[TrialRow], joint: Option<&JointMean>, language: Language) -> String {
+    let words = WORDS.of(language);
+    let mut out = String::new();
+    // Writing to a String does not fail.
+    let _ = write_rows(&mut out, words, rows).and_then(|()| write_joint(&mut out, words, joint));
+    out
+}
+
+fn write_rows(out: &mut String, words: &Messages, rows: &[TrialRow]) -> std::fmt::Result {
+    let head = words.text("gait-trial-columns");
+    let head = head.split("  ").map(|c| c.trim().to_string());
+    let mut table: Vec<Vec<String>> = vec![head.filter(|c| !c.is_empty()).collect()];
+    table.extend(rows.iter().map(|row| cells(words, row)));
+    let width = |column: usize| {
+        let cells = table.iter().filter_map(|row| row.get(column));
+        cells.map(|c| c.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..table[0].len()).map(width).collect();
+    for row in &table {
+        for (k, (cell, wide)) in row.iter().zip(&widths).enumerate() {
+            // Words stand left, numbers right; what follows the last column may be long.
+            match k {
+                0 | 1 => write!(out, "{cell:<wide$}  ")?,
+                _ if k + 1 == widths.len() => writeln!(out, "{cell}")?,
+                _ => write!(out, "{cell:>wide$}  ")?,
+            }
+        }
+    }
+    Ok(())
+}
+
+/// File, kind, contacts used and rejected, stride, mass, mean force, number of notes, part in the joint mean.
+fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
+    let kind = row.understood.and_then(|u| u.kind);
+    let kind = match (kind, row.curve, row.understood) {
+        (Some(kind), _, _) => words.sentence("kind", &kind),
+        (None, Some(_), None) => words.text("gait-as-given"),
+        _ => "-".to_string(),
+    };
+    let start = [shortened(row.name), kind];
+    let end = [part(words, row)];
+    start
+        .into_iter()
+        .chain(numbers(words, row))
+        .chain(end)
+        .collect()
+}
+
+/// The end of a long name: files of one folder begin alike.
+fn shortened(name: &str) -> String {
+    let count = name.chars().count();
+    if count <= NAME {
+        return name.to_string();
+    }
+    let end: String = name.chars().skip(count - NAME + 1).collect();
+    format!("…{end}")
+}
+
+fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
+    let none = || "-".to_string();
+    let (used, rejected) = row.understood.map_or((none(), none()), |u| {
+        let (used, rejected) = u.counts();
+        (used.to_string(), rejected.to_string())
+    });
+    let curve = row.curve;
+    let mass = row.understood.and_then(|u| u.mass).map(|m| m.0);
+    let mass = mass.or(curve.and_then(|c| c.mass_kg));
+    let notes = row.understood.map(|u| u.warnings.len().to_string());
+    [
+        used,
+        rejected,
+        curve.map_or_else(none, |c| words.fixed(c.period_s, 3)),
+        mass.map_or_else(none, |kg| words.fixed(kg, 1)),
+        curve.map_or_else(none, |c| words.fixed(c.mean_n(), 1)),
+        notes.unwrap_or_else(none),
+    ]
+}
+
+/// Whether a recording takes part in the mean, and why not.
+fn part(words: &Messages, row: &TrialRow) -> String {
+    let reason = match (row.fault, row.left_out) {
+        (Some(fault), _) => fault.what(words.language()),
+        (None, Some(left_out)) => words.sentence("left-out", left_out),
+        (None, None) => return words.text("gait-used"),
+    };
+    words.sentence("gait", &Line::LeftOut { reason })
+}
+
+fn write_joint(out: &mut String, words: &Messages, joint: Option<&JointMean>) -> std::fmt::Result {
+    let Some(joint) = joint else {
+        return writeln!(out, "\n{}", words.text("gait-no-joint-mean"));
+    };
+    let (trials, cycles, movement) = (joint.trials(), joint.cycles, joint.kind);
+    let head = Line::JointMean {
+        trials,
+        cycles,
+        movement,
+    };
+    writeln!(out, "\n{}", words.sentence("gait", &head))?;
+    write_period(out, words, joint.curve.period_s, joint.period_spread_s)?;
+    let from = joint.mass_from.map_or_else(
+        || words.text("gait-several-sources"),
+        |from| words.sentence("mass-from", &from),
+    );
+    let mass = words.fixed(joint.mass_kg, 1);
+    writeln!(out, "{} {mass} kg ({from})", label(words, "gait-mass"))?;
+    let (mean, weight) = (joint.curve.mean_n(), joint.mass_kg * G);
+    let (newtons, share) = (words.fixed(mean, 1), words.fixed(mean / weight, 3));
+    writeln!(
+        out,
+        "{} {newtons} N ({share} BW)",
+        label(words, "gait-mean")
+    )?;
+    for note in &joint.notes {
+        let warning = words.sentence("note", note);
+        writeln!(out, "{} {warning}", label(words, "gait-warning"))?;
+    }
+    write_spread(out, words, &joint.curve, joint.repeatability_n, weight)
+}
+
+/// The same for programs: `recordings` as given, each with `in_mean` and `left_out`, and the joint mean.
+pub fn trials_json(rows: &[TrialRow], objects: Vec<Value>, joint: Option<&JointMean>) -> Value {
+    let recordings: Vec<Value> = rows
+        .iter()
+        .zip(objects)
+        .map(|(row, mut object)| {
+            let fault = row.fault.map(|f| json!({"code": f.code(), "data": {}}));
+            let left_out = fault.or(row.left_out.map(coded));
+            object["in_mean"] = json!(left_out.is_none());
+            object["left_out"] = json!(left_out);
+            object
+        })
+        .collect();
+    let mean = joint.map(|j| {
+        let warnings: Vec<Value> = j.notes.iter().map(coded).collect();
+        json!({
+            "recordings": j.trials(), "cycles": j.cycles, "kind": j.kind,
+            "period_s": j.curve.period_s, "period_spread_s": j.period_spread_s,
+            "mean_n": j.curve.mean_n(), "mass_kg": j.mass_kg, "mass_from": j.mass_from,
+            "spread_rms_n": j.curve.spread_rms_n(), "repeatability_n": j.repeatability_n,
+            "warnings": warnings,
+        })
+    });
+    json!({"recordings": recordings, "joint_mean": mean})
+}

@@ -1,3 +1,0 @@
-//! Helpers of several tests.
-
-pub mod c3d;
