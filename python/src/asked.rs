@@ -4,7 +4,7 @@ use gaitcam::error::Placed;
 use gaitcam::units::{Dimension, parse};
 use gaitcam_cad::drawing::Title;
 use gaitcam_cad::dxf::{Content, Curves};
-use gaitcam_files::design::Contents;
+use gaitcam_files::Contents;
 use gaitcam_output::Language;
 use pyo3::prelude::*;
 

@@ -1,5 +1,6 @@
 //! Designs: from a scene to a cam with its checks, files and pictures.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -7,8 +8,9 @@ use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::scene;
 use gaitcam::synth::Search;
-use gaitcam_files::design::{self, Contents, ROWS, check_inputs_stay, finish};
-use gaitcam_files::{Input, Memory, ResultFolder, Sink};
+use gaitcam_files::design::{self, check_inputs_stay, finish};
+use gaitcam_files::files::{self, Contents, ROWS, Source};
+use gaitcam_files::{Input, ResultFolder};
 use gaitcam_output::{self as output, Language, Timing};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -151,15 +153,19 @@ impl Design {
     }
 
     /// Everything but scene and summary.
-    fn write(&self, sink: &impl Sink, contents: Contents) -> Result<()> {
-        design::write(sink, &self.design, contents, self.time)?;
+    fn write(
+        &self,
+        contents: &Contents,
+        mut put: impl FnMut(&str, &[u8]) -> Result<()>,
+    ) -> Result<()> {
+        files::write(&Source::new(&self.design, self.time, contents), &mut put)?;
         if let Some(Force {
             curve,
             origin: Origin::Arrays,
         }) = &self.force
         {
             let text = curve.to_csv(&[&curve.name]);
-            sink.write(FILE, text.as_bytes())?;
+            put(FILE, text.as_bytes())?;
         }
         Ok(())
     }
@@ -288,7 +294,7 @@ impl Design {
         let written = py.detach(|| {
             check_inputs_stay(&folder, &self.input)?;
             let place = ResultFolder::open(&folder)?;
-            self.write(&place, contents)?;
+            self.write(&contents, |name, bytes| place.write(name, bytes))?;
             let scene = self.input.resolved();
             let summary = design::summary(&self.design, &scene, self.time);
             finish(place, &self.input, &scene, &summary)
@@ -324,15 +330,18 @@ impl Design {
         };
         let contents = asked.contents(py, self.input.title())?;
         let files = py.detach(|| {
-            let memory = Memory::default();
-            self.write(&memory, contents)?;
+            let mut files = BTreeMap::new();
+            self.write(&contents, |name, bytes| {
+                files.insert(name.to_string(), bytes.to_vec());
+                Ok(())
+            })?;
             let scene = self.input.resolved();
             let summary = design::summary(&self.design, &scene, self.time);
             let summary = serde_json::to_string_pretty(&summary).unwrap_or_default();
-            memory.write("summary.json", summary.as_bytes())?;
+            files.insert("summary.json".to_string(), summary.into_bytes());
             let scene = toml::to_string(&scene).unwrap_or_default();
-            memory.write("scene.toml", scene.as_bytes())?;
-            Ok(memory.into_files())
+            files.insert("scene.toml".to_string(), scene.into_bytes());
+            Ok(files)
         });
         let out = PyDict::new(py);
         for (name, bytes) in files.raise(py)? {

@@ -14,9 +14,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let outline = dxf::profile_as(&design, 720, dxf::Content::CutOnly, dxf::Curves::default());
     std::fs::write(folder.join("profile.dxf"), outline)?;
     std::fs::write(folder.join("cam.step"), step::solid(&design)?)?;
-    for program in gcode::milling(&design, 0.003)? {
-        std::fs::write(folder.join(program.file), program.text)?;
-    }
+    std::fs::write(
+        folder.join("cutter.nc"),
+        &gcode::milling(&design, 0.003)?[0],
+    )?;
     println!("profile.dxf, cam.step, cutter.nc in {}", folder.display());
     Ok(())
 }

@@ -1,106 +1,25 @@
-//! The files of a design in its folder.
+//! Scene and summary of a design, and its folder.
 
 use std::path::{Path, PathBuf};
 
 use gaitcam::error::{FileError, Placed, Result};
 use gaitcam::synth::Design;
-use gaitcam_output::{self as output, Language, Timing};
+use gaitcam_output::{Timing, json};
 use serde_json::Value;
 
 use crate::earlier;
 pub use crate::earlier::of_another_design;
-use crate::result_folder::{ResultFolder, Sink};
+use crate::result_folder::ResultFolder;
 use crate::scene::Input;
-use crate::workshop::{self, Remark};
 
 /// The scene as it was settled.
 const SCENE: &str = "scene.toml";
 /// The same where the input itself has that name.
 const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
 
-/// Rows of law.csv and profile.csv where nobody says how many.
-pub const ROWS: usize = 1440;
-
-/// What is written of a design.
-#[derive(Debug, Clone, Copy)]
-pub struct Contents {
-    /// Rows of law.csv and profile.csv.
-    pub points: usize,
-    /// Pictures as PNG beside SVG.
-    pub png: bool,
-    /// Solids, arcs and a workbook for manufacturing.
-    pub solid: bool,
-    /// Radius of a cutter whose path is written, m.
-    pub tool: Option<f64>,
-    /// Half the diameter of a wire and its spark gap, m: its path is written.
-    pub wire: Option<f64>,
-    /// Layers of the DXF drawings.
-    pub drawn: gaitcam_cad::dxf::Content,
-    /// As what profile.dxf has the edges.
-    pub curves: gaitcam_cad::dxf::Curves,
-    /// What stands in the title block of the drawing beside the design.
-    pub title: gaitcam_cad::drawing::Title,
-    /// Language of pictures and report.
-    pub language: Language,
-}
-
-impl Default for Contents {
-    fn default() -> Contents {
-        Contents {
-            points: ROWS,
-            png: true,
-            solid: false,
-            tool: None,
-            wire: None,
-            drawn: gaitcam_cad::dxf::Content::All,
-            curves: gaitcam_cad::dxf::Curves::default(),
-            title: gaitcam_cad::drawing::Title::default(),
-            language: Language::En,
-        }
-    }
-}
-
-/// Writes tables, drawings, pictures, the report and what else is wanted; of an infeasible design, which has no
-/// profile, the report only. Returns what could not be made, and why.
-///
-/// # Errors
-/// Files that cannot be written; a cutter that has no path.
-pub fn write(
-    folder: &impl Sink,
-    design: &Design,
-    contents: Contents,
-    time: Timing,
-) -> Result<Vec<Remark>> {
-    let language = contents.language;
-    let mut remarks = Vec::new();
-    let report = output::report::html(design, time, language);
-    folder.write("report.html", report.as_bytes())?;
-    if design.infeasible.is_some() {
-        return Ok(remarks);
-    }
-    tables(folder, design, contents.points)?;
-    folder.write(
-        "profile.dxf",
-        &gaitcam_cad::dxf::profile_as(design, contents.points, contents.drawn, contents.curves),
-    )?;
-    let outline = gaitcam_cad::svg::profile(design, contents.points);
-    folder.write("profile.svg", outline.as_bytes())?;
-    pictures(folder, design, contents)?;
-    if contents.solid {
-        remarks = workshop::write(folder, design, time, contents)?;
-    }
-    if let Some(radius) = contents.tool {
-        remarks.extend(workshop::cutter(folder, design, radius, contents.points)?);
-    }
-    if let Some(radius) = contents.wire {
-        remarks.extend(workshop::wire(folder, design, radius)?);
-    }
-    Ok(remarks)
-}
-
 /// `summary.json`: the design in numbers, and the scene that it was made from.
 pub fn summary(design: &Design, scene: &toml::Table, time: Timing) -> Value {
-    let mut out = output::json::summary(design, time);
+    let mut out = json::summary(design, time);
     out["scene"] = serde_json::to_value(scene).unwrap_or_default();
     out
 }
@@ -123,32 +42,6 @@ pub fn finish(
     let stale = earlier::stale(&path, &scene);
     folder.commit(&stale)?;
     Ok(path)
-}
-
-fn tables(folder: &impl Sink, design: &Design, points: usize) -> Result<()> {
-    folder.write("law.csv", output::csv::law(design, points).as_bytes())?;
-    let profile = output::csv::profile(design, points);
-    folder.write("profile.csv", profile.as_bytes())?;
-    if let Some(pair) = &design.conjugate {
-        let second = output::csv::points(&pair.second_profile(points));
-        folder.write("second_profile.csv", second.as_bytes())?;
-    }
-    Ok(())
-}
-
-fn pictures(folder: &impl Sink, design: &Design, contents: Contents) -> Result<()> {
-    let language = contents.language;
-    for (name, picture) in [
-        ("svaj", output::plots::svaj(design, language)),
-        ("force", output::plots::force(design, language)),
-        ("cam", output::plots::cam(design, language)),
-    ] {
-        folder.write(&format!("{name}.svg"), picture.svg().as_bytes())?;
-        if contents.png {
-            folder.write(&format!("{name}.png"), &picture.png())?;
-        }
-    }
-    Ok(())
 }
 
 /// Writes the settled scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use gaitcam_output::files;
+use crate::files;
 
 /// What `simulate` adds to the design that it runs.
 const OF_RUN: [&str; 2] = ["dynamics.csv", "simulation.json"];

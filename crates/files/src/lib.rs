@@ -9,12 +9,12 @@
 pub mod blocks;
 pub mod design;
 mod earlier;
+pub mod files;
 pub mod read;
 pub mod result_folder;
 pub mod scene;
 pub mod target;
-mod workshop;
 
-pub use result_folder::{Memory, ResultFolder, Sink};
+pub use files::{Contents, Remark, Source};
+pub use result_folder::ResultFolder;
 pub use scene::Input;
-pub use workshop::Remark;

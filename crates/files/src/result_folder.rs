@@ -6,7 +6,6 @@
 //! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::{Path, PathBuf};
 
@@ -84,39 +83,6 @@ impl ResultFolder {
         fs::write(self.stage.join(STALE), stale.join("\n")).map_err(fault)?;
         fs::rename(&self.stage, self.path.join(READY)).map_err(fault)?;
         complete(&self.path).map_err(fault)
-    }
-}
-
-/// What takes the files of a result.
-pub trait Sink {
-    /// Takes one file.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<()>;
-}
-
-impl Sink for ResultFolder {
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
-        ResultFolder::write(self, name, bytes)
-    }
-}
-
-/// Files held in memory.
-#[derive(Debug, Default)]
-pub struct Memory(RefCell<BTreeMap<String, Vec<u8>>>);
-
-impl Memory {
-    /// The files by name.
-    pub fn into_files(self) -> BTreeMap<String, Vec<u8>> {
-        self.0.into_inner()
-    }
-}
-
-impl Sink for Memory {
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
-        self.0.borrow_mut().insert(name.to_string(), bytes.to_vec());
-        Ok(())
     }
 }
 

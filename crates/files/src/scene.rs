@@ -89,12 +89,9 @@ impl Input {
 
     /// What the title block of a drawing says of the scene.
     pub fn title(&self) -> Title {
-        let text = toml::to_string(&self.whole).unwrap_or_default();
-        let usual = Title::default();
         Title {
-            revision: Some(revision(&text)),
             date: self.file.as_deref().and_then(last_change),
-            accuracy: self.scene.rms.unwrap_or(usual.accuracy),
+            ..title(&self.scene, &self.whole)
         }
     }
 
@@ -104,6 +101,16 @@ impl Input {
     /// Faults of the load model, the file or the recording.
     pub fn target(&self) -> Result<Option<ForceCurve>> {
         target::target(&self.scene, &self.folder)
+    }
+}
+
+/// What the title block of a drawing says of a scene that is no file; `whole` is its table with the rows of every motion.
+pub fn title(scene: &Scene, whole: &Table) -> Title {
+    let usual = Title::default();
+    Title {
+        revision: Some(revision(&toml::to_string(whole).unwrap_or_default())),
+        accuracy: scene.rms.unwrap_or(usual.accuracy),
+        ..usual
     }
 }
 

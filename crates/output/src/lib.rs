@@ -9,7 +9,6 @@
 
 mod data;
 mod figures;
-pub mod files;
 pub mod folder;
 pub mod gait;
 #[cfg(feature = "parquet")]

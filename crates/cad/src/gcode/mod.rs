@@ -23,15 +23,6 @@ const ACCELERATION: f64 = 500.0;
 /// A feed is written anew when it differs by this part.
 const NEW_FEED: f64 = 0.01;
 
-/// A program and the file that it is written to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Program {
-    /// Name of the file.
-    pub file: &'static str,
-    /// Its text.
-    pub text: String,
-}
-
 /// A piece of a path; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Move {
@@ -48,23 +39,18 @@ struct Path {
     moves: Vec<Move>,
 }
 
-/// Names of the programs for the cams of a pair, and for one alone.
-const FILES: [&str; 2] = ["cutter.nc", "cutter_second.nc"];
-
 /// The programs for a cutter of radius `tool` m: around the outside of each cam, or through the groove of a barrel,
 /// whose cutter has the roller's radius.
 ///
 /// # Errors
 /// A radius that is not positive; a profile that no chain of arcs follows (undercut, jumps of the velocity), a cutter
 /// that does not fit a hollow or is not the groove's.
-pub fn milling(design: &Design, tool: f64) -> Result<Vec<Program>> {
+pub fn milling(design: &Design, tool: f64) -> Result<Vec<String>> {
     let tool = positive(tool)?;
     if let Some(groove) = &design.groove {
-        let text = groove::program(groove, &design.name, tool)?;
-        let file = FILES[0];
-        return Ok(vec![Program { file, text }]);
+        return Ok(vec![groove::program(groove, &design.name, tool)?]);
     }
-    let program = |(edge, file): (&Edge, &'static str)| {
+    let program = |edge: &Edge| {
         let path = outside::path(edge, tool, Lead::Arcs).ok_or(WriteError::NoCutterPath)?;
         let mut text = head(
             design,
@@ -79,12 +65,9 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<Program>> {
         begin(&mut text, path.start, "TOOL TO DEPTH", design.thickness);
         moves(&mut text, &path);
         end(&mut text, "TOOL CLEAR");
-        Ok(Program {
-            file,
-            text: finished(text),
-        })
+        Ok(finished(text))
     };
-    Edge::all(design).iter().zip(FILES).map(program).collect()
+    Edge::all(design).iter().map(program).collect()
 }
 
 /// The program for a wire that cuts at `radius` m from its centre (half its diameter and the spark gap): hole for the shaft with
@@ -92,7 +75,7 @@ pub fn milling(design: &Design, tool: f64) -> Result<Vec<Program>> {
 ///
 /// # Errors
 /// As [`milling`]; a barrel, and a wire that the keyway has no room for.
-pub fn wire(design: &Design, radius: f64) -> Result<Program> {
+pub fn wire(design: &Design, radius: f64) -> Result<String> {
     let radius = positive(radius)?;
     if design.groove.is_some() {
         return Err(WriteError::NoCutterPath.into());
@@ -134,10 +117,7 @@ pub fn wire(design: &Design, radius: f64) -> Result<Program> {
     );
     moves(&mut text, &outside);
     end(&mut text, "CUT THE WIRE");
-    Ok(Program {
-        file: "wire.nc",
-        text: finished(text),
-    })
+    Ok(finished(text))
 }
 
 fn positive(radius: f64) -> Result<f64> {

@@ -25,7 +25,8 @@ use gaitcam::synth::{self, Design, Search};
 use gaitcam::units::Dimension;
 use gaitcam_cad::dxf::{Content, Curves};
 use gaitcam_files::ResultFolder;
-use gaitcam_files::design::{self, Contents, check_inputs_stay};
+use gaitcam_files::design::{self, check_inputs_stay};
+use gaitcam_files::files::{self, Contents, Source};
 use gaitcam_output::Timing;
 
 const EXAMPLES: &str = "Examples:
@@ -210,7 +211,8 @@ fn hand_over(args: &SynthArgs, input: &Input, request: Request, answer: &Answer)
     let design = &answer.design;
     let mut remarks = Vec::new();
     if let Some(folder) = &request.folder {
-        remarks = design::write(folder, design, request.contents, answer.time())?;
+        let source = Source::new(design, answer.time(), &request.contents);
+        remarks = files::write(&source, |name, bytes| folder.write(name, bytes))?;
     }
     let explained = if args.explain && design.infeasible.is_none() {
         let target = answer.target.as_ref();

@@ -22,8 +22,8 @@ use gaitcam::halt::Halt;
 use gaitcam::scene::{Scene, keys};
 use gaitcam::synth::{self, Design, Relaxation, Search};
 use gaitcam::wording::Language;
+use gaitcam_files::files::{self, Group};
 use gaitcam_output::Timing;
-use gaitcam_output::files::{self, Group};
 use gaitcam_output::report::parts::{self, Figure, Motion, Tables};
 
 /// A scene with changes.
