@@ -3,6 +3,7 @@
 use super::results::{NUMBERS, Outcome};
 use crate::cam::Verdict;
 use crate::error::{Result, SweepError, nearest};
+use crate::synth::Figure;
 
 /// A design on the front.
 ///
@@ -226,22 +227,11 @@ pub fn objective(name: &str, columns: &[String]) -> Result<usize> {
     if let Some(i) = columns.iter().position(|c| begins(&c)) {
         return Ok(i);
     }
-    let short = [
-        "force_error",
-        "prime_radius",
-        "base_radius",
-        "jerk",
-        "acceleration",
-        "stroke",
-        "torque_max",
-        "power_max",
-        "liftoff_speed",
-        "hertz_pressure",
-    ];
+    let short = || ["force_error"].into_iter().chain(Figure::traded_names());
     Err(SweepError::NoColumn {
         typed: name.to_string(),
-        nearest: nearest(name, short.into_iter().chain(NUMBERS)).map(str::to_string),
-        known: short.join(", "),
+        nearest: nearest(name, short().chain(NUMBERS)).map(str::to_string),
+        known: short().collect::<Vec<_>>().join(", "),
     }
     .into())
 }

@@ -3,36 +3,19 @@
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
 use crate::synth::spectral::HarmonicTarget;
-use crate::synth::{Design, Figures, Tier};
+use crate::synth::{Design, FIGURES, Figures, Tier};
 
-/// Columns of numbers, SI; a number that does not exist is NaN here, empty in CSV and null in Parquet.
-pub const NUMBERS: [&str; 25] = [
-    "force_rms_error_n",
-    "force_rms_error_percent",
-    "force_max_error_n",
-    "target_mean_n",
-    "force_mean_n",
-    "force_min_n",
-    "force_max_n",
-    "mass_kg",
-    "speed_rad_per_s",
-    "stroke_m",
-    "velocity_max_m_per_s",
-    "acceleration_max_m_per_s2",
-    "jerk_max_m_per_s3",
-    "base_radius_m",
-    "prime_radius_m",
-    "offset_m",
-    "rho_min_m",
-    "pressure_angle_max_rad",
-    "face_width_m",
-    "torque_max_n_m",
-    "torque_rms_n_m",
-    "power_max_w",
-    "power_mean_w",
-    "liftoff_speed_rad_per_s",
-    "hertz_pressure_max_pa",
-];
+/// Columns of numbers, SI: those of [`FIGURES`]. A number that does not exist is NaN here, empty in CSV and null in
+/// Parquet.
+pub const NUMBERS: [&str; FIGURES.len()] = {
+    let mut names = [""; FIGURES.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = FIGURES[i].column;
+        i += 1;
+    }
+    names
+};
 
 /// Columns of words, between the numbers and the time: outcome `built`, `infeasible` or `error`, the
 /// verdict, the solver's tier, active (or conflicting) limits, limits that fail, what went wrong, and codes of
@@ -143,7 +126,7 @@ impl Row {
     /// The row of a spectral design that keeps every limit, for a force.
     pub(crate) fn spectral(figures: &Figures, target: &HarmonicTarget) -> Row {
         Row {
-            numbers: numbers(figures),
+            numbers: FIGURES.each_ref().map(|f| f.value(figures)),
             warnings: target.curve().map(warnings).unwrap_or_default(),
             outcome: Outcome::Built,
             verdict: Some(Verdict::Acceptable),
@@ -165,7 +148,8 @@ impl Row {
             row.verdict = Some(Verdict::Unacceptable);
             return row;
         }
-        row.numbers = numbers(&Figures::of(design));
+        let figures = Figures::of(design);
+        row.numbers = FIGURES.each_ref().map(|f| f.value(&figures));
         if design.target.is_none() {
             // Nothing is wanted, so nothing is missed.
             for number in &mut row.numbers[..4] {
@@ -197,39 +181,6 @@ fn joined(names: impl Iterator<Item = String>) -> String {
         }
     }
     list.join("+")
-}
-
-/// Figures in the order of [`NUMBERS`].
-fn numbers(figures: &Figures) -> [f64; NUMBERS.len()] {
-    let (force, machine) = (&figures.force, &figures.machine);
-    let known = |x: Option<f64>| x.unwrap_or(f64::NAN);
-    [
-        force.rms_error_n,
-        force.rms_error_percent_of_mean,
-        force.max_error_n,
-        force.target_mean_n,
-        force.mean_n,
-        force.min_n,
-        force.max_n,
-        figures.mass,
-        figures.speed,
-        figures.stroke,
-        figures.peaks[0],
-        figures.peaks[1],
-        figures.peaks[2],
-        figures.base_radius,
-        figures.prime_radius,
-        figures.offset,
-        figures.smallest_convex_radius,
-        figures.largest_pressure_angle,
-        known(figures.face_width),
-        known(machine.torque_max_n_m),
-        known(machine.torque_rms_n_m),
-        known(machine.power_max_w),
-        known(machine.power_mean_w),
-        known(machine.liftoff_speed_rad_per_s),
-        known(machine.hertz_pressure_max_pa),
-    ]
 }
 
 /// Text of the few rows that have any, by row number.

@@ -1,6 +1,7 @@
-//! The figures of a design: what a row of a table says of it.
+//! The figures of a design, and the table of them from which every list of figures is made.
 
 use super::{Design, ForceReport, MachineReport};
+use crate::cam::LimitKind as Limit;
 
 /// Figures of one design, SI.
 ///
@@ -66,4 +67,123 @@ impl Figures {
             machine: design.machine(),
         }
     }
+}
+
+/// A figure of a design: its names, its unit, its value, and what else of a scene it belongs to.
+///
+/// ```
+/// use gaitcam::synth::{Figure, Figures};
+/// use gaitcam::{scene, synthesise};
+///
+/// let scene = scene::built_in("footbridge")?.scene()?;
+/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
+/// let stroke = Figure::of_column("stroke_m").unwrap();
+/// assert_eq!(stroke.value(&Figures::of(&design)), design.cam.law.stroke());
+/// assert_eq!(stroke.unit, "m");
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Figure {
+    /// Column of sweeps.
+    pub column: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Table of `summary.json` that has it; empty where none has.
+    pub section: &'static str,
+    /// Key in that table; column of a front.
+    pub key: &'static str,
+    /// The limit on it.
+    pub limit: Option<Limit>,
+    /// Its name where the force error is traded against it.
+    pub trade: Option<&'static str>,
+    /// Key of the scene that it settles where the scene says `auto`.
+    pub settles: Option<&'static str>,
+    value: fn(&Figures) -> f64,
+}
+
+impl Figure {
+    const fn limited(mut self, kind: Limit) -> Figure {
+        self.limit = Some(kind);
+        self
+    }
+
+    const fn traded(mut self, name: &'static str) -> Figure {
+        self.trade = Some(name);
+        self
+    }
+
+    const fn settling(mut self, key: &'static str) -> Figure {
+        self.settles = Some(key);
+        self
+    }
+
+    /// Its value, SI; NaN where a design has none.
+    pub fn value(&self, figures: &Figures) -> f64 {
+        (self.value)(figures)
+    }
+
+    /// The figure of a column.
+    pub fn of_column(column: &str) -> Option<&'static Figure> {
+        FIGURES.iter().find(|f| f.column == column)
+    }
+
+    /// Names that [`FIGURES`] have in trades.
+    pub fn traded_names() -> impl Iterator<Item = &'static str> {
+        FIGURES.iter().filter_map(|f| f.trade)
+    }
+}
+
+/// Every figure, in the order of the columns of a sweep: column, unit, place in `summary.json`, value, and what else has
+/// to do with it.
+///
+/// No limit holds the speed of lift-off: a least force at the speed of the machine does.
+#[rustfmt::skip]
+pub static FIGURES: [Figure; 25] = [
+    figure("force_rms_error_n",         "N",     ["force",   "rms_error_n"],              |f| f.force.rms_error_n),
+    figure("force_rms_error_percent",   "%",     ["force",   "rms_error_percent_of_mean"], |f| f.force.rms_error_percent_of_mean),
+    figure("force_max_error_n",         "N",     ["force",   "max_error_n"],              |f| f.force.max_error_n),
+    figure("target_mean_n",             "N",     ["force",   "target_mean_n"],            |f| f.force.target_mean_n),
+    figure("force_mean_n",              "N",     ["force",   "mean_n"],                   |f| f.force.mean_n),
+    figure("force_min_n",               "N",     ["force",   "min_n"],                    |f| f.force.min_n).limited(Limit::ForceMin),
+    figure("force_max_n",               "N",     ["force",   "max_n"],                    |f| f.force.max_n).limited(Limit::ForceMax),
+    figure("mass_kg",                   "kg",    ["drive",   "mass_kg"],                  |f| f.mass).settling("drive.mass"),
+    figure("speed_rad_per_s",           "rad/s", ["drive",   "speed_rad_per_s"],          |f| f.speed).settling("drive.speed"),
+    figure("stroke_m",                  "m",     ["law",     "stroke_m"],                 |f| f.stroke).limited(Limit::Stroke).traded("stroke"),
+    figure("velocity_max_m_per_s",      "m/s",   ["",        "velocity_m_per_s"],         |f| f.peaks[0]).limited(Limit::Velocity).traded("velocity"),
+    figure("acceleration_max_m_per_s2", "m/s^2", ["",        "acceleration_m_per_s2"],    |f| f.peaks[1]).limited(Limit::Acceleration).traded("acceleration"),
+    figure("jerk_max_m_per_s3",         "m/s^3", ["",        "jerk_m_per_s3"],            |f| f.peaks[2]).limited(Limit::Jerk).traded("jerk"),
+    figure("base_radius_m",             "m",     ["cam",     "base_radius_m"],            |f| f.base_radius).settling("cam.base_radius"),
+    figure("prime_radius_m",            "m",     ["cam",     "prime_radius_m"],           |f| f.prime_radius).limited(Limit::PrimeRadius).traded("prime_radius").settling("cam.prime_radius"),
+    figure("offset_m",                  "m",     ["cam",     "offset_m"],                 |f| f.offset).settling("cam.offset"),
+    figure("rho_min_m",                 "m",     ["cam",     "rho_min_m"],                |f| f.smallest_convex_radius).limited(Limit::Curvature),
+    figure("pressure_angle_max_rad",    "rad",   ["",        "pressure_angle_max_rad"],   |f| f.largest_pressure_angle).limited(Limit::PressureAngle),
+    figure("face_width_m",              "m",     ["cam",     "face_width_m"],             |f| known(f.face_width)).limited(Limit::FaceWidth),
+    figure("torque_max_n_m",            "N m",   ["machine", "torque_max_n_m"],           |f| known(f.machine.torque_max_n_m)).limited(Limit::Torque).traded("torque"),
+    figure("torque_rms_n_m",            "N m",   ["machine", "torque_rms_n_m"],           |f| known(f.machine.torque_rms_n_m)),
+    figure("power_max_w",               "W",     ["machine", "power_max_w"],              |f| known(f.machine.power_max_w)).limited(Limit::Power).traded("power"),
+    figure("power_mean_w",              "W",     ["machine", "power_mean_w"],             |f| known(f.machine.power_mean_w)),
+    figure("liftoff_speed_rad_per_s",   "rad/s", ["machine", "liftoff_speed_rad_per_s"],  |f| known(f.machine.liftoff_speed_rad_per_s)).traded("liftoff_speed"),
+    figure("hertz_pressure_max_pa",     "Pa",    ["machine", "hertz_pressure_max_pa"],    |f| known(f.machine.hertz_pressure_max_pa)).limited(Limit::HertzPressure).traded("hertz_pressure"),
+];
+
+const fn figure(
+    column: &'static str,
+    unit: &'static str,
+    [section, key]: [&'static str; 2],
+    value: fn(&Figures) -> f64,
+) -> Figure {
+    Figure {
+        column,
+        unit,
+        section,
+        key,
+        limit: None,
+        trade: None,
+        settles: None,
+        value,
+    }
+}
+
+fn known(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
 }

@@ -87,14 +87,14 @@ pub use design::{
     SolverReport, Step, Tier,
 };
 pub use emitted::contact_is_judged;
-pub use figures::Figures;
+pub use figures::{FIGURES, Figure, Figures};
 pub use infeasible::in_units;
 pub use load_factors::LoadFactor;
 pub use machine::MachineReport;
 pub use method::{Ended, Method, PassedOver};
 pub use named::unit;
 pub use parameters::Functions;
-pub use pareto::{Against, Trade, trade};
+pub use pareto::{Trade, trade, traded};
 pub use proof::Doubt;
 pub use qp::{Certificate, Demand, Given, Stop};
 pub use reason::{Change, Reason, sentences};

@@ -3,7 +3,7 @@
 //! Every one of these is a convex limit, so holding it at a value and minimising the force error gives a
 //! point of the front, and no point of the front is missed.
 
-use super::{Design, Search, design};
+use super::{Design, FIGURES, Figure, Figures, Search, design};
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
 use crate::error::{Error, Placed, Result, SweepError, SynthError};
@@ -11,49 +11,15 @@ use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
 use crate::scene::{Family, LimitKind, Minimise, Scene};
 
-/// What the force error is traded against.
-///
-/// ```
-/// use gaitcam::synth::Against;
-/// use gaitcam::{scene, synthesise};
-///
-/// let scene = scene::built_in("footbridge")?.scene()?;
-/// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
-/// assert_eq!(Against::Stroke.of(&design), design.cam.law.stroke());
-/// assert_eq!(Against::Stroke.column(), "stroke_m");
-/// # Ok::<(), gaitcam::error::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Against {
-    /// Prime radius of a roller cam, base radius of a flat-faced one.
-    PrimeRadius,
-    /// Largest |d³s/dt³|.
-    Jerk,
-    /// Largest |d²s/dt²|.
-    Acceleration,
-    /// Largest |ds/dt|.
-    Velocity,
-    /// Stroke.
-    Stroke,
-    /// Largest torque of the shaft.
-    Torque,
-    /// Largest power of the shaft.
-    Power,
-    /// Highest Hertz pressure.
-    HertzPressure,
-    /// Speed of lift-off on a moving axis; the higher the better.
-    LiftoffSpeed,
-}
-
 /// A point of the front.
 ///
 /// ```
 /// use gaitcam::scene;
-/// use gaitcam::synth::{Against, trade};
+/// use gaitcam::synth::{trade, traded};
 ///
 /// // Less stroke costs force error.
 /// let scene = scene::built_in("footbridge")?.scene()?;
-/// let front = trade(&scene, scene.model_force()?.as_ref(), Against::Stroke, 4)?;
+/// let front = trade(&scene, scene.model_force()?.as_ref(), traded("force_error:stroke")?, 4)?;
 /// for pair in front.windows(2) {
 ///     let cost = |i: usize| (pair[i].allowed, -pair[i].design.force.rms_error_n);
 ///     assert!((cost(0) <= cost(1)) || (cost(1) <= cost(0)));
@@ -80,95 +46,67 @@ const MORE_SPANS: usize = 2;
 /// … but no more than this.
 const MOST_SPANS: usize = 64;
 
-impl Against {
-    /// Every quantity with the name users write and its column with unit.
-    pub const NAMES: [(&'static str, Against, &'static str); 9] = [
-        ("prime_radius", Against::PrimeRadius, "prime_radius_m"),
-        ("jerk", Against::Jerk, "jerk_m_per_s3"),
-        (
-            "acceleration",
-            Against::Acceleration,
-            "acceleration_m_per_s2",
-        ),
-        ("velocity", Against::Velocity, "velocity_m_per_s"),
-        ("stroke", Against::Stroke, "stroke_m"),
-        ("torque", Against::Torque, "torque_max_n_m"),
-        ("power", Against::Power, "power_max_w"),
-        (
-            "hertz_pressure",
-            Against::HertzPressure,
-            "hertz_pressure_max_pa",
-        ),
-        (
-            "liftoff_speed",
-            Against::LiftoffSpeed,
-            "liftoff_speed_rad_per_s",
-        ),
-    ];
+/// The figure of a pair such as `force_error:prime_radius`, in either order.
+///
+/// # Errors
+/// Other words, saying which are known.
+///
+/// ```
+/// use gaitcam::synth::traded;
+///
+/// assert_eq!(traded("stroke:force_error")?.column, "stroke_m");
+/// assert!(traded("force_error:mass").is_err());
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+pub fn traded(pair: &str) -> Result<&'static Figure> {
+    // The message names the prime radius as its example.
+    let others = || Figure::traded_names().filter(|name| *name != "prime_radius");
+    let known = || others().collect::<Vec<_>>().join(", ");
+    let (a, b) = pair
+        .split_once(':')
+        .ok_or_else(|| SynthError::PairIncomplete {
+            pair: pair.to_string(),
+            known: known(),
+        })?;
+    let other = match (a, b) {
+        ("force_error", other) | (other, "force_error") => other,
+        _ => return Err(SynthError::PairWithoutForceError { known: known() }.into()),
+    };
+    // The size of a flat-faced cam is its base radius.
+    let other = if other == "base_radius" {
+        "prime_radius"
+    } else {
+        other
+    };
+    let mut traded = FIGURES.iter().filter(|f| f.trade.is_some());
+    let figure = traded.find(|f| f.trade == Some(other) || names(f.key, other));
+    figure.ok_or_else(|| {
+        let typed = other.to_string();
+        let known = known();
+        SynthError::PairUnknown { typed, known }.into()
+    })
+}
 
-    /// Reads `force_error:prime_radius`, in either order.
-    ///
-    /// # Errors
-    /// Other words, saying which are known.
-    pub fn from_pair(pair: &str) -> Result<Self> {
-        let others = || {
-            Self::NAMES[1..]
-                .iter()
-                .map(|n| n.0)
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        let (a, b) = pair
-            .split_once(':')
-            .ok_or_else(|| SynthError::PairIncomplete {
-                pair: pair.to_string(),
-                known: others(),
-            })?;
-        let other = match (a, b) {
-            ("force_error", other) | (other, "force_error") => other,
-            _ => return Err(SynthError::PairWithoutForceError { known: others() }.into()),
-        };
-        (Self::NAMES.iter().find(|n| {
-            n.0 == other || names(n.2, other) || (n.0 == "prime_radius" && other == "base_radius")
-        }))
-        .map(|n| n.1)
-        .ok_or_else(|| {
-            let typed = other.to_string();
-            let known = others();
-            SynthError::PairUnknown { typed, known }.into()
-        })
+/// How a figure is kept small in a problem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Bound {
+    /// By its own limit.
+    Limit(LimitKind),
+    /// A high speed of lift-off, by a least force at the speed of the machine.
+    LiftoffSpeed,
+}
+
+impl Bound {
+    fn of(figure: &Figure) -> Bound {
+        figure.limit.map_or(Bound::LiftoffSpeed, Bound::Limit)
     }
 
-    /// Its column with the unit.
-    pub fn column(self) -> &'static str {
-        Self::NAMES.iter().find(|n| n.1 == self).map_or("", |n| n.2)
-    }
-
-    /// Its value in a design, SI.
-    pub fn of(self, design: &Design) -> f64 {
-        let peak = |order: usize| {
-            let (low, high) = design.cam.law.extremes(order);
-            high.value.max(-low.value) * design.drive.speed.powi(order as i32)
-        };
-        match self {
-            Against::PrimeRadius => design.cam.follower.prime_radius(),
-            Against::Jerk => peak(3),
-            Against::Acceleration => peak(2),
-            Against::Velocity => peak(1),
-            Against::Stroke => design.cam.law.stroke(),
-            Against::Torque => known(design.machine().torque_max_n_m),
-            Against::Power => known(design.machine().power_max_w),
-            Against::HertzPressure => known(design.machine().hertz_pressure_max_pa),
-            Against::LiftoffSpeed => known(design.machine().liftoff_speed_rad_per_s),
-        }
-    }
-
-    /// A quantity that is to be small, from its value, and the value from it: of a lift-off speed the
-    /// inverse, of all others themselves.
+    /// From the value to a quantity that is to be small, and back: of a lift-off speed the inverse, of all others
+    /// itself.
     fn turned(self, value: f64) -> f64 {
         match self {
-            Against::LiftoffSpeed => 1.0 / value,
-            _ => value,
+            Bound::LiftoffSpeed => 1.0 / value,
+            Bound::Limit(_) => value,
         }
     }
 
@@ -176,42 +114,37 @@ impl Against {
     fn check(self, problem: &Problem) -> Result<()> {
         let fixed = matches!(problem.size(), Size::Given { .. });
         match self {
-            Against::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
+            Bound::LiftoffSpeed if problem.drive.kind != DriveKind::MovingAxis => {
                 let fault = Error::from(SweepError::FrontWithoutMovingAxis);
                 Err(fault.at_key("drive.kind"))
             }
-            Against::HertzPressure if !fixed => {
+            Bound::Limit(LimitKind::HertzPressure) if !fixed => {
                 let fault = Error::from(SweepError::FrontWithoutSize);
                 Err(fault.at_key("cam.base_radius"))
+            }
+            Bound::Limit(LimitKind::PrimeRadius) if fixed => {
+                Err(SynthError::SizeFixed.at_key("cam"))
             }
             _ => Ok(()),
         }
     }
 
-    /// The problem with the quantity held at or below a value.
+    /// The problem with the figure held at or below a value.
     fn held(self, problem: &Problem, value: f64) -> Problem {
         let mut out = problem.clone();
-        let limits = &mut out.limits;
-        if self == Against::LiftoffSpeed {
-            // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
-            let drive = &problem.drive;
-            let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
-            limits[LimitKind::ForceMin] =
-                Some(limits[LimitKind::ForceMin].map_or(least, |own| own.max(least)));
-            return out;
+        match self {
+            Bound::LiftoffSpeed => {
+                // M(g + ωₗ²a) ≥ 0 bounds a, and with it the force at the speed of the machine.
+                let drive = &problem.drive;
+                let least = drive.rest_force * (1.0 - (drive.speed / value).powi(2));
+                let bound = &mut out.limits[LimitKind::ForceMin];
+                *bound = Some(bound.map_or(least, |own| own.max(least)));
+            }
+            Bound::Limit(kind) => {
+                let bound = &mut out.limits[kind];
+                *bound = Some(bound.map_or(value, |own| own.min(value)));
+            }
         }
-        let at = match self {
-            Against::PrimeRadius => &mut limits[LimitKind::PrimeRadius],
-            Against::Jerk => &mut limits[LimitKind::Jerk],
-            Against::Acceleration => &mut limits[LimitKind::Acceleration],
-            Against::Velocity => &mut limits[LimitKind::Velocity],
-            Against::Stroke => &mut limits[LimitKind::Stroke],
-            Against::Torque => &mut limits[LimitKind::Torque],
-            Against::Power => &mut limits[LimitKind::Power],
-            Against::HertzPressure => &mut limits[LimitKind::HertzPressure],
-            Against::LiftoffSpeed => &mut limits[LimitKind::ForceMin],
-        };
-        *at = Some(at.map_or(value, |own| own.min(value)));
         out
     }
 }
@@ -220,10 +153,6 @@ impl Against {
 fn names(column: &str, word: &str) -> bool {
     let rest = column.strip_prefix(word);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
-}
-
-fn known(value: Option<f64>) -> f64 {
-    value.unwrap_or(f64::NAN)
 }
 
 /// The front between force error and another quantity, from the tightest value to what the unlimited law
@@ -235,7 +164,7 @@ fn known(value: Option<f64>) -> f64 {
 pub fn trade(
     scene: &Scene,
     force: Option<&ForceCurve>,
-    against: Against,
+    against: &Figure,
     points: usize,
 ) -> Result<Vec<Trade>> {
     let search = Search::default();
@@ -246,11 +175,9 @@ pub fn trade(
     if !matches!(problem.law.family, Family::Spline | Family::Ladder) {
         return Err(SynthError::OnlySplines.at_key("law.family"));
     }
-    let fixed = matches!(problem.size(), Size::Given { .. });
-    if against == Against::PrimeRadius && fixed {
-        return Err(SynthError::SizeFixed.at_key("cam"));
-    }
-    against.check(&problem)?;
+    let bound = Bound::of(against);
+    bound.check(&problem)?;
+    let of = |design: &Design| against.value(&Figures::of(design));
     problem.law.family = Family::Spline;
     let first = design(&problem, &search)?;
     // The accuracy would raise the number of spans and fail what the front is there to show.
@@ -266,8 +193,8 @@ pub fn trade(
     if let Some(why) = &free.infeasible {
         return Err(why.no_law().at_key("limits"));
     }
-    let most = against.turned(against.of(&free)) * INSIDE;
-    let held = |value: f64| design(&against.held(&open, against.turned(value)), &search);
+    let most = bound.turned(of(&free)) * INSIDE;
+    let held = |value: f64| design(&bound.held(&open, bound.turned(value)), &search);
     // Demands may keep even the unlimited law farther away than that.
     let own = free.force.rms_error_n;
     let worst = (WORST * free.force.target_mean_n.abs()).max(2.0 * own);
@@ -287,7 +214,7 @@ pub fn trade(
     }
     // Nothing can be had below what the unlimited law takes: a bore, say, gives the size.
     if high == most && !held(most).is_ok_and(|d| good(&d)) {
-        let allowed = against.of(&free);
+        let allowed = of(&free);
         return Ok(vec![Trade {
             allowed,
             design: free,
@@ -299,7 +226,7 @@ pub fn trade(
         let value = high + share * (most - high);
         let design = held(value)?;
         if design.infeasible.is_none() {
-            let allowed = against.turned(value);
+            let allowed = bound.turned(value);
             out.push(Trade { allowed, design });
         }
     }

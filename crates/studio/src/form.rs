@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use gaitcam::cam::Unit;
 use gaitcam::scene::Scene;
 use gaitcam::scene::keys::{KEYS, Key, Kind, Range};
-use gaitcam::synth::{Design, Figures, MachineReport};
+use gaitcam::synth::{Design, FIGURES, Figure, Figures};
 use gaitcam::units::{Dimension, parse};
 
 /// A field of the form.
@@ -42,14 +42,14 @@ pub struct Slider {
 
 /// The fields that a scene has, by their keys; a list's entries under their own numbers.
 pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap<String, Field> {
-    let present = design.map(|d| (Figures::of(d), d.machine()));
+    let figures = design.map(Figures::of);
     let mut out = BTreeMap::new();
     for key in KEYS.iter().filter(|k| k.exists(scene)) {
         let count = key.list().map_or(1, |list| length(table, list));
         for index in 0..count {
             let path = key.path_at(index);
             let text = typed(table, &path);
-            let settled = settled(key.path, scene, present.as_ref());
+            let settled = settled(key.path, scene, figures.as_ref());
             let slider = slider(key, scene, index, &text, settled);
             let placeholder = match settled.zip(key.dimension(scene)) {
                 Some((value, dimension)) if text.is_empty() || text == "auto" => {
@@ -108,34 +108,22 @@ pub fn typed(table: &Table, path: &str) -> String {
 }
 
 /// The value that a design has where the scene leaves it open, SI.
-fn settled(path: &str, scene: &Scene, present: Option<&(Figures, MachineReport)>) -> Option<f64> {
-    let (f, machine) = present?;
+fn settled(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
+    let figures = figures?;
     let value = match path {
-        "cam.base_radius" => f.base_radius,
-        "cam.prime_radius" | "limits.prime_radius" => f.prime_radius,
-        "cam.offset" => f.offset,
-        "drive.mass" => f.mass,
-        "drive.speed" => f.speed,
-        "gait.step_frequency" => scene
-            .gait
-            .as_ref()?
-            .step_frequency
-            .unwrap_or(f.speed / std::f64::consts::PI),
+        "gait.step_frequency" => {
+            let own = scene.gait.as_ref()?.step_frequency;
+            own.unwrap_or(figures.speed / std::f64::consts::PI)
+        }
         "gait.body_weight" => scene.gait.as_ref()?.model_weight(),
-        "limits.stroke" => f.stroke,
-        "limits.velocity" => f.peaks[0],
-        "limits.acceleration" => f.peaks[1],
-        "limits.jerk" => f.peaks[2],
-        "limits.force_min" => f.force.min_n,
-        "limits.force_max" => f.force.max_n,
-        "limits.curvature" => f.smallest_convex_radius,
-        "limits.pressure_angle" => f.largest_pressure_angle,
-        "limits.face_width" => f.face_width?,
-        "limits.torque" => machine.torque_max_n_m?,
-        "limits.power" => machine.power_max_w?,
-        "limits.hertz_pressure" => machine.hertz_pressure_max_pa?,
-        "accuracy.rms" => f.force.rms_error_percent_of_mean / 100.0,
-        _ => return None,
+        "accuracy.rms" => figures.force.rms_error_percent_of_mean / 100.0,
+        _ => {
+            let limit = path.strip_prefix("limits.");
+            let of_path = |f: &&Figure| {
+                f.settles == Some(path) || f.limit.is_some_and(|kind| limit == Some(kind.name()))
+            };
+            FIGURES.iter().find(of_path)?.value(figures)
+        }
     };
     value.is_finite().then_some(value)
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
-use gaitcam::synth::{Against, Design, synthesise, trade};
+use gaitcam::synth::{Design, Figures, synthesise, trade, traded};
 
 fn young() -> ForceCurve {
     model("young", Some(1.85), 700.0, Feet::Both).unwrap()
@@ -235,14 +235,15 @@ fn the_front_falls_and_ends_at_the_unlimited_law() {
             &roller[..1]
         };
         let scene = read(changes);
-        let against = Against::from_pair(pair).unwrap();
+        let against = traded(pair).unwrap();
+        let of = |design: &Design| against.value(&Figures::of(design));
         let front = trade(&scene, Some(&target), against, 8).unwrap();
         assert!(front.len() >= 6, "{pair}: {}", front.len());
         for t in &front {
             assert!(
-                against.of(&t.design) <= t.allowed * (1.0 + 1e-6),
+                of(&t.design) <= t.allowed * (1.0 + 1e-6),
                 "{pair}: {} of {}",
-                against.of(&t.design),
+                of(&t.design),
                 t.allowed
             );
         }
@@ -268,7 +269,7 @@ fn the_front_falls_and_ends_at_the_unlimited_law() {
 #[test]
 fn words_that_name_no_front_are_refused() {
     for pair in ["force_error", "jerk:stroke", "force_error:beauty"] {
-        let error = Against::from_pair(pair).unwrap_err().to_string();
+        let error = traded(pair).unwrap_err().to_string();
         assert!(error.contains("prime_radius"), "{error}");
     }
 }

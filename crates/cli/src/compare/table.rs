@@ -4,61 +4,79 @@ use serde_json::Value;
 
 use super::read::Design;
 use crate::console::words;
+use gaitcam::synth;
+use gaitcam::wording::people;
 
 /// What stands where a result has no such number.
 const NONE: &str = "—";
 
+/// What stands in a row.
+enum Cell {
+    /// A figure of [`FIGURES`](gaitcam::synth::FIGURES) by its column, with so many decimals.
+    Figure(&'static str, usize),
+    /// Anything else.
+    Other(fn(&Design) -> String),
+}
+
+use Cell::{Figure, Other};
+
+const ROWS: [(&str, Cell); 24] = [
+    ("compare-verdict", Other(|d| word(&d.summary["verdict"]))),
+    ("compare-outcome", Other(|d| outcome(&d.summary["outcome"]))),
+    ("compare-law", Other(|d| word(&d.summary["law"]["family"]))),
+    (
+        "compare-follower",
+        Other(|d| word(&d.summary["cam"]["follower"])),
+    ),
+    ("compare-rms", Figure("force_rms_error_n", 4)),
+    ("compare-percent", Figure("force_rms_error_percent", 3)),
+    ("compare-largest", Figure("force_max_error_n", 3)),
+    ("compare-force-min", Figure("force_min_n", 2)),
+    ("compare-force-max", Figure("force_max_n", 2)),
+    ("compare-mass", Other(mass)),
+    ("compare-speed", Other(speed)),
+    ("compare-stroke", Other(|d| lift(d, &["stroke_m"], 0))),
+    (
+        "compare-a",
+        Other(|d| lift(d, &["a_max_m_per_rad2", "a_min_m_per_rad2"], 2)),
+    ),
+    (
+        "compare-j",
+        Other(|d| lift(d, &["j_max_m_per_rad3", "j_min_m_per_rad3"], 3)),
+    ),
+    ("compare-base-radius", Figure("base_radius_m", 3)),
+    ("compare-convex", Figure("rho_min_m", 3)),
+    ("compare-pressure-angle", Other(pressure_angle)),
+    ("compare-face-width", Figure("face_width_m", 3)),
+    ("compare-torque-max", Figure("torque_max_n_m", 4)),
+    ("compare-torque-rms", Figure("torque_rms_n_m", 4)),
+    ("compare-power-max", Figure("power_max_w", 3)),
+    ("compare-power-mean", Figure("power_mean_w", 3)),
+    ("compare-lift-off", Figure("liftoff_speed_rad_per_s", 4)),
+    ("compare-hertz", Figure("hertz_pressure_max_pa", 1)),
+];
+
 /// Headings with one cell per design.
 pub fn rows(designs: &[Design]) -> Vec<(String, Vec<String>)> {
-    type Cell = fn(&Design) -> String;
-    let cells: [(&'static str, Cell); 24] = [
-        ("compare-verdict", |d| word(&d.summary["verdict"])),
-        ("compare-outcome", |d| outcome(&d.summary["outcome"])),
-        ("compare-law", |d| word(&d.summary["law"]["family"])),
-        ("compare-follower", |d| word(&d.summary["cam"]["follower"])),
-        ("compare-rms", |d| force(d, "rms_error_n", 4, "N")),
-        ("compare-percent", |d| {
-            force(d, "rms_error_percent_of_mean", 3, "%")
-        }),
-        ("compare-largest", |d| force(d, "max_error_n", 3, "N")),
-        ("compare-force-min", |d| force(d, "min_n", 2, "N")),
-        ("compare-force-max", |d| force(d, "max_n", 2, "N")),
-        ("compare-mass", mass),
-        ("compare-speed", speed),
-        ("compare-stroke", |d| lift(d, &["stroke_m"], 0)),
-        ("compare-a", |d| {
-            lift(d, &["a_max_m_per_rad2", "a_min_m_per_rad2"], 2)
-        }),
-        ("compare-j", |d| {
-            lift(d, &["j_max_m_per_rad3", "j_min_m_per_rad3"], 3)
-        }),
-        ("compare-base-radius", |d| millimetres(d, "base_radius_m")),
-        ("compare-convex", |d| millimetres(d, "rho_min_m")),
-        ("compare-pressure-angle", pressure_angle),
-        ("compare-face-width", |d| millimetres(d, "face_width_m")),
-        ("compare-torque-max", |d| {
-            machine(d, "torque_max_n_m", 1.0, 4, "N·m")
-        }),
-        ("compare-torque-rms", |d| {
-            machine(d, "torque_rms_n_m", 1.0, 4, "N·m")
-        }),
-        ("compare-power-max", |d| {
-            machine(d, "power_max_w", 1.0, 3, "W")
-        }),
-        ("compare-power-mean", |d| {
-            machine(d, "power_mean_w", 1.0, 3, "W")
-        }),
-        ("compare-lift-off", |d| {
-            machine(d, "liftoff_speed_rad_per_s", 1.0, 4, "rad/s")
-        }),
-        ("compare-hertz", |d| {
-            machine(d, "hertz_pressure_max_pa", 1e-6, 1, "MPa")
-        }),
-    ];
-    cells
-        .iter()
-        .map(|(heading, cell)| (words::text(heading), designs.iter().map(cell).collect()))
+    let cell = |cell: &Cell, d: &Design| match cell {
+        Figure(column, decimals) => figure(d, column, *decimals),
+        Other(make) => make(d),
+    };
+    let cells = |own: &Cell| designs.iter().map(|d| cell(own, d)).collect();
+    let rows = ROWS.iter();
+    rows.map(|(heading, own)| (words::text(heading), cells(own)))
         .collect()
+}
+
+/// A figure as summary.json has it; that of a force only where one was to be met.
+fn figure(d: &Design, column: &str, decimals: usize) -> String {
+    let Some(figure) = synth::Figure::of_column(column) else {
+        return NONE.to_string();
+    };
+    let (unit, factor) = people(figure.unit);
+    let value = number(&d.summary[figure.section][figure.key]);
+    let value = value.filter(|_| figure.section != "force" || d.has_target());
+    shown(value.map(|x| factor * x), decimals, unit)
 }
 
 fn word(value: &Value) -> String {
@@ -90,11 +108,6 @@ fn number(value: &Value) -> Option<f64> {
     }
 }
 
-fn force(d: &Design, key: &str, decimals: usize, unit: &str) -> String {
-    let value = number(&d.summary["force"][key]).filter(|_| d.has_target());
-    shown(value, decimals, unit)
-}
-
 fn mass(d: &Design) -> String {
     let value = number(&d.summary["drive"]["mass_kg"]).filter(|m| *m != 0.0);
     shown(value, 3, if d.swings() { "kg·m²" } else { "kg" })
@@ -123,16 +136,6 @@ fn lift(d: &Design, keys: &[&str], order: i32) -> String {
         _ => format!("{lift}/{per}³"),
     };
     shown(largest.map(|x| factor * x), 3, &unit)
-}
-
-/// What the design asks of the machine.
-fn machine(d: &Design, key: &str, factor: f64, decimals: usize, unit: &str) -> String {
-    let value = number(&d.summary["machine"][key]).map(|x| factor * x);
-    shown(value, decimals, unit)
-}
-
-fn millimetres(d: &Design, key: &str) -> String {
-    shown(number(&d.summary["cam"][key]).map(|x| 1e3 * x), 3, "mm")
 }
 
 fn pressure_angle(d: &Design) -> String {

@@ -8,17 +8,18 @@ use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, fixed};
 use crate::input;
 use gaitcam::error::Result;
-use gaitcam::synth::{Against, Trade, trade};
+use gaitcam::synth::{Figure, Figures, Trade, trade, traded};
+use gaitcam::wording::people;
 use gaitcam_output::folder::Folder;
 use gaitcam_output::sweep_plots::{self, Quantity};
 
 /// Points of the front when nothing is said.
 const POINTS: u32 = 20;
-/// Columns of front.csv beside the quantity traded.
-const COLUMNS: [&str; 13] = [
-    "rms_error_n",
-    "rms_error_percent_of_mean",
-    "max_error_n",
+/// Figures of front.csv beside the one traded, by their columns in sweeps.
+const COLUMNS: [&str; 11] = [
+    "force_rms_error_n",
+    "force_rms_error_percent",
+    "force_max_error_n",
     "prime_radius_m",
     "stroke_m",
     "torque_max_n_m",
@@ -27,13 +28,11 @@ const COLUMNS: [&str; 13] = [
     "power_mean_w",
     "liftoff_speed_rad_per_s",
     "hertz_pressure_max_pa",
-    "tier",
-    "verdict",
 ];
 
 /// Computes the front and writes front.csv, front.svg and front.png; exit code 3 when it is empty.
 pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
-    let against = Against::from_pair(pair).map_err(input::at_flag("--front"))?;
+    let against = traded(pair).map_err(input::at_flag("--front"))?;
     let input = input::scene(&args.scene)?;
     let folder = Folder::open(&input::result_folder(
         &input,
@@ -53,10 +52,10 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         values: front.iter().map(of).collect(),
         words: Vec::new(),
     };
-    let (unit, factor) = shown_in(against);
+    let (unit, factor) = people(against.unit);
     let x = Quantity {
         label: format!("{}, {unit}", quantity_name(against)),
-        ..column(against.column(), &|t| factor * against.of(&t.design))
+        ..column(against.key, &|t| factor * value(against, t))
     };
     let y = column("force_rms_error_n", &|t| t.design.force.rms_error_n);
     let line: Vec<(f64, f64)> = x
@@ -74,7 +73,7 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
         let rows: Vec<_> = front
             .iter()
             .map(|t| {
-                json!({against.column(): against.of(&t.design), "allowed": t.allowed,
+                json!({against.key: value(against, t), "allowed": t.allowed,
                     "rms_error_n": t.design.force.rms_error_n,
                     "max_error_n": t.design.force.max_error_n,
                     "tier": t.design.solver.tier.name(), "verdict": t.design.verdict.name()})
@@ -88,73 +87,49 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     Ok(BUILT)
 }
 
-fn quantity_name(against: Against) -> String {
-    let name = Against::NAMES
-        .iter()
-        .find(|n| n.1 == against)
-        .map_or("", |n| n.0);
+fn quantity_name(against: &Figure) -> String {
+    let name = against.trade.unwrap_or_default();
     words::text(&format!("trade-{}", name.replace('_', "-")))
 }
 
-fn title(name: &str, against: Against) -> String {
+fn title(name: &str, against: &Figure) -> String {
     let said = json!({"name": name, "quantity": quantity_name(against)});
     words::fill("trade-title", &said)
 }
 
-/// The unit in which people read it, and SI's factor to it.
-fn shown_in(against: Against) -> (&'static str, f64) {
-    match against {
-        Against::PrimeRadius | Against::Stroke => ("mm", 1e3),
-        Against::Velocity => ("m/s", 1.0),
-        Against::Acceleration => ("m/s²", 1.0),
-        Against::Jerk => ("m/s³", 1.0),
-        Against::Torque => ("N·m", 1.0),
-        Against::Power => ("W", 1.0),
-        Against::HertzPressure => ("MPa", 1e-6),
-        Against::LiftoffSpeed => ("rad/s", 1.0),
-    }
+/// Value of a figure in a design, SI.
+fn value(figure: &Figure, t: &Trade) -> f64 {
+    figure.value(&Figures::of(&t.design))
 }
 
-fn csv(against: Against, front: &[Trade]) -> String {
-    let mut out = format!("allowed_{},{}", against.column(), against.column());
-    for name in COLUMNS.iter().filter(|n| **n != against.column()) {
-        out.push(',');
-        out.push_str(name);
+fn csv(against: &Figure, front: &[Trade]) -> String {
+    let figures = COLUMNS
+        .iter()
+        .filter_map(|column| Figure::of_column(column));
+    let figures: Vec<&Figure> = figures.filter(|f| f.column != against.column).collect();
+    let mut out = format!("allowed_{},{}", against.key, against.key);
+    for figure in &figures {
+        out += &format!(",{}", figure.key);
     }
-    out.push('\n');
+    out += ",tier,verdict\n";
     for t in front {
-        let (d, f) = (&t.design, &t.design.force);
-        let m = d.machine();
-        let known = |x: Option<f64>| x.map_or_else(String::new, |x| x.to_string());
-        let cells = [
-            f.rms_error_n.to_string(),
-            f.rms_error_percent_of_mean.to_string(),
-            f.max_error_n.to_string(),
-            d.cam.follower.prime_radius().to_string(),
-            d.cam.law.stroke().to_string(),
-            known(m.torque_max_n_m),
-            known(m.torque_rms_n_m),
-            known(m.power_max_w),
-            known(m.power_mean_w),
-            known(m.liftoff_speed_rad_per_s),
-            known(m.hertz_pressure_max_pa),
-            d.solver.tier.name().to_string(),
-            d.verdict.name().to_string(),
-        ];
-        out.push_str(&format!("{},{}", t.allowed, against.of(d)));
-        for (name, cell) in COLUMNS.iter().zip(cells) {
-            if *name != against.column() {
-                out.push(',');
-                out.push_str(&cell);
+        let own = Figures::of(&t.design);
+        out += &format!("{},{}", t.allowed, against.value(&own));
+        for figure in &figures {
+            out.push(',');
+            let value = figure.value(&own);
+            if !value.is_nan() {
+                out += &value.to_string();
             }
         }
-        out.push('\n');
+        let (tier, verdict) = (t.design.solver.tier.name(), t.design.verdict.name());
+        out += &format!(",{tier},{verdict}\n");
     }
     out
 }
 
-fn table(name: &str, against: Against, front: &[Trade]) -> String {
-    let (unit, factor) = shown_in(against);
+fn table(name: &str, against: &Figure, front: &[Trade]) -> String {
+    let (unit, factor) = people(against.unit);
     let mut out = vec![
         title(name, against),
         format!(
@@ -168,7 +143,7 @@ fn table(name: &str, against: Against, front: &[Trade]) -> String {
         let f = &t.design.force;
         out.push(format!(
             "  {:>16} {:<5} {:>14} {:>12}",
-            fixed(factor * against.of(&t.design), 4),
+            fixed(factor * value(against, t), 4),
             "",
             fixed(f.rms_error_n, 4),
             fixed(f.rms_error_percent_of_mean, 4)

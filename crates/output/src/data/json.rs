@@ -4,10 +4,10 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Timing;
-use gaitcam::cam::{Continuity, Criterion, Hardness};
+use gaitcam::cam::{Continuity, Criterion};
 use gaitcam::synth::{
-    Binding, Certificate, Design, Doubt, Easing, End, ForceReport, Functions, Infeasible,
-    LoadFactor, MachineReport, Reason, Relaxation,
+    Binding, Certificate, Design, Doubt, Easing, End, FIGURES, Figures, ForceReport, Functions,
+    Infeasible, LoadFactor, Reason, Relaxation,
 };
 use gaitcam::wording::Language;
 
@@ -61,7 +61,7 @@ struct Summary<'a> {
     drive: DriveSummary,
     law: LawSummary<'a>,
     cam: CamSummary,
-    machine: MachineSummary,
+    machine: Map<String, Value>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     load_factors: Vec<LoadFactor>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -177,29 +177,20 @@ struct SecondCamSummary {
 }
 
 /// What the design asks of a rigid machine without friction.
-#[derive(Serialize)]
-struct MachineSummary {
-    torque_max_n_m: Option<Real>,
-    torque_rms_n_m: Option<Real>,
-    power_max_w: Option<Real>,
-    power_mean_w: Option<Real>,
-    liftoff_speed_rad_per_s: Option<Real>,
-    hertz_pressure_max_pa: Option<Real>,
-    hertz_pressure_allowable_pa: Option<Real>,
-}
-
-impl MachineSummary {
-    fn new(machine: MachineReport, hardness: Option<Hardness>) -> Self {
-        MachineSummary {
-            torque_max_n_m: machine.torque_max_n_m.map(Real),
-            torque_rms_n_m: machine.torque_rms_n_m.map(Real),
-            power_max_w: machine.power_max_w.map(Real),
-            power_mean_w: machine.power_mean_w.map(Real),
-            liftoff_speed_rad_per_s: machine.liftoff_speed_rad_per_s.map(Real),
-            hertz_pressure_max_pa: machine.hertz_pressure_max_pa.map(Real),
-            hertz_pressure_allowable_pa: hardness.map(|h| Real(h.allowable_pressure())),
-        }
-    }
+fn machine(design: &Design) -> Map<String, Value> {
+    let figures = Figures::of(design);
+    let own = FIGURES.iter().filter(|f| f.section == "machine");
+    let own = own.map(|f| (f.key, f.value(&figures)));
+    let hardness = design.making.hardness;
+    let allowable = hardness.map_or(f64::NAN, |h| h.allowable_pressure());
+    own.chain([("hertz_pressure_allowable_pa", allowable)])
+        .map(|(key, x)| {
+            (
+                key.to_string(),
+                serde_json::to_value(Real(x)).unwrap_or_default(),
+            )
+        })
+        .collect()
 }
 
 #[derive(Serialize)]
@@ -259,7 +250,7 @@ impl<'a> Summary<'a> {
             },
             law: LawSummary::new(synthesis),
             cam: CamSummary::new(synthesis),
-            machine: MachineSummary::new(synthesis.machine(), synthesis.making.hardness),
+            machine: machine(synthesis),
             load_factors: synthesis.load_factors(),
             recording: (synthesis.target.as_ref())
                 .and_then(|t| t.recording.as_ref())

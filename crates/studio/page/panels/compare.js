@@ -10,13 +10,8 @@ import * as stage from "./stage.js";
 import * as charts from "./charts.js";
 
 const COLOURS = ["#e69f00", "#cc79a7", "#009e73", "#d55e00", "#56b4e9", "#8a7a00"];
-// Name, factor to the unit shown, unit.
-const ROWS = [
-  ["force_rms_error_n", 1, "N"], ["force_max_n", 1, "N"], ["stroke_m", 1e3, "mm"], ["velocity_max_m_per_s", 1, "m/s"],
-  ["acceleration_max_m_per_s2", 1, "m/s²"], ["jerk_max_m_per_s3", 1, "m/s³"], ["base_radius_m", 1e3, "mm"], ["prime_radius_m", 1e3, "mm"],
-  ["rho_min_m", 1e3, "mm"], ["pressure_angle_max_rad", 180 / Math.PI, "°"], ["torque_max_n_m", 1, "N·m"], ["power_max_w", 1, "W"],
-  ["hertz_pressure_max_pa", 1e-6, "MPa"],
-];
+const ROWS = ["force_rms_error_n", "force_max_n", "stroke_m", "velocity_max_m_per_s", "acceleration_max_m_per_s2", "jerk_max_m_per_s3", "base_radius_m",
+  "prime_radius_m", "rho_min_m", "pressure_angle_max_rad", "torque_max_n_m", "power_max_w", "hertz_pressure_max_pa"];
 let slate = [];
 let answer = null;
 let start = {};
@@ -76,7 +71,7 @@ function table() {
     p.present ? null : make("span", { class: "acts" },
       make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-take")} ${i + 1}`, title: t("studio-slate-take"), onclick: () => openScene(p.scene) }, "↩"),
       make("button", { type: "button", class: "tiny", "aria-label": `${t("studio-slate-drop")} ${i + 1}`, title: t("studio-slate-drop"), onclick: () => { slate = slate.filter((q) => q !== p); overlay(); } }, "×"))));
-  const body = ROWS.map(([name, factor, unit]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
+  const body = start.figures.filter(([name]) => ROWS.includes(name)).map(([name, [unit, factor]]) => make("tr", {}, make("th", { scope: "row" }, t(`studio-number-${name}`), make("small", {}, ` ${unit}`)),
     ...all.map((p) => make("td", { class: "n" }, number(p.numbers[name] === null || p.numbers[name] === undefined ? null : factor * p.numbers[name])))));
   const verdicts = make("tr", {}, make("th", { scope: "row" }, t("studio-verdict")), ...all.map((p) => make("td", { class: `n ${p.verdict}` }, t(`studio-verdict-${p.verdict}`))));
   box.append(make("div", { class: "scroll", tabindex: "0" }, make("table", { class: "slate" }, make("thead", {}, make("tr", {}, make("td", {}), ...head)), make("tbody", {}, verdicts, ...body))));

@@ -12,8 +12,8 @@ use crate::words;
 use gaitcam::error::Result;
 use gaitcam::law::Rise;
 use gaitcam::scene::{self, SCENES, built_in, keys};
-use gaitcam::synth::{Design, synthesise};
-use gaitcam::wording::{Language, scene_doc};
+use gaitcam::synth::{Design, FIGURES, synthesise};
+use gaitcam::wording::{Language, people, scene_doc};
 use gaitcam_output::report::parts;
 use gaitcam_output::{laws_report, palette};
 
@@ -38,6 +38,7 @@ pub fn start(studio: &Studio) -> Value {
         "scenes": scenes.collect::<Vec<_>>(),
         "quantities": super::variation::QUANTITIES.map(|q| q.0),
         "trades": super::variation::TRADES,
+        "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
         "longest_s": crate::turns::LONGEST.as_secs(),
     })
 }

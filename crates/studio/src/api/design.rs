@@ -20,7 +20,7 @@ use gaitcam::cam::Continuity;
 use gaitcam::error::Result;
 use gaitcam::halt::Halt;
 use gaitcam::scene::{Scene, keys};
-use gaitcam::synth::{self, Design, Relaxation, Search};
+use gaitcam::synth::{self, Design, FIGURES, Relaxation, Search};
 use gaitcam::wording::Language;
 use gaitcam_files::files::{self, Group};
 use gaitcam_output::Timing;
@@ -239,25 +239,13 @@ fn exports(design: &Design) -> Vec<(&'static str, Vec<&'static str>)> {
 }
 
 /// The figures that the slate compares.
+/// The figures of a design by their columns; null where it has none.
 fn numbers(kept: &Kept) -> Value {
-    let figures = gaitcam::synth::Figures::of(&kept.design);
     let row = gaitcam::sweep::Row::of(&kept.design);
-    let names = gaitcam::sweep::NUMBERS;
-    let pairs = names.iter().zip(row.numbers);
-    let mut out: serde_json::Map<String, Value> = pairs
-        .map(|(name, x)| {
-            (
-                (*name).to_string(),
-                if x.is_finite() { json!(x) } else { Value::Null },
-            )
-        })
-        .collect();
-    out.insert("speed_rad_per_s".to_string(), json!(figures.speed));
-    let machine = serde_json::to_value(kept.design.machine()).unwrap_or_default();
-    if let Value::Object(machine) = machine {
-        out.extend(machine);
-    }
-    Value::Object(out)
+    let pairs = FIGURES.iter().zip(row.numbers);
+    pairs
+        .map(|(figure, x)| (figure.column, x.is_finite().then_some(x)))
+        .collect()
 }
 
 fn easing(design: &Design, language: Language) -> Vec<Eased> {

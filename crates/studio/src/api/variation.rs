@@ -7,24 +7,22 @@ use super::table;
 use crate::form::typed;
 use crate::studio::Studio;
 use crate::words;
-use gaitcam::cam::Unit;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
 use gaitcam::scene::keys::{KEYS, Key};
-use gaitcam::synth::{Against, Design, Figures, synthesise, trade};
-use gaitcam::units::Dimension;
-use gaitcam::wording::{number, quantity};
+use gaitcam::synth::{Design, Figure, Figures, synthesise, trade, traded};
+use gaitcam::wording::{number, people, quantity};
 
-/// Quantities whose sensitivity may be asked, with their dimension.
-pub const QUANTITIES: [(&str, Dimension); 7] = [
-    ("force_error", Dimension::Force),
-    ("prime_radius", Dimension::Length),
-    ("stroke", Dimension::Length),
-    ("acceleration", Dimension::Acceleration),
-    ("jerk", Dimension::Jerk),
-    ("torque", Dimension::Torque),
-    ("smallest_radius", Dimension::Length),
+/// Quantities whose sensitivity may be asked, with the column of their figure.
+pub const QUANTITIES: [(&str, &str); 7] = [
+    ("force_error", "force_rms_error_n"),
+    ("prime_radius", "prime_radius_m"),
+    ("stroke", "stroke_m"),
+    ("acceleration", "acceleration_max_m_per_s2"),
+    ("jerk", "jerk_max_m_per_s3"),
+    ("torque", "torque_max_n_m"),
+    ("smallest_radius", "rho_min_m"),
 ];
 /// Quantities that the force error may be traded against.
 pub const TRADES: [&str; 5] = ["prime_radius", "jerk", "acceleration", "velocity", "stroke"];
@@ -124,27 +122,20 @@ fn entries(scene: &Scene, key: &Key) -> usize {
     }
 }
 
+/// The figure of one of [`QUANTITIES`].
+fn figure(name: &str) -> Option<&'static Figure> {
+    let (_, column) = QUANTITIES.into_iter().find(|q| q.0 == name)?;
+    Figure::of_column(column)
+}
+
 fn value(design: &Design, name: &str) -> Option<f64> {
-    let figures = Figures::of(design);
-    let value = match name {
-        "force_error" => figures.force.rms_error_n,
-        "prime_radius" => figures.prime_radius,
-        "stroke" => figures.stroke,
-        "acceleration" => figures.peaks[1],
-        "jerk" => figures.peaks[2],
-        "torque" => design.machine().torque_max_n_m?,
-        "smallest_radius" => figures.smallest_convex_radius,
-        _ => return None,
-    };
+    let value = figure(name)?.value(&Figures::of(design));
     (design.infeasible.is_none() && value.is_finite()).then_some(value)
 }
 
 fn shown(name: &str, value: f64) -> String {
-    let dimension = QUANTITIES
-        .iter()
-        .find(|q| q.0 == name)
-        .map_or(Dimension::Ratio, |q| q.1);
-    quantity(words::current(), round(value), dimension.si())
+    let unit = figure(name).map_or("", |f| f.unit);
+    quantity(words::current(), round(value), unit)
 }
 
 fn round(x: f64) -> f64 {
@@ -167,33 +158,22 @@ pub struct Trade {
 /// # Errors
 /// Scenes without a force; quantities that cannot be traded.
 pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
-    let against = Against::from_pair(&format!("force_error:{}", asked.against))?;
+    let against = traded(&format!("force_error:{}", asked.against))?;
     let (scene, _) = studio.scene(&table(&asked.scene)?)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
     let front = trade(&scene, target.as_ref(), against, POINTS)?;
-    let dimension = match against {
-        Against::PrimeRadius | Against::Stroke => Dimension::Length,
-        Against::Velocity => Dimension::Speed,
-        Against::Acceleration => Dimension::Acceleration,
-        Against::Jerk => Dimension::Jerk,
-        Against::Torque => Dimension::Torque,
-        Against::Power => Dimension::Power,
-        Against::HertzPressure => Dimension::Pressure,
-        Against::LiftoffSpeed => Dimension::AngularSpeed,
-    };
-    let unit = Unit::of(dimension);
+    let (unit, factor) = people(against.unit);
     let language = words::current();
     let points = front.iter().map(|point| {
-        let x = unit.factor * against.of(&point.design);
+        let x = factor * against.value(&Figures::of(&point.design));
         let y = point.design.force.rms_error_n;
         json!({
             "x": x, "y": y,
-            "shown": [unit.after(&number(language, round(x))), format!("{} N", number(language, round(y)))],
-            // No limit of its own holds a lift-off speed.
-            "key": (against != Against::LiftoffSpeed).then(|| format!("limits.{}", asked.against)),
-            "value": unit.after(&format!("{}", unit.factor * point.allowed)).replace('°', " deg"),
+            "shown": [format!("{} {unit}", number(language, round(x))), format!("{} N", number(language, round(y)))],
+            "key": against.limit.map(|kind| format!("limits.{}", kind.name())),
+            "value": format!("{} {unit}", factor * point.allowed),
             "verdict": point.design.verdict.name(),
         })
     });
-    Ok(json!({"against": asked.against, "unit": unit.name, "points": points.collect::<Vec<_>>()}))
+    Ok(json!({"against": asked.against, "unit": unit, "points": points.collect::<Vec<_>>()}))
 }
