@@ -19,12 +19,17 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let limits = Limits::default()
         .with(LimitKind::Stroke, 0.100)
         .with(LimitKind::Curvature, 0.005);
-    let scene = Scene::default()
-        .named("two harmonics")
-        .with_gait(Gait::given())
-        .with_cam(CamSpec::default().with_bore(0.012))
-        .with_limits(limits)
-        .with_accuracy(0.005);
+    let scene = Scene {
+        name: "two harmonics".to_string(),
+        gait: Some(Gait::given()),
+        cam: CamSpec {
+            bore: Some(0.012),
+            ..CamSpec::default()
+        },
+        limits,
+        rms: Some(0.005),
+        ..Scene::default()
+    };
     let design = synthesise(&scene, Some(&target))?;
 
     let (law, cam) = (&design.cam.law, &design.cam);

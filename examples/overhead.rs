@@ -28,7 +28,7 @@ fn mean(rounds: usize, mut call: impl FnMut()) -> f64 {
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let scene = scene::read(&scene::DEFAULT.parse()?)?;
+    let scene = scene::parse(scene::DEFAULT)?;
     let synth_s = mean(2000, || {
         let gait = scene.gait.as_ref();
         let target = gait.and_then(|g| match &g.source {
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let _ = design.relaxed_with(&search);
         }
     });
-    let mut table: toml::Table = scene::DEFAULT.parse()?;
+    let mut table = scene::table(scene::DEFAULT)?;
     scene::set(&mut table, "law.family=harmonic")?;
     let axes = [
         "gait.step_frequency=1.5 Hz:2.4 Hz",

@@ -17,16 +17,21 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         SegmentSpec::new(Rise::ModifiedSine, -0.020, angle(90.0)),
         SegmentSpec::dwell(angle(90.0)),
     ]);
-    let cam = CamSpec::new(FollowerKind::RollerTranslating)
-        .with_prime_radius(0.050)
-        .with_offset(0.0)
-        .with_roller(0.010);
-    let scene = Scene::default()
-        .named("two dwells")
-        .with_drive(DriveSpec::fixed_axis(0.5, 2000.0).with_speed(10.0))
-        .with_law(law)
-        .with_cam(cam)
-        .with_limits(Limits::default().with(LimitKind::PressureAngle, angle(30.0)));
+    let scene = Scene {
+        name: "two dwells".to_string(),
+        drive: DriveSpec {
+            speed: Some(10.0),
+            ..DriveSpec::fixed_axis(0.5, 2000.0)
+        },
+        law,
+        cam: CamSpec {
+            prime_radius: Some(0.050),
+            roller_radius: 0.010,
+            ..CamSpec::new(FollowerKind::RollerTranslating)
+        },
+        limits: Limits::default().with(LimitKind::PressureAngle, angle(30.0)),
+        ..Scene::default()
+    };
     let design = synthesise(&scene, None)?;
 
     println!("{}: {}", design.name, design.verdict.name());

@@ -8,13 +8,18 @@ use gaitcam::scene::{CamSpec, Gait};
 use gaitcam::{Scene, simulate, synthesise};
 
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let walker = Gait::model("young")
-        .with_step_frequency(1.85)
-        .with_body_weight(700.0);
-    let scene = Scene::default()
-        .with_gait(walker)
-        .with_cam(CamSpec::default().with_bore(0.012))
-        .with_accuracy(0.005);
+    let scene = Scene {
+        gait: Some(Gait {
+            step_frequency: Some(1.85),
+            ..Gait::model("young")
+        }),
+        cam: CamSpec {
+            bore: Some(0.012),
+            ..CamSpec::default()
+        },
+        rms: Some(0.005),
+        ..Scene::default()
+    };
     let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 
     let run = Run::new(design.cam.clone(), design.drive, 1440);

@@ -28,11 +28,13 @@
 //! use gaitcam::scene::{CamSpec, Gait};
 //! use gaitcam::{LimitKind, Limits, Scene};
 //!
-//! let scene = Scene::default()
-//!     .with_gait(Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0))
-//!     .with_cam(CamSpec::default().with_bore(0.012))
-//!     .with_limits(Limits::default().with(LimitKind::Curvature, 0.005))
-//!     .with_accuracy(0.005);
+//! let scene = Scene {
+//!     gait: Some(Gait { step_frequency: Some(1.85), body_weight: Some(700.0), ..Gait::model("young") }),
+//!     cam: CamSpec { bore: Some(0.012), ..CamSpec::default() },
+//!     limits: Limits::default().with(LimitKind::Curvature, 0.005),
+//!     rms: Some(0.005),
+//!     ..Scene::default()
+//! };
 //! let design = scene.design()?;
 //!
 //! assert!(design.force.rms_error_percent_of_mean <= 0.5);

@@ -23,6 +23,8 @@ use crate::units::Quantity;
 #[non_exhaustive]
 #[allow(missing_docs)] // the fields are named in the messages
 pub enum SceneError {
+    /// The text is no TOML.
+    NotToml { line: usize, fault: String },
     /// The name cannot be that of an output folder.
     OutputName { typed: String },
     /// An unknown key, and the one that may be meant.

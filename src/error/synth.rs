@@ -14,7 +14,7 @@ use crate::units::Quantity;
 /// use gaitcam::{Scene, synthesise};
 ///
 /// // A scene that names a force wants one.
-/// let scene = Scene::default().with_gait(Gait::model("young"));
+/// let scene = Scene { gait: Some(Gait::model("young")), ..Scene::default() };
 /// let error = synthesise(&scene, None).unwrap_err();
 /// assert_eq!(error.fault(), Some(&SynthError::ForceNotRead));
 /// ```

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Scene, read};
+use super::{Scene, parse};
 use crate::error::{Error, Result, SceneError, nearest};
 
 /// A scene that comes with the program.
@@ -29,8 +29,7 @@ impl BuiltIn {
     /// # Errors
     /// None: the files are tested.
     pub fn scene(&self) -> Result<Scene> {
-        // What the program comes with is TOML.
-        read(&self.toml.parse().unwrap_or_default())
+        parse(self.toml)
     }
 }
 

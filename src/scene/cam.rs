@@ -11,7 +11,7 @@ const THICKNESS: f64 = 0.01;
 /// use gaitcam::FollowerKind;
 /// use gaitcam::scene::CamSpec;
 ///
-/// let cam = CamSpec::new(FollowerKind::RollerTranslating).with_roller(0.01).with_bore(0.012);
+/// let cam = CamSpec { roller_radius: 0.01, bore: Some(0.012), ..CamSpec::new(FollowerKind::RollerTranslating) };
 /// assert_eq!((cam.roller_radius, cam.hole().unwrap().radius()), (0.01, 0.006));
 /// assert!(cam.base_radius.is_none());
 /// ```
@@ -99,7 +99,7 @@ impl Default for CamSpec {
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
 ///
 /// // DIN 6885-1 gives a bore of 12 mm a keyway of 4 mm.
-/// let cam = CamSpec { keyway: Some(KeywaySpec::Auto), ..CamSpec::default().with_bore(0.012) };
+/// let cam = CamSpec { keyway: Some(KeywaySpec::Auto), bore: Some(0.012), ..CamSpec::default() };
 /// assert_eq!(cam.hole().unwrap().keyway.unwrap().width, 0.004);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,6 +111,15 @@ pub enum KeywaySpec {
 }
 
 impl CamSpec {
+    /// A cam for a kind of follower, its size to be found.
+    #[must_use]
+    pub fn new(follower: FollowerKind) -> CamSpec {
+        CamSpec {
+            follower,
+            ..CamSpec::default()
+        }
+    }
+
     /// The hole for the shaft; without a keyway where the standard has none for it.
     pub fn hole(&self) -> Option<Bore> {
         let diameter = self.bore?;

@@ -10,7 +10,7 @@ use crate::units::G;
 /// use gaitcam::drive::DriveKind;
 /// use gaitcam::scene::DriveSpec;
 ///
-/// let drive = DriveSpec::fixed_axis(0.5, 2000.0).with_preload(30.0).with_speed(10.0);
+/// let drive = DriveSpec { preload: 30.0, speed: Some(10.0), ..DriveSpec::fixed_axis(0.5, 2000.0) };
 /// assert_eq!((drive.kind, drive.preload, drive.speed), (DriveKind::FixedAxis, 30.0, Some(10.0)));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +52,37 @@ impl Default for DriveSpec {
 }
 
 impl DriveSpec {
+    /// A shaft block that rides on the cam with a mass, kg.
+    #[must_use]
+    pub fn moving_axis(mass: f64) -> DriveSpec {
+        DriveSpec {
+            mass: Some(mass),
+            ..DriveSpec::default()
+        }
+    }
+
+    /// A cam in a fixed bearing that lifts a mass, kg, against a spring, N/m.
+    #[must_use]
+    pub fn fixed_axis(mass: f64, spring_rate: f64) -> DriveSpec {
+        DriveSpec {
+            kind: DriveKind::FixedAxis,
+            mass: Some(mass),
+            spring_rate,
+            ..DriveSpec::default()
+        }
+    }
+
+    /// A piston of a radius, m, in a circuit of a pressure per displaced volume, Pa/m³.
+    #[must_use]
+    pub fn hydraulic(pressure_per_volume: f64, piston_radius: f64) -> DriveSpec {
+        DriveSpec {
+            kind: DriveKind::Hydraulic,
+            pressure_per_volume,
+            piston_radius,
+            ..DriveSpec::default()
+        }
+    }
+
     /// The kind of drive of a cam whose scene names none: only a disc that turns under a translating
     /// follower can carry its own shaft.
     pub fn usual_kind(cam: &CamSpec) -> DriveKind {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::error::{Error, Placed, Result};
-use crate::force::{Feet, Kind, OpenQuestion, ReadOptions};
+use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions};
 
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
@@ -29,7 +29,7 @@ pub enum Source {
 /// ```
 /// use gaitcam::scene::Gait;
 ///
-/// let gait = Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0);
+/// let gait = Gait { step_frequency: Some(1.85), ..Gait::model("young") };
 /// let force = gait.model_force()?.unwrap();
 /// assert!((force.mean_n() - 700.0).abs() < 1e-9);
 /// assert!((force.period_s - 1.0 / 1.85).abs() < 1e-15);
@@ -84,6 +84,12 @@ impl Gait {
         Gait::of(Source::Model(name.to_string()))
     }
 
+    /// The force that the caller hands over with the scene.
+    #[must_use]
+    pub fn given() -> Gait {
+        Gait::default()
+    }
+
     fn of(source: Source) -> Gait {
         Gait {
             source,
@@ -131,6 +137,21 @@ impl Gait {
         })
     }
 
+    /// The force of its load model; `None` for a recording, which somebody has to read.
+    ///
+    /// # Errors
+    /// An unknown model, or a frequency or weight that it is not made for.
+    pub fn model_force(&self) -> Result<Option<ForceCurve>> {
+        match &self.source {
+            Source::Model(name) => {
+                force::model(name, self.step_frequency, self.model_weight(), self.feet)
+                    .map(Some)
+                    .map_err(|e| e.at_key("gait.model"))
+            }
+            Source::File(_) => Ok(None),
+        }
+    }
+
     /// Whether it is a recording.
     pub fn is_recording(&self) -> bool {
         matches!(self.source, Source::File(_))
@@ -152,9 +173,9 @@ impl Default for Gait {
 /// use gaitcam::scene::{DriveSpec, ForceScale, Gait};
 ///
 /// // A machine of 7 kg shall feel the walker's force in proportion: its mean is M·g.
-/// let gait = Gait::model("young").with_step_frequency(1.85).with_scale(ForceScale::ToMass);
+/// let gait = Gait { step_frequency: Some(1.85), scale: ForceScale::ToMass, ..Gait::model("young") };
 /// let force = gait.model_force()?;
-/// let scene = Scene::default().with_gait(gait).with_drive(DriveSpec::moving_axis(7.0));
+/// let scene = Scene { gait: Some(gait), drive: DriveSpec::moving_axis(7.0), ..Scene::default() };
 /// let target = Problem::resolve(&scene, force.as_ref())?.target.unwrap();
 /// assert!((target.mean_n() - 7.0 * 9.81).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -195,9 +216,9 @@ impl ForceScale {
 /// use gaitcam::problem::Problem;
 /// use gaitcam::scene::{Band, Gait};
 ///
-/// let gait = Gait::model("young").with_step_frequency(1.85).with_band(Band::Width(20.0));
+/// let gait = Gait { step_frequency: Some(1.85), band: Some(Band::Width(20.0)), ..Gait::model("young") };
 /// let force = gait.model_force()?;
-/// let scene = Scene::default().with_gait(gait);
+/// let scene = Scene { gait: Some(gait), ..Scene::default() };
 /// let [low, high] = Problem::resolve(&scene, force.as_ref())?.band.unwrap();
 /// assert!((high.at(1.0) - low.at(1.0) - 40.0).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
@@ -217,10 +238,11 @@ pub enum Band {
 /// use gaitcam::{Problem, Scene};
 ///
 /// // The first half of the cycle counts four times.
-/// let weight = PhaseWeight { from: 0.0, to: std::f64::consts::PI, weight: 4.0 };
-/// let gait = Gait::model("young").with_step_frequency(1.85).with_weight(weight);
+/// let weights = vec![PhaseWeight { from: 0.0, to: std::f64::consts::PI, weight: 4.0 }];
+/// let gait = Gait { step_frequency: Some(1.85), weights, ..Gait::model("young") };
 /// let force = gait.model_force()?;
-/// let problem = Problem::resolve(&Scene::default().with_gait(gait), force.as_ref())?;
+/// let scene = Scene { gait: Some(gait), ..Scene::default() };
+/// let problem = Problem::resolve(&scene, force.as_ref())?;
 /// assert_eq!((problem.weight(1.0), problem.weight(4.0)), (4.0, 1.0));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -240,7 +262,6 @@ pub struct PhaseWeight {
 /// use gaitcam::scene::{Gait, Phase};
 ///
 /// assert_eq!(Gait::model("young").phase, Phase::At(0.0));
-/// assert_eq!(Gait::model("young").with_phase(Phase::Free).phase, Phase::Free);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {

@@ -60,19 +60,18 @@ impl Family {
 /// What the law is chosen for.
 ///
 /// ```
-/// use gaitcam::scene::{Dwell, Family, LawPoint, LawSpec, Minimise};
+/// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
 /// use gaitcam::{Scene, synthesise};
-/// use gaitcam::scene::DriveSpec;
 ///
 /// // 10 mm up and down with the least mean square acceleration.
-/// let law = LawSpec::of(Family::Spline)
-///     .minimising(Minimise::Energy(2))
-///     .through(LawPoint::at(0.0, 0.0))
-///     .through(LawPoint::at(std::f64::consts::PI, 0.01));
-/// let drive = DriveSpec::moving_axis(1.0).with_speed(6.0);
-/// let design = synthesise(&Scene::default().with_law(law).with_drive(drive), None)?;
+/// let law = LawSpec {
+///     minimise: Some(Minimise::Energy(2)),
+///     points: vec![LawPoint::at(0.0, 0.0), LawPoint::at(std::f64::consts::PI, 0.01)],
+///     ..LawSpec::default()
+/// };
+/// let drive = DriveSpec { speed: Some(6.0), ..DriveSpec::moving_axis(1.0) };
+/// let design = synthesise(&Scene { law, drive, ..Scene::default() }, None)?;
 /// assert!((design.cam.law.svaj(std::f64::consts::PI).s - 0.01).abs() < 1e-9);
-/// # let _ = Dwell::default();
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,20 +150,34 @@ pub struct LawPoint {
     pub jerk: Option<f64>,
 }
 
+impl LawPoint {
+    /// A lift at a cam angle.
+    #[must_use]
+    pub fn at(angle: f64, lift: f64) -> LawPoint {
+        LawPoint {
+            angle,
+            lift: Some(lift),
+            ..LawPoint::default()
+        }
+    }
+}
+
 /// A range of cam angles at rest.
 ///
 /// ```
-/// use gaitcam::scene::{DriveSpec, Dwell, Family, LawPoint, LawSpec, Minimise};
+/// use gaitcam::scene::{DriveSpec, Dwell, LawPoint, LawSpec, Minimise};
 /// use gaitcam::{Scene, synthesise};
 ///
 /// // At rest on the base circle over the last quarter of the turn.
 /// let (from, to) = (1.5 * std::f64::consts::PI, std::f64::consts::TAU);
-/// let law = LawSpec::of(Family::Spline)
-///     .minimising(Minimise::Energy(3))
-///     .through(LawPoint::at(2.0, 0.01))
-///     .resting(Dwell { from, to, lift: Some(0.0) });
-/// let drive = DriveSpec::moving_axis(1.0).with_speed(6.0);
-/// let design = synthesise(&Scene::default().with_law(law).with_drive(drive), None)?;
+/// let law = LawSpec {
+///     minimise: Some(Minimise::Energy(3)),
+///     points: vec![LawPoint::at(2.0, 0.01)],
+///     dwells: vec![Dwell { from, to, lift: Some(0.0) }],
+///     ..LawSpec::default()
+/// };
+/// let drive = DriveSpec { speed: Some(6.0), ..DriveSpec::moving_axis(1.0) };
+/// let design = synthesise(&Scene { law, drive, ..Scene::default() }, None)?;
 /// assert!(design.cam.law.svaj(5.5).s.abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -196,6 +209,24 @@ pub struct SegmentSpec {
     pub lift: f64,
     /// Angle, rad.
     pub angle: f64,
+}
+
+impl SegmentSpec {
+    /// A motion over a lift and an angle; a fall has a negative lift.
+    #[must_use]
+    pub fn new(motion: Rise, lift: f64, angle: f64) -> SegmentSpec {
+        SegmentSpec {
+            motion,
+            lift,
+            angle,
+        }
+    }
+
+    /// Rest over an angle.
+    #[must_use]
+    pub fn dwell(angle: f64) -> SegmentSpec {
+        SegmentSpec::new(Rise::Dwell, 0.0, angle)
+    }
 }
 
 /// What the law may be.
@@ -236,6 +267,24 @@ pub struct LawSpec {
 }
 
 impl LawSpec {
+    /// Laws of one family.
+    #[must_use]
+    pub fn of(family: Family) -> LawSpec {
+        LawSpec {
+            family,
+            ..LawSpec::default()
+        }
+    }
+
+    /// A programme of motions.
+    #[must_use]
+    pub fn program(segments: Vec<SegmentSpec>) -> LawSpec {
+        LawSpec {
+            segments,
+            ..LawSpec::of(Family::Program)
+        }
+    }
+
     /// The family of a scene that names none: the ladder, unless something is asked that only splines have.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());

@@ -14,7 +14,7 @@ const DAMPING_RATIO: f64 = 0.05;
 /// use gaitcam::scene::MachineSpec;
 ///
 /// // k = m (2πf)²
-/// let machine = MachineSpec::default().with_natural_frequency(50.0, 0.05);
+/// let machine = MachineSpec { natural_frequency: Some(50.0), ..MachineSpec::default() };
 /// let train = machine.train(&Drive::moving_axis(2.0, 9.81, 10.0))?.unwrap();
 /// let omega = std::f64::consts::TAU * 50.0;
 /// assert!((train.stiffness / (2.0 * omega * omega) - 1.0).abs() < 1e-12);

@@ -3,7 +3,6 @@
 //! Every key of a scene file is one row of the table in [`keys`]; reading, writing, changing, sweeping and
 //! relaxing a scene all go through that table.
 
-mod build;
 mod builtin;
 mod cam;
 mod drive;
@@ -30,9 +29,13 @@ pub use limits::Limits;
 pub use machine::MachineSpec;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use notes::SceneNote;
-pub use read::{read, read_keys};
+pub use read::{parse, read, read_keys, table};
 pub use rules::check;
 pub use set::{set, set_value};
+pub use {serde_json, toml};
+
+use crate::error::Result;
+use crate::force::ForceCurve;
 
 /// The whole problem. Values left `None` are `"auto"` or absent, as each field says.
 ///
@@ -41,13 +44,15 @@ pub use set::{set, set_value};
 /// use gaitcam::{LimitKind, Limits, Scene, scene};
 ///
 /// // The footbridge scene without its file.
-/// let made = Scene::default()
-///     .named("footbridge")
-///     .with_gait(Gait::model("young").with_step_frequency(1.85).with_body_weight(700.0))
-///     .with_law(LawSpec::default().with_degree(5))
-///     .with_cam(CamSpec::default().with_bore(0.012))
-///     .with_limits(Limits::default().with(LimitKind::Stroke, 0.06).with(LimitKind::Curvature, 0.005))
-///     .with_accuracy(0.005);
+/// let made = Scene {
+///     name: "footbridge".to_string(),
+///     gait: Some(Gait { step_frequency: Some(1.85), body_weight: Some(700.0), ..Gait::model("young") }),
+///     law: LawSpec { degree: Some(5), ..LawSpec::default() },
+///     cam: CamSpec { bore: Some(0.012), ..CamSpec::default() },
+///     limits: Limits::default().with(LimitKind::Stroke, 0.06).with(LimitKind::Curvature, 0.005),
+///     rms: Some(0.005),
+///     ..Scene::default()
+/// };
 /// assert_eq!(made, scene::built_in("footbridge")?.scene()?);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
@@ -84,5 +89,16 @@ impl Default for Scene {
             machine: MachineSpec::default(),
             rms: None,
         }
+    }
+}
+
+impl Scene {
+    /// The force of the load model that it names; `None` where it names none.
+    ///
+    /// # Errors
+    /// As [`Gait::model_force`].
+    pub fn model_force(&self) -> Result<Option<ForceCurve>> {
+        let force = self.gait.as_ref().map(Gait::model_force);
+        Ok(force.transpose()?.flatten())
     }
 }

@@ -6,6 +6,33 @@ use super::keys::{KEYS, Key, read_value};
 use super::{DriveSpec, Gait, Scene, rules};
 use crate::error::{Place, Placed, Result, SceneError, nearest};
 
+/// Reads a scene from the text of a scene file.
+///
+/// ```
+/// let scene = gaitcam::scene::parse("gait.model = \"young\"\nlimits.stroke = \"40 mm\"")?;
+/// assert_eq!(scene.limits[gaitcam::LimitKind::Stroke], Some(0.04));
+/// # Ok::<(), gaitcam::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Text that is no TOML, and as [`read`].
+pub fn parse(text: &str) -> Result<Scene> {
+    read(&table(text)?)
+}
+
+/// The table of a scene file's text, for those who change single values before they [`read`] it.
+///
+/// # Errors
+/// Text that is no TOML, with its line.
+pub fn table(text: &str) -> Result<Table> {
+    text.parse().map_err(|e: toml::de::Error| {
+        let start = e.span().map_or(0, |s| s.start.min(text.len()));
+        let line = text[..start].matches('\n').count() + 1;
+        let fault = e.message().replace('\n', ", ");
+        SceneError::NotToml { line, fault }.into()
+    })
+}
+
 /// Reads a scene from its table.
 ///
 /// # Errors

@@ -325,7 +325,7 @@ mod tests {
     use crate::synth::synthesise;
 
     fn design() -> Design {
-        let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+        let scene = scene::parse(scene::DEFAULT).unwrap();
         let target = crate::force::model("young", Some(1.85), 700.0, Feet::Both).unwrap();
         synthesise(&scene, Some(&target)).unwrap()
     }

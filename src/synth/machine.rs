@@ -26,10 +26,12 @@ const GIVEN_BACK: f64 = 1e-12;
 ///     SegmentSpec::new(Rise::SimpleHarmonic, 0.02, half),
 ///     SegmentSpec::new(Rise::SimpleHarmonic, -0.02, half),
 /// ]);
-/// let scene = Scene::default()
-///     .with_drive(DriveSpec::moving_axis(3.0).with_speed(10.0))
-///     .with_law(law)
-///     .with_cam(CamSpec::default().with_base_radius(0.02));
+/// let scene = Scene {
+///     drive: DriveSpec { speed: Some(10.0), ..DriveSpec::moving_axis(3.0) },
+///     law,
+///     cam: CamSpec { base_radius: Some(0.02), ..CamSpec::default() },
+///     ..Scene::default()
+/// };
 /// let machine = synthesise(&scene, None)?.machine();
 /// assert!((machine.liftoff_speed_rad_per_s.unwrap() / (9.81_f64 / 0.01).sqrt() - 1.0).abs() < 1e-6);
 /// # Ok::<(), gaitcam::error::Error>(())

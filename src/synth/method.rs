@@ -97,12 +97,13 @@ pub enum Ended {
 /// use gaitcam::{LimitKind, Limits, Scene, synthesise};
 ///
 /// // Harmonics that reach the accuracy need more stroke than is allowed: a spline takes over.
-/// let gait = Gait::model("young").with_step_frequency(1.85);
-/// let scene = Scene::default()
-///     .with_gait(gait)
-///     .with_law(LawSpec::of(Family::Ladder))
-///     .with_limits(Limits::default().with(LimitKind::Stroke, 0.045))
-///     .with_accuracy(0.005);
+/// let scene = Scene {
+///     gait: Some(Gait { step_frequency: Some(1.85), ..Gait::model("young") }),
+///     law: LawSpec::of(Family::Ladder),
+///     limits: Limits::default().with(LimitKind::Stroke, 0.045),
+///     rms: Some(0.005),
+///     ..Scene::default()
+/// };
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// assert_eq!(design.family, "spline");
 /// assert!(matches!(design.solver.passed_over[0], PassedOver::Check { .. } | PassedOver::Limits { .. } | PassedOver::Accuracy { .. }));

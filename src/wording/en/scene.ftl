@@ -1,4 +1,5 @@
 # What is wrong with a scene (src/scene/error.rs), and keys without effect (src/scene/notes.rs).
+scene-not-toml = not TOML in line { $line }: { $fault }
 scene-output-name = "{ $typed }" cannot name an output folder
     .help = use letters, digits, - and _
 scene-no-such-key = unknown key

@@ -1,4 +1,5 @@
 # Qué hay de incorrecto en una escena (src/scene/error.rs) y claves sin efecto (src/scene/notes.rs).
+scene-not-toml = no es TOML en la línea { $line }: { $fault }
 scene-output-name = «{ $typed }» no puede dar nombre a una carpeta de salida
     .help = use letras, cifras, - y _
 scene-no-such-key = clave desconocida

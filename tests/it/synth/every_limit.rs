@@ -47,7 +47,7 @@ fn every_limit_that_is_too_tight_has_a_check_that_fails() {
             LimitKind::FaceWidth => with_flat_face(),
             _ => RISE_AND_FALL.to_string(),
         };
-        let mut scene = scene::read(&text.parse().unwrap()).unwrap();
+        let mut scene = scene::parse(&text).unwrap();
         let key = keys::of_limit(kind).unwrap();
         let tight = match key.relax {
             Some(Relax::Up) => 1e-9,

@@ -96,7 +96,7 @@ fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
     let answer = design(&studio, &json!({"scene": DEFAULT}));
     let id = answer["id"].as_str().unwrap();
     let export = |name: &str| studio.get(&format!("/{}/export/{id}/{name}", studio.token));
-    let scene = gaitcam::scene::read(&DEFAULT.parse().unwrap()).unwrap();
+    let scene = gaitcam::scene::parse(DEFAULT).unwrap();
     let target =
         gaitcam::force::model("young", Some(1.85), 700.0, gaitcam::force::Feet::Both).unwrap();
     let own = gaitcam::synth::synthesise(&scene, Some(&target)).unwrap();
@@ -109,7 +109,7 @@ fn exported_tables_are_those_of_the_library_and_the_scene_reads_back() {
         gaitcam_output::csv::profile(&own, 1440).into_bytes()
     );
     let text = String::from_utf8(export("scene.toml").body).unwrap();
-    assert_eq!(gaitcam::scene::read(&text.parse().unwrap()).unwrap(), scene);
+    assert_eq!(gaitcam::scene::parse(&text).unwrap(), scene);
     for name in [
         "profile.dxf",
         "profile.svg",

@@ -65,7 +65,7 @@ fn ill_scaled_targets_are_followed_or_refused() {
             .collect();
         ForceCurve::from_samples("spike", 1.0, force).unwrap()
     };
-    let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+    let scene = scene::parse(scene::DEFAULT).unwrap();
     for size in [1e-9, 1e-3, 7e5] {
         match synthesise(&scene, Some(&spike(size))) {
             Ok(answer) => {
@@ -98,7 +98,7 @@ fn laws_join_across_the_turn() {
         .map(|i| 600.0 + 200.0 * f64::from(i) / 512.0)
         .collect();
     let target = ForceCurve::from_samples("saw", 1.0, step).unwrap();
-    let scene = scene::read(&scene::DEFAULT.parse().unwrap()).unwrap();
+    let scene = scene::parse(scene::DEFAULT).unwrap();
     let answer = synthesise(&scene, Some(&target)).unwrap();
     finite(&answer);
     assert!(answer.force.max_error_n < 200.0);
