@@ -4,6 +4,7 @@ use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::problem::Problem;
 use gaitcam::synth::contact_is_judged;
 use gaitcam::wording::Language;
+use gaitcam_output::simulation;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -118,7 +119,7 @@ impl Run {
     /// The findings, as ``gaitcam simulate --json`` prints them; SI, units in the names.
     #[getter]
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let mut json = self.outcome.json();
+        let mut json = simulation::json(&self.outcome);
         json["verdict"] = self.verdict.into();
         convert::json(py, &json)
     }
@@ -126,12 +127,12 @@ impl Run {
     /// One repetition of the motion at equal angles, as in ``dynamics.csv``.
     #[getter]
     fn table(&self) -> Table {
-        Table::of_numbers(self.outcome.columns())
+        Table::of_numbers(simulation::columns(&self.outcome))
     }
 
     fn _repr_html_(&self) -> String {
         let measures = gaitcam::cam::Measures::Translating;
-        let text = self.outcome.table(measures, Language::En);
+        let text = simulation::table(&self.outcome, measures, Language::En);
         let text = text.replace('&', "&amp;").replace('<', "&lt;");
         format!(
             "<p><b>{}</b>: {}</p><pre>{text}</pre>",

@@ -23,8 +23,6 @@ mod reason;
 #[doc(hidden)]
 pub mod recover;
 #[doc(hidden)]
-pub mod report;
-#[doc(hidden)]
 pub mod rigid;
 mod rows;
 mod run;

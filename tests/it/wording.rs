@@ -47,7 +47,6 @@ fn areas() -> Vec<(&'static str, &'static [&'static str])> {
         ("sweep", SweepError::VARIANTS),
         ("synth", SynthError::VARIANTS),
         ("write", WriteError::VARIANTS),
-        ("simulation", gaitcam::dynamics::report::LABELS),
     ]
 }
 

@@ -21,8 +21,8 @@ use gaitcam::synth::{self, Design, contact_is_judged};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
-use gaitcam_output::Timing;
 use gaitcam_output::report::{Running, html_of_run};
+use gaitcam_output::{Timing, simulation};
 
 const EXAMPLES: &str = "Examples:
   gaitcam simulate scenes/footbridge.toml
@@ -102,10 +102,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
         solve_s,
         total_s: start.elapsed().as_secs_f64(),
     };
-    let mut json = outcome.json();
+    let mut json = simulation::json(&outcome);
     json["verdict"] = design.verdict.name().into();
     let text = serde_json::to_string_pretty(&json).unwrap_or_default();
-    folder.write("dynamics.csv", outcome.csv().as_bytes())?;
+    folder.write("dynamics.csv", simulation::csv(&outcome).as_bytes())?;
     folder.write("simulation.json", text.as_bytes())?;
     let page = html_of_run(&design, time, &running, crate::console::language::current());
     folder.write("report.html", page.as_bytes())?;
@@ -124,7 +124,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
             "  {}",
             design.reason(crate::console::language::current())
         ));
-        print(&outcome.table(
+        print(&simulation::table(
+            &outcome,
             run.cam.follower.measures(),
             crate::console::language::current(),
         ));

@@ -16,6 +16,7 @@ pub mod parquet;
 mod plot;
 mod pose;
 pub mod report;
+pub mod simulation;
 mod words;
 
 pub use data::{csv, json, xlsx};

@@ -1,5 +1,5 @@
 use super::*;
-use crate::cam::{Cam, Measures};
+use crate::cam::Cam;
 use crate::drive::{Drive, DriveKind};
 use crate::dynamics::thesis;
 use crate::dynamics::{Face, ForceMargin, LiftoffMargin, Machine, ModelReason, Train, Vibration};
@@ -270,42 +270,6 @@ fn two_cams_strike_where_one_takes_over_from_the_other() {
         run.drive.speed = -thesis::SPEED;
         assert!(simulate(&run, model).is_ok());
     }
-}
-
-#[test]
-fn answers_have_the_keys_and_columns_that_were_promised() {
-    let mut run = scene(&thesis::eccentric(), 35.0);
-    run.machine.restitution = 0.5;
-    let out = simulate(&run, Model::Contact).unwrap();
-    let json = out.json();
-    let keys: Vec<&String> = json.as_object().unwrap().keys().collect();
-    assert_eq!(
-        keys,
-        [
-            "model",
-            "why",
-            "contact_lost",
-            "lost_fraction",
-            "force",
-            "torque",
-            "liftoff_speed_rad_per_s",
-            "settle_cycles",
-            "details"
-        ]
-    );
-    for key in ["min", "max", "rms_error_n"] {
-        assert!(json["force"].get(key).is_some());
-    }
-    for key in ["min", "max", "mean", "rms"] {
-        assert!(json["torque"][key].is_number());
-    }
-    let csv = out.csv();
-    assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
-    assert_eq!(csv.lines().count(), 1441);
-    assert!(
-        out.table(Measures::Translating, crate::wording::Language::En)
-            .contains("lift-off")
-    );
 }
 
 #[test]

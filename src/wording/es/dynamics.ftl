@@ -73,37 +73,3 @@ run-escapes = la masa se separa de la leva y nada la devuelve
 run-not-periodic = el movimiento no se repite en { $turns } vueltas y { $impacts } impactos
 run-swings = el seguidor oscila: elevación y separación son ángulos en rad, la fuerza es el momento respecto al pivote en N·m, y la masa, el muelle y la precarga del accionamiento actúan respecto al pivote; la fuerza normal está en N
 run-pair-distance = el par conjugado mantiene su distancia dentro de { $deviation }; donde la fuerza se vuelve negativa la soporta la segunda leva
-
-# La tabla de una simulación.
-simulation-model = modelo
-simulation-why = motivo
-simulation-contact = contacto
-simulation-contact-kept = mantenido durante toda la vuelta
-simulation-contact-lost = perdido durante el { $percent } % del movimiento
-simulation-force = fuerza
-simulation-error = error respecto al objetivo
-simulation-torque = par
-simulation-push = empuje
-simulation-torque-values = { $least } … { $most }, media { $mean }, RMS { $rms }
-simulation-pressure = presión
-simulation-pressure-values = { $pressure } en { $at }, semianchura { $width }, cortante máximo a { $depth } de profundidad
-simulation-lift-off = despegue
-simulation-never = a ninguna velocidad
-simulation-settles = régimen
-simulation-settled = { $turns ->
-        [0] en la primera vuelta
-        [one] después de { $turns } vuelta
-       *[other] después de { $turns } vueltas
-    }; se repite cada { $period ->
-        [one] vuelta
-       *[other] { $period } vueltas
-    }
-simulation-unsettled = no alcanzado en las vueltas simuladas
-simulation-impacts = impactos
-simulation-impact-values = { $count } en la simulación, el más rápido { $speed } en { $at }, rebote máximo { $bounce }
-simulation-next-model = modelo siguiente
-simulation-next-failed = { $model } no se pudo simular: { $fault }
-simulation-next-rms = , el error RMS en { $rms } N
-simulation-next-same = { $model } da lo mismo con cuatro decimales
-simulation-next-changes = { $model } cambiaría la fuerza mínima en { $least } N, la máxima en { $most } N{ $error }, la parte sin contacto en { $lost } %
-simulation-note = nota

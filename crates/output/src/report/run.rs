@@ -6,6 +6,7 @@ use super::{Card, Running, animation, cards, figures, heading, paragraph};
 use crate::figures::force::force_frame;
 use crate::figures::run::run_in;
 use crate::plot::layout::Layout;
+use crate::simulation::change;
 use crate::words::Words;
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::Outcome;
@@ -161,7 +162,7 @@ fn impacts(out: &mut String, measures: Measures, outcome: &Outcome, words: &Word
 
 fn remarks(out: &mut String, outcome: &Outcome, words: &Words) {
     let next = outcome.next.as_ref().map(|n| {
-        let difference = n.sentence(words.language());
+        let difference = change(n, words);
         words.fill("report-next-model", &[("difference", &difference)])
     });
     if outcome.notes.is_empty() && next.is_none() {

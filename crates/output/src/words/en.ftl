@@ -358,3 +358,37 @@ report-unbalance-force = force of the unbalance at this speed
 report-hole = hole that balances the cam
 report-hole-at = Ø { $diameter } at { $place }
 report-no-hole = none: no single round hole has the room
+
+# The table of a run.
+simulation-model = model
+simulation-why = why
+simulation-contact = contact
+simulation-contact-kept = kept over the whole turn
+simulation-contact-lost = lost for { $percent } % of the motion
+simulation-force = force
+simulation-error = error to target
+simulation-torque = torque
+simulation-push = push
+simulation-torque-values = { $least } … { $most }, mean { $mean }, RMS { $rms }
+simulation-pressure = pressure
+simulation-pressure-values = { $pressure } at { $at }, half-width { $width }, largest shear { $depth } deep
+simulation-lift-off = lift-off
+simulation-never = at no speed
+simulation-settles = settles
+simulation-settled = { $turns ->
+        [0] in the first turn
+        [one] after { $turns } turn
+       *[other] after { $turns } turns
+    }; repeats every { $period ->
+        [one] turn
+       *[other] { $period } turns
+    }
+simulation-unsettled = not within the turns run
+simulation-impacts = impacts
+simulation-impact-values = { $count } in the run, fastest { $speed } at { $at }, highest bounce { $bounce }
+simulation-next-model = next model
+simulation-next-failed = { $model } could not be run: { $fault }
+simulation-next-rms = , the RMS error by { $rms } N
+simulation-next-same = { $model } gives the same to four decimals
+simulation-next-changes = { $model } would change the smallest force by { $least } N, the largest by { $most } N{ $error }, the part without contact by { $lost } %
+simulation-note = note

@@ -363,3 +363,37 @@ report-unbalance-force = fuerza del desequilibrio a esta velocidad
 report-hole = agujero que equilibra la leva
 report-hole-at = Ø { $diameter } en { $place }
 report-no-hole = ninguno: no hay sitio para un solo agujero redondo
+
+# La tabla de una simulación.
+simulation-model = modelo
+simulation-why = motivo
+simulation-contact = contacto
+simulation-contact-kept = mantenido durante toda la vuelta
+simulation-contact-lost = perdido durante el { $percent } % del movimiento
+simulation-force = fuerza
+simulation-error = error respecto al objetivo
+simulation-torque = par
+simulation-push = empuje
+simulation-torque-values = { $least } … { $most }, media { $mean }, RMS { $rms }
+simulation-pressure = presión
+simulation-pressure-values = { $pressure } en { $at }, semianchura { $width }, cortante máximo a { $depth } de profundidad
+simulation-lift-off = despegue
+simulation-never = a ninguna velocidad
+simulation-settles = régimen
+simulation-settled = { $turns ->
+        [0] en la primera vuelta
+        [one] después de { $turns } vuelta
+       *[other] después de { $turns } vueltas
+    }; se repite cada { $period ->
+        [one] vuelta
+       *[other] { $period } vueltas
+    }
+simulation-unsettled = no alcanzado en las vueltas simuladas
+simulation-impacts = impactos
+simulation-impact-values = { $count } en la simulación, el más rápido { $speed } en { $at }, rebote máximo { $bounce }
+simulation-next-model = modelo siguiente
+simulation-next-failed = { $model } no se pudo simular: { $fault }
+simulation-next-rms = , el error RMS en { $rms } N
+simulation-next-same = { $model } da lo mismo con cuatro decimales
+simulation-next-changes = { $model } cambiaría la fuerza mínima en { $least } N, la máxima en { $most } N{ $error }, la parte sin contacto en { $lost } %
+simulation-note = nota

@@ -4,6 +4,7 @@ mod every_format;
 mod gait;
 mod pictures;
 mod report;
+mod simulation;
 mod summary;
 mod tables;
 mod words;

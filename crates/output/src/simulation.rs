@@ -1,0 +1,287 @@
+//! The outcome of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
+
+use crate::words::Words;
+use gaitcam::cam::Measures;
+use gaitcam::dynamics::{Difference, Impact, Outcome, Pressure, Row};
+use gaitcam::wording::Language;
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Names of the columns of `dynamics.csv`, in order.
+const COLUMNS: [&str; 10] = [
+    "theta_rad",
+    "contact_force_n",
+    "torque_nm",
+    "power_w",
+    "lift_m",
+    "gap_m",
+    "normal_force_n",
+    "sliding_m_per_s",
+    "entraining_m_per_s",
+    "side_thrust_n",
+];
+
+fn values(row: &Row) -> [f64; COLUMNS.len()] {
+    [
+        row.theta,
+        row.contact_force,
+        row.torque,
+        row.power,
+        row.lift,
+        row.gap,
+        row.normal_force,
+        row.sliding,
+        row.entraining,
+        row.side_thrust,
+    ]
+}
+
+/// The object that `gaitcam simulate --json` prints.
+pub fn json(outcome: &Outcome) -> Value {
+    let notes = outcome.notes.iter().map(|note| note.sentence(Language::En));
+    let notes: Vec<String> = notes.collect();
+    let impacts: Vec<Value> = outcome.impacts.iter().map(impact_json).collect();
+    json!({
+        "model": outcome.model.name(),
+        "why": outcome.why.sentence(Language::En),
+        "contact_lost": outcome.contact_lost,
+        "lost_fraction": outcome.lost_fraction,
+        "force": {
+            "min": outcome.force.min,
+            "max": outcome.force.max,
+            "rms_error_n": outcome.force.rms_error,
+        },
+        "torque": {
+            "min": outcome.torque.min,
+            "max": outcome.torque.max,
+            "mean": outcome.torque.mean,
+            "rms": outcome.torque.rms,
+        },
+        "liftoff_speed_rad_per_s": outcome.liftoff_speed,
+        "settle_cycles": outcome.settle_cycles,
+        "details": {
+            "period_turns": outcome.period_turns,
+            "impacts": impacts,
+            "hertz": outcome.hertz.map(pressure_json),
+            "next": outcome.next.as_ref().map(difference_json),
+            "profile_mismatch_m": outcome.profile_mismatch,
+            "law_mismatch_m": outcome.law_mismatch,
+            "notes": notes,
+        },
+    })
+}
+
+/// The columns of `dynamics.csv`.
+pub fn columns(outcome: &Outcome) -> Vec<(&'static str, Vec<f64>)> {
+    let column = |i: usize| outcome.rows.iter().map(|r| values(r)[i]).collect();
+    (COLUMNS.iter().enumerate())
+        .map(|(i, name)| (*name, column(i)))
+        .collect()
+}
+
+/// `dynamics.csv`: a header and one row per angle, numbers that read back exactly.
+pub fn csv(outcome: &Outcome) -> String {
+    let mut out = COLUMNS.join(",");
+    out.push('\n');
+    for row in &outcome.rows {
+        let cells: Vec<String> = values(row).iter().map(|x| format!("{x}")).collect();
+        out.push_str(&cells.join(","));
+        out.push('\n');
+    }
+    out
+}
+
+/// The results for people, in the units of the follower that ran.
+pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
+    let words = &Words::new(language);
+    let mut lines = vec![
+        ("simulation-model", words.name(outcome.model.name())),
+        ("simulation-why", outcome.why.sentence(language)),
+        ("simulation-contact", contact(outcome, words)),
+    ];
+    lines.extend(loads(outcome, measures, words));
+    lines.extend(motion(outcome, measures, words));
+    if let Some(next) = &outcome.next {
+        lines.push(("simulation-next-model", change(next, words)));
+    }
+    for note in &outcome.notes {
+        lines.push(("simulation-note", note.sentence(language)));
+    }
+    let lines: Vec<(String, String)> = lines
+        .into_iter()
+        .map(|(label, value)| (words.text(label), value))
+        .collect();
+    let width = lines.iter().map(|l| l.0.chars().count()).max().unwrap_or(0);
+    lines.iter().fold(String::new(), |mut out, (name, value)| {
+        // Writing to a String cannot fail.
+        let _ = writeln!(out, "{name:width$}  {value}");
+        out
+    })
+}
+
+fn contact(outcome: &Outcome, words: &Words) -> String {
+    if !outcome.contact_lost {
+        return words.text("simulation-contact-kept");
+    }
+    let percent = words.decimal(format!("{:.3}", 100.0 * outcome.lost_fraction));
+    words.fill("simulation-contact-lost", &[("percent", &percent)])
+}
+
+/// Force, its error, torque and pressure.
+fn loads(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
+    let force = measures.force().name;
+    let (low, high) = (outcome.force.min, outcome.force.max);
+    let range = words.decimal(format!("{low:.4} … {high:.4} {force}"));
+    let mut lines = vec![("simulation-force", range)];
+    if let Some(error) = outcome.force.rms_error {
+        let error = words.decimal(format!("{error:.4} {force} RMS"));
+        lines.push(("simulation-error", error));
+    }
+    let t = &outcome.torque;
+    let (label, unit) = match measures {
+        Measures::Straight => ("simulation-push", "N"),
+        Measures::Translating | Measures::Oscillating => ("simulation-torque", "N·m"),
+    };
+    let torque = [
+        ("least", &*words.decimal(format!("{:.5}", t.min))),
+        ("most", &*words.decimal(format!("{:.5} {unit}", t.max))),
+        ("mean", &*words.decimal(format!("{:.5}", t.mean + 0.0))),
+        ("rms", &*words.decimal(format!("{:.5}", t.rms))),
+    ];
+    lines.push((label, words.fill("simulation-torque-values", &torque)));
+    if let Some(p) = &outcome.hertz {
+        let c = &p.contact;
+        let pressure = [
+            (
+                "pressure",
+                &*words.decimal(format!("{:.1} MPa", 1e-6 * c.pressure)),
+            ),
+            ("at", &*words.decimal(measures.place(p.theta, 1))),
+            (
+                "width",
+                &*words.decimal(format!("{:.4} mm", 1e3 * c.half_width)),
+            ),
+            (
+                "depth",
+                &*words.decimal(format!("{:.4} mm", 1e3 * c.shear_depth)),
+            ),
+        ];
+        let text = words.fill("simulation-pressure-values", &pressure);
+        lines.push(("simulation-pressure", text));
+    }
+    lines
+}
+
+/// Lift-off, settling and impacts.
+fn motion(outcome: &Outcome, measures: Measures, words: &Words) -> Vec<(&'static str, String)> {
+    let liftoff = match outcome.liftoff_speed {
+        Some(w) => words.decimal(measures.speed_words(w, 6)),
+        None => words.text("simulation-never"),
+    };
+    let settles = match outcome.settle_cycles {
+        Some(turns) => {
+            let (turns, period) = (turns.to_string(), outcome.period_turns.to_string());
+            words.fill(
+                "simulation-settled",
+                &[("turns", &turns), ("period", &period)],
+            )
+        }
+        None => words.text("simulation-unsettled"),
+    };
+    let mut lines = vec![
+        ("simulation-lift-off", liftoff),
+        ("simulation-settles", settles),
+    ];
+    let bounce = outcome.impacts.iter().fold(0.0_f64, |m, i| m.max(i.height));
+    let fastest = outcome
+        .impacts
+        .iter()
+        .max_by(|a, b| a.speed.total_cmp(&b.speed));
+    if let Some(hit) = fastest {
+        let (lift, speed) = (measures.lift(0), measures.by_time(1).name);
+        let bounce = lift.after(&format!("{:.4}", lift.factor * bounce));
+        let impacts = [
+            ("count", &*outcome.impacts.len().to_string()),
+            (
+                "speed",
+                &*words.decimal(format!("{:.4} {speed}", hit.speed)),
+            ),
+            ("at", &*words.decimal(measures.place(hit.at, 2))),
+            ("bounce", &*words.decimal(bounce)),
+        ];
+        lines.push((
+            "simulation-impacts",
+            words.fill("simulation-impact-values", &impacts),
+        ));
+    }
+    lines
+}
+
+/// Changes of a force, N, or of the lost part below this are rounding.
+const LEAST_CHANGE: f64 = 5e-5;
+
+fn impact_json(hit: &Impact) -> Value {
+    json!({
+        "at_rad": hit.at,
+        "left_at_rad": hit.since,
+        "cam": hit.surface,
+        "speed_m_per_s": hit.speed,
+        "rebound_m_per_s": hit.pulse.rebound,
+        "height_m": hit.height,
+        "impulse_n_s": hit.pulse.impulse,
+    })
+}
+
+fn pressure_json(p: Pressure) -> Value {
+    json!({
+        "at_rad": p.theta,
+        "pressure_pa": p.contact.pressure,
+        "half_width_m": p.contact.half_width,
+        "shear_depth_m": p.contact.shear_depth,
+        "shear_pa": p.contact.shear,
+    })
+}
+
+fn difference_json(next: &Difference) -> Value {
+    json!({
+        "model": next.model.name(),
+        "force_min_change_n": next.force_min,
+        "force_max_change_n": next.force_max,
+        "rms_error_change_n": next.rms_error,
+        "lost_fraction_change": next.lost_fraction,
+        "failed": next.failed.as_ref().map(ToString::to_string),
+    })
+}
+
+/// What the next finer model would change.
+pub(crate) fn change(next: &Difference, words: &Words) -> String {
+    let model = &*words.name(next.model.name());
+    if let Some(fault) = &next.failed {
+        let fault = fault.sentence(words.language());
+        return words.fill(
+            "simulation-next-failed",
+            &[("model", model), ("fault", &fault)],
+        );
+    }
+    let same = next.force_min.abs().max(next.force_max.abs()) < LEAST_CHANGE
+        && next.rms_error.is_none_or(|e| e.abs() < LEAST_CHANGE)
+        && next.lost_fraction.abs() < LEAST_CHANGE;
+    if same {
+        return words.fill("simulation-next-same", &[("model", model)]);
+    }
+    let written = |x: f64| {
+        let sign = if x > 0.0 { "+" } else { "" };
+        format!("{sign}{}", words.decimal(format!("{x:.4}")))
+    };
+    let error = next.rms_error.map_or(String::new(), |e| {
+        words.fill("simulation-next-rms", &[("rms", &written(e))])
+    });
+    let values = [
+        ("model", model),
+        ("least", &*written(next.force_min)),
+        ("most", &*written(next.force_max)),
+        ("error", &*error),
+        ("lost", &*written(100.0 * next.lost_fraction)),
+    ];
+    words.fill("simulation-next-changes", &values)
+}
