@@ -1,6 +1,6 @@
 //! The outcome of a simulation: `simulation.json`, `dynamics.csv` and the table of the console.
 
-use crate::words::Words;
+use crate::words::{self, Words};
 use gaitcam::cam::Measures;
 use gaitcam::dynamics::{Difference, Impact, Outcome, Pressure, Row};
 use gaitcam::wording::Language;
@@ -93,7 +93,7 @@ pub fn csv(outcome: &Outcome) -> String {
 
 /// The results for people, in the units of the follower that ran.
 pub fn table(outcome: &Outcome, measures: Measures, language: Language) -> String {
-    let words = &Words::new(language);
+    let words = &words::words(language);
     let mut lines = vec![
         ("simulation-model", words.name(outcome.model.name())),
         ("simulation-why", outcome.why.sentence(language)),
