@@ -23,7 +23,13 @@ const INCH: f64 = 0.0254;
 /// A problem without force, demand or limit: these designs are not made from one.
 fn empty_problem() -> Arc<Problem> {
     let drive = DriveSpec::moving_axis(1.0).with_speed(1.0);
-    let problem = Problem::resolve(&Scene::default().with_drive(drive), None);
+    let problem = Problem::resolve(
+        &Scene {
+            drive,
+            ..Scene::default()
+        },
+        None,
+    );
     Arc::new(problem.unwrap())
 }
 
