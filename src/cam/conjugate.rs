@@ -154,64 +154,44 @@ fn half_turned(p: ProfilePoint) -> ProfilePoint {
 
 /// The second member's follower before its size is known: other side, other roller.
 fn opposite(first: &Follower, radius: f64) -> Result<Follower> {
-    Ok(match *first {
-        Follower::FlatTranslating { .. } => *first,
+    let mut second = *first;
+    match &mut second {
+        Follower::FlatTranslating { .. } => {}
         Follower::RollerTranslating {
-            prime_radius,
             offset,
+            roller_radius,
             ..
-        } => Follower::RollerTranslating {
-            prime_radius,
-            offset: -offset,
-            roller_radius: radius,
-        },
-        Follower::MushroomTranslating {
-            prime_radius,
+        }
+        | Follower::MushroomTranslating {
             offset,
+            arc_radius: roller_radius,
             ..
-        } => Follower::MushroomTranslating {
-            prime_radius,
-            offset: -offset,
-            arc_radius: radius,
-        },
+        } => {
+            *offset = -*offset;
+            *roller_radius = radius;
+        }
         Follower::RollerOscillating {
             pivot_distance,
-            arm,
-            prime_radius,
+            roller_radius,
             ..
-        } => Follower::RollerOscillating {
-            pivot_distance: -pivot_distance,
-            arm,
-            prime_radius,
-            roller_radius: radius,
-        },
-        Follower::MushroomOscillating {
+        }
+        | Follower::MushroomOscillating {
             pivot_distance,
-            arm,
-            prime_radius,
+            arc_radius: roller_radius,
             ..
-        } => Follower::MushroomOscillating {
-            pivot_distance: -pivot_distance,
-            arm,
-            prime_radius,
-            arc_radius: radius,
-        },
-        Follower::FlatOscillating {
-            pivot_distance,
-            face_offset,
-            base_radius,
-        } => Follower::FlatOscillating {
-            pivot_distance: -pivot_distance,
-            face_offset,
-            base_radius,
-        },
+        } => {
+            *pivot_distance = -*pivot_distance;
+            *roller_radius = radius;
+        }
+        Follower::FlatOscillating { pivot_distance, .. } => *pivot_distance = -*pivot_distance,
         Follower::TranslatingCam { .. } | Follower::Barrel { .. } => {
             return Err(CamError::NoConjugateOf {
                 follower: first.kind().name(),
             }
             .into());
         }
-    })
+    }
+    Ok(second)
 }
 
 fn no_conjugate(second: &Cam, reach: f64, total: f64) -> CamError {

@@ -26,7 +26,7 @@ pub use bore::{Bore, Keyway};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
-pub use follower::{Follower, FollowerKind, Measures, Unit};
+pub use follower::{Arm, Follower, FollowerKind, Measures, Unit};
 pub use hardness::{Hardness, HardnessScale};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};

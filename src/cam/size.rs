@@ -144,11 +144,9 @@ pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
         law: cam.law.clone(),
         follower: cam.follower.with_base_radius(base),
     };
-    let unit = match cam.follower {
-        Follower::RollerOscillating { pivot_distance, .. }
-        | Follower::MushroomOscillating { pivot_distance, .. }
-        | Follower::FlatOscillating { pivot_distance, .. } => pivot_distance.abs(),
-        _ => cam.law.stroke().max(cam.follower.roller_radius()),
+    let unit = match cam.follower.pivot() {
+        Some([x, _]) => x.abs(),
+        None => cam.law.stroke().max(cam.follower.roller_radius()),
     };
     let mut bad = 0.0;
     let found = (-40..GROWTHS - 40).find_map(|k| {

@@ -100,7 +100,41 @@ pub enum Follower {
     },
 }
 
+/// The arm of a follower that touches the cam with a circle, m.
+///
+/// ```
+/// use gaitcam::cam::Follower;
+///
+/// let follower = Follower::RollerOscillating { pivot_distance: -0.08, arm: 0.07, prime_radius: 0.05, roller_radius: 0.01 };
+/// let arm = follower.arm().unwrap();
+/// assert_eq!((arm.pivot, arm.length), (-0.08, 0.07));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arm {
+    /// Distance c of the pivot, which lies at (c, 0); negative when it lies on −x.
+    pub pivot: f64,
+    /// Length A from the pivot to the centre of the roller or arc.
+    pub length: f64,
+}
+
 impl Follower {
+    /// The arm of an oscillating roller or mushroom.
+    pub fn arm(&self) -> Option<Arm> {
+        match *self {
+            Follower::RollerOscillating {
+                pivot_distance: pivot,
+                arm: length,
+                ..
+            }
+            | Follower::MushroomOscillating {
+                pivot_distance: pivot,
+                arm: length,
+                ..
+            } => Some(Arm { pivot, length }),
+            _ => None,
+        }
+    }
+
     /// Radius of the base circle, the largest circle about the centre inside the profile's dwell at
     /// s = 0; the base height of a translating cam, the radius of a barrel.
     pub fn base_radius(&self) -> f64 {
@@ -195,22 +229,18 @@ impl Follower {
     pub(super) fn with_start_place(&self, start: f64) -> Option<Follower> {
         let radius = self.roller_radius();
         let flat_arm = matches!(self, Follower::FlatOscillating { .. });
-        let base = match *self {
-            Follower::RollerOscillating {
-                pivot_distance: c,
-                arm,
-                ..
+        let base = match (*self, self.arm()) {
+            (_, Some(Arm { pivot: c, length })) => {
+                (length * length + c * c - 2.0 * length * c.abs() * start.cos()).sqrt() - radius
             }
-            | Follower::MushroomOscillating {
-                pivot_distance: c,
-                arm,
-                ..
-            } => (arm * arm + c * c - 2.0 * arm * c.abs() * start.cos()).sqrt() - radius,
-            Follower::FlatOscillating {
-                pivot_distance,
-                face_offset,
-                ..
-            } => face_offset + pivot_distance.abs() * start.sin(),
+            (
+                Follower::FlatOscillating {
+                    pivot_distance,
+                    face_offset,
+                    ..
+                },
+                None,
+            ) => face_offset + pivot_distance.abs() * start.sin(),
             _ => start.hypot(self.offset()) - radius,
         };
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
@@ -219,23 +249,12 @@ impl Follower {
     /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. Not a number when the arm
     /// cannot reach ([`Cam::check`](super::Cam::check) says so).
     pub fn start_angle(&self) -> Option<f64> {
+        if let Some(Arm { pivot, length }) = self.arm() {
+            let (c, prime) = (pivot.abs(), self.prime_radius());
+            let cos = (length * length + c * c - prime * prime) / (2.0 * length * c);
+            return Some(cos.acos());
+        }
         match *self {
-            Follower::RollerOscillating {
-                pivot_distance,
-                arm,
-                prime_radius,
-                ..
-            }
-            | Follower::MushroomOscillating {
-                pivot_distance,
-                arm,
-                prime_radius,
-                ..
-            } => {
-                let c = pivot_distance.abs();
-                let cos = (arm * arm + c * c - prime_radius * prime_radius) / (2.0 * arm * c);
-                Some(cos.acos())
-            }
             Follower::FlatOscillating {
                 pivot_distance,
                 face_offset,

@@ -1,7 +1,7 @@
 //! Whether a follower can do what its law asks: what no cam could mend is refused here.
 
 use super::Geometry;
-use crate::cam::{Cam, Follower};
+use crate::cam::{Arm, Cam, Follower};
 use crate::error::{ArmFault, CamError, CamLength, Result};
 use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -17,13 +17,9 @@ impl Cam {
     /// The length or angle at fault, as a [`CamError`].
     pub fn check(&self) -> Result<()> {
         self.check_beside()?;
-        match self.follower {
-            Follower::RollerOscillating { pivot_distance, .. }
-            | Follower::MushroomOscillating { pivot_distance, .. }
-            | Follower::FlatOscillating { pivot_distance, .. } => {
-                self.check_pivot(pivot_distance.abs())
-            }
-            _ => Ok(()),
+        match self.follower.pivot() {
+            Some([x, _]) => self.check_pivot(x.abs()),
+            None => Ok(()),
         }
     }
 
@@ -35,25 +31,11 @@ impl Cam {
     pub fn check_beside(&self) -> Result<()> {
         check_lengths(&self.follower)?;
         let (low, high) = Follower::lift_range(&self.law);
+        if let Some(Arm { pivot, length }) = self.follower.arm() {
+            self.check_reach(pivot.abs(), length)?;
+            return self.check_swing(low, high, 0.0, PI);
+        }
         match self.follower {
-            Follower::FlatTranslating { .. } => self.check_above_centre(low),
-            Follower::RollerTranslating { .. } | Follower::MushroomTranslating { .. } => {
-                self.check_offset()?;
-                self.check_above_centre(low)
-            }
-            Follower::RollerOscillating {
-                pivot_distance,
-                arm,
-                ..
-            }
-            | Follower::MushroomOscillating {
-                pivot_distance,
-                arm,
-                ..
-            } => {
-                self.check_reach(pivot_distance.abs(), arm)?;
-                self.check_swing(low, high, 0.0, PI)
-            }
             Follower::FlatOscillating {
                 pivot_distance,
                 face_offset,
@@ -73,6 +55,10 @@ impl Cam {
                 self.check_arm_speed(pivot_distance.signum())
             }
             Follower::TranslatingCam { .. } | Follower::Barrel { .. } => Ok(()),
+            _ => {
+                self.check_offset()?;
+                self.check_above_centre(low)
+            }
         }
     }
 
@@ -203,26 +189,14 @@ fn check_lengths(follower: &Follower) -> Result<()> {
         }
         .into());
     }
+    if let Some([x, _]) = follower.pivot() {
+        positive(CamLength::PivotDistance, x.abs())?;
+    }
+    if let Some(arm) = follower.arm() {
+        positive(CamLength::Arm, arm.length)?;
+    }
     match *follower {
-        Follower::RollerOscillating {
-            pivot_distance,
-            arm,
-            ..
-        }
-        | Follower::MushroomOscillating {
-            pivot_distance,
-            arm,
-            ..
-        } => {
-            positive(CamLength::PivotDistance, pivot_distance.abs())?;
-            positive(CamLength::Arm, arm)?;
-        }
-        Follower::FlatOscillating {
-            pivot_distance,
-            face_offset,
-            ..
-        } => {
-            positive(CamLength::PivotDistance, pivot_distance.abs())?;
+        Follower::FlatOscillating { face_offset, .. } => {
             if !face_offset.is_finite() {
                 return Err(CamError::NotFinite {
                     length: CamLength::FaceOffset,

@@ -28,9 +28,9 @@ impl Cam {
         let geometry = Geometry::new(&self.follower);
         let (low, high) = match geometry {
             // tan φ = v/scale is linear in the law: exact roots.
-            Geometry::Unrolled { scale, .. } => {
-                self.law.extremes_of([0.0, 1.0 / scale, 0.0, 0.0], 0.0)
-            }
+            Geometry::Unrolled(unrolled) => self
+                .law
+                .extremes_of([0.0, 1.0 / unrolled.scale, 0.0, 0.0], 0.0),
             _ => self.extremes_of(|at| geometry.contact(at).tan_pressure),
         };
         let angle = |e: Extreme| Extreme {

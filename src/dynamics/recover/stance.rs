@@ -1,6 +1,6 @@
 //! Where a follower stands whose contact with the cam is a given point: its lift and the lift's slope.
 
-use crate::cam::{Follower, ProfilePoint};
+use crate::cam::{Arm, Follower, ProfilePoint};
 
 /// Whether a contact point alone tells the slope; a knife edge touches whatever the slope is.
 pub fn slopes_known(follower: &Follower) -> bool {
@@ -29,16 +29,9 @@ pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f6
         Follower::RollerTranslating { .. } | Follower::MushroomTranslating { .. } => {
             above(p, follower.offset(), radius, follower.start_height())
         }
-        Follower::RollerOscillating {
-            pivot_distance,
-            arm,
-            ..
+        Follower::RollerOscillating { .. } | Follower::MushroomOscillating { .. } => {
+            on_arm(follower, p)?
         }
-        | Follower::MushroomOscillating {
-            pivot_distance,
-            arm,
-            ..
-        } => on_arm(follower, p, pivot_distance, arm)?,
         Follower::TranslatingCam { base_height, .. } => {
             unrolled(p, base_height + radius, radius, 1.0)
         }
@@ -70,7 +63,8 @@ fn unrolled(p: [f64; 2], rest: f64, radius: f64, scale: f64) -> (f64, f64) {
 
 /// A circle at the end of an arm: its centre lies on the circle about the pivot, a radius away from `p`
 /// on the side of growing ξ; with its normal n the slope is (J·C)·n/(C′·n).
-fn on_arm(follower: &Follower, p: [f64; 2], pivot: f64, arm: f64) -> Option<(f64, f64)> {
+fn on_arm(follower: &Follower, p: [f64; 2]) -> Option<(f64, f64)> {
+    let Arm { pivot, length: arm } = follower.arm()?;
     let side = pivot.signum();
     let radius = follower.roller_radius();
     let away = [-side * (p[0] - pivot), p[1]];

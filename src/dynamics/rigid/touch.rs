@@ -7,7 +7,7 @@
 //! T = Q·v. For an arm Q is the moment about its pivot, N·m, and v is in rad/rad; for a slide T is the
 //! push along its travel, N.
 
-use crate::cam::{Cam, Follower};
+use crate::cam::{Arm, Cam, Follower};
 use crate::law::Svaj;
 
 /// What happens in the contact at one cam angle.
@@ -123,6 +123,16 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 fn place(follower: &Follower, at: Svaj) -> Place {
+    if let Some(Arm { pivot: c, length }) = follower.arm() {
+        let side = c.signum();
+        let (sin, cos) = (follower.start_angle().unwrap_or(0.0) + at.s).sin_cos();
+        let centre = [c - side * length * cos, length * sin];
+        let (first, second) = (
+            [side * length * sin, length * cos],
+            [side * length * cos, -length * sin],
+        );
+        return circle(follower, at, centre, first, second, Some(c));
+    }
     match *follower {
         Follower::FlatTranslating { base_radius } => {
             let d = base_radius + at.s;
@@ -143,28 +153,9 @@ fn place(follower: &Follower, at: Svaj) -> Place {
         } => swinging_face(follower, at, pivot_distance, face_offset),
         Follower::TranslatingCam { .. } => unrolled(follower, at, 1.0),
         Follower::Barrel { radius, .. } => unrolled(follower, at, radius),
-        Follower::RollerTranslating { .. } | Follower::MushroomTranslating { .. } => {
+        _ => {
             let centre = [follower.offset(), follower.start_height() + at.s];
             circle(follower, at, centre, [0.0, 1.0], [0.0, 0.0], None)
-        }
-        Follower::RollerOscillating {
-            pivot_distance: c,
-            arm,
-            ..
-        }
-        | Follower::MushroomOscillating {
-            pivot_distance: c,
-            arm,
-            ..
-        } => {
-            let side = c.signum();
-            let (sin, cos) = (follower.start_angle().unwrap_or(0.0) + at.s).sin_cos();
-            let centre = [c - side * arm * cos, arm * sin];
-            let (first, second) = (
-                [side * arm * sin, arm * cos],
-                [side * arm * cos, -arm * sin],
-            );
-            circle(follower, at, centre, first, second, Some(c))
         }
     }
 }

@@ -1,0 +1,184 @@
+//! The contact formulas of each kind of follower.
+
+use super::{Contact, Contacts};
+use crate::law::{BATCH, Batch, Svaj};
+
+/// A kind of follower, by its contact with the cam.
+pub trait Kind {
+    /// The contact at lift, velocity and acceleration.
+    fn contact(&self, motion: [f64; 3]) -> Contact;
+
+    /// The contacts of a batch, with tangents in place of pressure angles.
+    #[inline(always)]
+    fn contacts(&self, batch: &Batch, out: &mut Contacts) {
+        for k in 0..BATCH {
+            out.set(k, self.contact([batch.s[k], batch.v[k], batch.a[k]]));
+        }
+    }
+}
+
+/// A flat face that translates.
+#[derive(Debug, Clone, Copy)]
+pub struct Flat {
+    pub base: f64,
+}
+
+impl Kind for Flat {
+    #[inline(always)]
+    fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
+        let height = self.base + s;
+        let point = [v, height];
+        Contact {
+            point,
+            pitch: point,
+            rho: height + a,
+            tan_pressure: 0.0,
+        }
+    }
+}
+
+/// Circle on a slide: C = (e, D + s), so t = (D + s, v − e) and t′ = (2v − e, a − D − s).
+#[derive(Debug, Clone, Copy)]
+pub struct Circle {
+    /// D.
+    pub rise: f64,
+    /// e.
+    pub offset: f64,
+    pub radius: f64,
+}
+
+impl Kind for Circle {
+    #[inline(always)]
+    fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
+        let (x, y) = (self.rise + s, v - self.offset);
+        let square = x * x + y * y;
+        let length = square.sqrt();
+        let bend = y * (2.0 * v - self.offset) - x * (a - x);
+        let unit = self.radius / length;
+        Contact {
+            point: [self.offset + y * unit, x - x * unit],
+            pitch: [self.offset, x],
+            rho: square * length / bend - self.radius,
+            tan_pressure: y / x,
+        }
+    }
+}
+
+/// Translating cam (scale 1) and unrolled barrel (scale = its radius): pitch curve (scale·θ, base + s).
+#[derive(Debug, Clone, Copy)]
+pub struct Unrolled {
+    pub scale: f64,
+    pub base: f64,
+    pub radius: f64,
+}
+
+impl Kind for Unrolled {
+    #[inline(always)]
+    fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
+        let slope = v / self.scale;
+        let square = 1.0 + slope * slope;
+        let length = square.sqrt();
+        let unit = self.radius / length;
+        let height = self.base + s;
+        let rho = -square * length * self.scale * self.scale / a - self.radius;
+        Contact {
+            point: [slope * unit, height - unit],
+            pitch: [0.0, height],
+            rho: if a == 0.0 { f64::INFINITY } else { rho },
+            tan_pressure: slope,
+        }
+    }
+}
+
+impl Unrolled {
+    /// Signed curvature of the pitch curve, 1/m.
+    pub fn pitch_curvature(&self, at: Svaj) -> f64 {
+        let slope = at.v / self.scale;
+        let square = 1.0 + slope * slope;
+        -at.a / (self.scale * self.scale * square * square.sqrt())
+    }
+}
+
+/// Flat face on an arm: n = (σ sin ξ, cos ξ) at ψ = π/2 − σξ − θ, p = f + c sin ξ.
+#[derive(Debug, Clone, Copy)]
+pub struct FlatOnArm {
+    /// c, without its sign.
+    pub pivot: f64,
+    /// σ: +1 for a pivot on +x, −1 on −x.
+    pub side: f64,
+    /// f.
+    pub offset: f64,
+    /// ξ at s = 0.
+    pub start: f64,
+}
+
+impl Kind for FlatOnArm {
+    #[inline(always)]
+    fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
+        let (pivot, side, offset) = (self.pivot, self.side, self.offset);
+        let (sin, cos) = (self.start + s).sin_cos();
+        let v = side * v;
+        let speed = 1.0 / (1.0 + v);
+        let p = offset + pivot * sin;
+        // dp/dψ, along n⊥ = (−cos ξ, σ sin ξ).
+        let along = -side * pivot * cos * v * speed;
+        let rho = offset + pivot * (sin * (1.0 + 2.0 * v) + cos * a * speed) * speed * speed;
+        let point = [side * p * sin - along * cos, p * cos + along * side * sin];
+        Contact {
+            point,
+            pitch: point,
+            rho,
+            // From the foot of the pivot on the face the contact lies c cos ξ/(1 + σξ′) along it.
+            tan_pressure: side * offset / (pivot * cos * speed) + 0.0,
+        }
+    }
+}
+
+impl FlatOnArm {
+    /// Place of the contact along the face from the foot of the pivot, m.
+    pub fn travel(&self, at: Svaj) -> f64 {
+        self.pivot * (self.start + at.s).cos() / (1.0 + self.side * at.v)
+    }
+}
+
+/// Circle on an arm: C = (σ(c − A cos ξ), A sin ξ).
+#[derive(Debug, Clone, Copy)]
+pub struct CircleOnArm {
+    /// c, without its sign.
+    pub pivot: f64,
+    /// σ: +1 for a pivot on +x, −1 on −x.
+    pub side: f64,
+    /// A.
+    pub arm: f64,
+    /// ξ at s = 0.
+    pub start: f64,
+    pub radius: f64,
+}
+
+impl Kind for CircleOnArm {
+    #[inline(always)]
+    fn contact(&self, [s, v, a]: [f64; 3]) -> Contact {
+        let (side, arm) = (self.side, self.arm);
+        let (sin, cos) = (self.start + s).sin_cos();
+        let (x, y) = (side * (self.pivot - arm * cos), arm * sin);
+        let (x1, y1) = (side * arm * sin * v, arm * cos * v);
+        let square_v = v * v;
+        let x2 = side * arm * (cos * square_v + sin * a);
+        let y2 = arm * (cos * a - sin * square_v);
+        let t = [x1 + y, y1 - x];
+        let rate = [x2 + 2.0 * y1 - x, y2 - 2.0 * x1 - y];
+        let square = t[0] * t[0] + t[1] * t[1];
+        let length = square.sqrt();
+        let bend = t[1] * rate[0] - t[0] * rate[1];
+        let unit = self.radius / length;
+        // Motion (σ sin ξ, cos ξ) against the normal (−t₁, t₀).
+        let push = t[0] * cos - side * t[1] * sin;
+        let lean = side * t[0] * sin + t[1] * cos;
+        Contact {
+            point: [x + t[1] * unit, y - t[0] * unit],
+            pitch: [x, y],
+            rho: square * length / bend - self.radius,
+            tan_pressure: lean / push,
+        }
+    }
+}
