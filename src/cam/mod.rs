@@ -6,13 +6,11 @@
 
 mod barrel;
 mod body;
-mod bore;
 mod checks;
 mod conjugate;
 mod continuity;
 mod follower;
 mod geometry;
-mod hardness;
 mod inspect;
 mod interference;
 mod making;
@@ -22,15 +20,13 @@ mod size;
 pub use crate::criterion::{Criterion, LimitKind};
 pub use barrel::{BarrelGroove, Rollers, Wall};
 pub use body::{Hole, LEAST_WALL, PlanArea};
-pub use bore::{Bore, Keyway};
 pub use checks::{Check, Curvature, Verdict};
 pub use conjugate::{Closure, Conjugate};
 pub use continuity::Continuity;
 pub use follower::{Arm, Follower, FollowerKind, Measures, Unit};
-pub use hardness::{Hardness, HardnessScale};
 pub use inspect::{Deviation, FEWEST as FEWEST_MEASURED, Inspection};
 pub use interference::{Body, Interference};
-pub use making::{Hub, Making};
+pub use making::{Bore, Hardness, HardnessScale, Hub, Keyway, Making};
 pub use profile::ProfilePoint;
 pub use size::{
     PrimeCircle, SizeLimits, smallest_base_radius, smallest_for, smallest_prime_circle,

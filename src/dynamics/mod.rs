@@ -10,21 +10,17 @@
 //! `choose` picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
 //! the end of a compliant follower moves as wanted.
 
-mod choose;
 #[doc(hidden)]
 pub mod contact;
 #[doc(hidden)]
 pub mod flexible;
-mod models;
 mod outcome;
 mod piecewise_force;
-mod prepared;
 mod reason;
 #[doc(hidden)]
 pub mod recover;
 #[doc(hidden)]
 pub mod rigid;
-mod rows;
 mod run;
 mod simulate;
 #[doc(hidden)]

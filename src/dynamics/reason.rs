@@ -3,9 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::prepared::Prepared;
-use crate::cam::Measures;
-use crate::units::{Dimension, Quantity};
+use crate::units::Quantity;
 use crate::wording::{self, Language};
 
 /// The numbers that decided for a model.
@@ -206,13 +204,4 @@ impl RunNote {
     pub fn sentence(&self, language: Language) -> String {
         wording::sentence(language, "run", self)
     }
-}
-
-/// A contact force, or the moment of an arm.
-pub(super) fn load(p: &Prepared, value: f64) -> Quantity {
-    let dimension = match p.measures {
-        Measures::Oscillating => Dimension::Torque,
-        _ => Dimension::Force,
-    };
-    Quantity::new(value, dimension)
 }

@@ -4,15 +4,10 @@
 //! relaxing a scene all go through that table.
 
 mod builtin;
-mod cam;
-mod drive;
-mod gait;
 pub mod keys;
-mod law;
-mod limits;
-mod machine;
 mod motion_file;
 mod notes;
+mod parts;
 mod read;
 mod rules;
 mod set;
@@ -20,15 +15,13 @@ mod write;
 
 pub use crate::cam::LimitKind;
 pub use builtin::{BuiltIn, DEFAULT, SCENES, built_in, built_in_file};
-pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
-pub use drive::DriveSpec;
-pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
 pub use keys::schema;
-pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
-pub use limits::Limits;
-pub use machine::MachineSpec;
 pub use motion_file::{LARGEST_MOTION, motion_files, with_motions};
 pub use notes::SceneNote;
+pub use parts::{
+    Band, CamSpec, ConjugateSpec, DriveSpec, Dwell, Family, ForceScale, Gait, KeywaySpec, LawPoint,
+    LawSpec, Limits, MachineSpec, Minimise, Phase, PhaseWeight, SegmentSpec, Source, Weigh,
+};
 pub use read::{parse, read, read_keys, table};
 pub use rules::check;
 pub use set::{set, set_value};

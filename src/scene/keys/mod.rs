@@ -7,6 +7,7 @@
 mod field;
 mod kind;
 mod list;
+mod read;
 mod row;
 mod schema;
 mod special;
@@ -17,11 +18,12 @@ use super::LimitKind;
 
 pub use kind::{Idle, Kind, Measure, Range, Relax};
 pub use list::{json, markdown, takes};
+pub(super) use read::read as read_value;
 pub use row::Key;
 pub use schema::schema;
 pub use table::KEYS;
 pub use value::Value;
-pub(super) use value::{read as read_value, shown};
+pub(super) use value::shown;
 
 /// The row of a key; entries of lists go by number or by the letter N: `law.segment.2.lift`, `law.segment.N.lift`.
 pub fn find(path: &str) -> Option<&'static Key> {

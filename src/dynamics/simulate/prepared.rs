@@ -1,15 +1,15 @@
 //! The emitted cam as the models see it.
 
-use super::contact::impact::check_restitution;
-use super::contact::two_cams::{envelope, shifted};
-use super::reason::RunNote;
-use super::recover::{Cycle, recover_cam};
-use super::rigid;
-use super::rigid::hertz::Material;
-use super::rigid::touch::{held, rubs, touch};
-use super::run::Run;
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
+use crate::dynamics::contact::impact::check_restitution;
+use crate::dynamics::contact::two_cams::{envelope, shifted};
+use crate::dynamics::reason::RunNote;
+use crate::dynamics::recover::{Cycle, recover_cam};
+use crate::dynamics::rigid;
+use crate::dynamics::rigid::hertz::Material;
+use crate::dynamics::rigid::touch::{held, rubs, touch};
+use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 

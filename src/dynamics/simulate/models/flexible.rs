@@ -3,9 +3,9 @@
 use super::note_other_side;
 use crate::dynamics::flexible;
 use crate::dynamics::outcome::{Force, Model, Outcome};
-use crate::dynamics::prepared::Prepared;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
+use crate::dynamics::simulate::prepared::Prepared;
 use crate::error::{DynamicsError, Result};
 
 pub fn flexible_run(input: &Run, p: &Prepared) -> Result<Outcome> {

@@ -1,13 +1,13 @@
 //! `--model auto`: the least model that is enough, and the numbers that say so.
 
-use super::flexible::Train;
 use super::models::{contact_run, flexible_run, rigid_run};
-use super::outcome::{Difference, Model, Outcome};
 use super::prepared::Prepared;
-use super::reason::{ForceMargin, LiftoffMargin, ModelReason, Vibration, load};
-use super::recover::Cycle;
-use super::run::Run;
 use crate::cam::Measures;
+use crate::dynamics::flexible::Train;
+use crate::dynamics::outcome::{Difference, Model, Outcome};
+use crate::dynamics::reason::{ForceMargin, LiftoffMargin, ModelReason, Vibration};
+use crate::dynamics::recover::Cycle;
+use crate::dynamics::run::Run;
 use crate::error::Result;
 use crate::poly::amplitudes;
 use crate::units::{Dimension, Quantity};
@@ -51,7 +51,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     if ringing > RIGID_ENOUGH {
         let mut out = flexible_run(input, p)?;
         if out.contact_lost {
-            let force = load(p, out.force.min);
+            let force = p.load(out.force.min);
             out = contact_run(input, p)?;
             out.why = ModelReason::VibrationLosesContact { vibration, force };
             out.next = Some(difference(&out, Model::Flexible, flexible_run(input, p)));
@@ -87,9 +87,9 @@ fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelRea
     };
     if asked {
         return Some(ModelReason::LowForce {
-            force: load(p, rigid.force.min),
+            force: p.load(rigid.force.min),
             part: Quantity::share(MARGIN),
-            mean: load(p, mean),
+            mean: p.load(mean),
             liftoff: liftoff_margin(p, rigid),
         });
     }
@@ -113,13 +113,13 @@ fn force_margin(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> For
     // Inertia alone has no mean to be a part of.
     if mean.abs() <= 1e-9 * largest {
         return ForceMargin::InertiaOnly {
-            low: load(p, low),
-            high: load(p, rigid.force.max),
+            low: p.load(low),
+            high: p.load(rigid.force.max),
             liftoff,
         };
     }
     ForceMargin::SmallestForce {
-        force: load(p, low),
+        force: p.load(low),
         part: Quantity::share(low / mean),
         liftoff,
     }

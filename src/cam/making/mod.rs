@@ -2,7 +2,13 @@
 
 use serde::Serialize;
 
-use super::{Bore, Cam, Hardness, Hole};
+mod bore;
+mod hardness;
+
+pub use bore::{Bore, Keyway};
+pub use hardness::{Hardness, HardnessScale};
+
+use super::{Cam, Hole};
 
 /// Material, surface, tolerance, and what is added to the plate; lengths in m.
 ///

@@ -2,10 +2,10 @@
 
 use crate::dynamics::contact::{self, ContactRun, Phase};
 use crate::dynamics::outcome::{Force, Model, Outcome, Torque};
-use crate::dynamics::prepared::Prepared;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::recover::Cycle;
 use crate::dynamics::run::Run;
+use crate::dynamics::simulate::prepared::Prepared;
 use crate::dynamics::surface::Surface;
 use crate::error::{DynamicsError, Result};
 use std::f64::consts::TAU;

@@ -2,10 +2,10 @@
 
 use super::note_other_side;
 use crate::dynamics::outcome::{Force, Model, Outcome};
-use crate::dynamics::prepared::Prepared;
 use crate::dynamics::reason::RunNote;
 use crate::dynamics::rigid;
 use crate::dynamics::run::Run;
+use crate::dynamics::simulate::prepared::Prepared;
 use crate::dynamics::surface::Surface;
 use crate::error::Result;
 

@@ -1,11 +1,15 @@
 //! Runs an emitted cam under one model.
 
-use super::choose;
-use super::models::{contact_run, flexible_run, rigid_run};
-use super::outcome::{Model, Outcome};
-use super::prepared::prepare;
-use super::run::Run;
+mod choose;
+mod models;
+mod prepared;
+mod rows;
+
+use crate::dynamics::outcome::{Model, Outcome};
+use crate::dynamics::run::Run;
 use crate::error::Result;
+use models::{contact_run, flexible_run, rigid_run};
+use prepared::prepare;
 
 /// Runs the emitted cam under `model`.
 ///
@@ -25,7 +29,7 @@ use crate::error::Result;
 /// ```
 ///
 /// # Errors
-/// On profiles that are no curve for their follower (see [`super::recover`]), on machine data out of
+/// On profiles that are no curve for their follower (see [`crate::dynamics::recover`]), on machine data out of
 /// range, on an undamped resonance, and on `flexible` without a [`Train`](super::Train).
 pub fn simulate(input: &Run, model: Model) -> Result<Outcome> {
     let prepared = prepare(input)?;

@@ -1,14 +1,25 @@
 //! What the rows of a run share: forces at equal angles with torque and pressure made of them.
 
-use super::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
 use super::prepared::Prepared;
-use super::reason::ModelReason;
-use super::rigid::touch::{Touch, touch};
-use super::rigid::{self, hertz};
-use super::run::Run;
+use crate::cam::Measures;
+use crate::dynamics::outcome::{Force, Model, Outcome, Pressure, Row, Torque};
+use crate::dynamics::reason::ModelReason;
+use crate::dynamics::rigid::touch::{Touch, touch};
+use crate::dynamics::rigid::{self, hertz};
+use crate::dynamics::run::Run;
 use crate::law::Svaj;
+use crate::units::{Dimension, Quantity};
 
 impl Prepared {
+    /// A contact force, or the moment of an arm.
+    pub fn load(&self, value: f64) -> Quantity {
+        let dimension = match self.measures {
+            Measures::Oscillating => Dimension::Torque,
+            _ => Dimension::Force,
+        };
+        Quantity::new(value, dimension)
+    }
+
     pub fn rms_error(&self, forces: &[f64]) -> Option<f64> {
         let target = self.target.as_ref()?;
         let sum: f64 = forces

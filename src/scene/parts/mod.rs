@@ -1,0 +1,15 @@
+//! The sections of a scene file, one type for each.
+
+mod cam;
+mod drive;
+mod gait;
+mod law;
+mod limits;
+mod machine;
+
+pub use cam::{CamSpec, ConjugateSpec, KeywaySpec};
+pub use drive::DriveSpec;
+pub use gait::{Band, ForceScale, Gait, Phase, PhaseWeight, Source};
+pub use law::{Dwell, Family, LawPoint, LawSpec, Minimise, SegmentSpec, Weigh};
+pub use limits::Limits;
+pub use machine::MachineSpec;
