@@ -4,7 +4,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 use serde::Serialize;
 
-/// Which machine stands between the cam and the force.
+/// The machine between cam and force.
 ///
 /// ```
 /// use gaitcam::drive::{Drive, DriveKind};
@@ -34,7 +34,7 @@ impl DriveKind {
         DriveKind::Hydraulic,
     ];
 
-    /// The name users write in a scene.
+    /// The name in a scene file.
     pub fn name(self) -> &'static str {
         match self {
             DriveKind::MovingAxis => "moving-axis",
@@ -100,14 +100,14 @@ impl Drive {
         }
     }
 
-    /// The same with a force on the base circle, N.
+    /// With a force on the base circle, N.
     #[must_use]
     pub fn with_preload(mut self, preload: f64) -> Self {
         self.rest_force = preload;
         self
     }
 
-    /// The same with damping, N·s/m.
+    /// With damping, N·s/m.
     #[must_use]
     pub fn with_damping(mut self, damping: f64) -> Self {
         self.damping = damping;
@@ -127,7 +127,7 @@ impl Drive {
         }
     }
 
-    /// Whether it presses with nothing: no mass, spring, damping or preload.
+    /// Whether there is no force: no mass, spring, damping or preload.
     pub fn is_idle(&self) -> bool {
         [self.mass, self.spring_rate, self.damping, self.rest_force] == [0.0; 4]
     }

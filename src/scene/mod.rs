@@ -53,24 +53,24 @@ use crate::force::ForceCurve;
 pub struct Scene {
     /// Name of the scene and of its output folder.
     pub name: String,
-    /// The force that is wanted; `None` for a classical programme.
+    /// Target force; `None` for a classical programme.
     pub gait: Option<Gait>,
     /// How lift becomes force.
     pub drive: DriveSpec,
-    /// What the law may be.
+    /// Family, resolution and exact conditions of the law.
     pub law: LawSpec,
     /// The cam and its follower.
     pub cam: CamSpec,
-    /// What must not be exceeded.
+    /// Limits.
     pub limits: Limits,
     /// What is known of the machine beyond its drive.
     pub machine: MachineSpec,
-    /// Asked RMS force error as part of the mean force.
+    /// Largest RMS force error, relative to the mean force.
     pub rms: Option<f64>,
 }
 
 impl Default for Scene {
-    /// A flat-faced disc cam that carries its own shaft, with nothing asked of it yet.
+    /// A flat-faced disc cam that carries its own shaft, without target and limits.
     fn default() -> Scene {
         Scene {
             name: "cam".to_string(),
@@ -86,7 +86,7 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// The force of the load model that it names; `None` where it names none.
+    /// The force of the scene's load model; `None` without one.
     ///
     /// # Errors
     /// As [`Gait::model_force`].

@@ -1,7 +1,7 @@
-//! Motions whose numbers stand in a file: `motion = "table lift.csv"`, `motion = "spline control.csv"`.
+//! Motions whose numbers are read from a file: `motion = "table lift.csv"`, `motion = "spline control.csv"`.
 //!
-//! The library reads no files. Whoever does puts the rows in place of the file before the scene is read: a motion
-//! means the same in a file as written out.
+//! The library reads no files. The caller replaces the file name by its rows before the scene is read, so that a
+//! motion from a file and one written in the scene are the same.
 
 use std::path::{Path, PathBuf};
 
@@ -19,10 +19,10 @@ type Content = (PathBuf, Vec<u8>);
 pub const LARGEST_MOTION: u64 = 64 << 20;
 /// Most rows of a motion.
 const MOST_ROWS: usize = 10_000;
-/// How far the angle and the lift that a segment states may be from those of its file, as a share.
+/// Relative tolerance between the angle and lift stated by a segment and those of its file.
 const AGREEMENT: f64 = 1e-6;
 
-/// What a column is called.
+/// Accepted names of columns.
 const ANGLE: [&str; 4] = ["angle", "theta", "ángulo", "angulo"];
 const TRAVEL: [&str; 3] = ["length", "travel", "recorrido"];
 const LIFT: [&str; 5] = ["lift", "s", "elevación", "elevacion", "desplazamiento"];
@@ -42,7 +42,7 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
     segments(scene).iter().filter_map(named).collect()
 }
 
-/// The scene with the rows of every file that a motion names in its place; a segment that leaves out its angle or
+/// The scene with every file name of a motion replaced by the rows of the file; a segment that leaves out its angle or
 /// its lift takes it from the file.
 ///
 /// A table has a header that names a column `angle` (`length` for a translating cam) and a column `lift`, each with
@@ -50,8 +50,8 @@ pub fn motion_files(scene: &Table) -> Vec<PathBuf> {
 /// for messages and the content of a file.
 ///
 /// # Errors
-/// What `read` refuses; columns, units and rows that are wrong, each with its line; an angle or a lift of the
-/// segment that is not the file's.
+/// Errors of `read`; invalid columns, units and rows, each with its line; an angle or a lift of the segment that
+/// differs from the file.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -91,7 +91,7 @@ pub fn with_motions(
         let rows = Rows::read(&path, &bytes, &word)?;
         rows.put(segment, &key, &path)?;
         let motion = format!("{word}{}", rows.written());
-        // Whatever is wrong with the rows as a motion is wrong with the file.
+        // Report an error in the rows as an error in the file.
         Rise::from_name(&motion).map_err(|e| e.in_file(&path))?;
         segment.insert("motion".to_string(), Value::String(motion));
     }
@@ -103,17 +103,17 @@ fn segments(scene: &Table) -> &[Value] {
     list.and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
-/// A column with what turns its numbers into SI.
+/// A column with its conversion to SI.
 struct Column {
     place: usize,
-    /// As the header has it.
+    /// Name in the header.
     name: String,
     dimension: Dimension,
     factor: f64,
 }
 
 impl Column {
-    /// The column of one of these names; its unit is of the first of these dimensions that has it.
+    /// The column with one of these names; its unit belongs to the first dimension that knows it.
     fn find(
         path: &Path,
         table: &NumberTable,
@@ -216,7 +216,7 @@ impl Rows {
         })
     }
 
-    /// The numbers behind the word, as a scene has them.
+    /// The text of the motion in a scene: its kind, then its numbers.
     fn written(&self) -> String {
         let mut text = String::new();
         for (i, s) in self.lift.1.iter().enumerate() {
@@ -247,7 +247,7 @@ impl Rows {
     }
 }
 
-/// Puts a value into a segment that has none; the one it has must be this.
+/// Sets a value of a segment, or checks that the stated one agrees.
 fn agree(
     segment: &mut Table,
     key: &str,

@@ -8,7 +8,7 @@ use super::keys::{Idle, KEYS, Key, find};
 use crate::error::{Error, Placed, SceneError};
 use crate::wording::{self, Language};
 
-/// Something worth knowing about a scene that is no error.
+/// A remark on a valid scene.
 ///
 /// ```
 /// use gaitcam::scene::SceneNote;
@@ -24,7 +24,7 @@ use crate::wording::{self, Language};
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum SceneNote {
-    /// A key changes nothing here.
+    /// A key without effect in this scene.
     NoEffect {
         /// The key; a list without the number of an entry.
         key: String,
@@ -46,7 +46,7 @@ impl SceneNote {
     }
 }
 
-/// A key without effect is an error where nothing but that key was to change.
+/// Turns the note into an error, for changes of a single key.
 impl From<SceneNote> for Error {
     fn from(note: SceneNote) -> Error {
         let SceneNote::NoEffect {
@@ -68,7 +68,7 @@ impl From<SceneNote> for Error {
 }
 
 impl Scene {
-    /// One note for each key that is given and changes nothing.
+    /// One note for each given key without effect.
     pub fn notes(&self) -> Vec<SceneNote> {
         let without_effect = KEYS
             .iter()
@@ -84,7 +84,7 @@ impl Scene {
             .collect()
     }
 
-    /// The note about one key, if it changes nothing.
+    /// The note about one key, if it has no effect.
     pub fn no_effect_of(&self, path: &str) -> Option<SceneNote> {
         let key = find(path)?;
         let name = key.list().unwrap_or(key.path);

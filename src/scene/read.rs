@@ -15,15 +15,15 @@ use crate::error::{Place, Placed, Result, SceneError, nearest};
 /// ```
 ///
 /// # Errors
-/// Text that is no TOML, and as [`read`].
+/// Text that is not TOML, and as [`read`].
 pub fn parse(text: &str) -> Result<Scene> {
     read(&table(text)?)
 }
 
-/// The table of a scene file's text, for those who change single values before they [`read`] it.
+/// The table of a scene file's text, to change single values before [`read`].
 ///
 /// # Errors
-/// Text that is no TOML, with its line.
+/// Text that is not TOML, with the line.
 pub fn table(text: &str) -> Result<Table> {
     text.parse().map_err(|e: toml::de::Error| {
         let start = e.span().map_or(0, |s| s.start.min(text.len()));
@@ -36,18 +36,17 @@ pub fn table(text: &str) -> Result<Table> {
 /// Reads a scene from its table.
 ///
 /// # Errors
-/// Keys and values that are wrong, each with the dotted key and what would be right, and keys that do not go
-/// together.
+/// Unknown keys, invalid values and inconsistent keys, each with the dotted key and a valid value.
 pub fn read(table: &Table) -> Result<Scene> {
     let scene = read_keys(table)?;
     rules::check_typed(&scene, rules::Typed::of(table))?;
     Ok(scene)
 }
 
-/// The same, each key by itself: whether the keys go together is not asked.
+/// Reads each key by itself, without the checks of [`check`](super::check) on combinations of keys.
 ///
 /// # Errors
-/// Keys and values that are wrong.
+/// Unknown keys and invalid values.
 pub fn read_keys(table: &Table) -> Result<Scene> {
     let leaves = leaves(table)?;
     let mut scene = Scene {
@@ -139,7 +138,7 @@ fn collect<'a>(
     Ok(())
 }
 
-/// What stands at a path of the key table.
+/// What a path of the key table is.
 enum Node {
     Section,
     List,
@@ -155,7 +154,7 @@ fn node(pattern: &str) -> Node {
     }
 }
 
-/// Refuses keys that the table does not have, or not for this follower or drive.
+/// Refuses unknown keys, and keys that this follower or drive does not have.
 fn unknown(leaves: &[Leaf], scene: &Scene) -> Result<()> {
     let row = |leaf: &&Leaf| KEYS.iter().find(|k| k.path == leaf.pattern);
     if let Some(leaf) = leaves.iter().find(|l| row(l).is_none()) {
@@ -207,7 +206,7 @@ fn not_here(path: &str, scene: &Scene) -> SceneError {
     }
 }
 
-/// Refuses scenes that leave out what they need.
+/// Refuses scenes without a required key.
 fn missing(leaves: &[Leaf], table: &Table, scene: &Scene) -> Result<()> {
     for key in KEYS.iter().filter(|k| k.is_required(scene)) {
         let example = key.example(scene);

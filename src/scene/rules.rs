@@ -1,4 +1,4 @@
-//! Demands that keys can only break together.
+//! Checks on combinations of keys.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ const SPLINE_DEGREES: std::ops::RangeInclusive<usize> = 3..=9;
 /// Angles may miss the ends of the cycle by this, rad.
 const ANGLE: f64 = 1e-9;
 
-/// Whether the keys of a scene go together.
+/// Checks that the keys of a scene are consistent.
 ///
 /// # Errors
 /// Names the key to change.
@@ -26,7 +26,7 @@ pub fn check(scene: &Scene) -> Result<()> {
     check_typed(scene, Typed(None))
 }
 
-/// The texts that a user typed, for messages.
+/// The values as typed by the user, for messages.
 #[derive(Clone, Copy)]
 pub(super) struct Typed<'a>(Option<&'a Table>);
 
@@ -46,7 +46,7 @@ impl<'a> Typed<'a> {
         self.value(path).is_some()
     }
 
-    /// What was typed for a key, or the number in a common unit.
+    /// The typed value of a key, or the number in a common unit.
     fn text(self, path: &str, value: f64, dimension: Dimension) -> String {
         match self.value(path) {
             Some(Toml::String(typed)) if typed != "auto" => typed.clone(),
@@ -75,7 +75,7 @@ const RULES: [Rule; 14] = [
     completeness,
 ];
 
-/// The same with the texts that a user typed.
+/// As [`check`], with the typed values in messages.
 pub(super) fn check_typed(scene: &Scene, typed: Typed) -> Result<()> {
     weighed_phases(scene)?;
     for rule in RULES {
@@ -206,7 +206,7 @@ fn machine(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// What gives the size of the cam, once.
+/// At most one key fixes the size of the cam.
 fn size(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if cam.base_radius.is_some() && cam.prime_radius.is_some() {
@@ -319,7 +319,7 @@ fn circles(scene: &Scene, typed: Typed) -> Verdict {
     Ok(())
 }
 
-/// Forces act on a lift in metres over one turn; other motions take programmes only.
+/// A target force needs a lift in metres over one turn; other motions take programmes only.
 fn motion(scene: &Scene, _: Typed) -> Verdict {
     let cam = &scene.cam;
     if !(cam.is_oscillating() || cam.is_straight() || cam.turns > 1) {
@@ -354,7 +354,7 @@ fn pair(scene: &Scene, _: Typed) -> Verdict {
     }
 }
 
-/// What only splines take.
+/// Keys that need a spline.
 fn splines(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let Some(gait) = &scene.gait else {
@@ -378,7 +378,7 @@ fn splines(scene: &Scene, _: Typed) -> Verdict {
     Err((key, SceneError::OnlySplines { family }))
 }
 
-/// What a polydyne cam needs.
+/// Requirements of a polydyne cam.
 fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     let (law, machine) = (&scene.law, &scene.machine);
     if !law.polydyne {
@@ -403,7 +403,7 @@ fn polydyne(scene: &Scene, _: Typed) -> Verdict {
     Ok(())
 }
 
-/// Whether enough is given to design anything.
+/// A design needs a target force, points, dwells or segments.
 fn completeness(scene: &Scene, _: Typed) -> Verdict {
     let law = &scene.law;
     let no_force = scene.gait.is_none();

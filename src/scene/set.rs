@@ -1,4 +1,4 @@
-//! One value of a scene's table changed by its dotted key.
+//! Changes one value of a scene's table by its dotted key.
 
 use toml::{Table, Value};
 
@@ -6,11 +6,11 @@ use crate::error::{Placed, Result, SceneError};
 
 /// Changes one value: `set(table, "limits.stroke=40 mm")`; entries of a list go by their number from 1 on:
 /// `law.segment.2.lift`. The value is taken as TOML where it is a number, truth value, array or quoted text, and as
-/// plain text otherwise. A recording takes the place of a model and the other way round.
+/// plain text otherwise. A recording replaces a model and vice versa.
 ///
 /// # Errors
-/// A text without `=`, and a path that leads through a value or to an entry that is not there. Whether the key is
-/// known is for [`read`](super::read()) to say.
+/// A text without `=`, and a path through a value or to a missing entry. Unknown keys are refused by
+/// [`read`](super::read()).
 pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     let (key, value) = assignment
         .split_once('=')
@@ -27,10 +27,10 @@ pub fn set(table: &mut Table, assignment: &str) -> Result<()> {
     set_value(table, key.trim(), value)
 }
 
-/// The same with a value that is read already.
+/// Changes one value that is already parsed.
 ///
 /// # Errors
-/// A path that leads through a value or to an entry that is not there.
+/// A path through a value or to a missing entry.
 pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     let parts: Vec<&str> = key.split('.').collect();
     let Some((last, path)) = parts.split_last() else {
@@ -49,7 +49,7 @@ pub fn set_value(table: &mut Table, key: &str, value: Value) -> Result<()> {
     Ok(())
 }
 
-/// The table at a path, made where it is missing.
+/// The table at a path, created if missing.
 fn inside<'t>(
     table: &'t mut Table,
     path: &[&str],

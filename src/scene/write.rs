@@ -46,7 +46,7 @@ impl Scene {
         value.to_toml(key.dimension(self))
     }
 
-    /// Whether a value is the one that the key has when it is left out.
+    /// Whether a value equals the default of the key.
     pub(super) fn is_default(&self, key: &Key, value: &Value) -> bool {
         if key.default.is_empty() || key.default == "auto" {
             return false;
@@ -64,7 +64,7 @@ impl Scene {
     }
 }
 
-/// How many entries the list of a key has: those of which a required key gives a value.
+/// Number of entries in the list of a key: those in which a required key has a value.
 fn entries(scene: &Scene, key: &Key) -> usize {
     let list = key.list();
     let sibling = |k: &&Key| k.list() == list && k.is_required(scene);

@@ -16,7 +16,7 @@ pub struct Access {
 }
 
 /// Access to a field of the scene. `part?` is a part that a scene may lack, `list[N]` an entry of a list; both are
-/// made where a value is set in them.
+/// created when a value is set in them.
 macro_rules! field {
     ($($field:ident).+) => {
         Access {
@@ -51,7 +51,7 @@ macro_rules! field {
 }
 pub(super) use field;
 
-/// Entry number `index` of a list, made where it is missing.
+/// Entry number `index` of a list, created if missing.
 pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut T {
     if list.len() <= index {
         list.resize(index + 1, T::default());
@@ -59,15 +59,15 @@ pub(super) fn entry<T: Default + Clone>(list: &mut Vec<T>, index: usize) -> &mut
     &mut list[index]
 }
 
-/// A type of which a key sets a field.
+/// Type of a field that a key sets.
 pub(super) trait Field {
-    /// What a scene file has for it; `None` where it leaves the key out.
+    /// Value in a scene file; `None` if the key is left out.
     fn value(&self) -> Option<Value>;
 
-    /// Takes the value of a scene file.
+    /// Sets the field to the value of a scene file.
     ///
     /// # Errors
-    /// A text that names nothing.
+    /// An unknown word.
     fn assign(&mut self, value: Value) -> Result<()>;
 }
 
@@ -123,7 +123,7 @@ fn hardness(typed: String) -> Result<Hardness> {
     Hardness::parse(&typed).ok_or_else(|| SceneError::NotHardness { typed }.into())
 }
 
-/// A closed set of which users write the words.
+/// A closed set whose members users write as words.
 pub(super) trait Words: Copy + PartialEq + 'static {
     fn words() -> Vec<(&'static str, Self)>;
 }

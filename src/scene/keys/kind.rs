@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::cam::Measures;
 use crate::units::Dimension;
 
-/// What a number measures, by what the follower's lift is measured in.
+/// Dimension of a number, by the kind of follower.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -23,7 +23,7 @@ pub struct Measure {
     pub translating: Dimension,
     /// Followers that oscillate.
     pub oscillating: Dimension,
-    /// Cams that translate themselves.
+    /// Translating cams.
     pub straight: Dimension,
 }
 
@@ -51,7 +51,7 @@ impl Measure {
         }
     }
 
-    /// Every dimension that occurs, each once.
+    /// The distinct dimensions.
     pub fn each(self) -> Vec<Dimension> {
         let mut all = vec![self.translating];
         for next in [self.oscillating, self.straight] {
@@ -90,7 +90,7 @@ pub enum Kind {
     Texts,
 }
 
-/// Which numbers a key takes, in SI.
+/// Range of the numbers of a key, in SI.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Range};
@@ -128,25 +128,25 @@ impl Range {
     }
 }
 
-/// Which way a number has to go to ask for less.
+/// Direction in which a number relaxes the limit.
 ///
 /// ```
 /// use gaitcam::scene::keys::{self, Relax};
 ///
-/// // A larger stroke asks for less, and so does a smaller radius of curvature.
+/// // A larger stroke relaxes the limit, and so does a smaller radius of curvature.
 /// assert_eq!(keys::find("limits.stroke").unwrap().relax, Some(Relax::Up));
 /// assert_eq!(keys::find("limits.curvature").unwrap().relax, Some(Relax::Down));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Relax {
-    /// A larger value is the weaker demand.
+    /// A larger value is less restrictive.
     Up,
-    /// A smaller value is the weaker demand.
+    /// A smaller value is less restrictive.
     Down,
 }
 
-/// Why a key that is given changes nothing in a scene.
+/// Why a given key has no effect.
 ///
 /// ```
 /// use gaitcam::Scene;
@@ -165,13 +165,13 @@ pub enum Idle {
     Follower,
     /// The drive does not use it.
     Drive,
-    /// No force is wanted.
+    /// There is no target force.
     NoForce,
     /// The force is a recording.
     Recording,
     /// The force is a load model.
     Model,
-    /// Nothing is known of the follower's stiffness.
+    /// The follower is rigid: neither stiffness nor natural frequency is given.
     RigidFollower,
 }
 

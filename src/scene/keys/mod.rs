@@ -35,7 +35,7 @@ pub fn of_limit(kind: LimitKind) -> Option<&'static Key> {
     KEYS.iter().find(|k| k.limit == Some(kind))
 }
 
-/// The rows that may be relaxed when a scene cannot be met: limits first, then accuracy and given sizes.
+/// The keys that may be relaxed in an infeasible scene: limits first, then accuracy and given sizes.
 pub fn relaxable() -> impl Iterator<Item = &'static Key> {
     let of = |section: &'static str| {
         KEYS.iter()

@@ -24,11 +24,11 @@ use crate::units::Dimension;
 pub struct Key {
     /// Dotted path, `N` for the number of an entry of a list: `law.segment.N.lift`.
     pub path: &'static str,
-    /// What it takes.
+    /// Kind of value.
     pub kind: Kind,
-    /// Which numbers it takes.
+    /// Range of its number.
     pub range: Range,
-    /// The value where none is given, as a scene file has it; empty where the scene has none then.
+    /// Default, as written in a scene file; empty without a default.
     pub default: &'static str,
     /// The limit that it sets.
     pub limit: Option<LimitKind>,
@@ -54,7 +54,7 @@ impl PartialEq for Key {
 }
 
 impl Key {
-    /// The table that the key stands in: `limits`.
+    /// The section of the scene file: `limits`.
     pub fn section(&self) -> &'static str {
         self.path.split_once('.').map_or("", |p| p.0)
     }
@@ -94,7 +94,7 @@ impl Key {
         }
     }
 
-    /// Whether a scene may have the key: an arm has no offset.
+    /// Whether a scene may have the key; a follower on an arm has no offset.
     pub fn exists(&self, scene: &Scene) -> bool {
         (self.exists)(scene)
     }
@@ -104,7 +104,7 @@ impl Key {
         self.exists(scene) && (self.required)(scene)
     }
 
-    /// Why it changes nothing in this scene, if so.
+    /// Why the key has no effect in this scene; `None` if it has one.
     pub fn idle(&self, scene: &Scene) -> Option<Idle> {
         (self.idle)(scene)
     }
@@ -114,10 +114,10 @@ impl Key {
         (self.access.get)(scene, index)
     }
 
-    /// Sets it. Whether it suits the rest of the scene is for [`check`](crate::scene::check) to say.
+    /// Sets the value; [`check`](crate::scene::check) tests it against the rest of the scene.
     ///
     /// # Errors
-    /// A text that names nothing.
+    /// An unknown word.
     pub fn set(&self, scene: &mut Scene, index: usize, value: Value) -> Result<()> {
         (self.access.set)(scene, index, value)
     }
@@ -127,8 +127,8 @@ impl Key {
         self.get(scene, 0).and_then(Value::number)
     }
 
-    /// Sets a number straight in a scene that is read already: what a sweep does a hundred thousand times a second.
-    /// Returns whether the scene took it; otherwise its table has to be written and read again.
+    /// Sets a number without reading the scene again, for sweeps. Returns `false` if the scene has to be read again
+    /// with the changed table.
     pub fn set_number(&self, scene: &mut Scene, index: usize, value: f64) -> bool {
         let there = self.list().is_none() || self.get(scene, index).is_some();
         self.direct
@@ -151,7 +151,7 @@ impl Key {
         self.measure().map(|m| m.of(scene.cam.measures()))
     }
 
-    /// The words that it takes, if it takes only those.
+    /// The accepted words.
     pub fn choices(&self) -> Vec<&'static str> {
         match self.kind {
             Kind::Choice(words) => words(),
@@ -160,7 +160,7 @@ impl Key {
         }
     }
 
-    /// A right value, for messages.
+    /// A valid value, for messages.
     pub fn example(&self, scene: &Scene) -> String {
         match (self.dimension(scene), self.name()) {
             (_, "roller_radius") => "\"10 mm\"".to_string(),
@@ -207,25 +207,25 @@ impl Key {
         self
     }
 
-    /// Only scenes of which this holds have the key; in others it is refused.
+    /// Restricts the key to some scenes; others refuse it.
     pub(super) const fn only(mut self, exists: fn(&Scene) -> bool) -> Key {
         self.exists = exists;
         self
     }
 
-    /// Scenes that have the key must give it.
+    /// The key has no default.
     pub(super) const fn required(mut self) -> Key {
         self.required = |_| true;
         self
     }
 
-    /// Why it changes nothing, where it does not.
+    /// Scenes in which the key has no effect, and why.
     pub(super) const fn idle_when(mut self, idle: fn(&Scene) -> Option<Idle>) -> Key {
         self.idle = idle;
         self
     }
 
-    /// What it means depends on other keys being given: its number is set by reading the scene again.
+    /// Its meaning depends on which other keys are given, so a new number needs the scene to be read again.
     pub(super) const fn read_again(mut self) -> Key {
         self.direct = false;
         self

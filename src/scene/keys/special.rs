@@ -1,4 +1,4 @@
-//! Access of keys that do not stand for one field alone.
+//! Access of keys that do not set exactly one field.
 
 use std::path::PathBuf;
 
@@ -33,7 +33,7 @@ pub(super) const MODEL: Access = Access {
     },
 };
 
-/// `cam.offset`: without a number it is free, which is not its default.
+/// `cam.offset`: "auto" makes it free; the default is 0.
 pub(super) const OFFSET: Access = Access {
     get: |s, _| {
         let offset = s.cam.offset.map(Value::Number);
@@ -147,7 +147,7 @@ macro_rules! weigh {
 }
 pub(super) use {limit, one_side, weigh};
 
-/// The weights of the objective, made where they are missing.
+/// The weights of the objective, created if missing.
 pub(super) fn weights(scene: &mut Scene) -> &mut Weigh {
     if !matches!(scene.law.minimise, Some(Minimise::Weighed(_))) {
         scene.law.minimise = Some(Minimise::Weighed(Weigh::default()));

@@ -28,9 +28,9 @@ const LARGEST_WEIGHT: f64 = 1e6;
 /// Most turns of a barrel's groove.
 const MOST_TURNS: usize = 100;
 
-/// Every key, in the order in which a scene is read and written: a row stands after those that decide about it.
+/// Every key, in the order in which a scene is read and written: a row follows those that its conditions depend on.
 ///
-/// A row has its path, what it takes, its value where none is given, its field, and the conditions on it.
+/// Columns: path, kind and range of the value, default, field, conditions.
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     row("name", TEXT, "cam", field!(name)),
@@ -154,7 +154,7 @@ pub static KEYS: &[Key] = &[
 struct Takes(Kind, Range);
 
 impl Takes {
-    /// Or a word in place of the number.
+    /// Accepts a word in place of the number.
     const fn or(self, word: &'static str) -> Takes {
         match self {
             Takes(Kind::Number(measure), range) => Takes(Kind::NumberOr(measure, word), range),

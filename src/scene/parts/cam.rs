@@ -2,7 +2,7 @@
 
 use crate::cam::{Bore, Closure, FollowerKind, Hub, Keyway, Making, Measures};
 
-/// Plate thickness of solids when nothing is said, m.
+/// Default plate thickness, m.
 const THICKNESS: f64 = 0.01;
 
 /// The cam and its follower; lengths in m.
@@ -47,7 +47,7 @@ pub struct CamSpec {
     pub hub_diameter: Option<f64>,
     /// How far the hub stands out; `None` = as far as the plate is thick.
     pub hub_length: Option<f64>,
-    /// What the workshop is told beside the shape; its hub is given by the two fields above.
+    /// Material, hardness, tolerances; its hub is set from the two fields above.
     pub making: Making,
     /// Constant breadth: distance of both faces, or of both roller centres. The law then needs its first
     /// half turn only.
@@ -93,7 +93,7 @@ impl Default for CamSpec {
     }
 }
 
-/// How wide the keyway is.
+/// Width of the keyway.
 ///
 /// ```
 /// use gaitcam::scene::{CamSpec, KeywaySpec};
@@ -104,14 +104,14 @@ impl Default for CamSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum KeywaySpec {
-    /// As DIN 6885-1 has it for the bore.
+    /// The width that DIN 6885-1 assigns to the bore.
     Auto,
     /// A width of DIN 6885-1, m.
     Width(f64),
 }
 
 impl CamSpec {
-    /// A cam for a kind of follower, its size to be found.
+    /// A cam for a kind of follower, its size determined by the synthesis.
     #[must_use]
     pub fn new(follower: FollowerKind) -> CamSpec {
         CamSpec {
@@ -130,7 +130,7 @@ impl CamSpec {
         Some(Bore { diameter, keyway })
     }
 
-    /// What the workshop is told, with the hub.
+    /// Manufacturing data, with the hub.
     pub fn making(&self) -> Making {
         let hub = self.hub_diameter.map(|diameter| Hub {
             diameter,

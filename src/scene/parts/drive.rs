@@ -83,8 +83,7 @@ impl DriveSpec {
         }
     }
 
-    /// The kind of drive of a cam whose scene names none: only a disc that turns under a translating
-    /// follower can carry its own shaft.
+    /// Default drive: only a disc that turns under a translating follower can carry its own shaft.
     pub fn usual_kind(cam: &CamSpec) -> DriveKind {
         if cam.follower.is_translating() {
             DriveKind::MovingAxis

@@ -1,4 +1,4 @@
-//! `[gait]`: the force that is wanted.
+//! `[gait]`: the target force.
 
 use std::path::PathBuf;
 
@@ -8,7 +8,7 @@ use crate::force::{self, Feet, ForceCurve, Kind, OpenQuestion, ReadOptions};
 /// Weight of the walker that the load models were published for, N.
 const MODEL_WEIGHT: f64 = 700.0;
 
-/// Where the wanted force comes from.
+/// Source of the target force.
 ///
 /// ```
 /// use gaitcam::scene::{Gait, Source};
@@ -24,7 +24,7 @@ pub enum Source {
     Model(String),
 }
 
-/// The force that is wanted.
+/// The target force.
 ///
 /// ```
 /// use gaitcam::scene::Gait;
@@ -37,7 +37,7 @@ pub enum Source {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gait {
-    /// Where it comes from.
+    /// Source.
     pub source: Source,
     /// Models: steps per second; `None` = the model's own.
     pub step_frequency: Option<f64>,
@@ -53,28 +53,28 @@ pub struct Gait {
     pub rate: Option<f64>,
     /// Recordings: mass of the walker, kg.
     pub mass: Option<f64>,
-    /// Recordings: what was recorded; `None` leaves it to the reader.
+    /// Recordings: kind of movement; `None` = recognised by the reader.
     pub kind: Option<Kind>,
-    /// Recordings: doubts that the user has settled.
+    /// Recordings: open questions that the user has answered.
     pub accept: Vec<OpenQuestion>,
     /// Whose feet count.
     pub feet: Feet,
-    /// The file is exactly one cycle of this duration, s, of any machine; no stance is sought.
+    /// The file is exactly one cycle of this duration, s; no stances are detected.
     pub period: Option<f64>,
     /// The file covers this part of the turn, rad; the force is zero in the rest.
     pub span: Option<f64>,
-    /// How the force of a moving axis is brought to its mass.
+    /// Scaling of the target force to the moved mass of a moving axis.
     pub scale: ForceScale,
-    /// Stay inside a band about the target instead of near to it.
+    /// Keep the force inside a band about the target instead of minimising the error.
     pub band: Option<Band>,
-    /// Ranges of the cycle whose force error counts more or less than once.
+    /// Weights of the force error over ranges of the cycle.
     pub weights: Vec<PhaseWeight>,
-    /// Where in the cycle the cam's turn begins.
+    /// Phase of the cycle at cam angle 0.
     pub phase: Phase,
 }
 
 impl Gait {
-    /// The force of a recording, every option left to the reader.
+    /// The force of a recording with default options.
     pub fn file(path: impl Into<PathBuf>) -> Gait {
         Gait::of(Source::File(path.into()))
     }
@@ -117,10 +117,10 @@ impl Gait {
         self.body_weight.unwrap_or(MODEL_WEIGHT)
     }
 
-    /// How the recording is to be read; `metadata` is the table of subjects that lies beside a table of stances.
+    /// Options of the reader; `metadata` is the table of subjects that accompanies a table of stances.
     ///
     /// # Errors
-    /// A unit that is none.
+    /// An unknown unit.
     pub fn read_options(&self, metadata: Option<Vec<u8>>) -> Result<ReadOptions> {
         let at = |e: Error| e.at_key("gait.unit");
         let unit = self.unit.as_deref().map(|u| u.parse().map_err(at));
@@ -137,10 +137,10 @@ impl Gait {
         })
     }
 
-    /// The force of its load model; `None` for a recording, which somebody has to read.
+    /// The force of its load model; `None` for a recording, which the caller reads.
     ///
     /// # Errors
-    /// An unknown model, or a frequency or weight that it is not made for.
+    /// An unknown model, or a frequency or weight outside its range.
     pub fn model_force(&self) -> Result<Option<ForceCurve>> {
         match &self.source {
             Source::Model(name) => {
@@ -159,20 +159,20 @@ impl Gait {
 }
 
 impl Default for Gait {
-    /// No force is named yet.
+    /// A recording without a name.
     fn default() -> Gait {
         Gait::file("")
     }
 }
 
-/// How the force of a moving axis is brought to its mass.
+/// Scaling of the target force to the moved mass of a moving axis.
 ///
 /// ```
 /// use gaitcam::Scene;
 /// use gaitcam::problem::Problem;
 /// use gaitcam::scene::{DriveSpec, ForceScale, Gait};
 ///
-/// // A machine of 7 kg shall feel the walker's force in proportion: its mean is M·g.
+/// // The walker's force scaled to a machine of 7 kg: its mean is M·g.
 /// let gait = Gait { step_frequency: Some(1.85), scale: ForceScale::ToMass, ..Gait::model("young") };
 /// let force = gait.model_force()?;
 /// let scene = Scene { gait: Some(gait), drive: DriveSpec::moving_axis(7.0), ..Scene::default() };
@@ -182,7 +182,7 @@ impl Default for Gait {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ForceScale {
-    /// Not at all.
+    /// None.
     #[default]
     None,
     /// Multiplied, so that its mean is M·g.
@@ -227,7 +227,7 @@ impl ForceScale {
 pub enum Band {
     /// One standard deviation from step to step.
     Spread,
-    /// So many N all around.
+    /// Constant, N.
     Width(f64),
 }
 
@@ -252,7 +252,7 @@ pub struct PhaseWeight {
     pub from: f64,
     /// Last phase, rad; below `from` the range runs over the cycle's end.
     pub to: f64,
-    /// Weight; 1 is what all else has.
+    /// Weight; 1 elsewhere.
     pub weight: f64,
 }
 
@@ -267,7 +267,7 @@ pub struct PhaseWeight {
 pub enum Phase {
     /// rad.
     At(f64),
-    /// The one with the least force error.
+    /// The phase with the least force error.
     Free,
 }
 

@@ -1,4 +1,4 @@
-//! `[law]`: what the law may be.
+//! `[law]`: family, resolution and exact conditions of the law.
 
 use super::Gait;
 use crate::law::Rise;
@@ -20,8 +20,8 @@ use crate::law::Rise;
 pub enum Family {
     /// The simplest of the others that meets accuracy and limits.
     Auto,
-    /// Harmonics in closed form where accuracy and limits hold with them, a spline otherwise: what a scene
-    /// gets that names no family and asks for nothing that only one family has.
+    /// Harmonics in closed form if they meet accuracy and limits, a spline otherwise: the default of scenes
+    /// without keys that only one family has.
     Ladder,
     /// Splines.
     #[default]
@@ -30,14 +30,14 @@ pub enum Family {
     Polynomial,
     /// A sum of harmonics.
     Harmonic,
-    /// Rise–fall–dwell of double harmonics with searched angles and lifts.
+    /// Rise–fall–dwell of double harmonics with optimised angles and lifts.
     DoubleHarmonic,
     /// Segments of catalogue laws.
     Program,
 }
 
 impl Family {
-    /// Every family with the name users write.
+    /// Every family with its name in a scene file.
     pub const NAMES: [(&'static str, Family); 7] = [
         ("auto", Family::Auto),
         ("ladder", Family::Ladder),
@@ -48,7 +48,7 @@ impl Family {
         ("program", Family::Program),
     ];
 
-    /// The name users write.
+    /// The name in a scene file.
     pub fn name(self) -> &'static str {
         Family::NAMES
             .iter()
@@ -57,7 +57,7 @@ impl Family {
     }
 }
 
-/// What the law is chosen for.
+/// Objective.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, LawPoint, LawSpec, Minimise};
@@ -86,12 +86,12 @@ pub enum Minimise {
     PeakForceError,
     /// The base circle of a flat-faced cam, the prime circle of a roller cam: law and size as one program.
     Size,
-    /// Force error, size and jerk against each other (`law.weigh`).
+    /// Weighted sum of force error, size and jerk (`law.weigh`).
     Weighed(Weigh),
 }
 
-/// What counts as one in a weighed objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
-/// radius; what is left out does not count.
+/// Reference values of the weighted objective (e/e₁)² + R/R₁ + (j/j₁)², e and j root mean squares, R the prime
+/// radius; terms without a reference value are left out.
 ///
 /// ```
 /// use gaitcam::scene::{Minimise, Weigh};
@@ -111,7 +111,7 @@ pub struct Weigh {
 }
 
 impl Minimise {
-    /// Every objective with the name users write.
+    /// Every objective with its name in a scene file.
     pub const NAMES: [(&'static str, Minimise); 9] = [
         ("force-error", Minimise::ForceError),
         ("peak-force-error", Minimise::PeakForceError),
@@ -125,7 +125,7 @@ impl Minimise {
     ];
 }
 
-/// An exact demand on the law at one cam angle.
+/// An exact condition on the law at one cam angle.
 ///
 /// ```
 /// use gaitcam::scene::LawPoint;
@@ -162,7 +162,7 @@ impl LawPoint {
     }
 }
 
-/// A range of cam angles at rest.
+/// A dwell: a range of cam angles at rest.
 ///
 /// ```
 /// use gaitcam::scene::{DriveSpec, Dwell, LawPoint, LawSpec, Minimise};
@@ -187,7 +187,7 @@ pub struct Dwell {
     pub from: f64,
     /// Last angle, rad.
     pub to: f64,
-    /// Lift, m; `None` = whatever suits.
+    /// Lift, m; `None` = free.
     pub lift: Option<f64>,
 }
 
@@ -222,14 +222,14 @@ impl SegmentSpec {
         }
     }
 
-    /// Rest over an angle.
+    /// A dwell over an angle.
     #[must_use]
     pub fn dwell(angle: f64) -> SegmentSpec {
         SegmentSpec::new(Rise::Dwell, 0.0, angle)
     }
 }
 
-/// What the law may be.
+/// Family, resolution and exact conditions of the law.
 ///
 /// ```
 /// use gaitcam::law::Rise;
@@ -252,15 +252,15 @@ pub struct LawSpec {
     pub spans: Option<usize>,
     /// Number of harmonics; `None` = the fewest that reach the accuracy.
     pub harmonics: Option<usize>,
-    /// What the law is chosen for; `None` = the force where one is wanted, jerk otherwise.
+    /// Objective; `None` = force error if there is a target force, jerk otherwise.
     pub minimise: Option<Minimise>,
-    /// Rise or fall steadily between neighbouring points.
+    /// Whether the law is monotone between neighbouring points.
     pub monotone: bool,
-    /// The law is that of a flexible follower's end; the cam is cut so that the end follows it.
+    /// Whether the law is that of the output of a compliant follower (polydyne cam).
     pub polydyne: bool,
-    /// Exact demands.
+    /// Exact conditions.
     pub points: Vec<LawPoint>,
-    /// Rests.
+    /// Dwells.
     pub dwells: Vec<Dwell>,
     /// Programme.
     pub segments: Vec<SegmentSpec>,
@@ -285,7 +285,7 @@ impl LawSpec {
         }
     }
 
-    /// The family of a scene that names none: the ladder, unless something is asked that only splines have.
+    /// The default family: the ladder, unless a key needs a spline.
     pub fn usual_family(&self, gait: Option<&Gait>) -> Family {
         let follows_a_plain_force = gait.is_some_and(|g| g.band.is_none() && g.weights.is_empty());
         let of_splines = self.degree.is_some()

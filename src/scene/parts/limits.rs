@@ -1,10 +1,10 @@
-//! `[limits]`: what must not be exceeded.
+//! `[limits]`: bounds of the design.
 
 use std::ops::{Index, IndexMut};
 
 use crate::cam::LimitKind;
 
-/// What must not be exceeded, by [`LimitKind`], in SI; `None` = no limit.
+/// Bounds of the design, by [`LimitKind`], in SI; `None` = no limit.
 ///
 /// [`LimitKind::PressureAngle`] is one bound for both sides: [`Limits::set`] and [`Limits::with`] set both.
 ///
@@ -19,7 +19,7 @@ use crate::cam::LimitKind;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Limits {
     bounds: [Option<f64>; LimitKind::ALL.len()],
-    /// What is not judged by the bound that is usual where the scene gives none.
+    /// Default bounds that the scene switches off.
     pub unjudged: Unjudged,
 }
 

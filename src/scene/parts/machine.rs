@@ -4,7 +4,7 @@ use crate::drive::Drive;
 use crate::dynamics::Train;
 use crate::error::{Placed, Result};
 
-/// Damping ratio of a follower train of which nothing is said: steel parts with oiled joints.
+/// Default damping ratio of a follower train: steel parts with oiled joints.
 const DAMPING_RATIO: f64 = 0.05;
 
 /// What is known of the machine beyond its drive: `gaitcam simulate` runs with it.
@@ -28,7 +28,7 @@ pub struct MachineSpec {
     pub stiffness: Option<f64>,
     /// Its damping ratio.
     pub damping_ratio: f64,
-    /// Coefficient of friction where cam and follower rub.
+    /// Coefficient of sliding friction between cam and follower.
     pub friction: f64,
     /// Coefficient of restitution of a landing, 0 … 1.
     pub restitution: f64,
@@ -37,7 +37,7 @@ pub struct MachineSpec {
 }
 
 impl MachineSpec {
-    /// What gives between cam and mass, where it is known.
+    /// Compliance between cam and mass; `None` for a rigid follower.
     ///
     /// # Errors
     /// A natural frequency without a mass.
