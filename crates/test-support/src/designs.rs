@@ -22,7 +22,10 @@ const INCH: f64 = 0.0254;
 
 /// A problem without force, demand or limit: these designs are not made from one.
 fn empty_problem() -> Arc<Problem> {
-    let drive = DriveSpec::moving_axis(1.0).with_speed(1.0);
+    let drive = DriveSpec {
+        speed: Some(1.0),
+        ..DriveSpec::moving_axis(1.0)
+    };
     let problem = Problem::resolve(
         &Scene {
             drive,

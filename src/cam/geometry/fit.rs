@@ -196,13 +196,11 @@ fn check_lengths(follower: &Follower) -> Result<()> {
         positive(CamLength::Arm, arm.length)?;
     }
     match *follower {
-        Follower::FlatOscillating { face_offset, .. } => {
-            if !face_offset.is_finite() {
-                return Err(CamError::NotFinite {
-                    length: CamLength::FaceOffset,
-                }
-                .into());
+        Follower::FlatOscillating { face_offset, .. } if !face_offset.is_finite() => {
+            return Err(CamError::NotFinite {
+                length: CamLength::FaceOffset,
             }
+            .into());
         }
         Follower::TranslatingCam { base_height, .. } => {
             return Ok(positive(CamLength::BaseHeight, base_height)?);
