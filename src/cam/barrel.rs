@@ -11,7 +11,7 @@ use crate::poly::{Extreme, stand_in};
 use crate::units::Quantity;
 use serde::Serialize;
 
-/// What runs in the groove.
+/// The rollers in the groove.
 ///
 /// ```
 /// use gaitcam::cam::{BarrelGroove, Rollers};
@@ -98,7 +98,7 @@ impl BarrelGroove {
     /// may run over several turns.
     ///
     /// # Errors
-    /// Rollers that the groove does not leave room for, or a law that the barrel cannot hold.
+    /// Rollers that do not fit the groove, or a law that the barrel cannot have.
     pub fn new(law: Law, inner: f64, outer: f64, rollers: Rollers) -> Result<BarrelGroove> {
         if !(inner > 0.0 && outer > inner && outer.is_finite()) {
             return Err(CamError::GrooveDepth {
@@ -185,12 +185,12 @@ impl BarrelGroove {
     /// Signed radius of curvature of a wall, unrolled at `radius`, m: positive where the wall bulges into
     /// the groove. Undercut where positive pitch radii fall below the roller's.
     pub fn rho_wall(&self, theta: f64, radius: f64, wall: Wall) -> f64 {
-        // The lower wall's body lies below, the upper one's above: bulges have opposite signs.
+        // The lower wall's body lies below, the upper one's above: their curvatures have opposite signs.
         -wall.sign() * self.rho_pitch(theta, radius) - self.roller_radius()
     }
 
-    /// Smallest radius with which a wall bulges into the groove at `radius`, m; negative: the roller cuts
-    /// away wall that it needs. Infinite when the wall nowhere bulges.
+    /// Smallest radius with which a wall bulges into the groove at `radius`, m; negative: undercut.
+    /// Infinite for a wall without a convex part.
     pub fn smallest_bulge(&self, radius: f64, wall: Wall) -> Extreme {
         let breaks = self.law.breaks();
         let side = -wall.sign();
@@ -262,7 +262,7 @@ impl BarrelGroove {
         [-slope * unit, unit]
     }
 
-    /// Room between a roller and the wall it must not touch, m: 0 for one roller, about
+    /// Clearance between a roller and the opposite wall, m: 0 for one roller, about
     /// 2·eccentricity·cos φ for two; least over the law at the floor.
     pub fn clearance(&self) -> f64 {
         match self.rollers {

@@ -9,7 +9,7 @@ use super::{Bore, Cam};
 /// Most halvings of a piece, and the coarsest division.
 const LEVELS: usize = 9;
 const COARSEST: usize = 4;
-/// Agreement of two levels that counts as rounding, part of the whole.
+/// Relative difference of two levels that is treated as rounding.
 const AGREED: f64 = 1e-14;
 /// Wall that a hole leaves to the bore and to the profile, m.
 pub const LEAST_WALL: f64 = 0.003;
@@ -121,12 +121,12 @@ impl Cam {
     }
 
     /// The smallest round hole that brings the centre of area to the centre of rotation and leaves walls of
-    /// [`LEAST_WALL`]; `None` where none has the room, or nothing is to be balanced.
+    /// [`LEAST_WALL`]; `None` if none fits or the cam is balanced.
     pub fn balance_hole(&self, bore: Option<Bore>) -> Option<Hole> {
         self.balance_hole_outside(bore, bore.map_or(0.0, |b| b.reach()))
     }
 
-    /// The same, with nothing bored within `inner` m of the centre.
+    /// As above, with the hole outside a circle of radius `inner` m about the centre.
     pub(super) fn balance_hole_outside(&self, bore: Option<Bore>, inner: f64) -> Option<Hole> {
         let body = self.body(bore)?;
         let moment = body.moment();
@@ -143,7 +143,7 @@ impl Cam {
             .iter()
             .map(|p| along[0] * p[0] + along[1] * p[1])
             .collect();
-        // The farther out, the smaller the hole: from outside inwards, the first that has room.
+        // A hole farther out is smaller: take the first that fits, from outside inwards.
         (0..PLACES).rev().find_map(|i| {
             let distance = reach * (i + 1) as f64 / PLACES as f64;
             let radius = (moment / (std::f64::consts::PI * distance)).sqrt();

@@ -1,4 +1,4 @@
-//! What is asked of a cam, and its class.
+//! Checks of a cam, and its verdict.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ use crate::poly::Extreme;
 /// use gaitcam::cam::{Cam, Follower};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric disc: one radius all around, nowhere hollow.
+/// // An eccentric disc: constant radius, no concave flank.
 /// let law = Law::harmonic(0.01, &[(0.0, 0.01)]);
 /// let curvature = Cam::new(law, Follower::FlatTranslating { base_radius: 0.02 })?.curvature();
 /// assert!((curvature.convex.value - 0.03).abs() < 1e-12);
@@ -25,11 +25,11 @@ pub struct Curvature {
     pub convex: Extreme,
     /// Tightest concave radius, m (negative), where a flank is concave.
     pub concave: Option<Extreme>,
-    /// The follower would cut away profile that it needs later.
+    /// Whether the cam is undercut.
     pub undercut: bool,
 }
 
-/// One limit held against what the cam does.
+/// One limit compared with the value of the cam.
 ///
 /// ```
 /// use gaitcam::cam::{Check, LimitKind};
@@ -41,11 +41,11 @@ pub struct Curvature {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Check {
-    /// What is checked.
+    /// The checked quantity.
     pub name: Criterion,
     /// Worst value anywhere on the continuous law, SI.
     pub worst: f64,
-    /// What is allowed, SI.
+    /// Limit, SI.
     pub limit: f64,
     /// Cam angle of the worst value, rad.
     pub at: f64,
@@ -79,7 +79,7 @@ impl Check {
     }
 }
 
-/// The class of a cam, in the words of CAM-DAS (Serrano Muñoz 2010).
+/// The verdict on a cam, in the terms of CAM-DAS (Serrano Muñoz 2010).
 ///
 /// ```
 /// use gaitcam::cam::Verdict;

@@ -1,11 +1,11 @@
 //! Interference: roller, face or arm against another part of the cam than the one it touches.
 //!
-//! Undercut is local; this looks at the whole profile, which CAM-DAS leaves to the eye. It samples: the
+//! Undercut is local; this looks at the whole profile, which CAM-DAS leaves to visual inspection. It samples: the
 //! profile is taken at n points, so depths below its sagitta (about step²/8ρ) are not seen.
 
 use super::{Cam, Follower};
 
-/// What touches the cam where it should not.
+/// The body that interferes with the cam.
 ///
 /// ```
 /// use gaitcam::cam::{Body, Cam, Follower};
@@ -42,7 +42,7 @@ pub enum Body {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interference {
-    /// What touches.
+    /// The interfering body.
     pub body: Body,
     /// Cam angle at which it is worst, rad.
     pub at: f64,
@@ -54,8 +54,8 @@ pub struct Interference {
 
 impl Cam {
     /// The worst interference of every body, for a cam sampled at `n` points (720 is plenty); the arm or
-    /// stem is a bar of the given width, m, in the plane of the cam (0: it runs beside the cam, and is
-    /// left out). Depths below `tolerance`, m, are not reported. Empty: none found.
+    /// stem is a bar of the given width, m, in the plane of the cam (0: it runs in another plane and
+    /// is not checked). Depths below `tolerance`, m, are not reported. Empty: none found.
     ///
     /// An arm that rests on a small roller must be narrower than the roller, or it is reported.
     pub fn interference(&self, n: usize, arm_width: f64, tolerance: f64) -> Vec<Interference> {

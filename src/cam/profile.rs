@@ -73,8 +73,8 @@ impl Cam {
     }
 
     /// The profile points on both sides of every angle at which a derivative of the law up to `order`
-    /// (2: acceleration, 3: jerk) jumps, in order of their angles. They go with an emitted profile: between
-    /// them it is smooth.
+    /// (2: acceleration, 3: jerk) jumps, in order of their angles. An emitted profile carries them: it is
+    /// smooth between them.
     pub fn breakpoints(&self, order: usize) -> Vec<[ProfilePoint; 2]> {
         let law = &self.law;
         let n = law.poly().pieces();
@@ -99,8 +99,8 @@ impl Cam {
     }
 }
 
-/// A profile to be computed with the processor's widest registers. They do the same arithmetic, so the
-/// digits do not depend on them.
+/// Computation of a profile with the widest vector registers of the processor; the results do not depend on
+/// their width.
 struct Rows<'a> {
     cam: &'a Cam,
     n: usize,

@@ -66,7 +66,7 @@ pub fn smallest_prime_circle(law: &Law, rise: f64, fall: f64, offset: Option<f64
     }
 }
 
-/// What a cam must keep while it shrinks.
+/// Limits of the search for the smallest cam.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower, SizeLimits, smallest_for};
@@ -92,7 +92,7 @@ pub struct SizeLimits {
 }
 
 impl SizeLimits {
-    /// No undercut, any pressure angle.
+    /// No undercut; pressure angles unlimited.
     pub fn no_undercut() -> Self {
         SizeLimits {
             rho_min: 0.0,
@@ -128,11 +128,11 @@ const GROWTHS: i32 = 90;
 /// law and holds the limits, to 1e-10 relative; 0 when every size does. The cam's own base radius does not
 /// matter.
 ///
-/// Closed form for a flat translating face; otherwise the first size that works when the cam grows in
-/// steps of a quarter, refined by halving.
+/// Closed form for a flat translating face; otherwise the first feasible size when the cam grows in
+/// steps of a quarter, refined by bisection.
 ///
 /// # Errors
-/// When none works.
+/// If no size satisfies the limits.
 pub fn smallest_for(cam: &Cam, limits: &SizeLimits) -> Result<f64> {
     if matches!(cam.follower, Follower::FlatTranslating { .. }) {
         return Ok(smallest_base_radius(&cam.law, limits.rho_min));

@@ -1,4 +1,4 @@
-//! The cam in motion, with no more model than the scene needs.
+//! Simulation of the cam, with the simplest sufficient model.
 //!
 //! [`simulate()`] takes the emitted profile, recovers the smooth lift its points give the follower
 //! ([`recover`]) and runs it under one of three models:
@@ -7,8 +7,8 @@
 //! - [`flexible`]: a compliant follower in exact steady vibration ([`flexible::linear`]);
 //! - [`contact`]: lift-off, flight, impact and rest, one event after the other.
 //!
-//! `choose` picks the least that is enough and says why; [`flexible::polydyne`] shapes the cam so that
-//! the end of a compliant follower moves as wanted.
+//! The simplest sufficient model is chosen automatically, with its reason; [`flexible::polydyne`] computes the cam
+//! under which the output of a compliant follower follows a target law.
 
 #[doc(hidden)]
 pub mod contact;

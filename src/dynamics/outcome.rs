@@ -1,4 +1,4 @@
-//! What a run of the cam found.
+//! Results of a simulation.
 
 use serde::Serialize;
 
@@ -18,18 +18,18 @@ use crate::error::Error;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
-    /// Start rigid, go as far as the numbers ask.
+    /// The simplest sufficient model.
     Auto,
     /// Rigid bodies that stay in contact.
     Rigid,
-    /// A follower that gives, in steady vibration.
+    /// A compliant follower in steady vibration.
     Flexible,
-    /// Contact that can be lost.
+    /// Rigid bodies with loss of contact and impacts.
     Contact,
 }
 
 impl Model {
-    /// The word users write after `--model`.
+    /// The name in commands and files.
     pub fn name(self) -> &'static str {
         match self {
             Model::Auto => "auto",
@@ -106,7 +106,7 @@ pub struct Row {
 pub struct Force {
     /// Smallest.
     pub min: f64,
-    /// Largest; blows that take no time are not in it.
+    /// Largest; impacts excluded.
     pub max: f64,
     /// RMS distance to the target, where there is one.
     pub rms_error: Option<f64>,
@@ -120,7 +120,7 @@ pub struct Force {
 /// use gaitcam::dynamics::{Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // Without friction nothing is used up over a turn.
+/// // Without friction the mean torque is zero.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let torque = simulate(&Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720), Model::Rigid)?.torque;
 /// assert!(torque.mean.abs() < 1e-9 && torque.max > 0.9);
@@ -132,13 +132,13 @@ pub struct Torque {
     pub min: f64,
     /// Largest.
     pub max: f64,
-    /// Mean over the repetition, blows included.
+    /// Mean over the repetition, impacts included.
     pub mean: f64,
-    /// Root mean square; blows are not in it.
+    /// Root mean square; impacts excluded.
     pub rms: f64,
 }
 
-/// What the next model up would change.
+/// Differences to the next finer model.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -146,7 +146,7 @@ pub struct Torque {
 /// use gaitcam::dynamics::{Model, Run, Train, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // A stiff follower: the next model up changes next to nothing.
+/// // A stiff follower: the next finer model changes almost nothing.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let drive = Drive::moving_axis(10.0, 9.81, 3.0);
 /// let mut run = Run::new(cam, drive, 720);
@@ -181,7 +181,7 @@ pub struct Difference {
 /// use gaitcam::dynamics::{Face, Model, Run, simulate};
 /// use gaitcam::law::Law;
 ///
-/// // An eccentric is equally curved all around: the pressure is highest where the force is, at its lowest point.
+/// // An eccentric has constant curvature: the pressure is largest at the largest force, at its lowest point.
 /// let cam = Cam::new(Law::harmonic(0.01, &[(0.0, 0.01)]), Follower::FlatTranslating { base_radius: 0.02 })?;
 /// let mut run = Run::new(cam, Drive::moving_axis(10.0, 9.81, 3.0), 720);
 /// run.machine.face = Some(Face { length: 0.012, cam: STEEL, follower: STEEL });
@@ -197,7 +197,7 @@ pub struct Pressure {
     pub contact: LineContact,
 }
 
-/// What a run found.
+/// Result of a simulation.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -214,9 +214,9 @@ pub struct Pressure {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// The model whose numbers these are; never `Auto`.
+    /// The model that was run; never `Auto`.
     pub model: Model,
-    /// The numbers that decided for it.
+    /// Reason for this model.
     pub why: ModelReason,
     /// Whether the follower leaves the cam.
     pub contact_lost: bool,
@@ -234,15 +234,15 @@ pub struct Outcome {
     pub period_turns: usize,
     /// Landings of the whole run, settling included.
     pub impacts: Vec<Impact>,
-    /// Highest line pressure of the rows, where the surfaces are known; blows are not in it.
+    /// Highest line pressure of the rows, where the surfaces are known; impacts excluded.
     pub hertz: Option<Pressure>,
-    /// What the next model would change, where `auto` chose.
+    /// Differences to the next finer model, if the model was chosen automatically.
     pub next: Option<Difference>,
     /// Largest distance between emitted points and the curve that was run, m.
     pub profile_mismatch: f64,
     /// Largest difference between the lift of the emitted points and the law's, m.
     pub law_mismatch: f64,
-    /// Anything else a person should know.
+    /// Notes.
     pub notes: Vec<RunNote>,
     /// One repetition at equal angles.
     pub rows: Vec<Row>,

@@ -1,4 +1,4 @@
-//! Why a model was chosen, and what to know of a run: data whose sentences stand in `wording/en/dynamics.ftl`.
+//! Why a model was chosen, and notes on a run, as data; their sentences are in `wording/en/dynamics.ftl`.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -6,7 +6,7 @@ use strum::VariantNames;
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 
-/// The numbers that decided for a model.
+/// Reason for the choice of a model, with its numbers.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -37,22 +37,22 @@ pub enum ModelReason {
     },
     /// The speed comes near lift-off.
     NearLiftoff { liftoff: LiftoffMargin },
-    /// Only the contact model knows the impacts between two cams.
+    /// Only the contact model has the impacts between two cams.
     TwoCams,
-    /// Nothing elastic is given.
+    /// The follower is rigid.
     NothingVibrates { margin: ForceMargin },
     /// The vibrating follower would leave the cam.
     VibrationLosesContact {
         vibration: Vibration,
         force: Quantity,
     },
-    /// Vibration moves the force by more than is allowed.
+    /// Vibration changes the force by more than is allowed.
     Vibrates {
         vibration: Vibration,
         allowed: Quantity,
         margin: ForceMargin,
     },
-    /// It does not.
+    /// Vibration changes the force by less than is allowed.
     HardlyVibrates {
         vibration: Vibration,
         allowed: Quantity,
@@ -119,7 +119,7 @@ pub enum LiftoffMargin {
 pub enum ForceMargin {
     /// The drive has neither mass nor spring nor preload.
     NoForce,
-    /// Inertia alone has no mean to be a part of.
+    /// A pure inertia force has no mean to relate the margin to.
     InertiaOnly {
         low: Quantity,
         high: Quantity,
@@ -132,7 +132,7 @@ pub enum ForceMargin {
     },
 }
 
-/// What the follower's own vibration would do to the force.
+/// Effect of the follower's vibration on the force.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -159,7 +159,7 @@ pub enum ForceMargin {
 #[strum(serialize_all = "kebab-case")]
 #[allow(missing_docs)] // fields are named as in the sentences
 pub enum Vibration {
-    /// Springs in series without mass: nothing vibrates, but the lift is shared.
+    /// Springs in series without mass: no vibration, but part of the lift deflects the train.
     NoMass,
     Harmonics {
         frequency: Quantity,
@@ -168,7 +168,7 @@ pub enum Vibration {
     },
 }
 
-/// What to know of a run.
+/// A note on a run.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

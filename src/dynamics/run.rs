@@ -1,4 +1,4 @@
-//! What a simulation needs: the emitted cam, its drive and the machine around it.
+//! Input of a simulation: the emitted cam, its drive and machine data.
 
 use super::contact::Limits;
 use super::flexible::Train;
@@ -6,8 +6,8 @@ use super::rigid::hertz::Material;
 use crate::cam::{Cam, ProfilePoint};
 use crate::drive::Drive;
 
-/// What is known of the machine beyond its drive; the default is a rigid one without friction, with
-/// plastic landings and one cam.
+/// Machine data beyond the drive; the default is a rigid machine without friction, with plastic impacts and one
+/// cam.
 ///
 /// ```
 /// use gaitcam::dynamics::Machine;
@@ -21,7 +21,7 @@ use crate::drive::Drive;
 pub struct Machine {
     /// The elastic train between cam and mass, where it is known.
     pub train: Option<Train>,
-    /// Coefficient of friction where cam and follower rub; a roller rolls.
+    /// Coefficient of sliding friction between cam and follower; a roller rolls.
     pub friction: f64,
     /// Coefficient of restitution of landings, 0 (plastic) … 1 (elastic).
     pub restitution: f64,
@@ -30,7 +30,7 @@ pub struct Machine {
     /// The second cam of a conjugate pair, in its own frame: it takes the force where the first one's
     /// would be a pull.
     pub conjugate: Option<Cam>,
-    /// Where cam and follower press on each other, where pressure is asked for.
+    /// The contact line, for the contact pressure.
     pub face: Option<Face>,
     /// Radius of the floor of a barrel's groove, m, where the roller's normal force is largest; `None`: it is
     /// given for the radius of the follower.
@@ -82,7 +82,7 @@ pub struct Face {
     pub follower: Material,
 }
 
-/// Everything one simulation needs.
+/// Input of a simulation.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -117,7 +117,7 @@ pub struct Run {
     pub drive: Drive,
     /// The emitted profile: equal steps of θ over the law's cycle, one turn for most.
     pub profile: Vec<ProfilePoint>,
-    /// Wanted force at equal steps of one cycle from θ = 0, N.
+    /// Target force at equal steps of one cycle from θ = 0, N.
     pub target: Option<Vec<f64>>,
     /// Machine data.
     pub machine: Machine,

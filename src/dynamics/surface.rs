@@ -1,4 +1,4 @@
-//! One profile as the contact run sees it: its lift, and where the force would have to pull.
+//! One profile of the contact model: its lift, and where the contact force would be negative.
 
 use super::piecewise_force::combination;
 use crate::drive::Drive;
@@ -6,7 +6,7 @@ use crate::law::{Law, Svaj};
 use crate::poly::PiecewisePoly;
 use std::f64::consts::TAU;
 
-/// Forces this small against the largest are rounding, not a pull.
+/// Negative forces below this share of the largest force are rounding.
 pub(super) const NO_PULL: f64 = 1e-11;
 /// The same without inertia: the force is the lift's own, and rounded coordinates know a lift of zero to
 /// about a nanometre in a millimetre.

@@ -1,4 +1,4 @@
-//! Laws made from laws: the same motion earlier, and the higher of two.
+//! Laws derived from laws: a phase shift, and the higher of two.
 
 use super::{Law, pieces::Pieces};
 

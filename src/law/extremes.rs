@@ -1,5 +1,5 @@
-//! What is worked out for a law once, when it is asked for: extremes of it and of what is linear in it, its jumps, and the
-//! form that evaluates fastest.
+//! Properties of a law that are computed once and cached: extremes of the law and of linear combinations of its
+//! derivatives, its jumps, and scaled coefficients.
 
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -10,7 +10,7 @@ use crate::poly::{Extreme, PiecewisePoly, bernstein};
 /// Smallest and largest value.
 type Extremes = (Extreme, Extreme);
 
-/// What was found of a law. Its clones share it; laws are equal whatever was asked of them.
+/// Cached properties of a law. Clones share them; they do not take part in comparisons.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Known(Arc<Findings>);
 
@@ -30,7 +30,7 @@ impl PartialEq for Known {
 }
 
 impl Known {
-    /// Of the same law on another level: what does not count the lift is the same.
+    /// For the law raised by a constant: combinations without the lift stay valid.
     pub(super) fn on_any_level(&self) -> Known {
         let same = |list: &Vec<([f64; 4], Extremes)>| {
             let all = list.iter().filter(|(weights, _)| weights[0] == 0.0);
@@ -44,7 +44,7 @@ impl Known {
         }))
     }
 
-    /// As they were found before; sought where they were not.
+    /// Cached extremes, computed on the first request.
     fn found(&self, weights: [f64; 4], search: impl FnOnce() -> Extremes) -> Extremes {
         let known = self.0.extremes.lock().ok().and_then(|list| {
             let same = list.iter().find(|(known, _)| *known == weights);
@@ -60,7 +60,7 @@ impl Known {
     }
 }
 
-/// The extremes of `factor` times what has these, plus a constant.
+/// The extremes after scaling by `factor` and adding a constant.
 fn changed((low, high): Extremes, factor: f64, constant: f64) -> Extremes {
     let there = |e: Extreme| Extreme {
         at: e.at,

@@ -69,15 +69,15 @@ pub fn hermite_birkhoff(conditions: &[Condition], start: f64, end: f64) -> Resul
         let u = (c.theta - start) / width;
         bernstein::eval(&derivatives[c.order][k], u) * scales[i] / width.powi(c.order as i32)
     });
-    let wanted = DVector::from_fn(n, |i, _| conditions[i].value * scales[i]);
+    let values = DVector::from_fn(n, |i, _| conditions[i].value * scales[i]);
     let svd = matrix.clone().svd(false, false);
     if svd.singular_values.min() <= RANK * svd.singular_values.max() {
         return Err(not_fixed(n).into());
     }
     let lu = matrix.clone().full_piv_lu();
-    let mut b = lu.solve(&wanted).ok_or_else(|| not_fixed(n))?;
+    let mut b = lu.solve(&values).ok_or_else(|| not_fixed(n))?;
     // One refinement removes what elimination lost.
-    if let Some(correction) = lu.solve(&(&wanted - &matrix * &b)) {
+    if let Some(correction) = lu.solve(&(&values - &matrix * &b)) {
         b += correction;
     }
     Ok(PiecewisePoly::new(

@@ -49,7 +49,7 @@ pub struct Svaj {
 
 /// A law of motion: on each piece a polynomial plus a few sinusoids.
 ///
-/// That one form holds every law of the field: splines and polynomials have no sinusoids, harmonic laws
+/// This form covers all common laws: splines and polynomials have no sinusoids, harmonic laws
 /// one piece, modified sine and trapezoid a line or parabola with one sinusoid per piece. A *closed* law
 /// repeats after its extent (one turn, usually); an open one (translating cam) ends where it ends.
 ///
@@ -71,7 +71,7 @@ pub struct Law {
     /// Sinusoids of each piece; empty when no piece has any.
     waves: Vec<Vec<Wave>>,
     closed: bool,
-    /// v, a and j where they have more digits than differences of the lift's coefficients.
+    /// v, a and j, if they are more accurate than differences of the lift's coefficients.
     #[serde(skip)]
     derivatives: Option<Arc<[PiecewisePoly; 3]>>,
     #[serde(skip)]
@@ -139,7 +139,7 @@ impl Law {
     /// Polynomial pieces plus the sinusoids of each (`waves` empty, or one list per piece).
     ///
     /// # Panics
-    /// When `waves` has a length other than 0 or the number of pieces: a fault of the caller.
+    /// When `waves` has a length other than 0 or the number of pieces: an error of the caller.
     pub fn with_waves(poly: PiecewisePoly, waves: Vec<Vec<Wave>>, closed: bool) -> Self {
         assert!(waves.is_empty() || waves.len() == poly.pieces());
         Law {
@@ -221,14 +221,14 @@ impl Law {
         (i, u)
     }
 
-    /// What rounding makes of an angle of the law at most, rad.
+    /// Rounding error of the law's angles, rad.
     fn rounding(&self) -> f64 {
         let breaks = self.poly.breaks();
         let ends = breaks[0].abs().max(breaks[breaks.len() - 1].abs());
         16.0 * f64::EPSILON * ends
     }
 
-    /// Lift and derivatives on piece `i` at u ∈ [0, 1]: the way to ask for one side of a break.
+    /// Lift and derivatives on piece `i` at u ∈ [0, 1], for one-sided values at a break.
     pub fn svaj_on(&self, i: usize, u: f64) -> Svaj {
         let n = self.poly.degree();
         let scaled = self.scaled_by_binomials();

@@ -1,4 +1,4 @@
-//! Laws put together piece after piece.
+//! Construction of laws piece by piece.
 
 use super::{Law, Wave};
 use crate::poly::{PiecewisePoly, bernstein};
@@ -97,7 +97,7 @@ impl Pieces {
         }
     }
 
-    /// Moves the last break, which sums may have missed by rounding, to where it belongs.
+    /// Sets the last break exactly, without the rounding of sums.
     pub fn end_exactly_at(&mut self, end: f64) {
         if let Some(last) = self.breaks.last_mut() {
             *last = end;

@@ -77,7 +77,7 @@ pub enum Rise {
     /// x − (15/32π) sin 2πx − (1/96π) sin 6πx.
     Gutman13,
     /// x − (27/56π)(sin 2πx + sin(6πx)/54), as commonly printed: it has v = −1/56 at both ends, so it
-    /// meets no dwell. [`Rise::Freudenstein13AtRest`] is what is meant.
+    /// meets no dwell. [`Rise::Freudenstein13AtRest`] corrects it.
     Freudenstein13,
     /// x − (27/56π)(sin 2πx + sin(6πx)/81): at rest at both ends.
     Freudenstein13AtRest,
@@ -88,7 +88,7 @@ pub enum Rise {
         /// (Disc radius + roller radius)/eccentricity; infinite for a flat face.
         ratio: f64,
     },
-    /// A law the user brought: see [`Rise::table`] and [`Rise::spline`].
+    /// A law given by the user: see [`Rise::table`] and [`Rise::spline`].
     User {
         /// Its name in messages.
         name: String,
@@ -136,7 +136,7 @@ impl Rise {
         ]
     }
 
-    /// The name users write in a scene.
+    /// The name in a scene file.
     pub fn name(&self) -> &str {
         match self {
             Rise::Dwell => "dwell",
@@ -183,7 +183,7 @@ impl Rise {
     /// both ends), `spline 0 0 0 1 1 1` (control points).
     ///
     /// # Errors
-    /// An unknown name, with the nearest known one; parameters that are no numbers, too many or out of range; a file
+    /// An unknown name, with the nearest known one; parameters that are not numbers, too many or out of range; a file
     /// in place of numbers, which [`scene::with_motions`](crate::scene::with_motions) reads.
     pub fn from_name(text: &str) -> Result<Rise> {
         if let Some((motion, file)) = Rise::named_file(text) {

@@ -1,5 +1,5 @@
-//! Evaluation at many equal steps: pieces are walked, not searched, sinusoids turned, not recomputed, and
-//! polynomials evaluated for a batch of points at once.
+//! Evaluation at many equal steps: pieces in order without search, sinusoids by rotation, polynomials for a batch
+//! of points at once.
 
 use super::{Law, Wave};
 use crate::poly;
@@ -8,7 +8,7 @@ use crate::poly;
 /// next one, which keeps the sum of rounding errors below 1e-14 of the amplitude.
 pub const BATCH: usize = 32;
 
-/// A law at up to [`BATCH`] consecutive points; entries from `len` on mean nothing.
+/// A law at up to [`BATCH`] consecutive points; entries from `len` on are undefined.
 #[derive(Debug, Clone)]
 pub struct Batch {
     /// Number of points.
@@ -47,7 +47,7 @@ impl Turns {
     }
 }
 
-/// A law under way: see [`Law::walk`].
+/// Iteration over a law at equal steps: see [`Law::walk`].
 #[derive(Debug, Clone)]
 pub struct Walk<'a> {
     law: &'a Law,
@@ -293,7 +293,7 @@ mod tests {
                         let error = (batch.s[k] - direct.s).abs()
                             + (batch.v[k] - direct.v).abs()
                             + (batch.a[k] - direct.a).abs();
-                        // At a break either side may answer; the programme is continuous up to a.
+                        // At a break the value of either side is valid; the programme is continuous up to a.
                         assert!(error < 1e-11, "{theta} {direct:?}");
                     }
                     seen += batch.len;

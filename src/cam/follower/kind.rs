@@ -54,7 +54,7 @@ impl FollowerKind {
         FollowerKind::Barrel,
     ];
 
-    /// The name that scenes use.
+    /// The name in a scene file.
     pub fn name(self) -> &'static str {
         match self {
             FollowerKind::FlatTranslating => "flat-translating",
@@ -124,8 +124,8 @@ impl FollowerKind {
         )
     }
 
-    /// Whether law and size can be found as one program. A translating cam has no size; that of a barrel and of a mushroom on
-    /// an arm is found after the law.
+    /// Whether one program determines law and size together. A translating cam has no size; that of a barrel and of a mushroom on
+    /// an arm is determined after the law.
     pub fn has_size_beside_law(self) -> bool {
         !matches!(
             self,
@@ -133,7 +133,7 @@ impl FollowerKind {
         )
     }
 
-    /// What its law is measured in.
+    /// Units of its law.
     pub fn measures(self) -> Measures {
         match self {
             FollowerKind::TranslatingCam => Measures::Straight,
@@ -167,12 +167,12 @@ impl Follower {
         }
     }
 
-    /// What its law is measured in.
+    /// Units of its law.
     pub fn measures(&self) -> Measures {
         self.kind().measures()
     }
 
-    /// The name that scenes use.
+    /// The name in a scene file.
     pub fn name(&self) -> &'static str {
         self.kind().name()
     }

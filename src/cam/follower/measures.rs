@@ -1,10 +1,10 @@
-//! What a design's quantities are measured in. Lifts are lengths or, of an arm, angles; a cam turns through
-//! angles or slides along a length; forces follow the lift. Every number shown to people passes here.
+//! Units of a design's quantities, for output: lifts are lengths or, of an arm, angles; a cam turns through
+//! angles or slides along a length; forces or moments follow the lift.
 
 use crate::units::Dimension;
 use crate::wording::people;
 
-/// A unit people use.
+/// A unit for output.
 ///
 /// ```
 /// use gaitcam::cam::Unit;
@@ -30,7 +30,7 @@ const MM: Unit = unit(1e3, "mm");
 const DEGREES: Unit = unit(180.0 / std::f64::consts::PI, "°");
 
 impl Unit {
-    /// The unit in which people give what has this dimension.
+    /// The unit for output of a dimension.
     pub fn of(dimension: Dimension) -> Unit {
         let (name, factor) = people(dimension.si());
         Unit { factor, name }
@@ -46,7 +46,7 @@ impl Unit {
     }
 }
 
-/// What lift and cam angle are measured in.
+/// Kinds of motion of follower and cam, which fix the units.
 ///
 /// ```
 /// use gaitcam::cam::Measures;
@@ -145,7 +145,7 @@ impl Measures {
         format!("{own} ({:.2} rpm)", speed * 30.0 / std::f64::consts::PI)
     }
 
-    /// What the drive presses with: a force, or the moment on an arm.
+    /// Output of the drive: a force, or the moment on an arm.
     pub fn force(self) -> Unit {
         unit(1.0, if self.swings() { "N·m" } else { "N" })
     }
@@ -155,7 +155,7 @@ impl Measures {
         if self.swings() { "moment" } else { "force" }
     }
 
-    /// What the drive moves: a mass, or an arm's inertia.
+    /// Moved mass, or an arm's moment of inertia.
     pub fn mass(self) -> Unit {
         unit(1.0, if self.swings() { "kg·m²" } else { "kg" })
     }

@@ -164,8 +164,8 @@ impl Follower {
         }
     }
 
-    /// The follower on a base circle of another radius, all else kept. For a barrel the radius of the
-    /// cylinder changes.
+    /// The follower on a base circle of another radius, otherwise unchanged; of a barrel the radius of
+    /// the cylinder.
     #[must_use]
     pub fn with_base_radius(mut self, base: f64) -> Follower {
         let rolling = self.roller_radius();
@@ -182,7 +182,7 @@ impl Follower {
         self
     }
 
-    /// Offset of the follower's line of motion, m (0 where there is none to change anything).
+    /// Offset of the follower's line of motion, m; 0 for followers without one.
     pub fn offset(&self) -> f64 {
         match *self {
             Follower::RollerTranslating { offset, .. }
@@ -204,8 +204,8 @@ impl Follower {
         }
     }
 
-    /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. It has ends then, even
-    /// where the law closes.
+    /// Whether the profile lies along a line: a cam that slides, a barrel unrolled. Such a profile has ends even
+    /// if the law closes.
     pub fn is_unrolled(&self) -> bool {
         matches!(
             self,
@@ -246,8 +246,8 @@ impl Follower {
         ((start > 0.0 || flat_arm) && base > 0.0).then(|| self.with_base_radius(base))
     }
 
-    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. Not a number when the arm
-    /// cannot reach ([`Cam::check`](super::Cam::check) says so).
+    /// Angle ξ₀ of the arm at s = 0, rad; `None` for followers without an arm. NaN if the arm cannot
+    /// reach the prime circle, which [`Cam::check`](super::Cam::check) refuses.
     pub fn start_angle(&self) -> Option<f64> {
         if let Some(Arm { pivot, length }) = self.arm() {
             let (c, prime) = (pivot.abs(), self.prime_radius());

@@ -1,4 +1,4 @@
-//! Whether a follower can do what its law asks: what no cam could mend is refused here.
+//! Checks that a follower can execute its law, whatever the profile.
 
 use super::Geometry;
 use crate::cam::{Arm, Cam, Follower};
@@ -7,11 +7,10 @@ use crate::units::Quantity;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Cam {
-    /// Refuses lengths that fix no cam: not positive, an offset beyond the prime circle, an arm that does
+    /// Refuses invalid dimensions: not positive, an offset beyond the prime circle, an arm that does
     /// not reach, a swing beyond the dead centres, a pivot inside the cam.
     ///
-    /// Undercut and steep pressure angles are no faults of the input but of the cam: the verdict of a
-    /// synthesis names them.
+    /// Undercut and steep pressure angles are not errors of the input; the verdict of a synthesis reports them.
     ///
     /// # Errors
     /// The length or angle at fault, as a [`CamError`].
@@ -74,7 +73,7 @@ impl Cam {
         .into())
     }
 
-    /// A follower that sinks to the cam's centre turns the cam inside out.
+    /// The follower stays above the cam's centre.
     fn check_above_centre(&self, low: f64) -> Result<()> {
         let (rise, e) = (self.follower.start_height(), self.follower.offset());
         if rise + low > 0.0 {

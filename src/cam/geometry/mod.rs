@@ -19,7 +19,7 @@ use crate::law::{BATCH, Batch, Svaj};
 use arc_tangent::arc_tangent;
 use kinds::{Circle, CircleOnArm, Flat, FlatOnArm, Kind, Unrolled};
 
-/// What is known of one contact, fixed frame; lengths in m.
+/// One contact in the fixed frame; lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Contact {
     /// Contact point.
@@ -28,7 +28,7 @@ pub(super) struct Contact {
     pub pitch: [f64; 2],
     /// Signed radius of curvature of the cam.
     pub rho: f64,
-    /// tan of the signed pressure angle: the push leans by φ from the motion of the follower's point there,
+    /// tan of the signed pressure angle: angle from the motion of the follower's point to the contact normal,
     /// counter-clockwise positive.
     pub tan_pressure: f64,
 }
@@ -160,7 +160,7 @@ impl Geometry {
     }
 }
 
-/// Contacts of a batch, field by field; entries beyond the batch's length mean nothing.
+/// Contacts of a batch, field by field; entries beyond the batch's length are undefined.
 pub(super) struct Contacts {
     pub x: [f64; BATCH],
     pub y: [f64; BATCH],

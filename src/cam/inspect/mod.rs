@@ -1,12 +1,12 @@
-//! A made cam, measured: where the points of a coordinate measuring machine lie on the profile, and how far off.
+//! Inspection of a manufactured cam: deviations of measured points from the profile.
 //!
 //! The machine knows neither the cam's centre nor its zero angle. The best fit is the rigid motion (a turn and
 //! a shift) with the least sum of squared normal distances to the exact profile, found by Gauss and Newton's
 //! method: the distance of a point changes by n·J(q − b) per turn and by n per shift, n being the normal at its
 //! foot. The sum has other minima, so the search starts from many angles.
 //!
-//! What a turn or a shift can explain is not seen as deviation: an eccentric bore shows only where the centre
-//! of the bore is measured as well.
+//! A rotation or translation of the whole cam is not a deviation: an eccentric bore is detected only if the centre of
+//! the bore is measured as well.
 
 mod pose;
 
@@ -28,15 +28,15 @@ const COARSE_ROUNDS: usize = 12;
 /// Samples among which the foot of a point is looked for, and rounds of the fit on exact feet.
 const PROFILE: usize = 2880;
 const ROUNDS: usize = 40;
-/// A fit whose last step is below this part of the cam's size is settled.
+/// Relative step at which the fit has converged.
 const SETTLED: f64 = 1e-14;
-/// Starts that end nearer to each other than this, rad, have found the same fit.
+/// Fits closer to each other than this, rad, are the same.
 const SAME: f64 = 0.02;
 /// Minima of the search that are refined.
 const REFINED: usize = 12;
-/// A fit is as good as the best up to this factor, and this length, m.
+/// Fits within this factor, or this length in m, of the best are equally good.
 const ALIKE: (f64, f64) = (1.02, 1e-9);
-/// Points farther from the profile than this part of its difference of radii are of another cam.
+/// Largest deviation, relative to the difference of radii, of points that belong to this cam.
 const OTHER: f64 = 0.1;
 /// Smallest share of the normal equations' directions in the largest, below which the turn is unknown.
 const DETERMINED: f64 = 1e-9;
@@ -67,7 +67,7 @@ pub struct Deviation {
     pub normal: f64,
 }
 
-/// How measured points lie on a cam.
+/// Result of an inspection.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};
@@ -91,7 +91,7 @@ pub struct Inspection {
     pub centre: [f64; 2],
     /// The points in the order of their cam angles.
     pub deviations: Vec<Deviation>,
-    /// Other turns that fit as well, rad: the cam repeats itself.
+    /// Other rotations with an equally good fit, rad, for cams with rotational symmetry.
     pub alike: Vec<f64>,
 }
 
@@ -256,7 +256,7 @@ struct Exact<'a> {
 }
 
 impl Exact<'_> {
-    /// The fit on exact feet that begins at `pose`.
+    /// The fit on exact feet, started at `pose`.
     fn refined(&self, mut pose: Pose, points: &[[f64; 2]], size: f64) -> (Pose, Vec<Foot>) {
         let feet_of = |pose: &Pose| -> Vec<Foot> {
             points.iter().map(|m| self.foot(pose.seen(*m))).collect()
@@ -387,7 +387,7 @@ fn step(feet: &[Foot], pose: &Pose, size: f64) -> Option<[f64; 3]> {
     step.iter().all(|x| x.is_finite()).then_some(step)
 }
 
-/// Whether the points say how the cam is turned.
+/// Whether the points determine the rotation of the cam.
 fn is_determined(feet: &[Foot], pose: &Pose, size: f64) -> bool {
     let (matrix, _) = normal_equations(feet, pose, size);
     let shares = matrix.symmetric_eigenvalues();

@@ -22,7 +22,7 @@ const DIN_6885: [[f64; 3]; 17] = [
     [130.0, 32.0, 7.4],
     [150.0, 36.0, 8.4],
 ];
-/// Thinnest shaft of the table, m.
+/// Smallest shaft diameter of the table, m.
 const THINNEST: f64 = 6e-3;
 /// Wall that is left around a bore, and around a keyway, m.
 const WALL: f64 = 1e-3;

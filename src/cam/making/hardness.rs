@@ -1,4 +1,4 @@
-//! Hardness of the cam's surface, and the contact pressure that it bears.
+//! Hardness of the cam's surface, and the allowable contact pressure.
 
 use std::fmt;
 
@@ -19,7 +19,7 @@ const CONVERSION: [[f64; 3]; 12] = [
     [62.0, 746.0, 688.0],
     [64.0, 800.0, 722.0],
 ];
-/// Softest steel that the rule is used for, HB.
+/// Lower limit of the rule, HB.
 const SOFTEST: f64 = 100.0;
 
 /// How a hardness was measured.
@@ -122,7 +122,7 @@ impl Hardness {
         a[2] + part * (b[2] - a[2])
     }
 
-    /// Contact pressure that hardened steel bears 10⁸ times, Pa: 2.76 HB − 70 MPa (theory §10).
+    /// Allowable contact pressure of hardened steel for 10⁸ cycles, Pa: 2.76 HB − 70 MPa (theory §10).
     pub fn allowable_pressure(self) -> f64 {
         2.76e6 * self.brinell() - 70e6
     }

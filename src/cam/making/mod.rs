@@ -1,4 +1,4 @@
-//! What the workshop is told of a cam beside its shape.
+//! Manufacturing data of a cam: material, surface, tolerance, hole, hub.
 
 use serde::Serialize;
 
@@ -61,17 +61,17 @@ pub struct Making {
 pub struct Hub {
     /// Diameter, m.
     pub diameter: f64,
-    /// How far it stands out of the plate, m.
+    /// Height above the plate, m.
     pub length: f64,
 }
 
 impl Making {
-    /// The hole that balances the plate, where one is wanted and has room; m.
+    /// The hole that balances the plate, if it is requested and fits; m.
     pub fn balance_hole(&self, cam: &Cam, bore: Option<Bore>) -> Option<Hole> {
         if !self.balance {
             return None;
         }
-        // Nothing may be bored under the hub.
+        // The hole must lie outside the hub.
         let hub = self.hub.map(|hub| Bore::plain(hub.diameter));
         let reach = |bore: Option<Bore>| bore.map_or(0.0, |b| b.reach());
         let inner = reach(hub).max(reach(bore));

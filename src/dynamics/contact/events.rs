@@ -7,9 +7,9 @@ use crate::drive::Drive;
 use crate::dynamics::surface::Surface;
 use std::f64::consts::TAU;
 
-/// Rebounds slower than this part of the machine's own speeds are rest.
+/// Rebounds slower than this share of the machine's speeds end in rest.
 const REST: f64 = 1e-9;
-/// κ beyond which the flight is so fast against the turn that the mass has no inertia worth naming.
+/// κ beyond which inertia is neglected: the free motion is much faster than the turn.
 const QUASI_STATIC: f64 = 1e10;
 /// Gaps below this part of the lift are rounding.
 const TOUCHING: f64 = 1e-15;
@@ -186,7 +186,7 @@ impl Engine<'_> {
         }
     }
 
-    /// From lift-off to this angle the gap surely opens: the pull lasts, and no spring has swung back yet.
+    /// Angle up to which the gap certainly opens after lift-off: the force stays negative, and no spring has swung back.
     fn blind(&self, from: f64, to: f64) -> f64 {
         to.min(
             from + 0.5

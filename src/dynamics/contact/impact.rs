@@ -2,7 +2,7 @@
 
 use crate::error::{DynamicsError, Result};
 
-/// What one impact does; it takes no time.
+/// Result of one instantaneous impact.
 ///
 /// ```
 /// use gaitcam::dynamics::Pulse;
@@ -16,7 +16,7 @@ use crate::error::{DynamicsError, Result};
 pub struct Pulse {
     /// Speed at which the surfaces part, m/s; 0 when they stay together.
     pub rebound: f64,
-    /// Impulse handed over, N·s.
+    /// Impulse, N·s.
     pub impulse: f64,
 }
 

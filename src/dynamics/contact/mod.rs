@@ -16,7 +16,7 @@ use flight::Flight;
 use impact::Pulse;
 use std::f64::consts::TAU;
 
-/// What the mass does between two events.
+/// Phase of the motion between two events.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Phase {
     /// Riding on a profile.
@@ -36,7 +36,7 @@ pub enum Phase {
 /// A phase with its angles, turns counted on, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
-    /// What happens.
+    /// Kind of phase.
     pub phase: Phase,
     /// First angle.
     pub from: f64,
@@ -72,7 +72,7 @@ pub struct Impact {
     pub since: f64,
     /// Largest gap of that flight, m.
     pub height: f64,
-    /// What the impact does.
+    /// Rebound and impulse.
     pub pulse: Pulse,
 }
 
@@ -95,7 +95,7 @@ pub struct ContactRun {
     pub escaped: bool,
 }
 
-/// How long to run.
+/// Limits of the run.
 ///
 /// ```
 /// use gaitcam::dynamics::{ContactLimits, Machine};

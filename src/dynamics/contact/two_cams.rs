@@ -42,7 +42,7 @@ pub fn shifted(law: &Law, angle: f64) -> Law {
 }
 
 /// The lift of the higher of two polynomial laws at every angle: breaks of both, and new ones where they
-/// cross. Its slope steps up at the crossings, which are blows.
+/// cross. Its slope steps up at the crossings, which are impacts.
 pub fn envelope(one: &Law, other: &Law) -> Law {
     let mut breaks: Vec<f64> = one.breaks().iter().chain(other.breaks()).copied().collect();
     breaks.sort_by(f64::total_cmp);
@@ -80,7 +80,7 @@ pub fn envelope(one: &Law, other: &Law) -> Law {
     Law::from_poly(PiecewisePoly::new(finer, degree, coef), one.is_closed())
 }
 
-/// The same function on finer breaks.
+/// The law on finer breaks.
 fn cut(p: &PiecewisePoly, breaks: &[f64], degree: usize) -> PiecewisePoly {
     let mut coef = Vec::with_capacity((breaks.len() - 1) * (degree + 1));
     for pair in breaks.windows(2) {

@@ -15,16 +15,16 @@ const SERIES: usize = 24;
 /// Largest norm of A times one piece that is still resolved; beyond it the response is quasi-static.
 pub const STIFFEST: f64 = 1e9;
 
-/// A linear system of up to four states; unused states decay and touch nothing.
+/// A linear system of up to four states; unused states decay and do not couple.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     /// Rates, per radian.
     pub rates: Matrix4<f64>,
-    /// How each forcing enters, per radian.
+    /// Input vectors, per radian.
     pub inputs: Vec<Vector4<f64>>,
 }
 
-/// What one piece of given width does to the state.
+/// Propagation of the state over one piece of given width.
 struct Step {
     width: f64,
     carry: Matrix4<f64>,
@@ -39,7 +39,7 @@ impl Linear {
     /// States at the breaks of the forcing, from `start`; `kick(i)` is added at the start of piece i > 0.
     ///
     /// # Panics
-    /// When the forcings' breaks differ or their number is not that of the inputs: a fault of the caller.
+    /// When the forcings' breaks differ or their number is not that of the inputs: an error of the caller.
     pub fn through(
         &self,
         forcing: &[&PiecewisePoly],
@@ -67,7 +67,7 @@ impl Linear {
             turn = power(steps.0[alike[0]].carry, alike.len()) * turn;
         }
         let closing = Matrix4::identity() - turn;
-        // The smallest singular value says how near the turn comes to returning some state unchanged.
+        // The smallest singular value measures the distance from an eigenvalue 1 of the turn.
         let singular = closing.singular_values();
         let margin = NEAR_RESONANCE * singular.max().max(1.0);
         if singular.min() <= margin || singular.min().is_nan() {
@@ -121,8 +121,8 @@ impl Linear {
     }
 }
 
-/// Singular values of (1 − turn) below this part of the largest mean that a natural frequency stands on a
-/// harmonic with no damping to hold it.
+/// Singular values of (1 − turn) below this part of the largest mean an undamped resonance: a natural
+/// frequency equals a harmonic.
 const NEAR_RESONANCE: f64 = 1e-11;
 
 fn run(

@@ -25,13 +25,13 @@ use nalgebra::{Matrix4, Vector4};
 pub struct Steady {
     /// Cam angles, rad; the last is one period after the first.
     pub theta: Vec<f64>,
-    /// What the moved mass does beyond the rigid lift, m.
+    /// Deflection: motion of the mass relative to the rigid lift, m.
     pub deflection: Vec<f64>,
     /// Force between cam and follower, N.
     pub contact: Vec<f64>,
     /// Its derivative by the angle, N/rad.
     pub contact_rate: Vec<f64>,
-    /// Force the machine hands on, N: the contact force, but for hydraulics the piston's.
+    /// Output force of the machine, N: the contact force, of a hydraulic drive the piston's.
     pub output: Vec<f64>,
 }
 
@@ -87,8 +87,7 @@ fn model(law: &Law, drive: &Drive, train: &Train) -> Model {
 /// The drive's speed must be positive (a cam that turns clockwise: run the mirrored law).
 ///
 /// # Errors
-/// Stiffness or masses that are none; the resonance of an undamped machine, which has no steady
-/// state.
+/// Invalid stiffness or mass; an undamped resonance, which has no steady state.
 pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     train.check()?;
     if drive.mass <= 0.0 && still(drive, train) || drive.speed <= f64::MIN_POSITIVE {
@@ -97,7 +96,7 @@ pub fn steady(law: &Law, drive: &Drive, train: &Train) -> Result<Steady> {
     let model = model(law, drive, train);
     let stiffest = model.linear.rates.norm() * widest(&model.force);
     if stiffest > linear::STIFFEST {
-        // Millions of cycles of ringing between two points: nothing is left of it but the static part.
+        // The vibration has millions of cycles between two points: only the static part remains.
         return Ok(quasi_static(law, drive, train));
     }
     let kicks = Kicks::new(law, &model);
@@ -139,7 +138,7 @@ pub fn residual_vibration(law: &Law, ratio: f64) -> f64 {
     last[0].hypot(last[1] + end.v / ratio)
 }
 
-/// What the jumps of the law do to the relative state, per piece of the forcing: the mass does not
+/// Steps of the relative state at the jumps of the law, per piece of the forcing: the mass does not
 /// follow a step of the lift, so x and x′ step by minus it.
 struct Kicks {
     at_piece: Vec<(usize, Vector4<f64>)>,
@@ -200,7 +199,7 @@ fn resonance(drive: &Drive, train: &Train) -> Error {
     .into()
 }
 
-/// Inertia of the vibration left out: springs in series carry the rigid force.
+/// Quasi-static solution: springs in series carry the rigid force.
 fn quasi_static(law: &Law, drive: &Drive, train: &Train) -> Steady {
     let force = rigid_force(law, drive);
     let give = 1.0 / (train.stiffness + drive.spring_rate);

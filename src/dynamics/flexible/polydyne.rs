@@ -1,4 +1,4 @@
-//! Polydyne (splinedyne) cams: the lift under which the end of a flexible follower moves as wanted.
+//! Polydyne (splinedyne) cams: the lift under which the output of a compliant follower follows a target law.
 //!
 //! The end y of a follower of mass m on a train of stiffness k₁ and damping c₁ obeys
 //!
@@ -6,9 +6,9 @@
 //! F(y) = F₀ + k y + c ẏ + m ÿ = k₁ (s − y) + c₁ (ṡ − ẏ)
 //! ```
 //!
-//! so the give x = s − y follows from the wanted end by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping
+//! so the deflection x = s − y follows from the target y by x + τ x′ = F(y)/k₁, τ = c₁ω/k₁. Without damping
 //! that is algebra: s = y + F(y)/k₁. With it the steady answer is the series
-//! x = (F − τF′ + τ²F″ − …)/k₁, of which as many terms are taken as the wanted law has continuous
+//! x = (F − τF′ + τ²F″ − …)/k₁, of which as many terms are taken as the target has continuous
 //! derivatives for; a sinusoid of frequency r has the whole of it, 1/(1 + i r τ). Source: Dudley's polydyne
 //! relation, y and s in the letters of [`super`].
 
@@ -25,26 +25,26 @@ use serde::Serialize;
 const MOST_TERMS: usize = 4;
 /// A jump below this part of the derivative's size is rounding; high derivatives of a spline carry much.
 const ROUNDING: f64 = 1e-6;
-/// Angles of one cycle at which the run of the finished cam is compared with what is wanted.
+/// Angles of one cycle at which the run of the finished cam is compared with the target.
 const COMPARED: usize = 720;
 
-/// Law of the cam under which the end of a flexible follower moves as `wanted` at the drive's speed.
+/// Law of the cam under which the output of a compliant follower follows `target` at the drive's speed.
 ///
-/// The constant F₀/k₁, the static give under the rest force, is part of the lift.
+/// The constant F₀/k₁, the static deflection under the rest force, is part of the lift.
 ///
 /// # Errors
-/// Stiffness or damping that cannot be, an open law, a wanted law with a jump in one of its
+/// Invalid stiffness or damping, an open law, a target law with a jump in one of its
 /// first four derivatives (without mass fewer count): the cam's acceleration would jump there.
-pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
+pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     train.check()?;
     let Train { stiffness, damping } = *train;
-    if !wanted.is_closed() {
+    if !target.is_closed() {
         return Err(DynamicsError::OpenPolydyne.into());
     }
     let weights = drive.weights();
     // The cam's acceleration takes two derivatives more than the force does.
     let needed = 2 + weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
-    let (smooth, broken_at) = continuous_derivatives(wanted, needed + MOST_TERMS);
+    let (smooth, broken_at) = continuous_derivatives(target, needed + MOST_TERMS);
     if smooth < needed {
         let derivative = [
             "lift",
@@ -71,7 +71,7 @@ pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     }
     alpha[0] += 1.0;
     let rest = drive.rest_force / stiffness;
-    let poly = wanted.poly();
+    let poly = target.poly();
     let one_piece = poly.pieces() == 1 && poly.degree() == 0;
     let gain = |rate: f64| {
         if one_piece {
@@ -89,7 +89,7 @@ pub fn polydyne(wanted: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     let waves: Vec<Vec<Wave>> = (0..poly.pieces())
         .map(|i| {
             let passed = |w: &Wave| passed(w, gain(w.rate));
-            wanted.waves(i).iter().map(passed).collect()
+            target.waves(i).iter().map(passed).collect()
         })
         .collect();
     let waves = if waves.iter().all(Vec::is_empty) {
@@ -169,13 +169,13 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
     (most, breaks[0])
 }
 
-/// How far a flexible follower's end stays from what is wanted of it.
+/// Deviation of a compliant follower's output from its target.
 ///
 /// ```
 /// use gaitcam::scene;
 /// use gaitcam::synthesise;
 ///
-/// // A cam that is cut for its flexible follower misses the law by less than one that is not.
+/// // A polydyne cam has a smaller deviation than the target law itself as cam.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let scene = scene.with("machine.natural_frequency", "12 Hz")?.with("law.degree", "7")?.with("law.polydyne", "true")?;
 /// let end = synthesise(&scene, scene.model_force()?.as_ref())?.end.unwrap();
@@ -184,19 +184,19 @@ fn continuous_derivatives(law: &Law, most: usize) -> (usize, f64) {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Miss {
-    /// Force handed on against the force that the wanted end gives: root mean square, N.
+    /// Force handed on minus the force of the target law: root mean square, N.
     pub force_rms: f64,
     /// The same, largest, N.
     pub force_max: f64,
-    /// Largest distance of the end from its wanted place, the constant part left out, m, and where.
+    /// Largest deviation of the output from the target without the constant part, m, and its angle.
     pub lift: Extreme,
 }
 
-/// Compares the exact steady run of `cam` with its wanted end, at equal steps of the angle.
+/// Compares the exact steady motion under `cam` with the target of the output, at equal steps of the angle.
 ///
 /// # Errors
 /// Fails where the run has no steady state (see [`flexible::steady`]).
-pub fn end_error(cam: &Law, wanted: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
+pub fn end_error(cam: &Law, target: &Law, drive: &Drive, train: &Train) -> Result<Miss> {
     let steady = flexible::steady(&finely(cam), drive, train)?;
     let (start, length) = cam.extent();
     let (mut square, mut largest) = (0.0, 0.0_f64);
@@ -208,7 +208,7 @@ pub fn end_error(cam: &Law, wanted: &Law, drive: &Drive, train: &Train) -> Resul
         while k + 1 < steady.theta.len() && steady.theta[k] < at - 1e-9 {
             k += 1;
         }
-        let (given, asked) = (cam.svaj(at), wanted.svaj(at));
+        let (given, asked) = (cam.svaj(at), target.svaj(at));
         let force = (steady.output[k] - drive.force(asked)).abs();
         square += force * force;
         largest = largest.max(force);

@@ -148,7 +148,7 @@ fn accelerations(stretch: &[Station]) -> Vec<f64> {
     slopes_at(&x, &v)
 }
 
-/// Mean slope of a closed lift, which has none: what noise leaves of it is spread evenly.
+/// Mean slope of the recovered lift; a closed lift has none, so it is subtracted.
 fn drift(stretches: &[Vec<Station>], cycle: Cycle) -> f64 {
     let mut sum = 0.0;
     for stretch in stretches {

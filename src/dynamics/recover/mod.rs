@@ -5,8 +5,8 @@
 //! these are the support function of the profile and its derivative, (v, Rb + s); for a roller the
 //! contact normal is (centre − contact)/Rf and the slope follows from it. The slopes carry a C² cubic
 //! spline, whose integral is the lift (C³): noise in the points enters the acceleration divided by the
-//! step of the angle once, not twice, and there is no facet anywhere (theory §10). Where each follower
-//! stands over a contact point is `stance`'s business; `breaks` joins stretches at the jumps of acceleration or jerk.
+//! step of the angle once, not twice, and there is no facet anywhere (theory §10). `stance` computes the
+//! position of each follower over a contact point; `breaks` joins stretches at the jumps of acceleration or jerk.
 
 mod breaks;
 mod slopes;
@@ -25,7 +25,7 @@ use std::f64::consts::TAU;
 
 /// Angles of a profile may differ from equal steps by this part of a step: rounding in a file.
 const STEP_SLACK: f64 = 1e-3;
-/// Rows that a stretch between two breakpoints needs on average to show its own shape.
+/// Fewest rows, on average, of a stretch between two breakpoints.
 pub const ROWS_BETWEEN_BREAKS: usize = 6;
 
 /// The motion that an emitted profile gives its follower.
@@ -50,12 +50,12 @@ pub struct Emitted {
     pub law: Law,
     /// Lift and derivatives at the points.
     pub nodes: Vec<Svaj>,
-    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or a
-    /// profile whose rows are not the contacts they claim to be.
+    /// Largest difference between a point's own height and the curve's, m: noise, rounding, or rows
+    /// that are not contact points.
     pub mismatch: f64,
 }
 
-/// What a profile covers.
+/// Extent of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle {
     /// rad (m of travel for a slide).
@@ -71,7 +71,7 @@ impl Cycle {
         closed: true,
     };
 
-    /// What a cam's law covers.
+    /// Extent of a cam's law.
     pub fn of(law: &Law) -> Cycle {
         Cycle {
             length: law.extent().1,
@@ -211,7 +211,7 @@ fn refuse_concave(emitted: &Emitted, face: &Follower, start: f64, step: f64) -> 
 /// The quartic C³ lift through the slopes, raised to the mean of the heights.
 fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[f64]) -> Emitted {
     let n = heights.len();
-    // A closed lift has no mean slope; what noise leaves of it is spread evenly.
+    // A closed lift has no mean slope: subtract the mean that noise leaves.
     let drift = if closed {
         slopes.iter().sum::<f64>() / n as f64
     } else {

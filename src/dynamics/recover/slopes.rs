@@ -9,7 +9,7 @@ pub fn spline_slopes(values: &[f64], step: f64, closed: bool) -> Vec<f64> {
     }
 }
 
-/// The same of values that end: the slopes at both ends are those of the quartics through the five
+/// As above for open data: the slopes at both ends are those of the quartics through the five
 /// values next to them, so the order of the spline is kept.
 fn open_slopes(values: &[f64], step: f64) -> Vec<f64> {
     const ONE_SIDED: [f64; 5] = [-25.0, 48.0, -36.0, 16.0, -3.0];
@@ -132,7 +132,7 @@ mod tests {
             let got = slopes_at(&x[..count], &y[..count]);
             for (x, got) in x.iter().zip(&got) {
                 let exact = -2.0 + x - 0.75 * x * x;
-                // Two or three values do not know a cubic.
+                // Two or three values do not determine a cubic.
                 assert!(
                     count < 4 || (got - exact).abs() < 1e-12,
                     "{count} {x} {got}"

@@ -1,14 +1,14 @@
-//! Where a follower stands whose contact with the cam is a given point: its lift and the lift's slope.
+//! Lift of a follower, and its slope, from a given contact point.
 
 use crate::cam::{Arm, Follower, ProfilePoint};
 
-/// Whether a contact point alone tells the slope; a knife edge touches whatever the slope is.
+/// Whether a contact point determines the slope; that of a knife edge does not.
 pub fn slopes_known(follower: &Follower) -> bool {
     follower.is_flat() || follower.roller_radius() > 0.0
 }
 
 /// Lift over the base (prime) circle, m (rad for an arm), and its slope at the follower's contact with
-/// `point`; `None` where the follower cannot reach it. Without meaning for a knife edge: the slope.
+/// `point`; `None` where the follower cannot reach it. The slope of a knife edge is undefined.
 pub fn height_and_slope(follower: &Follower, point: &ProfilePoint) -> Option<(f64, f64)> {
     let p = match *follower {
         Follower::TranslatingCam { .. } => [point.x - point.theta, point.y],

@@ -62,8 +62,8 @@ pub fn modulus(a: Material, b: Material) -> f64 {
 
 /// Line contact: p₀ = √(F E*/(π L R)), 1/R the sum of `curvature` of both bodies.
 ///
-/// `force` N, `length` m. A force or curvature of 0 or less presses with nothing (a face wider than its
-/// hollow is no Hertz contact).
+/// `force` N, `length` m. The pressure is 0 for a force or curvature of 0 or less (a face in a concave
+/// flank is not a Hertz contact).
 pub fn line(force: f64, length: f64, curvature: f64, modulus: f64) -> LineContact {
     if force <= 0.0 || curvature <= 0.0 {
         return LineContact::default();

@@ -1,4 +1,4 @@
-//! Rigid bodies that stay in contact: force, torque and what they ask of parts and motor.
+//! Rigid bodies in contact: force, torque, power, lift-off speed.
 //!
 //! F = F₀ + k s + c ω v + m ω² a on the machine's line of motion (theory §1); the camshaft gives
 //! T = F·v, plus μ|F|·d against the turning under a flat face (Campillo de Blas 2017, eq. 27).
@@ -12,13 +12,13 @@ use crate::drive::Drive;
 use crate::law::{Law, Svaj};
 use crate::poly::{Extreme, PiecewisePoly};
 
-/// Rounds of the search below; it settles in fewer than ten.
+/// Largest number of iterations; fewer than ten are needed.
 const ROUNDS: usize = 60;
 /// A pull at rest below this part of the largest force is none: a lift of zero is known from emitted points
 /// to their spline's error only, and a law's dwell to its solver's tolerance.
 const NO_PULL_AT_REST: f64 = 1e-6;
 
-/// What the machine does at one cam angle.
+/// State of the machine at one cam angle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Instant {
     /// Lift, m.
@@ -120,7 +120,7 @@ pub fn lowest_liftoff(
         };
         let [k, c, m, _] = here.weights();
         let (worst, largest) = extremes([k, c, m], drive.rest_force);
-        // A force that only touches zero, as in a dwell without preload, is no lift-off.
+        // A force that only touches zero, as in a dwell without preload, is not a lift-off.
         if worst.value >= -NO_PULL * largest.value.abs() {
             break;
         }

@@ -1,4 +1,4 @@
-//! What happens where cam and follower touch, for every follower, by virtual work.
+//! Contact forces and sliding for every follower, by virtual work.
 //!
 //! The follower has one freedom s, the cam one, θ. With the contact's unit normal n (towards the
 //! follower) and G = ∂P/∂s, the velocity of the follower's own point there, a force N n and a friction
@@ -10,7 +10,7 @@
 use crate::cam::{Arm, Cam, Follower};
 use crate::law::Svaj;
 
-/// What happens in the contact at one cam angle.
+/// The contact at one cam angle.
 ///
 /// ```
 /// use gaitcam::cam::Follower;
@@ -26,9 +26,9 @@ use crate::law::Svaj;
 pub struct Touch {
     /// Force normal to the surfaces, N.
     pub normal: f64,
-    /// Speed at which the cam rubs along the follower, m/s; 0 for a roller, which rolls.
+    /// Sliding speed of the cam on the follower, m/s; 0 for a roller.
     pub sliding: f64,
-    /// Mean speed of both surfaces relative to the contact, m/s: what draws oil in.
+    /// Mean speed of both surfaces relative to the contact (entraining speed), m/s.
     pub entraining: f64,
     /// Thrust across the guides, or along an arm towards its pivot, N.
     pub side_thrust: f64,
@@ -71,7 +71,7 @@ pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f6
     let rubbing = dot(relative, tangent);
     let mu = if place.rubs { friction } else { 0.0 };
     let drag = mu * rubbing.signum();
-    // A pull is no contact force, but where the rigid model draws one, friction still opposes the rubbing.
+    // Under a negative force of the rigid model friction still opposes the sliding.
     let pressed = dot(n, g) + force.signum() * drag * dot(tangent, g);
     let normal = if force == 0.0 {
         0.0
@@ -101,7 +101,7 @@ pub fn touch(follower: &Follower, speed: f64, friction: f64, at: Svaj, force: f6
     }
 }
 
-/// Whether cam and follower rub on each other; a roller rolls.
+/// Whether the cam slides on the follower; a roller rolls.
 pub fn rubs(follower: &Follower) -> bool {
     match *follower {
         Follower::FlatTranslating { .. }
@@ -112,8 +112,8 @@ pub fn rubs(follower: &Follower) -> bool {
     }
 }
 
-/// Whether cam and follower hold each other from both sides, so that nothing can lift off: the groove of
-/// a barrel, or a conjugate pair.
+/// Whether the follower is held from both sides and cannot lift off: the groove of a barrel, or a conjugate
+/// pair.
 pub fn held(cam: &Cam, conjugate: Option<&Cam>) -> bool {
     conjugate.is_some() || matches!(cam.follower, Follower::Barrel { .. })
 }

@@ -1,4 +1,4 @@
-//! `--model auto`: the least model that is enough, and the numbers that say so.
+//! The automatic choice of the simplest sufficient model, with its reason.
 
 use super::models::{contact_run, flexible_run, rigid_run};
 use super::prepared::Prepared;
@@ -12,17 +12,17 @@ use crate::error::Result;
 use crate::poly::amplitudes;
 use crate::units::{Dimension, Quantity};
 
-/// Force margin, as part of the mean, below which the contact itself is run.
+/// Force margin, as part of the mean, below which the contact model is run.
 pub const MARGIN: f64 = 0.05;
-/// Part of the lift-off speed from which the contact itself is run.
+/// Part of the lift-off speed from which the contact model is run.
 pub const NEAR_LIFTOFF: f64 = 0.95;
-/// RMS error of the rigid model, as part of the mean force, that is still nothing (theory §10: 0.20 % at
+/// RMS error of the rigid model, as part of the mean force, that is neglected (theory §10: 0.20 % at
 /// 50 Hz for smooth walking targets).
 pub const RIGID_ENOUGH: f64 = 0.002;
 
-/// Rigid first; flexible when the follower's own vibration would move the force by more than
-/// [`RIGID_ENOUGH`]; contact when force margin or speed come near lift-off. The next model up is run once
-/// to say what it would change.
+/// Rigid first; flexible when vibration would change the force by more than
+/// [`RIGID_ENOUGH`]; contact when force margin or speed come near lift-off. The next finer model is run once
+/// for comparison.
 pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
     let rigid = rigid_run(input, p)?;
     let forces: Vec<f64> = p.nodes.iter().map(|at| p.drive.force(*at)).collect();
@@ -79,7 +79,7 @@ pub(super) fn auto(input: &Run, p: &Prepared) -> Result<Outcome> {
 
 fn asks_for_contact(p: &Prepared, rigid: &Outcome, mean: f64) -> Option<ModelReason> {
     let scale = mean.abs();
-    // Without mass a small force is no nearness to lift-off: only a pull asks for more.
+    // Without mass a small force is not close to lift-off: only a negative force needs the contact model.
     let asked = if p.drive.mass > 0.0 {
         rigid.force.min < MARGIN * scale
     } else {
@@ -110,7 +110,7 @@ fn force_margin(p: &Prepared, rigid: &Outcome, forces: &[f64], mean: f64) -> For
     }
     let liftoff = liftoff_margin(p, rigid);
     let low = rigid.force.min;
-    // Inertia alone has no mean to be a part of.
+    // A pure inertia force has no mean to relate the margin to.
     if mean.abs() <= 1e-9 * largest {
         return ForceMargin::InertiaOnly {
             low: p.load(low),
@@ -141,11 +141,11 @@ fn liftoff_margin(p: &Prepared, rigid: &Outcome) -> LiftoffMargin {
     }
 }
 
-/// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, and what
-/// to say about it: each harmonic n is passed on with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
+/// RMS change of the force by vibration, as part of the mean, from the rigid force's harmonics, with the
+/// reason for messages: each harmonic n is transmitted with (1 + 2iζr)/(1 − r² + 2iζr), r = nω/ω₁.
 fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vibration) {
     let Some(natural) = train.natural_frequency(&p.drive) else {
-        // Without mass nothing rings, but springs in series share the lift: always worth running.
+        // Without mass there is no vibration, but the train deflects: always run the flexible model.
         return (f64::INFINITY, Vibration::NoMass);
     };
     let zeta = train.damping / (2.0 * p.drive.mass * natural);
@@ -156,7 +156,7 @@ fn vibration(train: &Train, p: &Prepared, forces: &[f64], mean: f64) -> (f64, Vi
         let extra = r * r / (1.0 - r * r).hypot(2.0 * zeta * r);
         sum += 0.5 * (a.hypot(b) * extra).powi(2);
     }
-    // An undamped resonance gives an infinite sum: the flexible run then names it.
+    // An undamped resonance gives an infinite sum; the flexible model reports it.
     let part = sum.sqrt() / mean.abs();
     let known = Vibration::Harmonics {
         frequency: Quantity::new(natural / std::f64::consts::TAU, Dimension::Frequency),

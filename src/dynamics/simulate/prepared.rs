@@ -1,4 +1,4 @@
-//! The emitted cam as the models see it.
+//! Input of the models, made from the emitted cam.
 
 use crate::cam::{Cam, Follower, Measures};
 use crate::drive::Drive;
@@ -13,7 +13,7 @@ use crate::dynamics::run::Run;
 use crate::error::{DynamicsError, Result};
 use crate::law::{Law, Svaj};
 
-/// The cam as the models see it: turning in the sense of growing angle, one or two profiles.
+/// Input of the models: one or two profiles of a cam that turns in the sense of growing angle.
 pub(super) struct Prepared {
     pub drive: Drive,
     pub reversed: bool,
@@ -29,11 +29,11 @@ pub(super) struct Prepared {
     pub cycle: Cycle,
     pub step: f64,
     pub reach: f64,
-    /// The follower where it bears hardest: a barrel's at the floor of its groove.
+    /// The follower at its largest contact pressure: a barrel's at the floor of its groove.
     pub bearing: Follower,
-    /// What the law is measured in, for words.
+    /// Units of the law, for messages.
     pub measures: Measures,
-    /// Whether neither side can lift off the other.
+    /// Whether the follower is held from both sides.
     pub held: bool,
     /// Whether friction makes the torque other than F·v and it is not the flat face's.
     pub rubs: bool,
@@ -160,7 +160,7 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
     })
 }
 
-/// What no model here can answer, in words.
+/// Refuses machines that no model covers.
 fn refuse_unknown(input: &Run, cycle: Cycle, held: bool) -> Result<()> {
     if !cycle.closed && input.drive.speed < 0.0 {
         return Err(DynamicsError::SlideBackwards.into());

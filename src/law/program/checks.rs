@@ -1,4 +1,4 @@
-//! What a programme is refused for: its lengths, its neighbours, jumps at its joints, a dip below the base circle.
+//! Checks of a programme: total length, neighbouring segments, jumps at joints, lift below the base circle.
 
 use super::{Draft, Extent, JUMP, ROUNDING, Segment, name};
 use crate::error::{JoinCure, LawError, Result};
@@ -50,7 +50,7 @@ pub fn lengths(segments: &[Segment], extent: Extent) -> Result<f64> {
     Ok(total)
 }
 
-/// Two general polynomials side by side leave each other no end values.
+/// Adjacent general polynomials have no end values.
 pub fn general(segments: &[Segment], extent: Extent) -> Result<()> {
     let n = segments.len();
     for i in 0..n {
@@ -119,7 +119,7 @@ impl Draft {
     }
 }
 
-/// What would make two segments meet in velocity.
+/// Changes that remove a jump of velocity between two segments.
 fn cure(
     draft: &Draft,
     segments: &[Segment],
@@ -149,7 +149,7 @@ pub fn base_circle(draft: &Draft, segments: &[Segment], extent: Extent) -> Resul
     if low.value >= -JUMP * (high.value - low.value) {
         return Ok(());
     }
-    // The first dip is the one to blame; later segments may only stay down there.
+    // Report the first segment below; later ones may only stay below.
     let depth = draft.law.combination([-1.0, 0.0, 0.0, 0.0], 0.0);
     let first = depth
         .peaks_above(

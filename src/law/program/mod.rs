@@ -22,13 +22,13 @@ use std::f64::consts::{PI, TAU};
 pub struct Segment {
     /// Shape of the motion.
     pub motion: Rise,
-    /// How far the follower moves: positive rises, negative falls, 0 for a dwell; m (rad when oscillating).
+    /// Change of lift: positive rises, negative falls, 0 for a dwell; m (rad when oscillating).
     pub lift: f64,
-    /// How long it takes: rad of cam angle, m of travel for a translating cam.
+    /// Extent: rad of cam angle, m of travel for a translating cam.
     pub angle: f64,
 }
 
-/// What a programme fills.
+/// Extent of a programme.
 ///
 /// ```
 /// use gaitcam::law::{Extent, Rise, Segment, program};
@@ -114,8 +114,8 @@ pub fn program(segments: &[Segment], extent: Extent) -> Result<Law> {
     Ok(draft.law)
 }
 
-/// As [`program`], but lets jumps of lift and velocity and falls below the base circle pass: for showing
-/// what is wrong with a law.
+/// As [`program`], but lets jumps of lift and velocity and falls below the base circle pass: for reports on
+/// invalid laws.
 ///
 /// # Errors
 /// Lengths that do not fill the extent, two general polynomials side by side.

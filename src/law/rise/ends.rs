@@ -1,4 +1,4 @@
-//! Peaks of a rise, and how it meets what stands beside it.
+//! Peaks of a rise, and its continuity with neighbouring segments.
 
 use super::Rise;
 use crate::error::Result;
@@ -34,7 +34,7 @@ impl Rise {
         })
     }
 
-    /// Motion at both ends of the normalised rise: what may stand beside it.
+    /// Motion at both ends of the normalised rise, which decides on possible neighbours.
     ///
     /// # Errors
     /// Parameters out of range.
@@ -91,7 +91,7 @@ pub struct Ends {
 const REST: f64 = 1e-9;
 
 impl End {
-    /// Highest derivative that stays continuous with a dwell beside this end: 0 = lift only … 3 = jerk.
+    /// Highest derivative that is continuous with a dwell at this end: 0 = lift only … 3 = jerk.
     pub fn continuity_with_dwell(&self) -> usize {
         [self.at.v, self.at.a, self.at.j]
             .iter()
@@ -99,7 +99,7 @@ impl End {
             .unwrap_or(3)
     }
 
-    /// Whatever may stand beside an end: at rest without and with acceleration, moving without and with it.
+    /// Kinds of neighbour at an end: at rest without and with acceleration, moving without and with it.
     pub const JOINS: [&'static str; 4] = [
         "dwell",
         "return of equal acceleration",
@@ -107,7 +107,7 @@ impl End {
         "nothing but a general polynomial",
     ];
 
-    /// What may stand beside this end without a jump of v or a.
+    /// Kinds of neighbour at this end without a jump of v or a.
     pub fn joins(&self) -> &'static str {
         let moves = usize::from(self.at.v.abs() > REST);
         let accelerates = usize::from(self.at.a.abs() > REST);

@@ -10,7 +10,7 @@ use crate::dynamics::surface::Surface;
 use crate::error::{DynamicsError, Result};
 use std::f64::consts::TAU;
 
-/// Lift-off has no meaning where both sides hold, and no steady state where the cam ends.
+/// A follower held from both sides cannot lift off, and a cam with ends has no steady state.
 fn refuse_contact(input: &Run, p: &Prepared) -> Result<()> {
     if p.held {
         let fault = if input.machine.conjugate.is_some() {

@@ -14,7 +14,7 @@ use crate::dynamics::reason::RunNote;
 use crate::dynamics::run::Run;
 use crate::units::Quantity;
 
-/// Where a groove or a pair holds the follower from both sides a pull is the other side's push.
+/// In a groove or a conjugate pair a negative force is carried by the other side.
 fn note_other_side(out: &mut Outcome, input: &Run, p: &Prepared, pulled: f64) {
     if pulled <= 0.0 {
         return;
