@@ -15,8 +15,11 @@ use serde::Serialize;
 /// let area = std::f64::consts::PI * 1e-4;
 /// assert!((drive.spring_rate / (2e9 * area * area) - 1.0).abs() < 1e-12);
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::VariantArray,
+)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum DriveKind {
     /// The shaft block rides on the cam, the cam rolls on a plate: F = M(g + ω²a) (Campillo de Blas 2017, eq. 22).
     MovingAxis,
@@ -28,19 +31,11 @@ pub enum DriveKind {
 
 impl DriveKind {
     /// Every kind.
-    pub const ALL: [DriveKind; 3] = [
-        DriveKind::MovingAxis,
-        DriveKind::FixedAxis,
-        DriveKind::Hydraulic,
-    ];
+    pub const ALL: &'static [DriveKind] = <DriveKind as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
     pub fn name(self) -> &'static str {
-        match self {
-            DriveKind::MovingAxis => "moving-axis",
-            DriveKind::FixedAxis => "fixed-axis",
-            DriveKind::Hydraulic => "hydraulic",
-        }
+        self.into()
     }
 }
 

@@ -87,8 +87,9 @@ impl Check {
 /// assert!(Verdict::Acceptable < Verdict::NotForHighSpeed);
 /// assert_eq!(Verdict::NotForHighSpeed.name(), "not-for-high-speed");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Verdict {
     /// Every check passes and the acceleration is continuous.
     Acceptable,
@@ -101,10 +102,6 @@ pub enum Verdict {
 impl Verdict {
     /// The word of `summary.json`.
     pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Acceptable => "acceptable",
-            Verdict::NotForHighSpeed => "not-for-high-speed",
-            Verdict::Unacceptable => "unacceptable",
-        }
+        self.into()
     }
 }

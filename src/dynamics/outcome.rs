@@ -15,8 +15,9 @@ use crate::error::Error;
 /// assert_eq!(Model::parse("contact"), Some(Model::Contact));
 /// assert_eq!(Model::Flexible.name(), "flexible");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr, strum::EnumString)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum Model {
     /// The simplest sufficient model.
     Auto,
@@ -31,19 +32,12 @@ pub enum Model {
 impl Model {
     /// The name in commands and files.
     pub fn name(self) -> &'static str {
-        match self {
-            Model::Auto => "auto",
-            Model::Rigid => "rigid",
-            Model::Flexible => "flexible",
-            Model::Contact => "contact",
-        }
+        self.into()
     }
 
     /// The model of that name.
     pub fn parse(word: &str) -> Option<Self> {
-        [Model::Auto, Model::Rigid, Model::Flexible, Model::Contact]
-            .into_iter()
-            .find(|m| m.name() == word)
+        word.parse().ok()
     }
 }
 

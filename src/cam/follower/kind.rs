@@ -13,8 +13,22 @@ use super::{Follower, Measures};
 /// assert!(kind.is_oscillating() && kind.has_roller());
 /// assert_eq!(kind.name(), "roller-oscillating");
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(
+    Debug,
+    Clone,
+    Copy,
+    PartialEq,
+    Eq,
+    Hash,
+    Default,
+    Serialize,
+    Deserialize,
+    strum::IntoStaticStr,
+    strum::VariantArray,
+    strum::EnumString,
+)]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum FollowerKind {
     /// A flat face that translates.
     #[default]
@@ -41,38 +55,16 @@ pub enum FollowerKind {
 
 impl FollowerKind {
     /// Every kind, in the order in which messages list them.
-    pub const ALL: [FollowerKind; 10] = [
-        FollowerKind::FlatTranslating,
-        FollowerKind::RollerTranslating,
-        FollowerKind::KnifeTranslating,
-        FollowerKind::MushroomTranslating,
-        FollowerKind::RollerOscillating,
-        FollowerKind::KnifeOscillating,
-        FollowerKind::MushroomOscillating,
-        FollowerKind::FlatOscillating,
-        FollowerKind::TranslatingCam,
-        FollowerKind::Barrel,
-    ];
+    pub const ALL: &'static [FollowerKind] = <FollowerKind as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
     pub fn name(self) -> &'static str {
-        match self {
-            FollowerKind::FlatTranslating => "flat-translating",
-            FollowerKind::RollerTranslating => "roller-translating",
-            FollowerKind::KnifeTranslating => "knife-translating",
-            FollowerKind::MushroomTranslating => "mushroom-translating",
-            FollowerKind::RollerOscillating => "roller-oscillating",
-            FollowerKind::KnifeOscillating => "knife-oscillating",
-            FollowerKind::MushroomOscillating => "mushroom-oscillating",
-            FollowerKind::FlatOscillating => "flat-oscillating",
-            FollowerKind::TranslatingCam => "translating-cam",
-            FollowerKind::Barrel => "barrel",
-        }
+        self.into()
     }
 
     /// The kind of this name, if there is one.
     pub fn named(name: &str) -> Option<FollowerKind> {
-        FollowerKind::ALL.into_iter().find(|k| k.name() == name)
+        name.parse().ok()
     }
 
     /// Whether the follower translates on a cam that turns in its plane: it may have an offset.

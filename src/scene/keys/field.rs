@@ -132,20 +132,24 @@ macro_rules! impl_words {
     ($($type:ty: $words:expr;)+) => {$(
         impl Words for $type {
             fn words() -> Vec<(&'static str, $type)> {
-                $words.to_vec()
+                $words
             }
         }
     )+};
 }
 
+fn named_all<T: Copy>(all: &[T], name: fn(T) -> &'static str) -> Vec<(&'static str, T)> {
+    all.iter().map(|&value| (name(value), value)).collect()
+}
+
 impl_words! {
-    DriveKind: DriveKind::ALL.map(|k| (k.name(), k));
-    FollowerKind: FollowerKind::ALL.map(|k| (k.name(), k));
-    Movement: Movement::ALL.map(|k| (k.name(), k));
-    Feet: Feet::ALL.map(|k| (k.name(), k));
-    ForceScale: ForceScale::ALL.map(|k| (k.name(), k));
-    Family: Family::NAMES;
-    Minimise: Minimise::NAMES;
+    DriveKind: named_all(DriveKind::ALL, DriveKind::name);
+    FollowerKind: named_all(FollowerKind::ALL, FollowerKind::name);
+    Movement: named_all(&Movement::ALL, Movement::name);
+    Feet: named_all(&Feet::ALL, Feet::name);
+    ForceScale: named_all(ForceScale::ALL, ForceScale::name);
+    Family: named_all(Family::ALL, Family::name);
+    Minimise: Minimise::NAMES.to_vec();
 }
 
 impl<T: Words> Field for T {

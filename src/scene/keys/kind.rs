@@ -155,9 +155,10 @@ pub enum Relax {
 /// let damping = keys::find("machine.damping_ratio").unwrap();
 /// assert_eq!(damping.idle(&Scene::default()), Some(Idle::RigidFollower));
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, strum::IntoStaticStr)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
+#[strum(serialize_all = "kebab-case")]
 pub enum Idle {
     /// The law's family does not use it.
     Family,
@@ -178,14 +179,6 @@ pub enum Idle {
 impl Idle {
     /// Its name in data.
     pub fn name(self) -> &'static str {
-        match self {
-            Idle::Family => "family",
-            Idle::Follower => "follower",
-            Idle::Drive => "drive",
-            Idle::NoForce => "no-force",
-            Idle::Recording => "recording",
-            Idle::Model => "model",
-            Idle::RigidFollower => "rigid-follower",
-        }
+        self.into()
     }
 }

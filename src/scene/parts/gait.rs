@@ -180,7 +180,8 @@ impl Default for Gait {
 /// assert!((target.mean_n() - 7.0 * 9.81).abs() < 1e-9);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
+#[strum(serialize_all = "kebab-case")]
 pub enum ForceScale {
     /// None.
     #[default]
@@ -193,19 +194,11 @@ pub enum ForceScale {
 
 impl ForceScale {
     /// Every choice.
-    pub const ALL: [ForceScale; 3] = [
-        ForceScale::None,
-        ForceScale::ToMass,
-        ForceScale::Alternating,
-    ];
+    pub const ALL: &'static [ForceScale] = <ForceScale as strum::VariantArray>::VARIANTS;
 
     /// The name used in scenes.
     pub fn name(self) -> &'static str {
-        match self {
-            ForceScale::None => "none",
-            ForceScale::ToMass => "to-mass",
-            ForceScale::Alternating => "alternating",
-        }
+        self.into()
     }
 }
 

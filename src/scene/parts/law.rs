@@ -15,8 +15,9 @@ use crate::law::Rise;
 /// assert_eq!(read.law.family, Family::Harmonic);
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, strum::IntoStaticStr, strum::VariantArray)]
 #[non_exhaustive]
+#[strum(serialize_all = "kebab-case")]
 pub enum Family {
     /// The simplest of the others that meets accuracy and limits.
     Auto,
@@ -37,23 +38,12 @@ pub enum Family {
 }
 
 impl Family {
-    /// Every family with its name in a scene file.
-    pub const NAMES: [(&'static str, Family); 7] = [
-        ("auto", Family::Auto),
-        ("ladder", Family::Ladder),
-        ("spline", Family::Spline),
-        ("polynomial", Family::Polynomial),
-        ("harmonic", Family::Harmonic),
-        ("double-harmonic", Family::DoubleHarmonic),
-        ("program", Family::Program),
-    ];
+    /// Every family.
+    pub const ALL: &'static [Family] = <Family as strum::VariantArray>::VARIANTS;
 
     /// The name in a scene file.
     pub fn name(self) -> &'static str {
-        Family::NAMES
-            .iter()
-            .find(|n| n.1 == self)
-            .map_or("", |n| n.0)
+        self.into()
     }
 }
 
