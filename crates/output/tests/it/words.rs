@@ -10,7 +10,11 @@ const GAIT: &str = include_str!("../../src/gait/en.ftl");
 #[test]
 fn every_key_has_a_text_and_every_text_is_used() {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    words::assert_keys_are_used(&src, ENGLISH, &["report-", "figure-", "sheet-", "simulation-"]);
+    words::assert_keys_are_used(
+        &src,
+        ENGLISH,
+        &["report-", "figure-", "sheet-", "simulation-"],
+    );
     // A label with data is a variant of an enum.
     let plain: Vec<&str> = GAIT.lines().filter(|line| !line.contains("{ $")).collect();
     words::assert_keys_are_used(&src, &plain.join("\n"), &["gait-"]);
