@@ -47,24 +47,8 @@ pub(super) fn channel(
     }
     let mut sorted = thinned(&out.force_n);
     sorted.sort_by(f64::total_cmp);
-    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
-        out.idle = Some(Idle::Empty);
-        return out;
-    };
-    // Within a fraction of a step even a loaded plate hardly changes.
-    let brief = (out.force_n.len() as f64) < STEP_S * rate_hz && high > low;
-    if high - low < TOUCHED_N && !brief {
-        let level = sorted[sorted.len() / 2];
-        out.idle = Some(if level.abs() < 3.0 * TOUCHED_N {
-            Idle::NeverLoaded
-        } else {
-            let level = newtons(level);
-            Idle::Constant { level }
-        });
-        return out;
-    }
-    if let Some(level) = stuck_level(&sorted).map(newtons) {
-        out.idle = Some(Idle::Constant { level });
+    out.idle = idle(&sorted, out.force_n.len() as f64 / rate_hz);
+    if out.idle.is_some() {
         return out;
     }
     if loads_downwards(&sorted) {
@@ -85,6 +69,25 @@ pub(super) fn channel(
         }
     }
     out
+}
+
+/// Why a channel with these readings takes no part; `None` where it does.
+fn idle(sorted: &[f64], duration_s: f64) -> Option<Idle> {
+    let (Some(&low), Some(&high)) = (sorted.first(), sorted.last()) else {
+        return Some(Idle::Empty);
+    };
+    // Within a fraction of a step even a loaded plate hardly changes.
+    let is_brief = duration_s < STEP_S && high > low;
+    if high - low < TOUCHED_N && !is_brief {
+        let level = sorted[sorted.len() / 2];
+        if level.abs() < 3.0 * TOUCHED_N {
+            return Some(Idle::NeverLoaded);
+        }
+        let level = newtons(level);
+        return Some(Idle::Constant { level });
+    }
+    let level = stuck_level(sorted).map(newtons)?;
+    Some(Idle::Constant { level })
 }
 
 /// Fills missing samples by straight lines (ends are held) and says where they were.

@@ -12,7 +12,6 @@ mod cycle_file;
 mod keys;
 mod number;
 mod number_table;
-mod raw;
 mod text;
 mod timebase;
 mod vertical;

@@ -2,7 +2,6 @@
 
 use super::baseline;
 use super::columns::says_vertical;
-use super::raw::RawForce;
 use super::timebase::TimeBase;
 use crate::error::{ReadError, Result};
 use crate::quantity::newtons;
@@ -14,6 +13,16 @@ use crate::recording::{
 const HARDEST_N: f64 = 8000.0;
 /// Smallest peak of a walking force that is believable, N.
 const SOFTEST_N: f64 = 60.0;
+
+/// A raw column of force with what its name says.
+#[derive(Debug)]
+pub(super) struct RawForce {
+    pub name: String,
+    pub axis: Axis,
+    pub foot: Option<Foot>,
+    pub unit: Option<ForceUnit>,
+    pub values: Vec<f64>,
+}
 
 /// What a file says of a recording beside its columns of force.
 pub(super) struct Facts {

@@ -7,11 +7,13 @@
 mod parameters;
 mod plates;
 mod storage;
+mod words;
 
 use std::path::Path;
 
+use self::words::Words;
 use parameters::Parameters;
-use storage::{Analog, Words};
+use storage::Analog;
 
 use super::columns::{foot, words};
 use super::keys;

@@ -1,6 +1,6 @@
 //! The parameter section of a C3D file.
 
-use super::storage::Words;
+use super::words::Words;
 
 /// Most values of one parameter that are read; real files hold a few hundred.
 const MOST_VALUES: usize = 1 << 16;

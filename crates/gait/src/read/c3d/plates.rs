@@ -6,7 +6,7 @@ use super::parameters::Parameters;
 use super::storage::Analog;
 use crate::error::{Placed, ReadError, Result};
 use crate::read::columns::{Role, role};
-use crate::read::raw::RawForce;
+use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note, ReadOptions};
 
 /// Channels of a plate and their weights in its vertical force.

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use super::header::Table;
 use super::listed;
-use super::table::Table;
 use crate::error::{Error, Placed, ReadError, Result, nearest};
 use crate::read::columns::{Role, bracketed, foot, role, words};
 use crate::recording::{Axis, Foot, ForceUnit, ReadOptions};

@@ -7,11 +7,11 @@
 use std::path::Path;
 
 use super::choose::{Plan, plan};
+use super::header::Table;
 use super::layout::{Lines, Position, text};
-use super::table::Table;
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::kilograms;
-use crate::read::raw::RawForce;
+use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note, ReadOptions};
 use crate::units::G;
 

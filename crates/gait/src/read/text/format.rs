@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use super::header::Table;
 use super::layout::{Layout, Separator};
-use super::table::Table;
 use crate::recording::{DecimalMark, Format, SeparatorName};
 
 /// The kind of a text, from its header and the shape of its table.

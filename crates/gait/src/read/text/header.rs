@@ -1,8 +1,22 @@
 //! The header of a table: names over columns, groups over names, units, lines above.
 
 use super::layout::{Fields, Layout, Position, Separator, text};
-use super::table::Table;
 use crate::read::number::{Field, field, trim};
+
+/// One table: its place and the words above it.
+#[derive(Debug, Clone)]
+pub(crate) struct Table {
+    /// First row of numbers.
+    pub start: Position,
+    /// Fields in that row, trailing empty ones not counted.
+    pub width: usize,
+    /// Name of each column, rows of a header of several rows joined by a blank; empty without one.
+    pub names: Vec<String>,
+    /// Unit of each column where there is a row of units, else empty.
+    pub units: Vec<String>,
+    /// Lines above the table that are not its header row, comment marks cut.
+    pub head: Vec<String>,
+}
 
 fn cells(line: &[u8], layout: Layout, width: usize) -> Vec<String> {
     let split = |l: &[u8]| -> Vec<String> {

@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use super::choose::force_is_time;
+use super::header::Table;
 use super::layout::Layout;
 use super::raw::Raw;
-use super::table::{Numbers, Table, numbers};
+use super::table::{Numbers, numbers};
 use crate::error::{Placed, ReadError, Result};
-use crate::read::raw::RawForce;
+use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Foot, Note, ReadOptions};
 
 /// Fewest rows that are taken for a recording when nothing names the columns.
@@ -39,42 +40,7 @@ pub(super) fn read(
     if samples < FEWEST && options.force.is_empty() {
         return Ok(None);
     }
-    let number = |name: &str| -> Result<usize> {
-        let n = name
-            .parse::<usize>()
-            .ok()
-            .filter(|n| (1..=columns.len()).contains(n));
-        n.map(|n| n - 1).ok_or_else(|| {
-            ReadError::NoColumnNumber {
-                column: name.to_string(),
-                count: columns.len(),
-            }
-            .at_line(path, table.start.line)
-        })
-    };
-    let time = match &options.time {
-        Some(name) => Some(number(name)?),
-        None => time_column(&columns),
-    };
-    let mut forces: Vec<usize> = if options.force.is_empty() {
-        force_columns(&columns, time)
-    } else {
-        options
-            .force
-            .iter()
-            .map(|f| number(f))
-            .collect::<Result<_>>()?
-    };
-    let named = !forces.is_empty();
-    forces.retain(|&i| Some(i) != time);
-    forces.sort_unstable();
-    forces.dedup();
-    if named && forces.is_empty() {
-        return Err(force_is_time(path, table));
-    }
-    if forces.is_empty() {
-        return Err(ReadError::NamelessColumns.at_line(path, table.start.line));
-    }
+    let (time, forces) = chosen(path, table, &columns, options)?;
     if let Some(t) = time {
         rising(path, table, &columns[t])?;
     }
@@ -109,6 +75,44 @@ pub(super) fn read(
         skipped,
         notes: insoles.into_iter().collect(),
     }))
+}
+
+/// The column of time and those of force: those that the options name by number, otherwise those that the numbers show.
+fn chosen(
+    path: &Path,
+    table: &Table,
+    columns: &[Vec<f64>],
+    options: &ReadOptions,
+) -> Result<(Option<usize>, Vec<usize>)> {
+    let number = |name: &String| {
+        let n = name.parse::<usize>().ok();
+        let n = n.filter(|n| (1..=columns.len()).contains(n));
+        n.map(|n| n - 1).ok_or_else(|| {
+            ReadError::NoColumnNumber {
+                column: name.clone(),
+                count: columns.len(),
+            }
+            .at_line(path, table.start.line)
+        })
+    };
+    let time = match &options.time {
+        Some(name) => Some(number(name)?),
+        None => time_column(columns),
+    };
+    let mut forces: Vec<usize> = match &options.force[..] {
+        [] => force_columns(columns, time),
+        names => names.iter().map(number).collect::<Result<_>>()?,
+    };
+    if forces.is_empty() {
+        return Err(ReadError::NamelessColumns.at_line(path, table.start.line));
+    }
+    forces.retain(|&i| Some(i) != time);
+    forces.sort_unstable();
+    forces.dedup();
+    if forces.is_empty() {
+        return Err(force_is_time(path, table));
+    }
+    Ok((time, forces))
 }
 
 /// Left and right, where the table is time, two like sets of sensors and their two sums, in this order.

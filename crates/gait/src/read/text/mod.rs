@@ -24,15 +24,15 @@ use times::{time_base, time_unit};
 use super::columns::{Role, role};
 use super::keys;
 use super::number::trim;
-use super::raw::RawForce;
-use super::vertical::{self, Facts};
+use super::vertical::{self, Facts, RawForce};
 use crate::error::{Error, Placed, ReadError, Result};
 use crate::recording::{ForceUnit, Format, Note, ReadOptions, Recording};
 
 pub(super) use choose::{column, unit_label};
+pub(super) use header::Table;
 pub(super) use layout::{Fields, Layout, Lines, Position, detect, plain, text};
 pub use stance_table::metadata_name;
-pub(super) use table::{Table, next_table, numbers};
+pub(super) use table::{next_table, numbers};
 
 /// Reads a delimited text; the first table with a force column counts.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Recording> {

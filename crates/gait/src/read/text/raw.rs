@@ -1,6 +1,6 @@
 //! The columns of a table that are read, before time and unit are decided.
 
-use crate::read::raw::RawForce;
+use crate::read::vertical::RawForce;
 use crate::recording::Note;
 
 /// Raw columns with their time.

@@ -6,8 +6,8 @@
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::header::Table;
 use super::layout::{Fields, Layout, Lines, Position, detect, plain, text};
-use super::table::Table;
 use crate::error::{Placed, ReadError, Result};
 use crate::quantity::{hertz, seconds};
 use crate::read::columns::{Role, foot, role, words};
@@ -84,15 +84,7 @@ pub(super) fn read(
         (None, Some(rate)) => (rate, ClockSource::Header),
         (None, None) => (likely_rate(&rows, &mut notes), ClockSource::GuessedRate),
     };
-    let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
-    if masses.len() < rows.len() {
-        notes.push(Note::MassesMissing {
-            known: masses.len(),
-            rows: rows.len(),
-        });
-    }
-    let subjects = masses.iter().sum::<f64>() / masses.len() as f64;
-    let mean = (!masses.is_empty()).then_some((subjects, MassSource::Subjects));
+    let mean = mean_mass(&rows, &mut notes).map(|m| (m, MassSource::Subjects));
     let mass = options.mass_kg.map(|m| (m, MassSource::User)).or(mean);
     let name = path
         .file_stem()
@@ -124,6 +116,18 @@ pub(super) fn read(
         gaps_s: Vec::new(),
         notes,
     })
+}
+
+/// Mean mass of the subjects, kg; stances whose subject has none are noted.
+fn mean_mass(rows: &[Row], notes: &mut Vec<Note>) -> Option<f64> {
+    let masses: Vec<f64> = rows.iter().filter_map(|r| r.mass_kg).collect();
+    if masses.len() < rows.len() {
+        notes.push(Note::MassesMissing {
+            known: masses.len(),
+            rows: rows.len(),
+        });
+    }
+    (!masses.is_empty()).then(|| masses.iter().sum::<f64>() / masses.len() as f64)
 }
 
 /// Samples of all stances one behind the other, and the place of each.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::path::Path;
 
 use super::clock_time::clock;
-use super::header::with_header;
+use super::header::{Table, with_header};
 use super::layout::{Fields, Layout, Lines, Position};
 use super::plain_row::plain_row;
 use crate::error::{Error, Placed, ReadError, Result};
@@ -12,21 +12,6 @@ use crate::read::number::{Field, field, trim, value};
 
 /// Lines of a header that are kept; more are skipped in the middle.
 const HEADER_LINES: usize = 300;
-
-/// One table: its place and the words above it.
-#[derive(Debug, Clone)]
-pub(crate) struct Table {
-    /// First row of numbers.
-    pub start: Position,
-    /// Fields in that row, trailing empty ones not counted.
-    pub width: usize,
-    /// Name of each column, rows of a header of several rows joined by a blank; empty without one.
-    pub names: Vec<String>,
-    /// Unit of each column where there is a row of units, else empty.
-    pub units: Vec<String>,
-    /// Lines above the table that are not its header row, comment marks cut.
-    pub head: Vec<String>,
-}
 
 /// Finds the next table at or after a position.
 ///
@@ -112,23 +97,15 @@ pub(crate) fn numbers(
     time: Option<usize>,
 ) -> Result<Numbers> {
     let body = bytes.get(table.start.offset..).unwrap_or(&[]);
-    let most = line_ends(body) + 1;
-    // A row needs at least one byte per field it fills.
-    let room = most.min(body.len() / wanted.len().max(1) + 1);
-    let mut columns: Vec<Vec<f64>> = wanted.iter().map(|_| Vec::with_capacity(room)).collect();
+    let mut rows = Rows::new(line_ends(body) + 1, body.len(), wanted.len(), time);
     let mut row = vec![f64::NAN; wanted.len()];
     let mut absent = 0usize;
     let mut skipped = Vec::new();
     let mut lines = Lines::from(bytes, table.start);
-    let mut last = Last {
-        time: f64::NEG_INFINITY,
-        room,
-    };
     loop {
         let here = lines.at;
-        let rest = bytes.get(here.offset..).unwrap_or(&[]);
-        if let Some(length) = plain_row(rest, layout, wanted, &mut row) {
-            last.push(&mut columns, &row, time)
+        if let Some(length) = plain_row(&bytes[here.offset..], layout, wanted, &mut row) {
+            rows.push(&row)
                 .map_err(|e| fault(e, table, path, here.line))?;
             lines.at = Position {
                 offset: here.offset + length,
@@ -140,37 +117,36 @@ pub(crate) fn numbers(
             break;
         };
         let present = wanted_fields(line, layout, wanted, &mut row, time);
-        let usable = row.iter().filter(|x| x.is_finite()).count();
-        if usable == 0 || time.is_some_and(|t| row[t].is_nan()) {
-            if line.trim_ascii().is_empty() || row_width(line, layout).is_some() || is_comment(line)
-            {
-                if usable > 0 || !line.trim_ascii().is_empty() {
-                    note_line(&mut skipped, at.line);
-                }
-                // A row of nothing but blanks still took its time.
-                if time.is_none() && columns[0].len() < room && row_width(line, layout).is_some() {
-                    push(&mut columns, &row);
-                }
-                continue;
-            }
-            let next = lines.clone().map(|(_, l)| l).next();
+        let is_empty = !row.iter().any(|x| x.is_finite());
+        if is_empty || time.is_some_and(|t| row[t].is_nan()) {
+            let is_row = row_width(line, layout).is_some();
+            let is_blank = line.trim_ascii().is_empty();
             let goes_on = |n: &[u8]| row_width(n, layout).is_some_and(|w| 2 * w > table.width);
-            if next.is_some_and(goes_on) {
-                note_line(&mut skipped, at.line);
-                continue;
+            if !(is_row || is_blank || is_comment(line))
+                && !lines.clone().next().is_some_and(|(_, next)| goes_on(next))
+            {
+                break;
             }
-            break;
+            if !is_blank {
+                note_line(&mut skipped, at.line);
+            }
+            // A row of nothing but blanks still took its time.
+            if is_row && time.is_none() && rows.has_room() {
+                rows.append(&row);
+            }
+            continue;
         }
         absent += wanted.len() - present;
-        let ragged = absent > columns[0].len() * wanted.len() / 2 + 64 * wanted.len().max(8);
-        let pushed = if ragged {
-            Err(Unfit::Ragged)
-        } else {
-            last.push(&mut columns, &row, time)
-        };
-        pushed.map_err(|e| fault(e, table, path, at.line))?;
+        if absent > rows.count() * wanted.len() / 2 + 64 * wanted.len().max(8) {
+            return Err(fault(Unfit::Ragged, table, path, at.line));
+        }
+        rows.push(&row)
+            .map_err(|e| fault(e, table, path, at.line))?;
     }
-    Ok(Numbers { columns, skipped })
+    Ok(Numbers {
+        columns: rows.columns,
+        skipped,
+    })
 }
 
 /// Number of line ends, summed in bytes first so that many are counted at once.
@@ -199,34 +175,58 @@ fn fault(unfit: Unfit, table: &Table, path: &Path, line: usize) -> Error {
     }
 }
 
-/// What the next row has to follow.
-struct Last {
-    time: f64,
+/// The rows read so far, column by column.
+struct Rows {
+    columns: Vec<Vec<f64>>,
     /// Rows for which there is room.
     room: usize,
+    /// Place of the time column, and the last time.
+    time: Option<usize>,
+    last: f64,
 }
 
-impl Last {
+impl Rows {
+    /// Room for at most `most` rows of a text: a row needs at least one byte for each field that it fills.
+    fn new(most: usize, bytes: usize, columns: usize, time: Option<usize>) -> Rows {
+        let room = most.min(bytes / columns.max(1) + 1);
+        Rows {
+            columns: (0..columns).map(|_| Vec::with_capacity(room)).collect(),
+            room,
+            time,
+            last: f64::NEG_INFINITY,
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.columns[0].len()
+    }
+
+    fn has_room(&self) -> bool {
+        self.count() < self.room
+    }
+
     /// Adds a row, if its time does not fall.
     #[inline]
-    fn push(
-        &mut self,
-        columns: &mut [Vec<f64>],
-        row: &[f64],
-        time: Option<usize>,
-    ) -> std::result::Result<(), Unfit> {
-        if columns[0].len() == self.room {
+    fn push(&mut self, row: &[f64]) -> std::result::Result<(), Unfit> {
+        if !self.has_room() {
             return Err(Unfit::Ragged);
         }
-        if let Some(t) = time {
-            if row[t] < self.time {
-                let (time, after) = (row[t], self.time);
+        if let Some(t) = self.time {
+            if row[t] < self.last {
+                let (time, after) = (row[t], self.last);
                 return Err(Unfit::Backwards { time, after });
             }
-            self.time = row[t];
+            self.last = row[t];
         }
-        push(columns, row);
+        self.append(row);
         Ok(())
+    }
+
+    #[inline]
+    fn append(&mut self, row: &[f64]) {
+        for (column, x) in self.columns.iter_mut().zip(row) {
+            column.push(*x);
+        }
     }
 }
 
@@ -241,12 +241,6 @@ pub(crate) fn skip(bytes: &[u8], layout: Layout, table: &Table) -> Position {
         end = lines.at;
     }
     end
-}
-
-fn push(columns: &mut [Vec<f64>], row: &[f64]) {
-    for (column, x) in columns.iter_mut().zip(row) {
-        column.push(*x);
-    }
 }
 
 fn note_line(lines: &mut Vec<usize>, line: usize) {

@@ -1,7 +1,7 @@
 //! What a time column means: its unit, whether it counts samples, and the rate it gives.
 
+use super::header::Table;
 use super::raw::Raw;
-use super::table::Table;
 use crate::error::{ReadError, Result};
 use crate::quantity::{self, hertz};
 use crate::read::columns::{bracketed, words};
