@@ -1,6 +1,8 @@
 //! The Python package `gaitcam`: bindings, no more. What a call does stands in the library, in `gaitcam-files` and in
 //! `gaitcam-output`, where the command finds it too.
 
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
+
 mod asked;
 mod convert;
 mod design;

@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 pub mod error;
 pub mod halt;

@@ -5,6 +5,7 @@
 //! of the call and returns or writes a report; `gaitcam reproduce` and `gaitcam chart` call them.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 pub mod chart;
 pub mod experiment;

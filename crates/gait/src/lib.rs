@@ -16,6 +16,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(clippy::missing_errors_doc)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod curve;
 mod cycle;

@@ -12,6 +12,7 @@
 //! ```
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod api;
 mod assets;

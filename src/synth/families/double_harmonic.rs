@@ -8,6 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
+use argmin_math::{ArgminAdd, ArgminMul, ArgminSub};
 
 use super::harmonic::no_force;
 use super::{NoLaw, SolvedLaw, report};
@@ -94,12 +95,13 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
     for start in 0..4 {
         for angle in [0.75 * PI, 0.95 * PI] {
             let phase = start as f64 * 0.5 * PI;
-            let simplex = vec![
-                vec![phase, angle, angle],
-                vec![phase + 0.4, angle, angle],
-                vec![phase, angle - 0.4, angle],
-                vec![phase, angle, angle - 0.4],
+            let simplex = [
+                [phase, angle, angle],
+                [phase + 0.4, angle, angle],
+                [phase, angle - 0.4, angle],
+                [phase, angle, angle - 0.4],
             ];
+            let simplex = simplex.map(Angles).to_vec();
             let solver = NelderMead::new(simplex)
                 .with_sd_tolerance(1e-12)
                 .map_err(|e| SynthError::SearchFailed {
@@ -116,7 +118,7 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
             if let Some(p) = done.state().get_best_param()
                 && best.is_none_or(|b| cost < b.0)
             {
-                best = Some((cost, [p[0], p[1], p[2]]));
+                best = Some((cost, p.0));
             }
         }
     }
@@ -141,6 +143,28 @@ fn fit(target: &Target, drive: &Drive, stroke: Option<f64>) -> Result<Hump> {
         rms: cost.sqrt(),
         evaluations,
     })
+}
+
+/// Phase, rise and fall, rad, with the arithmetic that Nelder and Mead's method asks for.
+#[derive(Clone, Copy)]
+struct Angles([f64; 3]);
+
+impl ArgminAdd<Angles, Angles> for Angles {
+    fn add(&self, other: &Angles) -> Angles {
+        Angles([0, 1, 2].map(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl ArgminSub<Angles, Angles> for Angles {
+    fn sub(&self, other: &Angles) -> Angles {
+        Angles([0, 1, 2].map(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl ArgminMul<f64, Angles> for Angles {
+    fn mul(&self, factor: &f64) -> Angles {
+        Angles(self.0.map(|x| x * factor))
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -172,12 +196,12 @@ impl Search<'_> {
 }
 
 impl CostFunction for Search<'_> {
-    type Param = Vec<f64>;
+    type Param = Angles;
     type Output = f64;
 
     /// Mean square distance of the force at the best lift.
     fn cost(&self, p: &Self::Param) -> std::result::Result<f64, argmin::core::Error> {
-        let shape = shape(admissible([p[0], p[1], p[2]]))?;
+        let shape = shape(admissible(p.0))?;
         let lift = self.lift(&shape);
         Ok(self
             .forces(&shape)

@@ -122,9 +122,8 @@ pub(crate) fn numbers(
             let is_row = row_width(line, layout).is_some();
             let is_blank = line.trim_ascii().is_empty();
             let goes_on = |n: &[u8]| row_width(n, layout).is_some_and(|w| 2 * w > table.width);
-            if !(is_row || is_blank || is_comment(line))
-                && !lines.clone().next().is_some_and(|(_, next)| goes_on(next))
-            {
+            let next = lines.clone().next();
+            if !(is_row || is_blank || is_comment(line) || next.is_some_and(|n| goes_on(n.1))) {
                 break;
             }
             if !is_blank {
