@@ -1,4 +1,4 @@
-//! What is checked on a cam, binds its law or may be relaxed.
+//! Criteria of a cam: of its checks, of the active limits of its law, of relaxations.
 
 mod limit_kind;
 
@@ -8,7 +8,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-/// What a check, an active limit or a relaxation is about.
+/// Subject of a check, an active limit or a relaxation.
 ///
 /// ```
 /// use gaitcam::criterion::{Criterion, LimitKind};
@@ -61,7 +61,7 @@ pub enum Criterion {
 }
 
 impl Criterion {
-    /// Its name in `summary.json`; what a scene alone gives is named after its key.
+    /// Its name in `summary.json`; for a given value, the key of the scene.
     pub fn name(self) -> &'static str {
         match self {
             Criterion::Limit(kind) => kind.name(),
@@ -86,7 +86,7 @@ impl Criterion {
         }
     }
 
-    /// The same check on the second cam of a pair; what is not checked there stays.
+    /// The same check on the second cam of a pair; a criterion that does not apply there is returned unchanged.
     #[must_use]
     pub fn of_second_cam(self) -> Criterion {
         match self {

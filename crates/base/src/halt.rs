@@ -1,9 +1,9 @@
-//! How a caller ends a search: the library has no clock and asks.
+//! How a caller ends a computation: the library has no clock and polls this instead.
 
 use std::fmt;
 use std::sync::Arc;
 
-/// Asked by every search between its steps; once it says yes the search returns the best it has.
+/// Polled by every iterative computation between its steps; once true, the computation returns its best result so far.
 ///
 /// ```
 /// use gaitcam_base::halt::Halt;
@@ -21,17 +21,17 @@ use std::sync::Arc;
 pub struct Halt(Option<Arc<dyn Fn() -> bool + Send + Sync>>);
 
 impl Halt {
-    /// Searches run to their end.
+    /// Computations run to their end.
     pub fn never() -> Self {
         Halt(None)
     }
 
-    /// Searches end once `asked` says so; it is called often, from any thread.
+    /// Computations end once `asked` returns true; it is called often, from any thread.
     pub fn when(asked: impl Fn() -> bool + Send + Sync + 'static) -> Self {
         Halt(Some(Arc::new(asked)))
     }
 
-    /// Whether the search is to end.
+    /// Whether the computation should end.
     pub fn is_asked(&self) -> bool {
         self.0.as_ref().is_some_and(|asked| asked())
     }

@@ -1,4 +1,4 @@
-//! Numbers that know what they measure.
+//! Values with their dimension.
 
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
@@ -6,7 +6,7 @@ use serde::ser::{SerializeStruct, Serializer};
 /// Exponents of metre, kilogram, second and radian.
 pub(crate) type Exponents = [i32; 4];
 
-/// What a number measures.
+/// The dimension of a quantity.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, parse};
@@ -21,7 +21,7 @@ pub(crate) type Exponents = [i32; 4];
 pub enum Dimension {
     /// A plain number or a percentage.
     Ratio,
-    /// A share of which a bare number would leave open whether it is a hundredth: it needs its %.
+    /// A share that must be written with %, because a bare number would be ambiguous.
     Percent,
     Length,
     Angle,
@@ -115,7 +115,7 @@ impl Dimension {
         }
     }
 
-    /// An example of a right value, for messages.
+    /// Examples of valid values, for messages.
     pub fn example(self) -> &'static str {
         match self {
             Dimension::Ratio | Dimension::Percent => "\"0.5 %\"",
@@ -145,10 +145,10 @@ impl Dimension {
     }
 }
 
-/// A number in SI with what it measures, as results and messages carry it.
+/// A value in SI with its dimension, as results and messages carry it.
 ///
 /// Serialises as `{"value": 0.0136, "unit": "m"}`; a value that is not finite as `"inf"`, `"-inf"` or `"nan"`.
-/// `wording` shows it in the unit that people use, here 13.6 mm.
+/// `wording` shows it in the customary unit, here 13.6 mm.
 ///
 /// ```
 /// use gaitcam_base::units::{Dimension, Quantity};
@@ -161,7 +161,7 @@ impl Dimension {
 pub struct Quantity {
     /// Value in SI (radians for angles).
     pub value: f64,
-    /// What it measures.
+    /// Its dimension.
     pub dimension: Dimension,
 }
 

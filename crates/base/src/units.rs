@@ -2,7 +2,7 @@
 //!
 //! A quantity is a number, a blank (optional) and a unit expression of factors joined by `*`, a blank,
 //! `/` and `^`: `"30 psi/in^3"`, `"40 m/s^2"`, `"2 N m"`. Angles are a dimension of their own, so that
-//! degrees cannot be given where metres are wanted. Everything is SI and radians inside.
+//! degrees cannot be given for metres. Results are in SI and radians.
 
 use crate::error::{Error, Result, UnitsError, nearest};
 use crate::quantity::Exponents;
@@ -11,8 +11,7 @@ pub use crate::quantity::{Dimension, Quantity};
 /// Standard gravity as the source papers use it, m/s² (Campillo de Blas 2017, eq. 22).
 pub const G: f64 = 9.81;
 
-/// Unit names, their factors to SI and their exponents. The pound alone is context-bound: see
-/// [`parse`].
+/// Unit names, their factors to SI and their exponents. The pound depends on the dimension: see [`parse`].
 const UNITS: &[(&str, f64, Exponents)] = &[
     ("m", 1.0, [1, 0, 0, 0]),
     ("km", 1e3, [1, 0, 0, 0]),
@@ -50,7 +49,7 @@ const UNITS: &[(&str, f64, Exponents)] = &[
     ("W", 1.0, [2, 1, -3, 0]),
     ("kW", 1e3, [2, 1, -3, 0]),
     ("%", 0.01, [0, 0, 0, 0]),
-    // A share that says it is none of hundred.
+    // An explicit ratio, for shares that must not be mistaken for percentages.
     ("ratio", 1.0, [0, 0, 0, 0]),
 ];
 
@@ -66,7 +65,7 @@ const LB: f64 = 0.453_592_37;
 /// `inf` is refused, as is anything that is not finite after conversion.
 ///
 /// # Errors
-/// What is no quantity, has another dimension, or is not finite.
+/// Text that is no quantity, another dimension, a value that is not finite.
 pub fn parse(text: &str, dimension: Dimension) -> Result<f64> {
     let text = text.trim();
     let (number, unit) = split_number(text);
@@ -201,7 +200,7 @@ fn lookup(unit: &str, dimension: Dimension) -> Option<(f64, Exponents)> {
 fn unknown_unit(unit: &str, dimension: Dimension) -> Error {
     let fits = |u: &&(&'static str, f64, Exponents)| u.2 == dimension.exponents();
     let shouted = |u: &&(&'static str, f64, Exponents)| u.0.eq_ignore_ascii_case(unit);
-    // Of the right kind but for the case, then of the right kind, then anything.
+    // Preference: same dimension and same letters; same dimension; same letters; any unit.
     let meant = (UNITS.iter().filter(fits).find(shouted).map(|u| u.0))
         .or_else(|| nearest(unit, UNITS.iter().filter(fits).map(|u| u.0)))
         .or_else(|| UNITS.iter().find(shouted).map(|u| u.0))

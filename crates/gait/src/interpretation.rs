@@ -1,4 +1,4 @@
-//! How a recording was understood: one record of everything that was recognised, guessed, left out or is in doubt.
+//! How a recording was interpreted: what was recognised, guessed, left out, and what is open.
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use crate::recording::{
 };
 use crate::stance::{Point, RejectReason};
 
-/// How a recording was understood.
+/// How a recording was interpreted.
 ///
 /// ```
 /// use gaitcam_gait::{Feet, Kind, ReadOptions, force_curve};
@@ -87,7 +87,7 @@ pub struct Clock {
 /// use gaitcam_gait::{Feet, ReadOptions, force_curve};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The plates of this made recording read +4 N and −6 N when nobody stands on them.
+/// // The plates of this made recording read +4 N and −6 N when unloaded.
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let baselines: Vec<f64> = curve.recording.unwrap().columns.iter().map(|c| c.baseline_n).collect();
 /// assert!((baselines[0] - 4.0).abs() < 0.5 && (baselines[1] + 6.0).abs() < 0.5);
@@ -97,7 +97,7 @@ pub struct Clock {
 pub struct Column {
     /// Name in the file.
     pub name: String,
-    /// The foot, where the file says it.
+    /// The foot, if the file names it.
     pub foot: Option<Foot>,
     /// Unloaded reading that was removed, N.
     pub baseline_n: f64,
@@ -144,7 +144,7 @@ pub struct Contact {
 /// let curve = force_curve("walk.csv".as_ref(), bytes, &ReadOptions::default(), Feet::Both)?;
 /// let period = curve.recording.unwrap().period.clone().unwrap();
 /// assert!((period.seconds - 2.0 / 1.9).abs() < 0.002);
-/// // Made strides are all alike but for the noise of the plates.
+/// // The generated strides differ only by the noise of the plates.
 /// assert!(period.spread_s.unwrap() < 0.005);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
@@ -158,7 +158,7 @@ pub struct Period {
     pub spread_s: Option<f64>,
 }
 
-/// Stances on their own phase: sample `i` of `n` stands at the fraction i/(n − 1) of the stance.
+/// Stances over their own duration: sample `i` of `n` is at the fraction i/(n − 1) of the stance.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, overlay, read, stances};
@@ -208,7 +208,7 @@ pub struct MeanStanceCurve {
 }
 
 impl Interpretation {
-    /// What is open about kind, clock or mass, each once.
+    /// Open questions about kind, clock or mass, each once.
     pub fn doubts(&self) -> Vec<OpenQuestion> {
         let mut all: Vec<OpenQuestion> = self.warnings.iter().filter_map(Note::doubt).collect();
         all.sort_unstable();
@@ -222,7 +222,7 @@ impl Interpretation {
         self.warnings.iter().filter(opens).cloned().collect()
     }
 
-    /// Codes of the warnings, each once, in the order in which they stand.
+    /// Codes of the warnings, each once, in order.
     pub fn codes(&self) -> Vec<&'static str> {
         let mut all: Vec<&str> = Vec::new();
         for code in self.warnings.iter().map(Note::code) {
@@ -245,7 +245,7 @@ impl Interpretation {
         self.overlay.as_ref().map_or(&[], |o| &o.means)
     }
 
-    /// What programs want to know of it.
+    /// The interpretation as JSON.
     pub fn json(&self) -> Value {
         let contacts: Vec<Value> = self.contacts.iter().map(|c| self.contact(c)).collect();
         json!({

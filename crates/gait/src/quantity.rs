@@ -1,8 +1,8 @@
-//! Quantities of this module, for notes and errors: rounded to what a recording can tell.
+//! Measured quantities for notes and errors, rounded to four significant digits.
 
 use crate::units::{Dimension, Quantity};
 
-/// Significant digits of a quantity that was measured.
+/// Significant digits of a measured quantity.
 const DIGITS: i32 = 4;
 
 pub(super) fn seconds(value: f64) -> Quantity {
@@ -26,7 +26,7 @@ fn rounded(value: f64) -> f64 {
         return value;
     }
     let places = DIGITS - 1 - value.abs().log10().floor() as i32;
-    // Tenths and hundredths are exact in words only where they are divided, not multiplied.
+    // Division by a power of ten prints short; multiplication by 0.01 does not.
     if places >= 0 {
         let scale = 10f64.powi(places);
         (value * scale).round() / scale

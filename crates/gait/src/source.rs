@@ -13,8 +13,8 @@ use crate::stance::stances;
 
 /// Reads one cycle of force from any file that [`read`](crate::read()) takes.
 ///
-/// A text whose comment says `# cycle` or `# critical points` is one cycle as it stands, whatever `feet` says;
-/// in every other file stances are found and averaged into a stride.
+/// A text with the comment `# cycle` or `# critical points` is one cycle as given, whatever `feet` is; in every other
+/// file stances are detected and averaged into a stride.
 ///
 /// # Errors
 ///

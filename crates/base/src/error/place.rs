@@ -1,4 +1,4 @@
-//! Where a fault is, and how a fault gets its place.
+//! The place of a fault.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::Error;
 
-/// Where in the input a fault was found.
+/// Where in the input a fault is.
 ///
 /// ```
 /// use gaitcam_base::error::Place;
@@ -18,7 +18,7 @@ use super::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
-    /// Nothing to point at (for library callers who pass values).
+    /// No place: the caller passed values.
     Unplaced,
     /// A whole file.
     File(PathBuf),
@@ -45,7 +45,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// Gives a fault its place: for every kind of fault, and for errors that have none yet.
+/// Places a fault; an error that already has a place keeps it.
 ///
 /// ```
 /// use gaitcam_base::error::{Error, Place, Placed};

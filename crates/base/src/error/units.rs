@@ -6,7 +6,7 @@ use strum::VariantNames;
 use super::Fault;
 use crate::wording::{Catalogue, WORDS};
 
-/// What is wrong with the text of a quantity. `example` is a right one.
+/// What is wrong with the text of a quantity. `example` is a valid one.
 ///
 /// ```
 /// use gaitcam_base::error::UnitsError;

@@ -1,4 +1,4 @@
-//! A set of Fluent messages of one language.
+//! The Fluent messages of one language.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
@@ -14,10 +14,10 @@ use unic_langid::LanguageIdentifier;
 use super::Language;
 use super::number::{fixed, number, quantity};
 
-/// Areas whose messages stand inside those of others.
+/// Areas whose messages appear as arguments of other messages.
 const SHARED: &[&str] = &["demand", "note", "reason", "scene"];
 
-/// Arguments that repeat what users type, or choose a variant of a sentence: they are never translated.
+/// Arguments that quote the user or select a variant of a sentence; they are not translated.
 const AS_TYPED: &[&str] = &[
     "catalogue",
     "channel",
@@ -48,10 +48,10 @@ const AS_TYPED: &[&str] = &[
     "word",
 ];
 
-/// Bytes of a message, about: for the room that is made at first.
+/// Typical size of a message, bytes; sizes the map of messages.
 const MESSAGE: usize = 64;
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): keys are short and the program's own.
+/// FNV-1a hash, 64 bits (Fowler, Noll, Vo): fast on short keys, which no user supplies.
 struct Fnv(u64);
 
 impl Default for Fnv {
@@ -91,26 +91,25 @@ impl Hasher for Fnv {
 /// ```
 pub struct Messages {
     language: Language,
-    /// Messages that were asked for: to read all of them takes longer than most designs.
+    /// Messages parsed so far. Parsing all of them takes longer than most designs.
     bundle: RwLock<FluentBundle<FluentResource>>,
     keys: Vec<&'static str>,
-    /// The Fluent text of every message.
+    /// The Fluent text of every message by key.
     texts: HashMap<&'static str, &'static str, BuildHasherDefault<Fnv>>,
 }
 
 type Bundle<'a> = RwLockReadGuard<'a, FluentBundle<FluentResource>>;
 
 impl Messages {
-    /// Takes the texts of Fluent files; each message is read when it is first asked for.
+    /// Indexes the texts of Fluent files; a message is parsed when it is first needed.
     ///
     /// # Panics
     ///
-    /// On a line that begins no message and a key that stands twice: a mistake of the program, not of its user, which every test of the catalogue
-    /// meets.
+    /// On a line that begins no message and on a duplicate key; both are programming errors.
     pub(super) fn new(language: Language, files: &[&'static str]) -> Messages {
         let tag: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![tag]);
-        // Sentences are of one direction: marks that isolate arguments would only disturb terminals.
+        // All text runs left to right; isolation marks around arguments would only disturb terminals.
         bundle.set_use_isolating(false);
         let bytes: usize = files.iter().map(|file| file.len()).sum();
         let about = bytes / MESSAGE;
@@ -119,7 +118,7 @@ impl Messages {
         for (key, text) in files.iter().flat_map(|file| messages(file)) {
             assert!(
                 texts.insert(key, text).is_none(),
-                "a message stands twice: {key}"
+                "duplicate message: {key}"
             );
             keys.push(key);
         }
@@ -136,35 +135,35 @@ impl Messages {
         self.texts.get(key).copied()
     }
 
-    /// The messages read so far, with this one and those it refers to; `None` where there is none of this key.
+    /// The parsed messages, including this one and those it refers to; `None` if there is no such key.
     fn messages(&self, key: &str) -> Option<Bundle<'_>> {
         let text = self.text_of(key)?;
-        let known = self.read();
-        if known.has_message(key) {
-            return Some(known);
+        let parsed = self.read();
+        if parsed.has_message(key) {
+            return Some(parsed);
         }
-        drop(known);
+        drop(parsed);
         self.add(key, text);
         Some(self.read())
     }
 
     fn read(&self) -> Bundle<'_> {
-        // A panic while a message is added leaves the others as they were.
+        // A panic while one message is added leaves the others valid.
         (self.bundle.read()).unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 
-    /// Reads a message and those it refers to.
+    /// Parses a message and those it refers to.
     ///
     /// # Panics
     ///
-    /// On a text that is no Fluent: a mistake of the program.
+    /// On invalid Fluent text, which is a programming error.
     fn add(&self, key: &str, text: &str) {
         let resource = match FluentResource::try_new(text.to_string()) {
             Ok(resource) => resource,
             Err((_, faults)) => panic!("the message {key} is no Fluent: {faults:?}"),
         };
         let mut bundle = (self.bundle.write()).unwrap_or_else(std::sync::PoisonError::into_inner);
-        // Another thread may have been faster.
+        // Another thread may have added it meanwhile.
         if bundle.has_message(key) || bundle.add_resource(resource).is_err() {
             return;
         }
@@ -179,14 +178,13 @@ impl Messages {
         self.keys.iter().map(|key| (*key).to_string()).collect()
     }
 
-    /// The sentence of a message: its key is `area-variant`. A key that is missing shows as itself with the
-    /// message's data, so that nothing is ever lost.
+    /// The sentence of a message, whose key is `area-variant`. A missing key is shown with the data of the message.
     pub fn sentence(&self, area: &str, message: &impl Serialize) -> String {
         let data = serde_json::to_value(message).unwrap_or_default();
         self.of_value(area, &data)
     }
 
-    /// What would be right: the attribute `.help` of the same message.
+    /// The remedy: the attribute `.help` of the same message.
     pub fn help(&self, area: &str, message: &impl Serialize) -> Option<String> {
         let data = serde_json::to_value(message).unwrap_or_default();
         let (variant, fields) = parts(&data)?;
@@ -224,11 +222,11 @@ impl Messages {
             return missing();
         };
         let of = |own: &str| self.value_of(&format!("{own}-{variant}"), area, fields);
-        let found = of(area).or_else(|| SHARED.iter().find_map(|area| of(area)));
-        found.unwrap_or_else(missing)
+        let sentence = of(area).or_else(|| SHARED.iter().find_map(|area| of(area)));
+        sentence.unwrap_or_else(missing)
     }
 
-    /// The text of a message with its fields; `None` where there is none of this key.
+    /// The text of a message with its fields; `None` if there is no such key.
     fn value_of(&self, key: &str, area: &str, fields: &Value) -> Option<String> {
         self.pattern_of(key, area, fields, |message| message.value())
     }
@@ -251,8 +249,7 @@ impl Messages {
         Some(text.into_owned())
     }
 
-    /// The fields of a message as its arguments. They may be messages themselves, so they are made before the
-    /// message is looked at.
+    /// The fields of a message as Fluent arguments. A field may itself be a message.
     fn arguments(&self, area: &str, fields: &Value) -> FluentArgs<'static> {
         let mut arguments = FluentArgs::new();
         if let Value::Object(fields) = fields {
@@ -283,7 +280,7 @@ impl Messages {
             Value::Null => "none".to_string(),
             Value::Bool(b) => b.to_string(),
             Value::Number(n) => number(self.language, n.as_f64().unwrap_or(f64::NAN)),
-            // A message without fields inside another, otherwise a name.
+            // A message without fields as an argument, otherwise a name.
             Value::String(text) if self.text_of(&format!("{area}-{text}")).is_some() => {
                 self.of_value(area, value)
             }
@@ -302,7 +299,7 @@ impl Messages {
     }
 }
 
-/// Keys and texts of the messages of a Fluent file: a message's key stands at the start of its line.
+/// Keys and texts of the messages of a Fluent file. A key starts its line.
 fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static str)> {
     let begins = |text: &str| text.starts_with(|c: char| c.is_ascii_lowercase());
     let ends =
@@ -327,12 +324,12 @@ fn messages(file: &'static str) -> impl Iterator<Item = (&'static str, &'static 
     })
 }
 
-/// What follows a text's first line; `None` where there is no other.
+/// The text after its first line; `None` if there is only one line.
 fn after_line(text: &'static str) -> Option<&'static str> {
     memchr::memchr(b'\n', text.as_bytes()).map(|end| &text[end + 1..])
 }
 
-/// Keys that a message's text may refer to.
+/// Keys to which a message may refer.
 fn references(text: &str) -> impl Iterator<Item = &str> {
     text.split('{').skip(1).map(|part| {
         let part = part.trim_start();
@@ -341,7 +338,7 @@ fn references(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Variant and fields of a message as serde writes enums.
+/// Variant and fields of an enum serialised by serde.
 fn parts(data: &Value) -> Option<(&str, &Value)> {
     match data {
         Value::String(variant) => Some((variant, &Value::Null)),
@@ -350,7 +347,7 @@ fn parts(data: &Value) -> Option<(&str, &Value)> {
     }
 }
 
-/// A number as quantities write it.
+/// The value of a serialised quantity.
 fn finite(value: &Value) -> f64 {
     match value.as_str() {
         Some("inf") => f64::INFINITY,
@@ -359,7 +356,7 @@ fn finite(value: &Value) -> f64 {
     }
 }
 
-/// The key under which a message stands.
+/// The key of a message: area and variant in kebab-case.
 pub fn code(area: &str, message: &impl Serialize) -> String {
     let data = serde_json::to_value(message).unwrap_or_default();
     let variant = parts(&data).map_or("", |p| p.0);

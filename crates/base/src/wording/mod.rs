@@ -1,7 +1,6 @@
-//! Words: code + data + language → sentence.
+//! Sentences from data: code + data + language → sentence.
 //!
-//! The crates answer with data: an error, a note, a reason is an enum variant with fields. Its sentence stands in a Fluent
-//! file under the key `area-variant`, both in kebab-case, the fields being its arguments; the help of a fault is the
+//! An error, a note or a reason is an enum variant with fields. Its sentence is in a Fluent file under the key `area-variant`, both in kebab-case, the fields being its arguments; the remedy of a fault is the
 //! attribute `.help` of the same message:
 //!
 //! ```text
@@ -12,7 +11,7 @@
 //! Arguments: a [`Quantity`](crate::units::Quantity) is shown in the unit that people use, a plain number with
 //! six significant digits, a list joined by commas; a unit variant (a follower, a limit, a law) by the
 //! message `name-…` of that variant, where there is one, otherwise as it is typed in scenes. `None` is the
-//! word `none`, for selectors.
+//! word `none`, which selectors can match.
 
 mod catalogue;
 mod language;

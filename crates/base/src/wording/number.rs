@@ -1,8 +1,8 @@
-//! Numbers as people read them.
+//! Numbers and quantities as text for people.
 
 use super::Language;
 
-/// SI unit → unit that people use, its factor, and the size from which the next row of that unit serves.
+/// SI unit, the unit shown instead, and the factor between them.
 const SHOWN: &[(&str, &str, f64)] = &[
     ("m", "mm", 1e3),
     ("rad", "°", 180.0 / std::f64::consts::PI),
@@ -95,7 +95,7 @@ fn short(text: &str) -> &str {
     }
 }
 
-/// The unit that people use in place of an SI unit, and the factor to it.
+/// The unit shown instead of an SI unit, and the factor to it.
 pub fn people(si: &str) -> (&str, f64) {
     SHOWN
         .iter()
@@ -103,7 +103,7 @@ pub fn people(si: &str) -> (&str, f64) {
         .map_or((si, 1.0), |row| (row.1, row.2))
 }
 
-/// A quantity given in an SI unit, in the unit that people use: 0.0136 m is `13.6 mm`.
+/// A quantity in SI as text in the customary unit: 0.0136 m is `13.6 mm`.
 ///
 /// ```
 /// use gaitcam_base::wording::{Language, quantity};

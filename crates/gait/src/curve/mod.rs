@@ -1,4 +1,4 @@
-//! One cycle of wanted vertical force.
+//! One cycle of vertical force.
 
 mod csv;
 mod slopes;
@@ -20,7 +20,7 @@ pub const SAMPLES: usize = 1024;
 
 /// One cycle of vertical force, sampled at equal steps of phase and continued periodically.
 ///
-/// Sample `i` of `n` stands at cam angle θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
+/// Sample `i` of `n` is at phase θ = 2π·i/n (heel strike at 0) and time `period_s`·i/n.
 ///
 /// ```
 /// use gaitcam_gait::ForceCurve;
@@ -44,12 +44,12 @@ pub struct ForceCurve {
     pub spread_n: Option<Vec<f64>>,
     /// Mass of the walker, kg, where it is known.
     pub mass_kg: Option<f64>,
-    /// How the recording that it was made from was understood.
+    /// How the recording of which it is the mean was interpreted.
     #[serde(serialize_with = "interpretation")]
     pub recording: Option<Arc<Interpretation>>,
 }
 
-/// How a recording was understood, as its own data has it.
+/// The interpretation as the JSON of [`Interpretation::json`].
 fn interpretation<S: Serializer>(
     recording: &Option<Arc<Interpretation>>,
     serializer: S,
@@ -86,7 +86,7 @@ impl ForceCurve {
 
     /// Mean force over the cycle, N.
     pub fn mean_n(&self) -> f64 {
-        // Eight sums side by side: one alone waits for every addition.
+        // Eight partial sums: the additions of a single sum cannot overlap.
         let mut sums = [0.0; 8];
         let eights = self.force_n.chunks_exact(8);
         let rest: f64 = eights.remainder().iter().sum();
@@ -100,8 +100,7 @@ impl ForceCurve {
 }
 
 impl ForceCurve {
-    /// What was guessed, left out or doubtful in the recording, but for mean force and mass, which change when
-    /// the curve is scaled.
+    /// Notes on the recording, without those on mean force and mass, which change when the curve is scaled.
     pub fn warnings(&self) -> impl Iterator<Item = &Note> {
         let on_mass = |n: &Note| {
             matches!(
@@ -124,7 +123,7 @@ impl ForceCurve {
         (self.force_n.iter()).fold((f64::INFINITY, -f64::INFINITY), widened)
     }
 
-    /// Force at cam angle `theta`, rad, any turn: cubic interpolation without overshoot, N.
+    /// Force at phase `theta`, rad, of any turn, N: cubic interpolation without overshoot.
     pub fn at(&self, theta: f64) -> f64 {
         let n = self.force_n.len();
         let x = (theta / TAU).rem_euclid(1.0) * n as f64;
@@ -160,7 +159,7 @@ impl ForceCurve {
         }
     }
 
-    /// The same cycle begun at another phase, rad: sample 0 of the new curve is the old one at `phase`.
+    /// The same cycle started at another phase, rad: sample 0 of the result is the force at `phase`.
     #[must_use]
     pub fn begun_at(&self, phase: f64) -> Self {
         let n = self.force_n.len();

@@ -64,7 +64,7 @@ fn limited(f: [f64; 5]) -> f64 {
     }
 }
 
-/// The smaller of two numbers; unlike `f64::min` one instruction, since neither is NaN.
+/// The smaller of two numbers, neither NaN; one instruction, unlike `f64::min`.
 fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }

@@ -1,4 +1,4 @@
-//! What was recognised in a recording, gathered for reports and pictures.
+//! The interpretation of a recording, for reports and pictures.
 
 use super::{Cycle, overlay};
 use crate::interpretation::{Clock, Column, Contact, Interpretation, Period};
@@ -11,7 +11,7 @@ const PIECES: usize = 700;
 const DRAWN: usize = 60;
 
 impl Interpretation {
-    /// Gathers what was found in a recording; `cycle` is `None` where it was refused.
+    /// The interpretation of a recording; `cycle` is `None` if it was refused.
     pub fn of(
         file: &str,
         recording: &Recording,

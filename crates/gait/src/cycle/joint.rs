@@ -81,7 +81,7 @@ pub enum LeftOut {
         /// Longest stride of the mean.
         high: Quantity,
     },
-    /// It is a mean cycle already, beside recordings that are not.
+    /// It is already a mean cycle, while others are recordings.
     MeanAlready,
     /// It gives no cycle.
     NoCycle,

@@ -43,7 +43,7 @@ pub use plausibility::implausible;
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let mean = cycle(&recording, &stances(&recording), Feet::Both)?;
-/// // Nobody gave a mass: it is the one whose weight is the mean force.
+/// // No mass is given: it follows from the mean force.
 /// assert!((mean.mean_of_weight - 1.0).abs() < 1e-9 && mean.mass_fits);
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
@@ -77,7 +77,7 @@ pub struct Cycle {
     pub notes: Vec<Note>,
 }
 
-/// A mean cycle before mass and plausibility are settled.
+/// A mean cycle before its mass and plausibility are determined.
 struct Average {
     period: Period,
     force_n: Vec<f64>,
@@ -92,7 +92,7 @@ struct Average {
 ///
 /// # Errors
 ///
-/// Where there is no whole stance, or none of the wanted side.
+/// If there is no whole stance, or none of the requested side.
 pub fn cycle(recording: &Recording, stances: &Stances, feet: Feet) -> Result<Cycle> {
     let kind = stances.kind.unwrap_or(Kind::Walking);
     let slow = recording.kind == Some(Kind::Walking);

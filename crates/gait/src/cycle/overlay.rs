@@ -8,7 +8,7 @@ use crate::stance::{Point, Stance, Stances};
 /// Lays the used stances over each other; `None` where there is none.
 ///
 /// At most `most` of them are returned, evenly spread over the recording; the means are of all but those that are
-/// unlike their fellows. Where stances have masses of their own, forces are scaled to the mean mass.
+/// outliers. Where stances have masses of their own, forces are scaled to the mean mass.
 pub fn overlay(recording: &Recording, stances: &Stances, most: usize) -> Option<Overlay> {
     let all: Vec<&Stance> = stances.used.iter().filter(|s| !s.unlike).collect();
     if all.is_empty() {

@@ -1,4 +1,4 @@
-//! Plausibility: whether a mean cycle can be of a person who walks or runs, and its mean force of one mass.
+//! Plausibility of a mean cycle: ranges of walking and running, mean force against mass.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::quantity::{kilograms, newtons, seconds};
 use crate::recording::{Feet, Kind, Note, WeightShare};
 use crate::units::{G, Quantity};
 
-/// A mean force further than this from the weight is no rounding of insoles or of a scale.
+/// Largest relative difference of mean force and weight that calibration explains.
 const TOLERANCE: f64 = 0.1;
 /// Masses of people who walk over plates, kg.
 const MASS_KG: Range<f64> = 10.0..250.0;
@@ -22,11 +22,11 @@ const SMALL_CHILD: (f64, f64) = (1.15, 22.0);
 pub(super) struct Ranges {
     /// Durations of a stride, s.
     pub stride_s: Range<f64>,
-    /// Share of a stride that a foot stands.
+    /// Duty factor: share of a stride in which a foot is on the ground.
     pub duty: Range<f64>,
     /// Highest force of a stance, body weights.
     pub peak_bw: Range<f64>,
-    /// The usual share of a stride that a foot stands.
+    /// Typical duty factor.
     pub usual_duty: f64,
     /// A stride over its stance.
     pub stride_of_stance: Range<f64>,
@@ -68,7 +68,7 @@ pub fn mean_of_weight(curve: &ForceCurve, feet: Feet) -> Option<f64> {
     Some(curve.mean_n() / (feet.share() * curve.mass_kg? * G))
 }
 
-/// Why mean force and mass cannot be of one walker; `None` where they can.
+/// Why mean force and mass do not fit one walker; `None` if they do.
 pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     let ratio = mean_of_weight(curve, feet)?;
     let mass_kg = curve.mass_kg?;
@@ -85,7 +85,7 @@ pub fn implausible(curve: &ForceCurve, feet: Feet) -> Option<Note> {
     (small || !MASS_KG.contains(&mass_kg)).then_some(Note::MassImplausible { mean, mass })
 }
 
-/// What nobody does who moves like this: a stride, a share of stance or a highest force out of range.
+/// Notes on a stride time, duty factor or peak force outside the ranges of the movement.
 ///
 /// `stance_s`: mean duration of a stance; `peak_n`: mean highest force of a stance, N.
 pub(super) fn out_of_range(

@@ -7,7 +7,7 @@ use crate::recording::{Feet, Kind, Note, Recording};
 use crate::stance::{RejectReason, Stances};
 use crate::units::Quantity;
 
-/// Usual part of a stride that a walker's foot stands.
+/// Typical duty factor of walking.
 const USUAL_DUTY: f64 = 0.62;
 
 /// The reason, from the contacts that were rejected and from what the header announces.
@@ -30,7 +30,7 @@ pub(super) fn no_stance(recording: &Recording, stances: &Stances, feet: Feet) ->
     }
     let guessed = |n: &Note| matches!(n, Note::MillisecondsGuessed { .. });
     if recording.notes.iter().any(guessed) {
-        // A walk on a wrong clock looks like running, or like standing.
+        // With a wrong clock, walking resembles running or standing.
         let mean = stances
             .rejected
             .iter()

@@ -60,7 +60,7 @@ fn roots(variance: &[f64]) -> Vec<f64> {
     variance.iter().map(|v| v.sqrt()).collect()
 }
 
-/// The stances that are like their fellows; all, where none is.
+/// The stances that are not outliers; all, if every one is.
 fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
     let alike: Vec<&Stance> = stances.iter().copied().filter(|s| !s.unlike).collect();
     if alike.is_empty() { stances } else { alike }
@@ -68,7 +68,7 @@ fn fellows(stances: Vec<&Stance>) -> Vec<&Stance> {
 
 /// Stances of the left and of the right foot; where no side is known, of the one and of the other.
 ///
-/// Without sides the feet are told apart by turns, as far as the stances follow each other; the rows of a
+/// Without sides the stances are assigned to alternating feet, as far as they follow each other; the rows of a
 /// table of stances do not.
 pub(super) fn by_side<'a>(
     stances: &[&'a Stance],

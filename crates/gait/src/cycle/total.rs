@@ -6,7 +6,7 @@ use crate::curve::SAMPLES;
 use crate::recording::Recording;
 use crate::stance::{RejectReason, Rejected, Stances};
 
-/// A total force that moves less than this part of its mean is standing.
+/// A total force that varies by less than this part of its mean is standing.
 const STEADY: f64 = 0.05;
 /// Steps whose duration is further than this from the middle one are not averaged.
 const ODD_STEP: f64 = 0.25;
@@ -31,12 +31,12 @@ pub(super) struct TotalStride {
 }
 
 /// Averages the strides of a channel that is loaded throughout, or from the moment it is stepped on;
-/// `None` where nobody walks on it.
+/// `None` without a periodic total force.
 ///
 /// A step is the time between two rises of the force, smoothed over half a step, through its mean; a stride is two steps, so that
 /// a difference between the feet is kept. Which foot begins is not known.
 ///
-/// `stated`: the user says that the column is the total of both feet, so that it may fall to zero.
+/// `stated`: the user states that the column is the total of both feet, so that it may fall to zero.
 pub(super) fn total_stride(
     recording: &Recording,
     stances: &Stances,

@@ -10,7 +10,7 @@ use crate::recording::{CycleSource, Kind, Note, PeriodSource, Recording, UnitSou
 use crate::stance::{Stance, Stances};
 use crate::units::{G, Quantity};
 
-/// What a person should know of a mean cycle beside its mass.
+/// Warnings about a mean cycle, other than about its mass.
 pub(super) fn warnings(
     recording: &Recording,
     stances: &Stances,

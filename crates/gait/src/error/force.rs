@@ -1,4 +1,4 @@
-//! What is wrong with a force curve, a load model or a mean cycle.
+//! Faults of a force curve, a load model or a mean cycle.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -34,7 +34,7 @@ pub enum ForceError {
     UnknownFeet { word: String },
     /// A word that is no kind of movement.
     UnknownKind { word: String },
-    /// A word that names no doubt.
+    /// A word that names no open question.
     UnknownDoubt { word: String },
     /// No recording gives a cycle for a joint mean.
     NoJointMean { trials: usize },
@@ -42,7 +42,7 @@ pub enum ForceError {
     UnknownUnit { word: String },
     /// No load model has this name.
     UnknownModel { name: String, known: String },
-    /// No load model has this name; one is spelt much like it.
+    /// No load model has this name; one is spelt similarly.
     MisspeltModel { name: String, near: String },
     /// The body weight is not positive.
     WeightNotPositive { weight: Quantity },
@@ -57,7 +57,7 @@ pub enum ForceError {
     FrequencyMissing { model: String },
     /// The load model gives both feet together only.
     BothFeetOnly { model: String },
-    /// The time column was taken as milliseconds, and no walker takes such strides.
+    /// The time column was taken as milliseconds, which gives an implausible stride time.
     ClockImplausible { period: Quantity },
     /// The recording is of running, and running was not asked for.
     Running { duration: Quantity },
@@ -83,13 +83,13 @@ pub enum ForceError {
         found: usize,
         reason: &'static str,
     },
-    /// No channel takes part: every one is constant or empty.
+    /// Every channel is constant or empty.
     NoLiveChannel { duration: Quantity },
     /// No channel rises above the contact threshold.
     NoContact { duration: Quantity },
     /// Every stance is of the other foot.
     NoStanceOfFoot { foot: &'static str },
-    /// The file does not say which foot is which.
+    /// The file does not name the feet.
     FeetNotNamed { foot: &'static str },
 }
 

@@ -31,17 +31,17 @@ pub enum ReadError {
     /// The mass given is not positive.
     MassNotPositive { mass: Quantity },
 
-    /// No table of numbers; the file starts like this.
+    /// No table of numbers; `start` is the start of the file.
     NoTable { start: String },
     /// A header names a column of force, and no row of numbers follows it.
     HeaderWithoutRows { column: String },
     /// No column of vertical force.
     NoForceColumn { columns: String },
-    /// The file names no columns and none looks like a vertical force.
+    /// The file names no columns and none resembles a vertical force.
     NamelessColumns,
     /// No column of this name.
     NoColumn { column: String, columns: String },
-    /// No column of this name; one is spelt much like it.
+    /// No column of this name; one is spelt similarly.
     MisspeltColumn {
         column: String,
         near: String,
@@ -59,7 +59,7 @@ pub enum ReadError {
     ShortRows { fields: usize },
     /// There are no samples, or only one.
     FewSamples { samples: usize },
-    /// Time stands still.
+    /// Time does not increase.
     TimeStandsStill { at: Quantity },
     /// Most of the time is without samples.
     MostlyGaps { lost: Quantity, whole: Quantity },
@@ -82,7 +82,7 @@ pub enum ReadError {
         column: CycleColumn,
         columns: String,
     },
-    /// The file says that it is a cycle and holds no table.
+    /// The file is marked as a cycle and contains no table.
     CycleWithoutTable,
     /// A line of a cycle is not a row of time and force.
     CycleRow,
@@ -124,7 +124,7 @@ impl Fault for ReadError {
     const WORDS: &'static Catalogue = &WORDS;
 }
 
-/// Kinds of file that are told from their first bytes and not read.
+/// Unsupported kinds of file, recognised by their first bytes.
 ///
 /// ```
 /// use gaitcam_gait::error::{FileKind, ReadError};

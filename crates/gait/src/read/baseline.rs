@@ -3,10 +3,10 @@
 use crate::quantity::newtons;
 use crate::recording::{Channel, Idle};
 
-/// A channel that moves less than this was never stepped on, N.
+/// A channel with a smaller range was never loaded, N.
 const TOUCHED_N: f64 = 30.0;
 
-/// A recording shorter than this cannot tell a dead plate from a loaded one, s.
+/// In a recording shorter than this a constant reading may be a load, s.
 const STEP_S: f64 = 0.4;
 
 /// A level above this part of the highest reading is a load.
@@ -90,7 +90,7 @@ fn idle(sorted: &[f64], duration_s: f64) -> Option<Idle> {
     Some(Idle::Constant { level })
 }
 
-/// Fills missing samples by straight lines (ends are held) and says where they were.
+/// Interpolates missing samples linearly (constant at the ends) and returns their ranges.
 fn bridge(force: &mut [f64]) -> Vec<(usize, usize)> {
     let mut missing = Vec::new();
     let mut i = 0;
@@ -134,7 +134,7 @@ fn stuck_level(sorted: &[f64]) -> Option<f64> {
 /// Whether the loaded readings are the negative ones.
 ///
 /// Clear where the readings reach much further to one side of zero; otherwise the unloaded end is the
-/// one where the readings crowd together.
+/// one with the higher density of readings.
 fn loads_downwards(sorted: &[f64]) -> bool {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
     if low >= 0.0 || low.abs() < 0.2 * high.abs() {

@@ -1,7 +1,7 @@
 //! What the columns of a table hold, from their names.
 //!
 //! Names are taken apart into words: `ground_force_l_vy`, `FP1.ForY`, `F1Z`, `Platte 1 Fz [N]`,
-//! `left total force[N]` all say force, component and owner in some order.
+//! `left total force[N]` all give force, component and owner in some order.
 
 use super::vocabulary::{FORCE, FRAME, LEFT, OTHER, RIGHT, TIME, VERTICAL, VERTICAL_FORCE};
 use crate::recording::{Axis, Foot};
@@ -86,7 +86,7 @@ pub(super) fn role(name: &str) -> Role {
     Role::Other
 }
 
-/// Whether a name says that the force is vertical, total or normal, not only that it is a force.
+/// Whether a name states that the force is vertical, total or normal, not only that it is a force.
 pub(super) fn says_vertical(name: &str) -> bool {
     const WHOLE: [&str; 4] = ["total", "gesamt", "sum", "plate"];
     let is = |w: &String| {
@@ -96,7 +96,7 @@ pub(super) fn says_vertical(name: &str) -> bool {
     words(name).iter().any(is)
 }
 
-/// The side a name speaks of.
+/// The side that a name states.
 pub(super) fn foot(words: &[String]) -> Option<Foot> {
     let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
     match (has(LEFT), has(RIGHT)) {
@@ -148,7 +148,7 @@ fn force_axis(words: &[String]) -> Option<Axis> {
             _ => (),
         }
     }
-    // A lone `F` or `for` is a force only where nothing but a number or a side stands beside it.
+    // A lone `F` or `for` is a force only next to nothing but a number or a side.
     let strong = words
         .iter()
         .any(|w| is(&FORCE[..2], w) || is(&FORCE[4..], w));

@@ -1,6 +1,6 @@
 //! Texts that hold exactly one cycle: equal or unequal samples, or the critical points of a curve.
 //!
-//! A comment line says so, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
+//! A comment line marks it, `# cycle` or `# critical points`, and gives the period, `period_s = 0.5`. The
 //! table below has a time and a force column and perhaps one of spread.
 
 use std::f64::consts::TAU;
@@ -17,7 +17,7 @@ use crate::error::{CycleColumn, Error, ForceError, Placed, ReadError, Result};
 use crate::quantity::seconds;
 use crate::recording::{ForceUnit, ReadOptions};
 
-/// Lines at the start of a text among which the mark must stand.
+/// Lines at the start of a text that may hold the mark.
 const HEAD: usize = 40;
 
 /// What a text holds, by its mark.
@@ -27,7 +27,7 @@ enum Kind {
     CriticalPoints,
 }
 
-/// Reads a text that says it is one cycle; `None` for any other file.
+/// Reads a text marked as one cycle; `None` for any other file.
 pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<Option<ForceCurve>> {
     let bytes = &*plain(bytes);
     let comments: Vec<String> = Lines::new(bytes)
@@ -87,7 +87,7 @@ pub(super) fn read(path: &Path, bytes: &[u8], options: &ReadOptions) -> Result<O
     Ok(Some(curve))
 }
 
-/// Where the columns of a cycle stand in its table.
+/// Places of the columns of a cycle in its table.
 struct CycleColumns {
     time: usize,
     force: usize,
@@ -185,7 +185,7 @@ fn period(comment: &str) -> Option<f64> {
         .filter(|p: &f64| p.is_finite() && *p > 0.0)
 }
 
-/// A cycle from samples: as they stand where they are equal in time, else on equal phases.
+/// A cycle from samples: unchanged if uniform in time, otherwise resampled on equal phases.
 pub(super) fn sampled(
     name: &str,
     times: &[f64],

@@ -1,4 +1,4 @@
-//! What the lines above a table say: sampling rate, mass of the walker, rows announced.
+//! Keys in the lines above a table: sampling rate, mass of the walker, announced rows.
 
 use super::number::{Field, field};
 use crate::units::G;
@@ -97,7 +97,7 @@ fn number(value: &str, comma: bool) -> Option<f64> {
     }
 }
 
-/// Mass of a walker, kg, from a key that speaks of mass or weight; `None` where it cannot be one.
+/// Mass of a walker, kg, from a key of mass or weight; `None` if implausible.
 pub(super) fn mass(key: &str, value: &str, x: f64) -> Option<f64> {
     let all = format!("{key} {value}").to_lowercase();
     let unit = |u: &str| {

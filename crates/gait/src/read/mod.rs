@@ -1,7 +1,7 @@
 //! Readers: bytes of a file in, [`Recording`] out.
 //!
-//! The kind of file is told from its bytes, never from its name. Nothing here trusts a count in a file:
-//! memory is reserved for what the bytes present can hold.
+//! The kind of file is recognised by its bytes, never by its name. Counts in a file are not trusted: memory is reserved
+//! only for what its bytes can hold.
 
 mod arrays;
 mod baseline;
@@ -75,7 +75,7 @@ fn foreign(bytes: &[u8]) -> Option<FileKind> {
     (!wide && 20 * controls > head.len()).then_some(FileKind::Binary)
 }
 
-/// A text that is one cycle as it stands, as [`csv`](crate::csv) writes it; `None` for any other file.
+/// A text marked as one cycle, as [`ForceCurve::to_csv`] writes it; `None` for any other file.
 ///
 /// # Errors
 /// A line that is not a number, or too few samples.

@@ -1,6 +1,6 @@
-//! Numbers as laboratories write them, read straight from bytes.
+//! Numbers of recordings, parsed from bytes.
 
-/// What one field of a delimited text holds.
+/// Content of one field of a delimited text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Field {
     /// A finite number.
@@ -65,7 +65,7 @@ pub(super) fn short(b: &[u8], comma: bool) -> Option<(f64, usize)> {
     Some((if first == b'-' { -size } else { size }, at))
 }
 
-/// A field that is wanted as a number; NaN where there is none.
+/// The number of a field; NaN if it holds none.
 pub(super) fn value(bytes: &[u8], comma: bool) -> f64 {
     match field(bytes, comma) {
         Field::Number(x) => x,

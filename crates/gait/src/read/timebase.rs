@@ -50,7 +50,7 @@ impl TimeBase {
     /// With a gap the rate is that of the samples outside gaps.
     ///
     /// # Errors
-    /// Fewer than two samples; a time that stands still.
+    /// Fewer than two samples; a time that does not increase.
     pub fn from_times(times: &[f64]) -> Result<Self> {
         let n = times.len();
         let (Some(first), Some(last)) = (times.first(), times.last()) else {

@@ -24,7 +24,7 @@ pub(super) struct RawForce {
     pub values: Vec<f64>,
 }
 
-/// What a file says of a recording beside its columns of force.
+/// Data of a file other than its columns of force.
 pub(super) struct Facts {
     pub format: Format,
     pub samples: usize,
@@ -106,7 +106,7 @@ fn is_opensim_pair(raw: &[RawForce]) -> bool {
 /// Keeps one component: the one the names call vertical, else the one that carries the load.
 fn keep_vertical(raw: &mut Vec<RawForce>, notes: &mut Vec<Note>) {
     let components = raw.iter().any(|r| r.axis != Axis::Vertical);
-    // A name without a component may be that of a muscle (`L GRF`) beside the components of the plates.
+    // Where plates have named components, a name without one may be that of a muscle (`L GRF`).
     if components {
         raw.retain(|r| r.axis != Axis::Vertical || says_vertical(&r.name));
     }
@@ -181,7 +181,7 @@ fn unit(raw: &[RawForce], options: &ReadOptions, notes: &mut Vec<Note>) -> (Forc
     {
         return (unit, UnitSource::File);
     }
-    // A plate that nobody stepped on also shows a few newtons; body weights are only believed with a mass.
+    // An unloaded plate also reads a few newtons; body weights are accepted only with a mass.
     if label == Some(ForceUnit::Newton) && options.mass_kg.is_none() {
         let peak = newtons(peak);
         notes.push(Note::LowForce { peak });

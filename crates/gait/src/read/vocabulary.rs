@@ -1,4 +1,4 @@
-//! Words of column names, lower case, in the languages that laboratories' programs speak.
+//! Words of column names, lower case, in the languages of laboratory software.
 
 pub(super) const LEFT: &[&str] = &[
     "left",
@@ -81,7 +81,7 @@ pub(super) const FRAME: &[&str] = &[
     "point",
     "framenumber",
 ];
-/// Words that say that a column is something else than a force, whatever other words stand there.
+/// Words that exclude a force, whatever the other words of the name.
 pub(super) const OTHER: &[&str] = &[
     "m",
     "mx",

@@ -52,14 +52,14 @@ pub enum Format {
     StanceTable,
     /// Delimited text with a header.
     Text {
-        /// What stands between fields.
+        /// Field separator.
         separator: SeparatorName,
         /// Decimal mark.
         decimal: DecimalMark,
     },
     /// Delimited text without a header.
     HeaderlessText {
-        /// What stands between fields.
+        /// Field separator.
         separator: SeparatorName,
         /// Decimal mark.
         decimal: DecimalMark,
@@ -71,7 +71,7 @@ pub enum Format {
 /// ```
 /// use gaitcam_gait::{Format, Processor, Storage};
 ///
-/// // Digital's floats are not those of IEEE: a C3D file says which it has.
+/// // DEC floats differ from IEEE floats; a C3D file names its processor.
 /// let file = Format::C3d { processor: Processor::Dec, storage: Storage::Floats };
 /// assert!(file.to_string().contains("DEC"));
 /// ```
@@ -103,7 +103,7 @@ pub enum Storage {
     Floats,
 }
 
-/// What stands between two fields of a text.
+/// Field separator of a text.
 ///
 /// ```
 /// use gaitcam_gait::{DecimalMark, Format, SeparatorName};
@@ -127,7 +127,7 @@ pub enum SeparatorName {
 /// ```
 /// use gaitcam_gait::{DecimalMark, Format, ReadOptions, read};
 ///
-/// // 1,5 is one and a half where semicolons stand between the fields.
+/// // With semicolons between the fields, 1,5 is one and a half.
 /// let text = "time (s);Fz (N)\n0,0;700,5\n0,1;701,5\n0,2;700,5\n0,3;701,5\n";
 /// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
 /// assert!(matches!(recording.format, Format::Text { decimal: DecimalMark::Comma, .. }));

@@ -1,4 +1,4 @@
-//! Kinds of movement that a recording may hold, and what about it may be in doubt.
+//! Kinds of recorded movement, and the open questions about a recording.
 
 use std::str::FromStr;
 
@@ -21,9 +21,9 @@ use crate::error::{Error, ForceError, Result};
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Kind {
-    /// A foot stands for 52 to 75 % of the stride; there is always one on the ground.
+    /// Duty factor of 52 to 75 %; one foot is always on the ground.
     Walking,
-    /// A foot stands for less than half of the stride; between the feet there is a flight.
+    /// Duty factor below one half, with a flight phase.
     Running,
     /// The weight rests on the plates and hardly moves.
     Standing,
@@ -66,7 +66,7 @@ impl FromStr for Kind {
     }
 }
 
-/// What about a recording is open until the user answers.
+/// A question about a recording that only the user can answer.
 ///
 /// ```
 /// use gaitcam_gait::OpenQuestion;
@@ -89,7 +89,7 @@ pub enum OpenQuestion {
 }
 
 impl OpenQuestion {
-    /// Every doubt.
+    /// All questions.
     pub const ALL: [OpenQuestion; 3] =
         [OpenQuestion::Kind, OpenQuestion::Clock, OpenQuestion::Mass];
 

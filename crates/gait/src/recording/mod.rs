@@ -1,4 +1,4 @@
-//! What a recording is once it has been read: channels of vertical force on one even time base.
+//! A recording: channels of vertical force on one uniform time base.
 
 use serde::Serialize;
 use strum::VariantNames;
@@ -19,7 +19,7 @@ pub use note::{
 };
 pub use unit::ForceUnit;
 
-/// What the user says about a file, where the file does not say it or says it wrongly.
+/// What the user states about a file; overrides the file.
 ///
 /// ```
 /// use gaitcam_gait::{ForceUnit, ReadOptions, read};
@@ -57,7 +57,7 @@ pub struct ReadOptions {
     pub metadata: Option<Vec<u8>>,
 }
 
-/// A moment at which the file says that a foot struck the ground.
+/// A foot strike that the file marks.
 ///
 /// ```
 /// use gaitcam_gait::{ReadOptions, read};
@@ -114,7 +114,7 @@ pub struct Row {
 pub struct Channel {
     /// Name in the file.
     pub name: String,
-    /// The foot it belongs to, where the file says so.
+    /// The foot it belongs to, if the file names it.
     pub foot: Option<Foot>,
     /// Upward force on the body, N, unloaded baseline removed; always finite.
     pub force_n: Vec<f64>,
@@ -135,7 +135,7 @@ pub struct Channel {
 /// ```
 /// use gaitcam_gait::{Idle, ReadOptions, read};
 ///
-/// // A plate that nobody stands on.
+/// // An unloaded plate.
 /// let text = "time (s),Left Fz (N),Right Fz (N)\n0,0,700\n0.1,0,1\n0.2,0,720\n0.3,0,2\n0.4,0,700\n";
 /// let recording = read("a.csv".as_ref(), text.as_bytes(), &ReadOptions::default())?;
 /// assert_eq!(recording.channels[0].idle, Some(Idle::NeverLoaded));
@@ -170,7 +170,7 @@ pub enum Idle {
 /// use gaitcam_gait::{ReadOptions, read};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // Two plates, 10.5 s at 100 Hz: the last of 1050 samples stands at 10.49 s.
+/// // Two plates, 10.5 s at 100 Hz: the last of 1050 samples is at 10.49 s.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// assert_eq!(recording.channels.len(), 2);
 /// assert!((recording.duration_s - 10.49).abs() < 1e-9);
@@ -192,7 +192,7 @@ pub struct Recording {
     pub unit: ForceUnit,
     /// Where that unit is from.
     pub unit_from: UnitSource,
-    /// What was recorded, where the user says it.
+    /// The movement, if the user states it.
     pub kind: Option<Kind>,
     /// Mass of the walker, kg, where the file or the user gives it.
     pub mass_kg: Option<f64>,
@@ -204,12 +204,12 @@ pub struct Recording {
     pub strikes: Vec<Strike>,
     /// Spans without samples, s.
     pub gaps_s: Vec<(f64, f64)>,
-    /// How the file was understood: what was guessed, left out or doubtful.
+    /// What was guessed or left out, and what is doubtful.
     pub notes: Vec<Note>,
 }
 
 impl Recording {
-    /// Whether the user says that it is of running.
+    /// Whether the user states that it is of running.
     pub fn runs(&self) -> bool {
         self.kind == Some(Kind::Running)
     }

@@ -1,4 +1,4 @@
-//! Notes: how a recording was understood, what was guessed or left out, and what does not look right.
+//! Notes on a recording: what was guessed or left out, and what is implausible.
 
 use std::fmt;
 
@@ -28,11 +28,11 @@ pub enum Axis {
     Y,
     /// Third component.
     Z,
-    /// The name says that it is the vertical one, or it is the only one there is.
+    /// Named as the vertical component, or the only one.
     Vertical,
 }
 
-/// What a person should know about how a recording was read or averaged.
+/// A note on how a recording was read or averaged.
 ///
 /// ```
 /// use gaitcam_gait::{Note, OpenQuestion};
@@ -84,7 +84,7 @@ pub enum Note {
     },
     /// No force is large enough to be a step.
     LowForce { peak: Quantity },
-    /// Two components are of like size; the larger was taken for vertical.
+    /// Two components are of similar size; the larger was taken as vertical.
     VerticalGuessed { vertical: Axis, other: Axis },
     /// `ground_force` was taken for the right foot and `1_ground_force` for the left, as OpenSim's examples have it.
     FeetGuessed,
@@ -98,25 +98,25 @@ pub enum Note {
     PlateMatrixMissing { plate: usize },
     /// A plate lies at an angle to the first.
     PlateTilted { plate: usize },
-    /// The mass is the mean of insoles, which are seldom calibrated.
+    /// The mass is from the mean force of insoles, which are often not calibrated.
     InsoleMass { mass: Quantity },
-    /// Stances of one foot stand for those of the other too.
+    /// Stances of one foot were used for both.
     OneFootForBoth { stances: usize },
-    /// Nothing on record gives the duration of a stride; the usual share of stance was assumed.
+    /// The recording does not give the stride time; a typical duty factor was assumed.
     StrideAssumed { period: Quantity },
-    /// A stride that the movement does not have.
+    /// A stride time outside the range of the movement.
     StrideImplausible {
         period: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// A share of stance in the stride that the movement does not have.
+    /// A duty factor outside the range of the movement.
     DutyImplausible {
         duty: Quantity,
         low: Quantity,
         high: Quantity,
     },
-    /// A highest force that the movement does not have, in body weights.
+    /// A peak force outside the range of the movement, in body weights.
     PeakImplausible { ratio: f64, low: f64, high: f64 },
     /// Mean force over the cycle and weight do not fit.
     MeanForceNotWeight {
@@ -124,7 +124,7 @@ pub enum Note {
         mass: Quantity,
         share: WeightShare,
     },
-    /// No walker has this mass.
+    /// A mass outside the range of people.
     MassImplausible { mean: Quantity, mass: Quantity },
     /// The unit of force was not given, and with the one taken the mass is not that of an adult.
     UnitUnconfirmed { unit: ForceUnit, mass: Quantity },
@@ -277,7 +277,7 @@ pub enum PeriodSource {
     DoubledSteps,
     /// The impulse that carries the known mass over a stride.
     Impulse,
-    /// The usual part of a stride that a foot stands, since the recording does not say it.
+    /// A typical duty factor, since the recording does not give the stride time.
     UsualDuty,
     /// Rises of the total force of both feet through its mean.
     TotalForce,
@@ -344,7 +344,7 @@ impl Note {
         self.into()
     }
 
-    /// What the note leaves open until the user answers; `None` where it only informs.
+    /// The question that the note opens; `None` if it only informs.
     pub fn doubt(&self) -> Option<OpenQuestion> {
         match self {
             Note::KindDiffers { .. } | Note::DutyImplausible { .. } => Some(OpenQuestion::Kind),
@@ -362,7 +362,7 @@ impl Note {
         }
     }
 
-    /// Keys of the section `gait` that settle what the note leaves open, the likeliest first.
+    /// Keys of the section `gait` that answer the question, most likely first.
     pub fn settled_by(&self) -> &'static [&'static str] {
         match self {
             Note::KindDiffers { .. } => &["gait.kind"],

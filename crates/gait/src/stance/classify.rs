@@ -8,7 +8,7 @@ use crate::units::G;
 
 /// Longest contact in running, s.
 const LONGEST_RUNNING_S: f64 = 0.5;
-/// A contact this many times longer than its fellows holds more than one step.
+/// A contact this many times longer than the typical one holds more than one step.
 const LONG: f64 = 1.5;
 /// The same, where its force has more humps than one foot makes.
 const LONG_WITH_HUMPS: f64 = 1.15;
@@ -30,7 +30,7 @@ const FELLOWS: usize = 4;
 /// A contact that reaches this part of the highest may be a whole step.
 const MAIN: f64 = 0.5;
 
-/// What whole contacts of the recording are like.
+/// Typical values of the whole contacts of the recording.
 pub(super) struct Usual {
     /// Places (of the list of contacts) and durations, s, of the main contacts in order of time.
     main: Vec<(usize, f64)>,
@@ -81,7 +81,7 @@ impl Usual {
     }
 }
 
-/// Steps of very slow walkers: three or more contacts alike that are longer than standing is otherwise taken for.
+/// Steps of very slow walkers: three or more similar contacts longer than the limit for standing.
 fn slow_steps(contacts: &[Contact], top: f64) -> bool {
     let long: Vec<&Contact> = contacts
         .iter()
@@ -113,9 +113,9 @@ pub(super) struct Judged<'a> {
 pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<RejectReason> {
     let (contact, shape) = (judged.contact, judged.shape);
     let duration = contact.duration_s();
-    let fellows = usual.duration_s(judged.place);
+    let typical = usual.duration_s(judged.place);
     if let Some(cut) = contact.cut {
-        let fragment = fellows.is_some_and(|d| duration < FRAGMENT * d);
+        let fragment = typical.is_some_and(|d| duration < FRAGMENT * d);
         return Some(if fragment {
             RejectReason::EdgeFragment
         } else {
@@ -132,7 +132,7 @@ pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<Re
         || usual.weight_n.is_some_and(|w| contact.peak_n < 0.5 * w);
     let reason = match kind {
         Kind::Running => (duration > LONGEST_RUNNING_S).then_some(RejectReason::Standing),
-        _ => too_long(duration, shape, fellows, usual),
+        _ => too_long(duration, shape, typical, usual),
     };
     if reason.is_some() {
         return reason;
@@ -143,18 +143,18 @@ pub(super) fn rejection(judged: &Judged, usual: &Usual, kind: Kind) -> Option<Re
     weak.then_some(RejectReason::PartialContact)
 }
 
-/// Longer than one foot stands.
+/// Longer than one step.
 fn too_long(
     duration: f64,
     shape: &Shape,
-    fellows: Option<f64>,
+    typical: Option<f64>,
     usual: &Usual,
 ) -> Option<RejectReason> {
     let longest = if usual.slow { SLOW_STEP_S } else { STANDING_S };
     if duration > longest {
         return Some(RejectReason::Standing);
     }
-    let longer = |factor: f64| fellows.is_some_and(|d| duration > factor * d);
+    let longer = |factor: f64| typical.is_some_and(|d| duration > factor * d);
     if longer(LONG) && duration > TWO_STEPS_S {
         return Some(RejectReason::CrossOver);
     }
@@ -178,7 +178,7 @@ pub(super) enum Beside {
     CrossTalk,
 }
 
-/// Contacts beside one on another plate: one foot on two plates, or cross-talk between their amplifiers.
+/// Contacts at the same time as one on another plate: one foot on two plates, or cross-talk between their amplifiers.
 ///
 /// Sides that are named (insoles, split belts) cannot share a foot.
 pub(super) fn beside(

@@ -3,7 +3,7 @@
 
 mod classify;
 mod contact;
-mod fellows;
+mod outliers;
 mod recognise;
 mod shape;
 mod sides;
@@ -11,8 +11,8 @@ mod types;
 
 use classify::{Judged, Usual, beside, missing, rejection};
 use contact::{Contact, contacts};
-pub(super) use fellows::largest_group;
-use fellows::{mark_unlike, of_one_speed};
+pub(super) use outliers::largest_group;
+use outliers::{mark_unlike, of_one_speed};
 use recognise::{ballistic, without_stance};
 use shape::{Shape, shape};
 use sides::name_feet;
@@ -24,7 +24,7 @@ pub use types::{Point, RejectReason, Rejected, Stance, Stances};
 
 /// Finds the stances of a recording.
 ///
-/// Running is averaged only where `recording.kind` asks for it; jumps, standing and rising never.
+/// Running is averaged only if `recording.kind` requests it; jumps, standing and sit-to-stand are not averaged.
 pub fn stances(recording: &Recording) -> Stances {
     let live = || {
         recording

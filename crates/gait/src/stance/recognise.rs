@@ -1,7 +1,6 @@
-//! What was recorded, told by contact times, flight, duty factor, peaks and repetition.
+//! Recognition of the movement from contact times, flight, duty factor, peaks and repetition.
 //!
-//! Ranges of walking and running: a walker's foot stands for more than half of the stride and there is no
-//! flight; a runner's stands for less and for 0.1 to 0.35 s (Nilsson and Thorstensson 1989; Keller et al. 1996).
+//! Walking has a duty factor above one half and no flight; running has one below and contacts of 0.1 to 0.35 s (Nilsson and Thorstensson 1989; Keller et al. 1996).
 
 use super::contact::{Contact, STANDING_S, TOUCH_S};
 use super::shape::Shape;
@@ -10,9 +9,9 @@ use crate::units::G;
 
 /// A contact this short is none of walking, s.
 const SHORT_S: f64 = 0.33;
-/// A contact below this is short where something else speaks of running, s.
+/// Contacts shorter than this confirm running where there is other evidence of it, s.
 const BRISK_S: f64 = 0.42;
-/// Share of a stride that a foot stands, below which it is running.
+/// Duty factor below which the movement is running.
 const RUNNING_DUTY: f64 = 0.5;
 /// A stride of one foot this short is of running, s.
 const RUNNING_STRIDE_S: f64 = 0.6;
@@ -32,7 +31,7 @@ const LANDING: f64 = 1.6;
 const TOGETHER_S: f64 = 0.08;
 /// A contact that reaches this part of the highest is a step.
 const MAIN: f64 = 0.4;
-/// Variation of a total force (deviation over mean) up to which a person stands.
+/// Largest coefficient of variation of the total force in quiet standing.
 const QUIET: f64 = 0.12;
 /// A seated person's feet carry less than this part of the weight.
 const SEATED: f64 = 0.6;
@@ -100,7 +99,7 @@ pub(super) fn without_stance(contacts: &[Contact], recording: &Recording) -> Opt
     if steady(&levels) {
         return Some(Kind::Standing);
     }
-    // Two levels, each held: seated and standing.
+    // Two sustained levels: seated and standing.
     let (low, high) = (at(0.08), at(0.9));
     let near = |x: f64| {
         let close = levels.iter().filter(|l| (*l - x).abs() < 0.15 * high);
@@ -131,7 +130,7 @@ fn peakedness(contact: &Contact, shape: &Shape) -> f64 {
     contact.peak_n / mean.max(1e-9)
 }
 
-/// Middle share of a stride that a foot stands and middle stride, s, from contacts that repeat on a channel.
+/// Median duty factor and median stride time, s, from contacts that repeat on a channel.
 fn duty(main: &[(&Contact, &Shape)]) -> Option<(f64, f64)> {
     let mut all = Vec::new();
     for (i, (a, _)) in main.iter().enumerate() {

@@ -5,7 +5,7 @@ use super::types::Point;
 /// A valley must be at least this part of the highest force below both peaks to count.
 const VALLEY: f64 = 0.01;
 
-/// Force in the middle over that at the quarters, from which two feet stand there.
+/// Ratio of the force at mid-stance to that at the quarters, above which two feet are on the plate.
 const DOUBLE_SUPPORT: f64 = 1.12;
 
 /// Peaks, valley and impulse of one stance.
@@ -15,7 +15,7 @@ pub(super) struct Shape {
     pub valley: Option<Point>,
     pub p2: Option<Point>,
     pub impulse_ns: f64,
-    /// Humps that stand out by a tenth of the highest.
+    /// Number of peaks with a prominence of a tenth of the highest.
     pub humps: usize,
     /// Whether the highest force lies in the middle fifth and stands out from the quarters.
     pub peaks_in_the_middle: bool,
@@ -156,7 +156,7 @@ fn deepest(samples: &[f64]) -> Option<(usize, f64)> {
     best
 }
 
-/// Number of maxima that stand out by `height` on both sides.
+/// Number of maxima with a prominence of `height` on both sides.
 fn humps(samples: &[f64], height: f64) -> usize {
     let (mut count, mut rising) = (0, true);
     let mut extreme = 0.0f64;

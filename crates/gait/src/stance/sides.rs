@@ -69,7 +69,7 @@ pub(crate) fn footfalls(recording: &Recording, stances: &Stances) -> Vec<Footfal
     falls
 }
 
-/// Whether two stances that follow each other are of one foot; `None` where that cannot be told.
+/// Whether two stances that follow each other are of one foot; `None` if unknown.
 ///
 /// In walking the next foot lands before this one has left; the same foot only after its swing. In running (`runs`)
 /// a flight comes before the next foot, and more than twice as long a time before the same one.

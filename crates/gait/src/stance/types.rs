@@ -1,4 +1,4 @@
-//! Stances and contacts: what is found in a recording.
+//! Stances and contacts of a recording.
 
 use serde::Serialize;
 use strum::{IntoStaticStr, VariantNames};
@@ -11,7 +11,7 @@ use crate::recording::{Foot, Kind, Note};
 /// use gaitcam_gait::{ReadOptions, read, stances};
 ///
 /// # let bytes = include_bytes!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../data/recordings/made_walk.csv"));
-/// // The humps of a walking stance: loading in its first half, push-off in its second.
+/// // The peaks of a walking stance: loading in its first half, push-off in its second.
 /// let recording = read("walk.csv".as_ref(), bytes, &ReadOptions::default())?;
 /// let stance = &stances(&recording).used[0];
 /// let (loading, push_off) = (stance.first_peak().unwrap(), stance.second_peak().unwrap());
@@ -47,7 +47,7 @@ const LATE: f64 = 0.6;
 pub struct Stance {
     /// Channel of the recording.
     pub channel: usize,
-    /// The foot, where the file says or implies it.
+    /// The foot, if the file names or implies it.
     pub foot: Option<Foot>,
     /// Heel strike, s from the first sample.
     pub start_s: f64,
@@ -57,13 +57,13 @@ pub struct Stance {
     pub p1: Point,
     /// Mid-stance valley, if the stance has two humps.
     pub valley: Option<Point>,
-    /// Push-off peak, if the stance has two humps.
+    /// Push-off peak, if the stance has two peaks.
     pub p2: Option<Point>,
     /// Integral of the force over the stance, N s.
     pub impulse_ns: f64,
     /// Mass of the walker, kg, where this stance has its own (tables of stances).
     pub mass_kg: Option<f64>,
-    /// Its duration, loading peak or impulse is unlike those of its channel: it counts in the sum of both feet
+    /// Its duration, loading peak or impulse is an outlier of its channel: it counts in the sum of both feet
     /// only.
     pub unlike: bool,
 }
@@ -134,7 +134,7 @@ pub enum RejectReason {
     Standing,
     /// Longer than the others: the other foot came onto the same plate.
     CrossOver,
-    /// Duration, loading peak or impulse are unlike those of the same channel.
+    /// Duration, loading peak or impulse is an outlier of the same channel.
     Unlike,
     /// Two plates carried the foot at the same time.
     TwoPlates,

@@ -1,7 +1,7 @@
 //! C3D files: force plates of a motion-capture recording.
 //!
-//! A reader of our own, because it must bear damaged files: every offset and count is checked against the
-//! bytes present before it is used, and only the channels of the plates are read.
+//! Damaged files are common: every offset and count is checked against the bytes present before it is used. Only the
+//! channels of the plates are read.
 //! Format: the C3D user guide (c3d.org); layout as 512-byte blocks of header, parameters and data.
 
 mod parameters;
@@ -25,7 +25,7 @@ use crate::recording::{ClockSource, Foot, ReadOptions, Recording, Strike};
 /// Bytes of one block.
 const BLOCK: usize = 512;
 
-/// Whether bytes start like a C3D file: a small block number and the key 0x50.
+/// Whether bytes start as a C3D file: block number of the parameters and the key 0x50.
 pub(super) fn is_c3d(bytes: &[u8]) -> bool {
     matches!(bytes, [block, 0x50, ..] if *block > 0) && bytes.len() >= BLOCK
 }

@@ -15,7 +15,7 @@ type Weights = Vec<(usize, f64)>;
 /// Most plates that are read; laboratories have up to a dozen.
 const MOST_PLATES: usize = 64;
 
-/// Raw vertical force of every plate; without plates, of every channel whose label says force.
+/// Raw vertical force of every plate; without plates, of every channel labelled as force.
 pub(super) fn forces(
     path: &Path,
     analog: &Analog,
@@ -54,7 +54,7 @@ pub(super) fn forces(
         }
     }
     tilted(parameters, used, notes);
-    // Channels of a plate of unknown type are no forces because their names look like it.
+    // The type, not the name, decides whether a channel of a plate is a force.
     if raw.is_empty() && unknown.is_none() {
         raw = channels.labelled_force();
         if !raw.is_empty() {
@@ -129,7 +129,7 @@ impl<'a> Channels<'a> {
         Ok(self.column(name.to_string(), Axis::Vertical, &vec![(place, 1.0)]))
     }
 
-    /// Every channel whose label says force.
+    /// Every channel labelled as force.
     fn labelled_force(&self) -> Vec<RawForce> {
         let most = self.analog.channels.min(3 * MOST_PLATES);
         let labels = self.labels.iter().enumerate().take(most);

@@ -180,7 +180,7 @@ fn start_of_data(in_header: usize, parameters: &Parameters) -> usize {
     (block - 1) * BLOCK
 }
 
-/// Frames the file claims to hold; `None` where 16 bits cannot say it and nothing else does.
+/// Announced number of frames; `None` if it exceeds 16 bits and no parameter gives it.
 fn announced_frames(first: usize, last: usize, parameters: &Parameters) -> Option<usize> {
     let field = |name| {
         let words = parameters.numbers("TRIAL", name);

@@ -56,7 +56,7 @@ pub(super) fn plan(path: &Path, table: &Table, options: &ReadOptions) -> Result<
     if force.is_empty() {
         return Err(force_is_time(path, table));
     }
-    // Sub-frames repeat and frames stand still meanwhile: rows are counted instead.
+    // Several sub-frames share a frame number, so rows are counted instead.
     let sub = place(&Role::SubFrame).is_some();
     Ok(Some(Plan {
         time: time.filter(|_| !(counts && sub)),
@@ -70,7 +70,7 @@ pub(super) fn force_is_time(path: &Path, table: &Table) -> Error {
     ReadError::ForceIsTime.at_line(path, table.start.line)
 }
 
-/// Columns of unknown name whose unit says force.
+/// Columns of unknown name with a unit of force.
 fn columns_in_newtons(table: &Table, roles: &[Role]) -> Vec<(usize, Axis, Option<Foot>)> {
     let forces =
         (0..table.names.len()).filter(|&i| roles[i] == Role::Other && is_newtons(table, i));

@@ -11,7 +11,7 @@ pub(super) fn clock(f: &[u8], comma: bool) -> Option<f64> {
     }
 }
 
-/// Seconds of `2024-05-01T10:05:07.5Z` since the year began; a blank may stand for the T, and the zone,
+/// Seconds of `2024-05-01T10:05:07.5Z` since the year began; a blank may replace the T, and the zone,
 /// which is the same for all samples, is passed over.
 fn dated(f: &[u8], comma: bool) -> Option<f64> {
     let number = |from: usize, to: usize| -> Option<f64> {

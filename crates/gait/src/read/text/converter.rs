@@ -1,6 +1,6 @@
 //! Converter counts of Motion Analysis (`.anc`): names, rates and ranges above the rows, no calibration.
 //!
-//! The header gives the rate as `PreciseRate`; names of channels stand in a line `Name`, their rates and ranges in
+//! The header gives the rate as `PreciseRate`; names of channels are in a line `Name`, their rates and ranges in
 //! the next two. Muscles may be called like forces (`L GRF`: the left gastrocnemius), so that only numbered plates
 //! count.
 
@@ -15,7 +15,7 @@ use crate::read::vertical::RawForce;
 use crate::recording::{Axis, Note, ReadOptions};
 use crate::units::G;
 
-/// Lines among which the header must stand.
+/// Most lines of the header.
 const HEAD: usize = 40;
 /// Usual highest force of a stance, body weights: it places the contact threshold before the mean is known.
 const USUAL_PEAK: f64 = 1.1;

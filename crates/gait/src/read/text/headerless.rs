@@ -14,7 +14,7 @@ use crate::recording::{Axis, Foot, Note, ReadOptions};
 /// Fewest rows that are taken for a recording when nothing names the columns.
 const FEWEST: usize = 10;
 
-/// Rows looked at, evenly spread, to tell the columns apart.
+/// Rows sampled evenly to classify the columns.
 const SAMPLE: usize = 4096;
 
 /// Columns beyond which a table without names is not a recording of forces.
@@ -115,7 +115,7 @@ fn chosen(
     Ok((time, forces))
 }
 
-/// Left and right, where the table is time, two like sets of sensors and their two sums, in this order.
+/// Left and right, if the columns are time, two equal sets of sensors and their two sums, in this order.
 ///
 /// So are the insole recordings of PhysioNet's gait database, left foot first.
 fn insole_sides(forces: &[usize], width: usize, time: Option<usize>) -> Option<[Foot; 2]> {
@@ -174,7 +174,7 @@ fn counts_samples(times: &[f64]) -> bool {
 ///
 /// Sums of a block of other columns first (insoles: sensors and their totals); then the third of every six
 /// (plates: Fx Fy Fz Mx My Mz), or whichever of the first three carries the load; then every column that
-/// pushes to one side and reaches at least two fifths of the largest.
+/// has one sign and reaches at least two fifths of the largest.
 fn force_columns(columns: &[Vec<f64>], time: Option<usize>) -> Vec<usize> {
     let data: Vec<usize> = (0..columns.len()).filter(|&i| Some(i) != time).collect();
     if data.len() > MOST_VALUES {
@@ -222,7 +222,7 @@ fn totals(columns: &[Vec<f64>], data: &[usize]) -> Vec<usize> {
     if data.len() < 4 || data.len() > 64 || samples == 0 {
         return Vec::new();
     }
-    // A hundred loaded rows settle it.
+    // A hundred loaded rows are enough.
     let rows: Vec<usize> = (0..samples).step_by(samples / 100 + 1).collect();
     let is_sum = |total: usize, block: &[usize]| {
         let agrees = |&&r: &&usize| {

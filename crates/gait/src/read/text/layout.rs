@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::read::number::{Field, field, trim};
 
-/// What stands between two fields.
+/// Field separator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
     /// One of this byte between every two fields.
@@ -134,7 +134,7 @@ pub(crate) fn detect(bytes: &[u8]) -> Layout {
         comma: false,
     };
     let has_comma = |l: &&[u8]| Fields::new(l, plain).any(is_decimal_comma);
-    // Between commas a decimal comma stands in quotes.
+    // With commas between fields, decimal commas are quoted.
     let quoted = |l: &&[u8]| {
         Fields::new(l, plain).any(|f| trim(f).len() < f.trim_ascii().len() && is_decimal_comma(f))
     };

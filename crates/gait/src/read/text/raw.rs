@@ -8,7 +8,7 @@ use crate::recording::Note;
 pub(super) struct Raw {
     /// Times as written, where there is a time column.
     pub times: Option<Vec<f64>>,
-    /// Scale of the times to seconds, where their column says it.
+    /// Seconds per unit of the times, if the column gives it.
     pub time_unit: Option<f64>,
     /// Whether times count samples.
     pub counts: bool,

@@ -1,7 +1,7 @@
 //! Tables with one stance per row, as the GaitRec and Gutenberg databases have them.
 //!
 //! Identifiers come first, then samples `F_V_RAW_1 … F_V_RAW_n`, rows padded with empty fields. There is
-//! no time; the masses stand in a table of subjects beside it.
+//! no time; the masses are in a separate table of subjects.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -22,7 +22,7 @@ use crate::units::G;
 /// Numbered columns from which a table is one of stances.
 const FEWEST_SAMPLES: usize = 40;
 
-/// Rates a laboratory samples forces at, Hz; far enough apart to be told by the length of a stance.
+/// Usual sampling rates of force plates, Hz; distinguishable by the number of samples in a stance.
 const RATES: [f64; 6] = [50.0, 100.0, 250.0, 500.0, 1000.0, 2000.0];
 
 /// Usual duration of a stance in level walking, s (README of the recordings: 0.43 to 0.81 s).

@@ -31,7 +31,7 @@ pub(crate) fn next_table(bytes: &[u8], layout: Layout, from: Position) -> Option
                 return Some(with_header(at, width, &head, layout));
             }
         }
-        // One blank line of several says as much.
+        // Of several blank lines one is kept.
         if line.is_empty() && head.back().is_some_and(|l| l.is_empty()) {
             continue;
         }

@@ -8,7 +8,7 @@ use crate::read::columns::{bracketed, words};
 use crate::read::timebase::{TimeBase, usual_step};
 use crate::recording::{ClockSource, Note, ReadOptions};
 
-/// Seconds per unit of a time column, where its name or the row of units says it.
+/// Seconds per unit of a time column, if its name or the row of units gives it.
 pub(super) fn time_unit(table: &Table, i: usize) -> Option<f64> {
     let row = table
         .units
@@ -97,11 +97,11 @@ pub(super) fn time_base(
     }
 }
 
-/// Seconds per unit of a time column that does not say it.
+/// Seconds per unit of a time column without a unit.
 fn guessed_unit(times: &[f64], key_rate: Option<f64>, notes: &mut Vec<Note>) -> f64 {
     let step = usual_step(times);
     match key_rate {
-        // The column counts something else than seconds; the rate says what.
+        // The column does not count seconds; the rate gives its unit.
         Some(rate) if (step * rate - 1.0).abs() > 0.5 => 1.0 / (rate * step),
         None if (0.4..=60.0).contains(&step) && times.len() > 20 => {
             notes.push(Note::MillisecondsGuessed { step });

@@ -1,4 +1,4 @@
-//! Whole stances compared with each other: those of one speed, and those unlike their fellows.
+//! Comparison of whole stances: those of one speed, and outliers.
 
 use super::types::{RejectReason, Rejected, Stance, Stances};
 use crate::quantity::seconds;
@@ -10,12 +10,12 @@ const ONE_SPEED: f64 = 0.1;
 const OUTSIDE: f64 = 0.15;
 /// Fewest stances that show a change of speed.
 const FEWEST: usize = 8;
-/// A stance this much longer or shorter than its fellows is left out of the mean of one foot.
+/// A stance whose duration differs from the median by more than this is left out of the mean of one foot.
 const DURATION: f64 = 0.1;
-/// The same of its loading peak and its impulse.
+/// The same for its loading peak and its impulse.
 const FORCE: f64 = 0.15;
-/// Fewest stances of a channel that are fellows: with one of them unlike, three agree.
-const FELLOWS: usize = 4;
+/// Fewest stances of a channel that show an outlier: three must agree.
+const COMPARABLE: usize = 4;
 
 /// Keeps the stances of the speed that most of them have, if the speed changes, and notes it.
 pub(super) fn of_one_speed(out: &mut Stances, recording: &Recording) {
@@ -67,14 +67,14 @@ pub(crate) fn largest_group(sorted: &[f64]) -> (f64, f64, usize) {
     best
 }
 
-/// Marks stances whose duration, loading peak or impulse is unlike those of their channel: parts of the other
-/// foot stand on the plate, or parts of this one beside it.
+/// Marks the outliers in duration, loading peak or impulse of each channel: the other foot touched the plate, or part of
+/// this one missed it.
 pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
     for channel in 0..channels {
         let own: Vec<usize> = (0..used.len())
             .filter(|&i| used[i].channel == channel && used[i].mass_kg.is_none())
             .collect();
-        if own.len() < FELLOWS {
+        if own.len() < COMPARABLE {
             continue;
         }
         let usual = |of: fn(&Stance) -> f64| median(own.iter().map(|&i| of(&used[i])).collect());
@@ -95,7 +95,7 @@ pub(super) fn mark_unlike(used: &mut [Stance], channels: usize) {
                     || off(s.impulse_ns, impulse) > FORCE
             })
             .collect();
-        // Where many differ there is no usual one.
+        // If most differ there is no typical stance.
         if 2 * unlike.len() <= own.len() {
             for i in unlike {
                 used[i].unlike = true;
