@@ -49,7 +49,7 @@
 //!
 //! A force is wanted ([`force`]) → a law of motion gives it ([`drive`], [`law`], found by [`synth`]) → a cam gives
 //! the law ([`cam`]) → the cam is checked, run ([`dynamics`]) and handed over (crate `gaitcam-output`). Modules import
-//! downwards only. What is hidden from these pages (`synth::qp`, `dynamics::contact` …) serves the project's own
+//! downwards only. What is hidden from these pages (`synth::spectral`, `dynamics::contact` …) serves the project's own
 //! evidence and benchmarks and may change at any time.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -61,7 +61,7 @@ pub mod wording;
 
 pub mod error;
 
-pub mod poly;
+pub use splineqp::poly;
 
 pub mod law;
 

@@ -9,18 +9,18 @@ mod program;
 mod reversed;
 mod rise;
 mod walk;
-mod wave;
 
 pub use hermite::{Condition, hermite_birkhoff};
 pub use joint::Joint;
 pub use program::{Extent, Segment, assemble, constant_breadth, program};
 pub use rise::{End, Ends, Factors, Rise};
+use splineqp::Basis;
+pub use splineqp::poly::Wave;
 pub(crate) use walk::Turns;
 #[doc(hidden)]
 pub use walk::{BATCH, Batch, Walk};
-pub use wave::Wave;
 
-use crate::poly::{PiecewisePoly, SplineSpace, bernstein};
+use crate::poly::{PiecewisePoly, SplineSpace, add_taylor, bernstein, subdivide};
 use extremes::Known;
 use serde::Serialize;
 use std::sync::Arc;
@@ -84,6 +84,17 @@ pub struct Law {
 pub(crate) const MANY_SPANS: usize = 40;
 
 impl Law {
+    /// The law of a program's solution.
+    pub fn of(basis: &Basis, x: &[f64]) -> Self {
+        match basis {
+            Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
+            Basis::Harmonic { count } => {
+                let term = |n: usize| (x[2 * n + 1], x[2 * n + 2]);
+                Law::harmonic(x[0], &(0..*count).map(term).collect::<Vec<_>>())
+            }
+        }
+    }
+
     /// A spline by its coefficients.
     pub fn spline(space: &SplineSpace, coefficients: &[f64], closed: bool) -> Self {
         let poly = space.spline(coefficients);
@@ -236,12 +247,7 @@ impl Law {
             let m = n.saturating_sub(order);
             horner_bernstein(&scaled[order][i * (m + 1)..(i + 1) * (m + 1)], u)
         };
-        let mut out = Svaj {
-            s: value(0),
-            v: value(1),
-            a: value(2),
-            j: value(3),
-        };
+        let mut out = [value(0), value(1), value(2), value(3)];
         let waves = self.waves(i);
         if !waves.is_empty() {
             let b = self.poly.breaks();
@@ -250,7 +256,8 @@ impl Law {
                 wave.add_to(x, &mut out);
             }
         }
-        out
+        let [s, v, a, j] = out;
+        Svaj { s, v, a, j }
     }
 
     /// w₀s + w₁v + w₂a + w₃j + constant as a piecewise polynomial: exact for polynomial laws; sinusoids
@@ -262,7 +269,7 @@ impl Law {
         if self.waves.is_empty() {
             return self.polynomial_combination(weights, constant);
         }
-        let (poly, waves) = wave::subdivide(&self.poly, &self.waves);
+        let (poly, waves) = subdivide(&self.poly, &self.waves);
         let mut order = poly;
         let mut sum = PiecewisePoly::combine(&[(weights[0], &order)], constant);
         for &w in &weights[1..] {
@@ -271,7 +278,7 @@ impl Law {
                 sum = PiecewisePoly::combine(&[(1.0, &sum), (w, &order)], 0.0);
             }
         }
-        wave::add_taylor(sum, &waves, weights)
+        add_taylor(sum, &waves, weights)
     }
 
     /// The same without waves: only the derivatives that take part, in the degree that they need.

@@ -1,8 +1,26 @@
 //! What relaxing each active limit would buy, in the quantity that a scene minimises.
 
 use super::design::{Easing, Minimised};
-use super::qp::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, Solution, sensitivities};
+use super::qp::{EXTRAS, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
+use crate::criterion::Criterion;
+use crate::law::Law;
 use crate::scene::Minimise;
+
+/// Part of a limit by which it is relaxed.
+const RELAXED: f64 = 0.01;
+
+/// What relaxing one limit by 1 % would do to the objective, to first order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Sensitivity {
+    /// Name of the limit, or key of the scene where that is another.
+    limit: Criterion,
+    /// Its value, SI.
+    from: f64,
+    /// The value relaxed, SI.
+    to: f64,
+    /// Fall of the objective.
+    gain: f64,
+}
 
 /// What easing each active limit by 1 % would do to the objective, to first order; the limits that are
 /// numbers of the scene, largest gain first.
@@ -70,4 +88,67 @@ fn measured(
             (Minimised::Radius, radius, radius - gain)
         }
     }
+}
+
+/// The key of the value behind a limit: its own, or that of the prime radius.
+pub fn key(limit: &Limit) -> Criterion {
+    match limit.meaning {
+        Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
+        _ => limit.name,
+    }
+}
+
+/// What relaxing each active limit by 1 % would do to the objective, to first order; the limits that are
+/// numbers of the scene, largest gain first.
+fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
+    let mut out: Vec<Sensitivity> = Vec::new();
+    for row in &solution.active {
+        for one in of_row(program, solution, row) {
+            match out.iter_mut().find(|e| e.limit == one.limit) {
+                Some(known) => known.gain += one.gain,
+                None => out.push(one),
+            }
+        }
+    }
+    out.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+    out
+}
+
+/// The numbers of the scene that could relax one row.
+fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
+    let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
+        return Vec::new();
+    };
+    let relaxed = RELAXED;
+    let mut out = Vec::new();
+    if let Some(from) = limit.meaning.value(limit.bound) {
+        let slope = limit.meaning.slope(limit.bound);
+        let typical = limit.scale * slope;
+        let by = relaxed * if from == 0.0 { typical } else { from.abs() };
+        let downwards = matches!(limit.meaning, Meaning::Value { factor, .. } if factor < 0.0);
+        out.push(Sensitivity {
+            limit: key(limit),
+            from,
+            to: if downwards { from - by } else { from + by },
+            gain: row.multiplier * by / slope,
+        });
+    }
+    // v − e ≤ t (s + D): a larger t makes room in proportion to the height s + D of the roller's centre.
+    let rise = match limit.meaning {
+        Meaning::Sized if limit.extra[RISE] != 0.0 => Some(solution.extra[RISE]),
+        Meaning::PrimeRadius { tan, offset } => Some((limit.bound - offset) / tan),
+        _ => None,
+    };
+    if let Some(rise) = rise {
+        let tan = -limit.weights[0];
+        let from = tan.atan();
+        let height = rise + Law::of(&program.basis, &solution.x).svaj(row.peak.at).s;
+        out.push(Sensitivity {
+            limit: limit.name,
+            from,
+            to: (1.0 + relaxed) * from,
+            gain: row.multiplier * height * (1.0 + tan * tan) * relaxed * from,
+        });
+    }
+    out
 }

@@ -55,6 +55,7 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
+mod demand;
 mod design;
 mod easing;
 mod emitted;
@@ -71,8 +72,7 @@ mod pareto;
 mod phase;
 mod polydyne;
 mod proof;
-#[doc(hidden)]
-pub mod qp;
+mod qp;
 mod reason;
 mod scp;
 mod search;
@@ -82,6 +82,7 @@ pub mod spectral;
 mod verdict;
 mod verify;
 
+pub use demand::{Demand, Given};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, Minimised, Relaxation,
     SolverReport, Step, Tier,
@@ -96,7 +97,7 @@ pub use named::unit;
 pub use parameters::Functions;
 pub use pareto::{Trade, trade, traded};
 pub use proof::Doubt;
-pub use qp::{Certificate, Demand, Given, Stop};
+pub use qp::{Certificate, Stop};
 pub use reason::{Change, Reason, sentences};
 pub use search::Search;
 

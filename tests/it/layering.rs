@@ -105,27 +105,3 @@ fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
         }
     }
 }
-
-/// The solver of programs knows polynomials, laws and the names of limits, and nothing of scenes, forces or cams.
-#[test]
-fn the_convex_programs_know_only_polynomials_and_laws() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/synth/qp");
-    let mut files = Vec::new();
-    sources(&folder, &mut files, "qp");
-    assert!(files.len() > 10, "the sources were not found");
-    for (_, text) in &files {
-        for line in text.lines().map(str::trim).filter(|l| !l.starts_with("//")) {
-            let below = [
-                "crate::poly",
-                "crate::law",
-                "crate::criterion",
-                "crate::halt",
-                "crate::units",
-                "crate::synth::qp",
-            ];
-            let looks_out = line.contains("super::super")
-                || (line.contains("crate::") && !below.iter().any(|b| line.contains(b)));
-            assert!(!looks_out, "qp looks out: {line}");
-        }
-    }
-}

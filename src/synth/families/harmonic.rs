@@ -46,7 +46,7 @@ pub fn law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw,
     let Optimum {
         program, solution, ..
     } = optimum;
-    found.law = program.basis.law(&solution.x);
+    found.law = Law::of(&program.basis, &solution.x);
     found.binding = gathered(&program, &solution, 2 * count);
     let method = Method::Harmonics {
         harmonics: count,

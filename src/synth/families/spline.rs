@@ -6,6 +6,7 @@ use super::spline_spans::Forecast;
 use super::touching::{self, Optimum};
 use super::{NoLaw, Refusal, SolvedLaw, gathered, proved, report};
 use crate::drive::Drive;
+use crate::law::Law;
 use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
@@ -76,7 +77,7 @@ pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
     let solver = proved(solver_report(&fitted, sequence), certificate, doubt);
     let (program, solution) = (&fitted.optimum.program, &fitted.optimum.solution);
     Ok(SolvedLaw {
-        law: program.basis.law(&solution.x),
+        law: Law::of(&program.basis, &solution.x),
         family: Family::Spline,
         degree: problem.degree(),
         functions: Functions::of(&program.basis),
@@ -259,7 +260,7 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
     limits.loads?;
     let (program, solution) = at_level(problem, fitted, &limits);
     let here = scp::AtSize::new(limits, &program).of(&solution);
-    if limits::loaded(&program.basis.law(&solution.x), &here) >= 0.0 {
+    if limits::loaded(&Law::of(&program.basis, &solution.x), &here) >= 0.0 {
         return None;
     }
     (!in_sequence(problem, fitted, limits)).then_some(limits)
@@ -305,7 +306,7 @@ pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) ->
         return None;
     }
     let mut out = solution.clone();
-    let law = program.basis.law(&solution.x);
+    let law = Law::of(&program.basis, &solution.x);
     let own = sizing::cam(problem, law.clone(), &law).ok();
     let prime = own.as_ref().map(|cam| cam.follower.prime_radius());
     if let Some([least, most]) = problem.reach_of_arm() {

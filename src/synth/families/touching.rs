@@ -70,7 +70,7 @@ impl Optimum {
 
     /// The law.
     pub fn law(&self) -> Law {
-        self.program.basis.law(&self.solution.x)
+        Law::of(&self.program.basis, &self.solution.x)
     }
 
     /// How near to the optimum over all touching angles the law is, and what is in doubt of that.
@@ -121,7 +121,7 @@ pub fn solve(problem: &Problem, program: Program) -> Result<Optimum, Box<Refusal
     }
     // Where the law is lowest without limits is a fair guess.
     let first = match qp::solve_equalities(&program) {
-        Ok(unlimited) => program.basis.law(&unlimited.x).extremes(0).0.at,
+        Ok(unlimited) => Law::of(&program.basis, &unlimited.x).extremes(0).0.at,
         Err(_) => 0.0,
     };
     let mut search = Search {
@@ -341,7 +341,7 @@ impl Search {
 }
 
 fn node(program: &Program, at: f64, solution: Solution) -> Node {
-    let law = program.basis.law(&solution.x);
+    let law = Law::of(&program.basis, &solution.x);
     let rows: &[Row] = &solution.active;
     let counted = rows.iter().filter(|row| !row.touching.is_empty());
     let pull = counted.map(|row| -row.multiplier * row.weights[0]).sum();

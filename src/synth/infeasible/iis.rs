@@ -5,6 +5,7 @@ use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
+use crate::synth::easing;
 use crate::synth::families::{Refusal, at_own_size};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::named::key_of;
@@ -205,7 +206,7 @@ fn elastic(program: &Program, name: Criterion) -> Option<Relaxation> {
         .ok()
         .filter(|s| s.violation <= BROKEN)
         .and_then(|s| first.meaning.value(s.extra[PEAK]));
-    let limit = first.meaning.key(first.name);
+    let limit = easing::key(&first);
     Some(Relaxation {
         limit,
         key: key_of(limit),

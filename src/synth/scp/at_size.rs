@@ -1,5 +1,6 @@
 //! Limits that are not convex, at the size that a solution of a program has.
 
+use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
 use crate::synth::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Solution};
 
@@ -56,6 +57,6 @@ impl AtSize {
 
     /// Smallest h/w of each limit over a solution's law.
     pub fn clear(&self, program: &Program, solution: &Solution) -> Vec<f64> {
-        clearances(&program.basis.law(&solution.x), &self.of(solution))
+        clearances(&Law::of(&program.basis, &solution.x), &self.of(solution))
     }
 }

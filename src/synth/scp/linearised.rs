@@ -2,6 +2,7 @@
 
 use super::{ROOM, at_size::AtSize};
 use crate::cam::LimitKind;
+use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly};
 use crate::synth::limits::relative;
 use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Solution};
@@ -82,7 +83,7 @@ pub fn linearised(
     at_size: &AtSize,
     room: &Room,
 ) -> Vec<Row> {
-    let law = program.basis.law(&current.x);
+    let law = Law::of(&program.basis, &current.x);
     let (limits, free) = (&at_size.of(current), at_size.free());
     let mut out = Vec::new();
     let mut places = Vec::new();

@@ -3,6 +3,7 @@
 use super::linearised::{Room, contacts, each_place, least_of, linearised, row};
 use super::{AtSize, ROOM, blend, solved};
 use crate::cam::LimitKind;
+use crate::law::Law;
 use crate::synth::limits::{Profile, ProfileSize};
 use crate::synth::qp::{EXTRAS, PEAK, Program, Quadratic, RISE, Row, SIZES, Solution};
 
@@ -149,7 +150,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
 /// Rows of a + (2X₀/ρ − 1)X − X₀²/ρ ≥ 0 all around, X₀ no smaller than the 4ρ/3 that makes it sufficient.
 fn restricted(program: &Program, current: &Solution, size: ProfileSize) -> Vec<Row> {
     let present = program.present();
-    let law = program.basis.law(&current.x);
+    let law = Law::of(&program.basis, &current.x);
     let sufficient = 4.0 / 3.0 * size.rho;
     let mut out = Vec::new();
     each_place(program, |place| {

@@ -7,7 +7,8 @@ use clarabel::solver::{
 
 use super::{Answer, Between, Bound, Settings, Task, refused};
 use gaitcam::error::Result;
-use gaitcam::synth::qp::{Basis, Entries, Failure, Stop, clarabel_prepared, clarabel_run};
+use gaitcam::law::Law;
+use splineqp::{Basis, Entries, Failure, Stop, clarabel_prepared, clarabel_run};
 
 /// A conic program with all its rows written down: minimise ½xᵀHx + gᵀx, b − Ax in cones.
 pub struct Conic {
@@ -268,7 +269,7 @@ impl Prepared {
         }
         let x: Vec<f64> = answer.x[..self.n].iter().map(|y| y * self.length).collect();
         Ok(Answer {
-            law: self.basis.law(&x),
+            law: Law::of(&self.basis, &x),
             iterations: answer.iterations as usize,
         })
     }

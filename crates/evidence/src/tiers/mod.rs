@@ -15,9 +15,12 @@ use gaitcam::force::ForceCurve;
 use gaitcam::law::Law;
 use gaitcam::poly::SplineSpace;
 use gaitcam::problem::Target;
-use gaitcam::synth::qp::{self, Basis, Failure, Limit, Meaning, Program, Quadratic};
 use gaitcam::synth::spectral::invert;
 use gaitcam::wording::{self, Language};
+use splineqp::{self as qp, Basis, Failure, Limit, Meaning, Quadratic};
+
+/// A program whose limits are named as charts name them.
+type Program = qp::Program<()>;
 
 /// A two-sided limit |s⁽ᵏ⁾| ≤ most on the whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,12 +148,7 @@ impl Task<'_> {
                         factor: 1.0,
                         offset: 0.0,
                     },
-                    ..Limit::new(
-                        gaitcam::cam::Criterion::Peak,
-                        weights,
-                        bound.most,
-                        bound.most,
-                    )
+                    ..Limit::new("peak", weights, bound.most, bound.most)
                 });
             }
         }
@@ -162,7 +160,7 @@ impl Task<'_> {
         let program = self.program();
         let x = qp::solve_equalities(&program).map_err(|f| refused(&f))?.x;
         Ok(Answer {
-            law: program.basis.law(&x),
+            law: Law::of(&program.basis, &x),
             iterations: 0,
         })
     }
@@ -172,7 +170,7 @@ impl Task<'_> {
         let program = self.program();
         let solution = program.solve().map_err(|f| refused(&f))?;
         Ok(Answer {
-            law: program.basis.law(&solution.x),
+            law: Law::of(&program.basis, &solution.x),
             iterations: solution.iterations,
         })
     }
@@ -182,7 +180,7 @@ impl Task<'_> {
         let program = self.program();
         let solution = qp::solve_by_interior_point(&program).map_err(|f| refused(&f))?;
         Ok(Answer {
-            law: program.basis.law(&solution.x),
+            law: Law::of(&program.basis, &solution.x),
             iterations: solution.iterations,
         })
     }
@@ -199,7 +197,7 @@ pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law>
     Ok(invert(target, &drive, None, wanted)?.law())
 }
 
-fn refused(failure: &Failure) -> Error {
+fn refused(failure: &Failure<()>) -> Error {
     crate::fault(match failure {
         Failure::Inconsistent { equalities } => {
             format!("contradicting equalities: {equalities:?}")

@@ -1,6 +1,6 @@
 //! A linear limit on the law over a range of cam angles, and what its bound means to users.
 
-use crate::criterion::Criterion;
+use crate::Names;
 
 /// Variables beside the coefficients of the law, by their index in `extra` arrays.
 pub const EXTRAS: usize = 6;
@@ -21,9 +21,9 @@ pub const SIZES: [usize; 3] = [RADIUS, RISE, OFFSET];
 
 /// A linear limit on the law over a range of cam angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit {
+pub struct Limit<N: Names> {
     /// Name as users know it; both signs of a two-sided limit share it.
-    pub name: Criterion,
+    pub name: N::Limit,
     /// Weights of s, v, a, j and the fourth derivative, by cam angle.
     pub weights: [f64; 5],
     /// Σ weights·svaj + Σ extra·y ≤ bound + shape(θ).
@@ -42,9 +42,9 @@ pub struct Limit {
     pub meaning: Meaning,
 }
 
-impl Limit {
+impl<N: Names> Limit<N> {
     /// Σ weights·svaj ≤ bound over one turn.
-    pub fn new(name: impl Into<Criterion>, weights: [f64; 5], bound: f64, scale: f64) -> Self {
+    pub fn new(name: impl Into<N::Limit>, weights: [f64; 5], bound: f64, scale: f64) -> Self {
         Limit {
             name: name.into(),
             weights,
@@ -81,12 +81,12 @@ impl Limit {
     }
 
     /// Highest derivative in its left side.
-    pub(in crate::synth::qp) fn highest_order(&self) -> usize {
+    pub(crate) fn highest_order(&self) -> usize {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 
     /// The same limit asked for nowhere.
-    pub(super) fn idle(mut self) -> Self {
+    pub(crate) fn idle(mut self) -> Self {
         self.extra = [0.0; EXTRAS];
         self.domain = (f64::INFINITY, f64::INFINITY);
         self
@@ -103,7 +103,7 @@ impl Limit {
     }
 
     /// The bound less what the variables beside the law take of it.
-    pub(in crate::synth::qp) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
+    pub(crate) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }
 }
@@ -150,14 +150,6 @@ impl Meaning {
                 let rise = (bound - offset) / tan;
                 (rise / rise.hypot(offset)).abs() / tan
             }
-        }
-    }
-
-    /// The scene's own name for the value, where it is not the limit's.
-    pub fn key(self, limit: Criterion) -> Criterion {
-        match self {
-            Meaning::PrimeRadius { .. } => Criterion::GivenPrimeRadius,
-            _ => limit,
         }
     }
 }

@@ -19,6 +19,7 @@
 //! | `polish` | inside the exchange: the active rows as equalities, without curvature |
 //! | `step` | at the end: one dense step |
 
+use crate::Names;
 mod band;
 mod polish;
 mod step;
@@ -35,8 +36,8 @@ use super::clarabel::row_unit;
 use super::program::{EXTRAS, Limit, PEAK, Program, Row, Solution};
 use crate::poly::{Peak, PiecewisePoly};
 
-struct Contacts<'a> {
-    program: &'a Program,
+struct Contacts<'a, N: Names> {
+    program: &'a Program<N>,
     /// Second derivatives of the bounds' shapes.
     bends: Vec<PiecewisePoly>,
     /// Which of the variables beside the law take part.
@@ -57,7 +58,7 @@ enum Way {
 
 /// The solution with its last digits, where its certificate is open and that closes it. Intermediate programs of a sequence,
 /// which ask for a coarser tolerance, stay as they are.
-pub fn refined(program: &Program, solution: Solution) -> Solution {
+pub fn refined<N: Names>(program: &Program<N>, solution: Solution<N>) -> Solution<N> {
     let settings = &program.settings;
     if !solution.used_rows || settings.tolerance > settings.refinement.finest_tolerance {
         return solution;
@@ -73,7 +74,7 @@ pub fn refined(program: &Program, solution: Solution) -> Solution {
 }
 
 /// Gap, stationarity and violation of a solution relative to what needs no refinement; at most 1 where none is needed.
-fn openness(program: &Program, solution: &Solution) -> f64 {
+fn openness<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let settings = &program.settings.refinement;
     let proof = certificate(program, solution);
     let excess = (solution.violation - program.settings.tolerance).max(0.0);
@@ -82,16 +83,16 @@ fn openness(program: &Program, solution: &Solution) -> f64 {
 }
 
 /// The optimum near a solution that nearly satisfies its limits; `None` where no search reaches it.
-fn searched(program: &Program, start: &Solution) -> Option<Solution> {
+fn searched<N: Names>(program: &Program<N>, start: &Solution<N>) -> Option<Solution<N>> {
     let contacts = Contacts::small(program)?;
     [Way::Equalities, Way::Arcs, Way::Program]
         .into_iter()
         .find_map(|way| contacts.searched(start, way))
 }
 
-impl<'a> Contacts<'a> {
+impl<'a, N: Names> Contacts<'a, N> {
     /// `None` where the program is too large for a dense step, or has a cone.
-    fn small(program: &'a Program) -> Option<Self> {
+    fn small(program: &'a Program<N>) -> Option<Self> {
         let unknowns = program.basis.columns() + program.equalities.len();
         let too_large = 2 * unknowns > program.settings.refinement.largest;
         if program.cone || too_large {
@@ -101,7 +102,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// `None` for harmonics, which have no pieces.
-    fn new(program: &'a Program) -> Option<Self> {
+    fn new(program: &'a Program<N>) -> Option<Self> {
         let Basis::Spline { space, .. } = &program.basis else {
             return None;
         };
@@ -117,8 +118,8 @@ impl<'a> Contacts<'a> {
     }
 
     /// The start with its contacts as rows.
-    fn start(&self, start: &Solution, way: Way) -> Solution {
-        let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
+    fn start(&self, start: &Solution<N>, way: Way) -> Solution<N> {
+        let push = |r: &Row<N>| r.multiplier * row_unit(&r.entries, self.program.length);
         let largest = start.active.iter().map(push).fold(0.0, f64::max);
         let weakest = self.program.settings.refinement.weakest;
         let mut current = start.clone();
@@ -128,7 +129,7 @@ impl<'a> Contacts<'a> {
         current
     }
 
-    fn searched(&self, start: &Solution, way: Way) -> Option<Solution> {
+    fn searched(&self, start: &Solution<N>, way: Way) -> Option<Solution<N>> {
         let program = self.program;
         let settings = &program.settings.refinement;
         let mut current = self.start(start, way);
@@ -138,7 +139,7 @@ impl<'a> Contacts<'a> {
             return None;
         }
         let most = settings.divergence * start.violation.max(settings.from);
-        let mut best: Option<(f64, Solution)> = None;
+        let mut best: Option<(f64, Solution<N>)> = None;
         let (mut since, mut solves) = (0, settings.solves);
         for _ in 0..settings.steps {
             if program.halt.is_asked() {
@@ -183,15 +184,15 @@ impl<'a> Contacts<'a> {
     }
 
     /// Whether a limit is constant on every piece: it touches along pieces, not at places.
-    fn is_flat(&self, limit: &Limit) -> bool {
+    fn is_flat(&self, limit: &Limit<N>) -> bool {
         let order = limit.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
         order >= self.degree && limit.shape.is_none()
     }
 
     /// Active rows brought to the local maxima beside them; rows that share one are one contact.
-    fn gathered(&self, solution: &Solution, peaks: &[(usize, Peak)], way: Way) -> Vec<Row> {
+    fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)], way: Way) -> Vec<Row<N>> {
         let program = self.program;
-        let mut out: Vec<Row> = Vec::new();
+        let mut out: Vec<Row<N>> = Vec::new();
         for row in &solution.active {
             let width = program.width(row.peak.piece);
             let away = |p: &Peak| (p.at - row.peak.at).abs();
@@ -224,7 +225,7 @@ impl<'a> Contacts<'a> {
         out
     }
 
-    fn is_same(&self, a: &Row, b: &Row) -> bool {
+    fn is_same(&self, a: &Row<N>, b: &Row<N>) -> bool {
         let apart = (a.peak.at - b.peak.at).abs();
         match a.limit {
             None => false,
@@ -239,7 +240,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// −c″ at a contact inside its piece.
-    fn sharpness(&self, x: &[f64], row: &Row) -> Option<f64> {
+    fn sharpness(&self, x: &[f64], row: &Row<N>) -> Option<f64> {
         let limit = row.limit.map(|i| &self.program.limits[i])?;
         let w = limit.weights;
         let inside = row.peak.u > 0.0 && row.peak.u < 1.0 && w[4] == 0.0;
@@ -260,7 +261,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// H + Σ λ/(−c″) a′a′ᵀ over the active rows.
-    fn with_curvature(&self, mut hessian: ArrowMatrix, at: &Solution) -> ArrowMatrix {
+    fn with_curvature(&self, mut hessian: ArrowMatrix, at: &Solution<N>) -> ArrowMatrix {
         for row in at.active.iter().filter(|r| r.multiplier > 0.0) {
             let Some(falls) = self.sharpness(&at.x, row) else {
                 continue;
@@ -279,7 +280,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// Size against which a distance to a bound counts; that of a peak which is minimised is the peak.
-    fn size(&self, limit: &Limit, at: &Solution) -> f64 {
+    fn size(&self, limit: &Limit<N>, at: &Solution<N>) -> f64 {
         let room = limit.room(&at.extra);
         if limit.is_peak() && at.extra[PEAK] != 0.0 {
             at.extra[PEAK].abs().min(limit.size(room))
@@ -290,9 +291,9 @@ impl<'a> Contacts<'a> {
 
     /// Largest excess of all limits, those included that no place of the law calls in: rows that are always held, and
     /// limits on a size alone.
-    fn violation(&self, at: &Solution) -> f64 {
+    fn violation(&self, at: &Solution<N>) -> f64 {
         let program = self.program;
-        let over = |row: &Row| -self.slack(row, at) / row_unit(&row.entries, program.length);
+        let over = |row: &Row<N>| -self.slack(row, at) / row_unit(&row.entries, program.length);
         let of_rows = program.fixed.iter().map(over);
         let alone = program.limits.iter().filter(|l| l.is_on_size_alone());
         let of_sizes = alone.map(|limit| {
@@ -303,28 +304,29 @@ impl<'a> Contacts<'a> {
         of_rows.chain(of_sizes).fold(known, f64::max)
     }
 
-    fn slack(&self, row: &Row, at: &Solution) -> f64 {
+    fn slack(&self, row: &Row<N>, at: &Solution<N>) -> f64 {
         let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * at.extra[k]).sum();
         row.bound - taken - apply(&row.entries, &at.x)
     }
 
     /// Local maxima that come near their bound.
-    fn peaks_near(&self, at: &Solution) -> Vec<(usize, Peak)> {
+    fn peaks_near(&self, at: &Solution<N>) -> Vec<(usize, Peak)> {
         let below = self.program.settings.refinement.below;
         self.peaks_above(at, |size| -below * size)
     }
 
     /// Local maxima whose excess of their bound is above what is given for its size.
-    fn peaks_above(&self, at: &Solution, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
+    fn peaks_above(&self, at: &Solution<N>, excess: impl Fn(f64) -> f64) -> Vec<(usize, Peak)> {
         let mut peaks = Vec::new();
-        let level = |l: &Limit| self.program.room(l, &at.x, &at.extra) + excess(self.size(l, at));
+        let level =
+            |l: &Limit<N>| self.program.room(l, &at.x, &at.extra) + excess(self.size(l, at));
         self.program
             .each_peak_above(&at.x, level, |index, peak| peaks.push((index, peak)));
         peaks
     }
 
     /// A peak that is minimised is what the law makes of it.
-    fn raise_peak(&self, solution: &mut Solution) {
+    fn raise_peak(&self, solution: &mut Solution<N>) {
         let program = self.program;
         let mut most = 0.0_f64;
         for (index, peak) in self.peaks_above(solution, |_| 0.0) {
@@ -338,7 +340,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// Rows of a step: the contacts, and what else is near its bound.
-    fn candidates(&self, from: &Solution) -> Vec<Row> {
+    fn candidates(&self, from: &Solution<N>) -> Vec<Row<N>> {
         let program = self.program;
         let mut rows = from.active.clone();
         for (index, peak) in self.peaks_near(from) {
@@ -348,7 +350,7 @@ impl<'a> Contacts<'a> {
             }
         }
         for row in &program.fixed {
-            let known = |r: &Row| r.limit.is_none() && r.peak == row.peak && r.name == row.name;
+            let known = |r: &Row<N>| r.limit.is_none() && r.peak == row.peak && r.name == row.name;
             if !rows.iter().any(known) {
                 rows.push(row.clone());
             }
@@ -369,7 +371,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// Places that a step broke.
-    fn add_broken(&self, solution: &mut Solution) {
+    fn add_broken(&self, solution: &mut Solution<N>) {
         for (limit, peak) in self.program.broken(&solution.x, &solution.extra) {
             let row = self.program.row(limit, peak);
             if !solution.active.iter().any(|r| self.is_same(r, &row)) {
@@ -379,13 +381,13 @@ impl<'a> Contacts<'a> {
     }
 
     /// A step on the contacts; rows whose multiplier turns negative leave, the most negative first.
-    fn held_step(&self, from: &Solution, solves: &mut usize) -> Option<Solution> {
+    fn held_step(&self, from: &Solution<N>, solves: &mut usize) -> Option<Solution<N>> {
         let local = Local::new(self, from);
         let mut rows = from.active.clone();
         loop {
             *solves = solves.checked_sub(1)?;
             let mut next = local.held(&rows)?;
-            let push = |r: &Row| r.multiplier * row_unit(&r.entries, self.program.length);
+            let push = |r: &Row<N>| r.multiplier * row_unit(&r.entries, self.program.length);
             let pushes = || next.active.iter().map(push);
             let largest = pushes().fold(0.0, |m: f64, p| m.max(p.abs()));
             let weakest = pushes().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
@@ -402,7 +404,7 @@ impl<'a> Contacts<'a> {
     }
 
     /// The program about a solution, its limits as rows at the contacts; places that the step breaks join.
-    fn program_step(&self, from: &Solution) -> Option<Solution> {
+    fn program_step(&self, from: &Solution<N>) -> Option<Solution<N>> {
         let program = self.program;
         let local = Local::new(self, from);
         let mut rows = self.candidates(from);
@@ -418,7 +420,7 @@ impl<'a> Contacts<'a> {
                 let row = program.row(limit, peak);
                 let width = program.width(peak.piece);
                 let kinked = program.limits[limit].shape.is_some();
-                let near = |r: &Row| {
+                let near = |r: &Row<N>| {
                     let apart = (r.peak.at - peak.at).abs();
                     r.limit == Some(limit) && !kinked && apart < settings.apart * width
                 };

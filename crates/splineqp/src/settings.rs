@@ -16,7 +16,7 @@ pub struct Settings {
     pub exchange: ExchangeSettings,
     /// Newton's method on the contacts.
     pub refinement: RefinementSettings,
-    /// Duality gap and sensitivities.
+    /// Duality gap.
     pub certificate: CertificateSettings,
 }
 
@@ -168,8 +168,6 @@ pub struct CertificateSettings {
     pub least_objective: f64,
     /// Part of the objective below which xᵀr is small.
     pub small: f64,
-    /// Part of a limit by which it is relaxed for its sensitivity.
-    pub relaxed: f64,
     /// As `ActiveSetSettings::dependent`, for equalities.
     pub dependent: f64,
 }
@@ -214,7 +212,6 @@ impl Default for Settings {
             certificate: CertificateSettings {
                 least_objective: 1e-6,
                 small: 1e-9,
-                relaxed: 0.01,
                 dependent: 1e-20,
             },
         }

@@ -7,20 +7,21 @@
 //! quarters them.
 
 use super::{Contacts, Way};
+use crate::Names;
+use crate::active_set::ActiveSet;
+use crate::equality::Unlimited;
 use crate::poly::Peak;
-use crate::synth::qp::active_set::ActiveSet;
-use crate::synth::qp::equality::Unlimited;
-use crate::synth::qp::program::{EXTRAS, Program, Row, Solution};
+use crate::program::{EXTRAS, Program, Row, Solution};
 
 /// Improves a law whose contacts are nearly right; `peaks` are its maxima near their bounds, `level` is where an open level is
 /// pinned. `None` where the steps lose the contacts.
-pub fn on_band(
-    program: &Program,
+pub fn on_band<N: Names>(
+    program: &Program<N>,
     unlimited: &Unlimited,
-    start: &Solution,
+    start: &Solution<N>,
     mut peaks: Vec<(usize, Peak)>,
     level: f64,
-) -> Option<Solution> {
+) -> Option<Solution<N>> {
     let settings = &program.settings.refinement;
     let contacts = Contacts::new(program)?;
     let mut current = start.clone();
@@ -44,12 +45,12 @@ pub fn on_band(
 }
 
 /// The optimum on the contacts, and those of positive multiplier.
-fn step(
-    contacts: &Contacts,
+fn step<N: Names>(
+    contacts: &Contacts<N>,
     unlimited: &Unlimited,
-    from: &Solution,
+    from: &Solution<N>,
     level: f64,
-) -> Option<(Vec<f64>, Vec<Row>)> {
+) -> Option<(Vec<f64>, Vec<Row<N>>)> {
     let program = contacts.program;
     let hessian = contacts.with_curvature(unlimited.hessian.clone(), from);
     let factor = hessian.factor()?;

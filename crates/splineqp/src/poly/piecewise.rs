@@ -8,7 +8,7 @@ use serde::Serialize;
 /// Pieces need not join continuously; at a break the value is that of the piece to its right.
 ///
 /// ```
-/// use gaitcam::poly::PiecewisePoly;
+/// use splineqp::poly::PiecewisePoly;
 ///
 /// // 4 x (1 − x) on [0, 1], in Bernstein form.
 /// let hump = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 2.0, 0.0]);
@@ -32,12 +32,11 @@ const SAME: f64 = 1e-12;
 /// An extreme value and where it is taken.
 ///
 /// ```
-/// use gaitcam::law::Law;
+/// use splineqp::poly::PiecewisePoly;
 ///
-/// // 5 mm cos θ is largest at 0 (or a turn later) and smallest at π.
-/// let (low, high) = Law::harmonic(0.0, &[(0.005, 0.0)]).extremes(0);
-/// assert!((low.at - std::f64::consts::PI).abs() < 1e-6 && (low.value + 0.005).abs() < 1e-12);
-/// assert!((high.value - 0.005).abs() < 1e-12);
+/// // 2x(1 − x) on [0, 1], by its Bernstein coefficients 0, 1, 0.
+/// let (low, high) = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 1.0, 0.0]).extremes();
+/// assert!(low.value == 0.0 && high.value == 0.5 && high.at == 0.5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Extreme {
@@ -284,7 +283,7 @@ impl PiecewisePoly {
 
     /// Every local maximum above `level` on [from, to] (clipped to the breaks), ends of pieces included
     /// where the function rises towards them. Used to find where a limit is broken.
-    pub(crate) fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
+    pub fn peaks_above(&self, level: f64, from: f64, to: f64) -> Vec<Peak> {
         let mut out = Vec::new();
         for i in 0..self.pieces() {
             let (a, width) = (self.breaks[i], self.breaks[i + 1] - self.breaks[i]);

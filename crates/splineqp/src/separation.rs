@@ -3,10 +3,10 @@
 use super::basis::{Basis, Entries, WIDEST, add};
 use super::pieces::{Curve, Pieces};
 use super::program::{EXTRAS, Limit, Meaning, Program, Row};
-use crate::law::Law;
+use crate::Names;
 use crate::poly::{Peak, PiecewisePoly, SplineSpace, bernstein};
 
-impl Program {
+impl<N: Names> Program<N> {
     /// Exact worst points at which a limit is exceeded by more than the tolerance.
     pub fn broken(&self, x: &[f64], extra: &[f64; EXTRAS]) -> Vec<(usize, Peak)> {
         self.peaks_near(x, extra, -self.settings.tolerance)
@@ -20,7 +20,7 @@ impl Program {
     /// Local maxima of the limits' left sides that come as near to their bound as this part of its size.
     pub fn peaks_near(&self, x: &[f64], extra: &[f64; EXTRAS], near: f64) -> Vec<(usize, Peak)> {
         let mut out = Vec::new();
-        let level = |limit: &Limit| {
+        let level = |limit: &Limit<N>| {
             let bound = self.room(limit, x, extra);
             bound - near * limit.size(bound)
         };
@@ -57,13 +57,12 @@ impl Program {
     pub fn each_peak_above(
         &self,
         x: &[f64],
-        level: impl Fn(&Limit) -> f64,
+        level: impl Fn(&Limit<N>) -> f64,
         mut visit: impl FnMut(usize, Peak),
     ) {
         if self.limits.is_empty() {
             return;
         }
-        let mut law: Option<Law> = None;
         let (mut pieces, mut room) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {
             let level = level(limit);
@@ -72,8 +71,7 @@ impl Program {
                 pieces.peaks_above(space, limit, level, &mut room, |peak| visit(index, peak));
                 continue;
             }
-            let law = law.get_or_insert_with(|| self.basis.law(x));
-            let curve = self.curve(law, limit);
+            let curve = self.curve(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
                 // A shape cuts the curve finer than the basis: places are told in the basis' pieces.
                 if let Basis::Spline { space, .. } = &self.basis {
@@ -85,7 +83,7 @@ impl Program {
     }
 
     /// The space whose pieces are a limit's left side to the last coefficient.
-    fn spline_of(&self, limit: &Limit) -> Option<&SplineSpace> {
+    fn spline_of(&self, limit: &Limit<N>) -> Option<&SplineSpace> {
         match &self.basis {
             Basis::Spline { space, .. } => {
                 (limit.shape.is_none() && space.degree() < WIDEST).then_some(space)
@@ -101,7 +99,7 @@ impl Program {
     }
 
     /// The row of a limit at a place.
-    pub fn row(&self, index: usize, peak: Peak) -> Row {
+    pub fn row(&self, index: usize, peak: Peak) -> Row<N> {
         let limit = &self.limits[index];
         let by_piece = matches!(self.basis, Basis::Spline { .. });
         let mut entries = if by_piece {
@@ -135,8 +133,8 @@ impl Program {
     }
 
     /// Rows at both ends and the middle of every piece, for limits whose bound is itself a variable.
-    pub fn seed_rows(&self, rows: &mut Vec<Row>) {
-        let variable = |l: &Limit| l.extra.iter().any(|e| *e != 0.0);
+    pub fn seed_rows(&self, rows: &mut Vec<Row<N>>) {
+        let variable = |l: &Limit<N>| l.extra.iter().any(|e| *e != 0.0);
         let breaks = self.basis.breaks();
         for (index, limit) in self.limits.iter().enumerate().filter(|(_, l)| variable(l)) {
             ends_and_middles(&breaks, limit, |peak| rows.push(self.row(index, peak)));
@@ -145,7 +143,7 @@ impl Program {
 
     /// Ends and middles of pieces where the law without limits breaks one: many of them touch in the end,
     /// and rows are cheaper than rounds.
-    pub fn add_neighbours(&self, rows: &mut Vec<Row>, x: &[f64]) {
+    pub fn add_neighbours(&self, rows: &mut Vec<Row<N>>, x: &[f64]) {
         let (mut pieces, mut curve) = (None, Curve::default());
         for (index, limit) in self.limits.iter().enumerate() {
             let Some(space) = self.spline_of(limit) else {
@@ -178,13 +176,8 @@ impl Program {
     }
 
     /// Left side of a limit less its shape, over the whole law.
-    fn curve(&self, law: &Law, limit: &Limit) -> PiecewisePoly {
-        let w = limit.weights;
-        let mut curve = law.combination([w[0], w[1], w[2], w[3]], 0.0);
-        if w[4] != 0.0 {
-            let snap = law.combination([0.0, 0.0, 0.0, 1.0], 0.0).derivative();
-            curve = PiecewisePoly::combine(&[(1.0, &curve), (w[4], &snap)], 0.0);
-        }
+    fn curve(&self, x: &[f64], limit: &Limit<N>) -> PiecewisePoly {
+        let mut curve = self.basis.combination(x, &limit.weights);
         if let Some(shape) = limit.shape.map(|i| &self.shapes[i]) {
             let own = curve.cut_at(shape.breaks());
             curve =
@@ -194,7 +187,7 @@ impl Program {
     }
 }
 
-fn ends_and_middles(breaks: &[f64], limit: &Limit, mut visit: impl FnMut(Peak)) {
+fn ends_and_middles<N: Names>(breaks: &[f64], limit: &Limit<N>, mut visit: impl FnMut(Peak)) {
     for piece in 0..breaks.len() - 1 {
         for u in [0.0, 0.5, 1.0] {
             let at = breaks[piece] + u * (breaks[piece + 1] - breaks[piece]);

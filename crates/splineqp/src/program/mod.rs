@@ -5,6 +5,7 @@
 //! `solve` chooses the method: `active_set` over the coefficients alone, `exchange` with sizes and
 //! peaks beside them.
 
+use crate::Names;
 mod failure;
 mod limit;
 
@@ -13,18 +14,16 @@ pub use limit::{EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, 
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};
-use super::demand::Demand;
 use super::objective::Quadratic;
 use super::settings::{Settings, TOLERANCE};
-use crate::criterion::Criterion;
-use crate::halt::Halt;
 use crate::poly::{Peak, PiecewisePoly};
+use gaitcam_base::halt::Halt;
 
 /// An exact demand on the law: Σ entries·x = value.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Equality {
+pub struct Equality<N: Names> {
     /// What it demands.
-    pub name: Demand,
+    pub name: N::Equality,
     /// The row.
     pub entries: Entries,
     /// Its value.
@@ -33,7 +32,7 @@ pub struct Equality {
 
 /// The whole program.
 #[derive(Debug, Clone)]
-pub struct Program {
+pub struct Program<N: Names> {
     /// The functions.
     pub basis: Basis,
     /// H of the quadratic objective (may be singular or zero).
@@ -43,17 +42,17 @@ pub struct Program {
     /// What the quadratic leaves out of the whole objective.
     pub constant: f64,
     /// Exact demands.
-    pub equalities: Vec<Equality>,
+    pub equalities: Vec<Equality<N>>,
     /// Limits over ranges.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<Limit<N>>,
     /// Parts of bounds that vary with θ.
     pub shapes: Vec<PiecewisePoly>,
     /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
     pub touching: Option<Entries>,
     /// Rows that stand for themselves (linearised curvature).
-    pub fixed: Vec<Row>,
+    pub fixed: Vec<Row<N>>,
     /// Rows to begin the exchange with: the contacts of a neighbouring program.
-    pub seeds: Vec<Row>,
+    pub seeds: Vec<Row<N>>,
     /// Cost of each variable beside the law.
     pub cost: [f64; EXTRAS],
     /// Rp ≥ ‖(D, e)‖.
@@ -68,11 +67,11 @@ pub struct Program {
 
 /// A row of a limit at one angle: Σ entries·x + Σ extra·y ≤ bound.
 #[derive(Debug, Clone)]
-pub struct Row {
+pub struct Row<N: Names> {
     /// Index of the limit; `None` for a fixed row.
     pub limit: Option<usize>,
     /// Name of the limit as users know it.
-    pub name: Criterion,
+    pub name: N::Limit,
     /// Where on the law.
     pub peak: Peak,
     /// Weights of s, v, a, j and the fourth derivative there.
@@ -91,9 +90,9 @@ pub struct Row {
     pub multiplier: f64,
 }
 
-impl Row {
+impl<N: Names> Row<N> {
     /// Whether a row of the same limit lies within this part of the piece.
-    pub(super) fn coincides(&self, other: &Row, part: f64) -> bool {
+    pub(crate) fn coincides(&self, other: &Row<N>, part: f64) -> bool {
         self.limit == other.limit
             && self.peak.piece == other.peak.piece
             && (self.peak.u - other.peak.u).abs() < part
@@ -102,13 +101,13 @@ impl Row {
 
 /// A solution with its evidence.
 #[derive(Debug, Clone)]
-pub struct Solution {
+pub struct Solution<N: Names> {
     /// Coefficients.
     pub x: Vec<f64>,
     /// Values of the variables beside the law.
     pub extra: [f64; EXTRAS],
     /// Active rows with their multipliers.
-    pub active: Vec<Row>,
+    pub active: Vec<Row<N>>,
     /// Whether inequalities had to be brought in at all.
     pub used_rows: bool,
     /// Interior-point iterations over all rounds.
@@ -119,9 +118,14 @@ pub struct Solution {
     pub violation: f64,
 }
 
-impl Program {
+impl<N: Names> Program<N> {
     /// A program without limits.
-    pub fn new(basis: Basis, objective: Quadratic, equalities: Vec<Equality>, length: f64) -> Self {
+    pub fn new(
+        basis: Basis,
+        objective: Quadratic,
+        equalities: Vec<Equality<N>>,
+        length: f64,
+    ) -> Self {
         Program {
             basis,
             hessian: objective.hessian,
@@ -143,7 +147,7 @@ impl Program {
 
     /// What a limit leaves for its left side on a law: the bound less what the variables beside the law take,
     /// and what a lift counted from the touching angle gains.
-    pub fn room(&self, limit: &Limit, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
+    pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
         let lowest = self.reference(limit).map_or(0.0, |at| apply(at, x));
         limit.room(extra) + limit.weights[0] * lowest
     }
@@ -154,7 +158,7 @@ impl Program {
     }
 
     /// The lift from which a limit counts, where that is not the law's zero.
-    pub fn reference(&self, limit: &Limit) -> Option<&Entries> {
+    pub fn reference(&self, limit: &Limit<N>) -> Option<&Entries> {
         self.touching.as_ref().filter(|_| limit.from_base_circle)
     }
 
@@ -172,7 +176,7 @@ impl Program {
 
     /// The same program with its sizes held at the solution's, enlarged by `room`: without a cone it is
     /// solved to rounding, which a cone program is not.
-    pub fn with_sizes_held(&self, solution: &Solution, room: f64) -> Program {
+    pub fn with_sizes_held(&self, solution: &Solution<N>, room: f64) -> Program<N> {
         let mut held = self.clone();
         let mut sizes = solution.extra;
         sizes[RISE] *= 1.0 + room;
@@ -226,7 +230,7 @@ impl Program {
     }
 
     /// The same program with limits on the size alone as wide as these sizes ask for, and a cost on each of them.
-    pub fn with_sizes_priced(&self, extra: &[f64; EXTRAS], cost: f64) -> Program {
+    pub fn with_sizes_priced(&self, extra: &[f64; EXTRAS], cost: f64) -> Program<N> {
         let mut priced = self.clone();
         for limit in priced.limits.iter_mut().filter(|l| l.is_on_size_alone()) {
             limit.bound += (-limit.room(extra)).max(0.0);
@@ -239,12 +243,12 @@ impl Program {
 
     /// The same program with every stroke and face left free; `None` without such limits, and beside a program in
     /// which one of them was active.
-    pub fn without_windows(&self) -> Option<Program> {
+    pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window()).peekable();
         if windows.peek().is_none() || windows.any(Limit::is_peak) {
             return None;
         }
-        let of_window = |r: &Row| r.limit.is_some_and(|i| self.limits[i].is_window());
+        let of_window = |r: &Row<N>| r.limit.is_some_and(|i| self.limits[i].is_window());
         if (self.seeds.iter()).any(|r| r.multiplier > 0.0 && of_window(r)) {
             return None;
         }
@@ -260,9 +264,8 @@ impl Program {
     pub fn windows(&self, x: &[f64]) -> [f64; EXTRAS] {
         let mut extra = [0.0; EXTRAS];
         if self.limits.iter().any(Limit::is_window) {
-            let law = self.basis.law(x);
-            extra[LOWEST] = law.extremes(0).0.value;
-            extra[FACE_END] = law.extremes(1).0.value;
+            extra[LOWEST] = self.basis.least(x, 0);
+            extra[FACE_END] = self.basis.least(x, 1);
         }
         extra
     }
@@ -278,7 +281,7 @@ impl Program {
 
     /// Whether neither the objective nor a demand fixes the level of the law.
     pub fn level_is_open(&self) -> bool {
-        let fixes_level = |e: &Equality| {
+        let fixes_level = |e: &Equality<N>| {
             let (sum, size) = e
                 .entries
                 .iter()
@@ -298,7 +301,7 @@ impl Program {
     }
 
     /// The law raised until its lowest point is at zero.
-    pub(super) fn with_lowest_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
+    pub(crate) fn with_lowest_at_zero(&self, x: Vec<f64>) -> Vec<f64> {
         let lowest = self.basis.lowest(&x);
         self.basis.raised(x, -lowest)
     }
@@ -332,7 +335,7 @@ impl Program {
     }
 
     /// The whole objective of a solution.
-    pub fn merit(&self, solution: &Solution) -> f64 {
+    pub fn merit(&self, solution: &Solution<N>) -> f64 {
         let beside = (0..EXTRAS).map(|k| self.cost[k] * solution.extra[k]);
         self.objective(&solution.x) + self.constant + beside.sum::<f64>()
     }

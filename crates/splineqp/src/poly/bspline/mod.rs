@@ -31,7 +31,7 @@ impl Span {
 /// A space of splines of one degree on a knot vector.
 ///
 /// ```
-/// use gaitcam::poly::SplineSpace;
+/// use splineqp::poly::SplineSpace;
 ///
 /// // Cubics over four spans of a turn: one coefficient a span.
 /// let space = SplineSpace::periodic_uniform(3, 4, std::f64::consts::TAU);

@@ -1,4 +1,4 @@
-//! Convex programs over the coefficients of a law, with limits that hold on the continuum.
+//! Convex programs over periodic splines whose limits hold everywhere, not on samples; with certificates.
 //!
 //! ```text
 //! minimise   ½ xᵀHx + gᵀx + cᵀy
@@ -7,7 +7,12 @@
 //!            R ≥ ‖(D, e)‖                            where the size is among the variables y
 //! ```
 //!
-//! The room knows piecewise polynomials and laws, and nothing of scenes, forces or cams.
+//! s(θ) = Σ xᵢBᵢ(θ) is a spline or a sum of harmonics; y are at most six variables beside it (a peak that is minimised, sizes
+//! that a second-order cone ties together, ends of ranges). A limit is infinitely many rows: the exact worst points of s come
+//! from the roots of its derivatives in Bernstein form and enter as rows until no limit is exceeded between them. The
+//! multipliers of the active rows prove a lower bound of the objective ([`certificate`]).
+//!
+//! Limits and equalities carry names of the caller's own types ([`Names`]); `()` names them by text.
 //!
 //! | file | |
 //! |---|---|
@@ -26,20 +31,25 @@
 //! | `clarabel` | interior-point method, by Clarabel |
 //! | `refine` | Newton's method on the contacts: the last digits of a solution and its proof |
 //! | `settings` | every tuning constant with its reason |
-//! | `certificate` | duality gap, stationarity, sensitivities |
+//! | `certificate` | duality gap, stationarity |
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+#![deny(clippy::missing_errors_doc)]
+#![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 mod active_set;
 mod band;
 mod basis;
 mod certificate;
 mod clarabel;
-mod demand;
 mod dual;
 mod equality;
 mod exchange;
 mod frame;
 mod objective;
 mod pieces;
+pub mod poly;
 mod program;
 mod refine;
 mod separation;
@@ -49,9 +59,8 @@ mod solve;
 mod tests;
 
 pub use basis::{Basis, Entries, apply};
-pub use certificate::{Certificate, Sensitivity, certificate, sensitivities};
+pub use certificate::{Certificate, certificate};
 pub use clarabel::{prepared as clarabel_prepared, run as clarabel_run};
-pub use demand::{Demand, Given};
 pub use equality::solve as solve_equalities;
 pub use exchange::solve as solve_by_interior_point;
 pub use objective::Quadratic;
@@ -60,3 +69,34 @@ pub use program::{
     RISE, Row, SIZES, Solution, Stop,
 };
 pub use settings::{Settings, TOLERANCE};
+
+/// The types by which a caller names limits and equalities.
+///
+/// ```
+/// use splineqp::Names;
+///
+/// #[derive(Debug, Clone, Copy, PartialEq)]
+/// enum Axis { X, Y }
+/// #[derive(Debug, Clone, Copy, PartialEq)]
+/// struct Robot;
+/// impl Names for Robot {
+///     type Limit = Axis;
+///     type Equality = (Axis, usize);
+/// }
+/// ```
+pub trait Names: std::fmt::Debug + Copy + PartialEq {
+    /// Name of a limit.
+    type Limit: std::fmt::Debug + Copy + PartialEq;
+    /// Name of an equality.
+    type Equality: std::fmt::Debug + Copy + PartialEq;
+}
+
+impl Names for () {
+    type Limit = &'static str;
+    type Equality = &'static str;
+}
+
+/// The program in the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

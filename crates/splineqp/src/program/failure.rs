@@ -1,16 +1,15 @@
 //! Why a program has no solution.
 
-use crate::synth::qp::demand::Demand;
+use crate::Names;
 use serde::Serialize;
 
 /// Why there is no solution. Only the first two are proofs that there is none.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Failure {
+#[derive(Debug, Clone, PartialEq)]
+pub enum Failure<N: Names> {
     /// The equalities contradict each other.
     Inconsistent {
         /// Names of those that do not follow from the others.
-        equalities: Vec<Demand>,
+        equalities: Vec<N::Equality>,
     },
     /// The limits leave nothing.
     Infeasible,
@@ -24,11 +23,10 @@ pub enum Failure {
 /// How a solver stopped without an answer; says nothing about whether there is one.
 ///
 /// ```
-/// use gaitcam::synth::{Reason, Stop};
+/// use splineqp::{Failure, Stop};
 ///
-/// // A solver that stops without an answer proves nothing: the reason says which way it stopped.
-/// let reason = Reason::SolverStopped { stop: Stop::IterationLimit };
-/// assert_eq!(reason.code(), "reason-solver-stopped");
+/// let failure: Failure<()> = Stop::IterationLimit.into();
+/// assert_ne!(failure, Failure::Infeasible);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -51,7 +49,7 @@ pub enum Stop {
     Refused,
 }
 
-impl From<Stop> for Failure {
+impl<N: Names> From<Stop> for Failure<N> {
     fn from(stop: Stop) -> Self {
         Failure::Numerical { stop }
     }

@@ -10,17 +10,21 @@ use super::equality::Unlimited;
 use super::program::{EXTRAS, Program, Row, Solution};
 use super::refine;
 use super::settings::ActiveSetSettings;
+use crate::Names;
 use crate::poly::Peak;
 
 /// Solves a program over the coefficients alone, starting from its optimum without limits.
 ///
 /// Returns the rows gathered so far when no step is left or progress ends: the interior-point method then decides whether
 /// there is a solution.
-pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<Row>> {
+pub fn solve<N: Names>(
+    program: &Program<N>,
+    unlimited: &Unlimited,
+) -> Result<Solution<N>, Vec<Row<N>>> {
     let settings = &program.settings.active_set;
     let level = unlimited.pin.map_or(0.0, |(at, _)| unlimited.x[at]);
     let mut set = ActiveSet::new(program, unlimited, &unlimited.factor, level);
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<Row<N>> = Vec::new();
     rows.extend(program.fixed.iter().chain(&program.seeds).cloned());
     let none = [0.0; EXTRAS];
     if program.seeds.is_empty() {
@@ -31,7 +35,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
     if rows.len() > settings.rows {
         return Err(rows);
     }
-    let mut best: Option<Solution> = None;
+    let mut best: Option<Solution<N>> = None;
     let (mut since_best, mut refinements) = (0, 0);
     for round in 1..=settings.rounds {
         if program.halt.is_asked() {
@@ -64,7 +68,7 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
         } else {
             since_best += 1;
             // The remaining violation is rounding: more rows do not reduce it.
-            let fine = |b: &Solution| b.violation < settings.resolved_at_last;
+            let fine = |b: &Solution<N>| b.violation < settings.resolved_at_last;
             if since_best >= settings.patience && best.as_ref().is_some_and(fine) {
                 return best.ok_or(rows);
             }
@@ -74,9 +78,9 @@ pub fn solve(program: &Program, unlimited: &Unlimited) -> Result<Solution, Vec<R
     Err(rows)
 }
 
-fn add_rows(
-    program: &Program,
-    rows: &mut Vec<Row>,
+fn add_rows<N: Names>(
+    program: &Program<N>,
+    rows: &mut Vec<Row<N>>,
     broken: Vec<(usize, Peak)>,
     set: &mut ActiveSet,
 ) {
@@ -103,8 +107,8 @@ pub struct ActiveSet<'a> {
 
 impl<'a> ActiveSet<'a> {
     /// With the equalities alone, on a factor of H, an open level pinned at `level`.
-    pub fn new(
-        program: &Program,
+    pub fn new<N: Names>(
+        program: &Program<N>,
         unlimited: &Unlimited,
         factor: &'a ArrowFactor,
         level: f64,
@@ -126,7 +130,7 @@ impl<'a> ActiveSet<'a> {
     }
 
     /// Until no row is violated and an open level is constant.
-    fn settle(&mut self, program: &Program, rows: &[Row]) -> Result<(), Stuck> {
+    fn settle<N: Names>(&mut self, program: &Program<N>, rows: &[Row<N>]) -> Result<(), Stuck> {
         for _ in 0..self.settings.pin_moves {
             self.keep_rows(program, rows)?;
             let Some((at, _)) = self.pin else {
@@ -151,7 +155,7 @@ impl<'a> ActiveSet<'a> {
         }
     }
 
-    fn keep_rows(&mut self, program: &Program, rows: &[Row]) -> Result<(), Stuck> {
+    fn keep_rows<N: Names>(&mut self, program: &Program<N>, rows: &[Row<N>]) -> Result<(), Stuck> {
         let units: Vec<f64> = rows
             .iter()
             .map(|row| {
@@ -186,7 +190,7 @@ impl<'a> ActiveSet<'a> {
     }
 
     /// Rows of positive multiplier.
-    pub fn active(&self, rows: &[Row]) -> Vec<Row> {
+    pub fn active<N: Names>(&self, rows: &[Row<N>]) -> Vec<Row<N>> {
         let positive = self.dual.multipliers().filter(|m| m.1 > 0.0);
         let rows = positive.map(|(i, multiplier)| Row {
             multiplier,
@@ -195,7 +199,7 @@ impl<'a> ActiveSet<'a> {
         rows.collect()
     }
 
-    fn solution(&self, rows: &[Row], violation: f64, rounds: usize) -> Solution {
+    fn solution<N: Names>(&self, rows: &[Row<N>], violation: f64, rounds: usize) -> Solution<N> {
         Solution {
             violation,
             x: self.dual.x.clone(),

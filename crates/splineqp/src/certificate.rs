@@ -14,22 +14,31 @@
 
 use super::basis::{Basis, apply};
 use super::equality;
-use super::program::{EXTRAS, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, SIZES, Solution};
+use super::program::{EXTRAS, OFFSET, PEAK, Program, RADIUS, RISE, SIZES, Solution};
+use crate::Names;
 use serde::Serialize;
-
-use crate::criterion::Criterion;
 
 /// How near to the optimum a law is proved to be.
 ///
 /// ```
-/// use gaitcam::{scene, synthesise};
+/// use splineqp::{Basis, Limit, Program, Quadratic, certificate};
+/// use splineqp::poly::SplineSpace;
+/// use std::f64::consts::TAU;
 ///
-/// // The multipliers prove that no law of the family follows the force better under this limit.
-/// let scene = scene::built_in("footbridge")?.scene()?.with("limits.stroke", "40 mm")?;
-/// let solver = synthesise(&scene, scene.model_force()?.as_ref())?.solver;
-/// let certificate = solver.certificate.unwrap();
-/// assert!(certificate.relative_gap < 1e-6 && certificate.violation < 1e-8);
-/// # Ok::<(), gaitcam::error::Error>(())
+/// // The periodic quintic nearest to sin θ whose value nowhere exceeds ½.
+/// let basis = Basis::Spline { space: SplineSpace::periodic_uniform(5, 16, TAU), closed: true };
+/// let mut distance = Quadratic::zero(&basis);
+/// let sine = |start: f64, width: f64, rule: &[(f64, f64)], out: &mut [f64]| {
+///     for (value, (u, _)) in out.iter_mut().zip(rule) {
+///         *value = (start + u * width).sin();
+///     }
+/// };
+/// distance.add_distance(&basis, &[1.0], 8, sine, None);
+/// let mut program: Program<()> = Program::new(basis, distance, Vec::new(), 1.0);
+/// program.limits.push(Limit::new("highest", [1.0, 0.0, 0.0, 0.0, 0.0], 0.5, 0.5));
+/// let solution = program.solve().unwrap();
+/// let proof = certificate(&program, &solution);
+/// assert!(proof.relative_gap < 1e-6 && proof.violation < 1e-8);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Certificate {
@@ -63,21 +72,8 @@ impl Certificate {
     }
 }
 
-/// What relaxing one limit by 1 % would do to the objective, to first order.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sensitivity {
-    /// Name of the limit, or key of the scene where that is another.
-    pub limit: Criterion,
-    /// Its value, SI.
-    pub from: f64,
-    /// The value relaxed, SI.
-    pub to: f64,
-    /// Fall of the objective.
-    pub gain: f64,
-}
-
 /// The evidence for a solution of a program.
-pub fn certificate(program: &Program, solution: &Solution) -> Certificate {
+pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut residual = program.hessian.times(x);
     let pulled = residual
@@ -174,7 +170,7 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 /// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
-fn scale(program: &Program, solution: &Solution) -> f64 {
+fn scale<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let x = &solution.x[..program.basis.columns()];
     let linear: f64 = program
         .gradient
@@ -194,7 +190,7 @@ fn scale(program: &Program, solution: &Solution) -> f64 {
 }
 
 /// Takes the demands' own pushes out of a residual: what is orthogonal to their rows is left.
-fn off_the_demands(program: &Program, residual: &mut [f64]) {
+fn off_the_demands<N: Names>(program: &Program<N>, residual: &mut [f64]) {
     let mut kept: Vec<Vec<f64>> = Vec::new();
     for demand in &program.equalities {
         let mut q = vec![0.0; residual.len()];
@@ -223,59 +219,4 @@ fn take_away(from: &mut [f64], unit: &[f64]) {
     for (f, u) in from.iter_mut().zip(unit) {
         *f -= part * u;
     }
-}
-
-/// What relaxing each active limit by 1 % would do to the objective, to first order; the limits that are
-/// numbers of the scene, largest gain first.
-pub fn sensitivities(program: &Program, solution: &Solution) -> Vec<Sensitivity> {
-    let mut out: Vec<Sensitivity> = Vec::new();
-    for row in &solution.active {
-        for one in of_row(program, solution, row) {
-            match out.iter_mut().find(|e| e.limit == one.limit) {
-                Some(known) => known.gain += one.gain,
-                None => out.push(one),
-            }
-        }
-    }
-    out.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-    out
-}
-
-/// The numbers of the scene that could relax one row.
-fn of_row(program: &Program, solution: &Solution, row: &Row) -> Vec<Sensitivity> {
-    let Some(limit) = row.limit.map(|i| &program.limits[i]) else {
-        return Vec::new();
-    };
-    let relaxed = program.settings.certificate.relaxed;
-    let mut out = Vec::new();
-    if let Some(from) = limit.meaning.value(limit.bound) {
-        let slope = limit.meaning.slope(limit.bound);
-        let typical = limit.scale * slope;
-        let by = relaxed * if from == 0.0 { typical } else { from.abs() };
-        let downwards = matches!(limit.meaning, Meaning::Value { factor, .. } if factor < 0.0);
-        out.push(Sensitivity {
-            limit: limit.meaning.key(limit.name),
-            from,
-            to: if downwards { from - by } else { from + by },
-            gain: row.multiplier * by / slope,
-        });
-    }
-    // v − e ≤ t (s + D): a larger t makes room in proportion to the height s + D of the roller's centre.
-    let rise = match limit.meaning {
-        Meaning::Sized if limit.extra[RISE] != 0.0 => Some(solution.extra[RISE]),
-        Meaning::PrimeRadius { tan, offset } => Some((limit.bound - offset) / tan),
-        _ => None,
-    };
-    if let Some(rise) = rise {
-        let tan = -limit.weights[0];
-        let from = tan.atan();
-        let height = rise + program.basis.law(&solution.x).svaj(row.peak.at).s;
-        out.push(Sensitivity {
-            limit: limit.name,
-            from,
-            to: (1.0 + relaxed) * from,
-            gain: row.multiplier * height * (1.0 + tan * tan) * relaxed * from,
-        });
-    }
-    out
 }

@@ -1,13 +1,18 @@
 //! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
 
-use crate::synth::qp::basis::apply;
-use crate::synth::qp::clarabel::{Point, row_unit};
-use crate::synth::qp::program::{EXTRAS, PEAK, Program, Row};
+use crate::Names;
+use crate::basis::apply;
+use crate::clarabel::{Point, row_unit};
+use crate::program::{EXTRAS, PEAK, Program, Row};
 use nalgebra::{DMatrix, DVector};
 
 /// Improves the point where that is possible without breaking a row or turning a multiplier negative;
 /// otherwise returns it as it came. Multipliers of rows found inactive become 0.
-pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, [f64; EXTRAS]) {
+pub fn polish<N: Names>(
+    program: &Program<N>,
+    rows: &mut [Row<N>],
+    point: &Point,
+) -> (Vec<f64>, [f64; EXTRAS]) {
     let as_given = (point.x.clone(), point.extra);
     let active = active_rows(program, rows, point);
     let mut inactive = vec![true; rows.len()];
@@ -106,7 +111,7 @@ pub fn polish(program: &Program, rows: &mut [Row], point: &Point) -> (Vec<f64>, 
 }
 
 /// Rows whose multiplier outweighs their slack, both in the solver's scaled units.
-fn active_rows(program: &Program, rows: &[Row], point: &Point) -> Vec<usize> {
+fn active_rows<N: Names>(program: &Program<N>, rows: &[Row<N>], point: &Point) -> Vec<usize> {
     let objective = program.multiplier_unit(point.extra[PEAK]);
     rows.iter()
         .enumerate()

@@ -10,13 +10,14 @@
 use super::basis::apply;
 use super::program::{EXTRAS, FACE_END, Failure, LOWEST, Meaning, Program, Solution};
 use super::{active_set, equality, exchange, refine};
+use crate::Names;
 
-impl Program {
+impl<N: Names> Program<N> {
     /// The optimum under all limits, on the continuum.
     ///
     /// # Errors
     /// Equalities that contradict each other, limits that leave nothing, a solver that stops without an answer.
-    pub fn solve(&self) -> Result<Solution, Failure> {
+    pub fn solve(&self) -> Result<Solution<N>, Failure<N>> {
         // A range of values whose place is free adds two unknowns: only where the law without them exceeds it.
         if let Some(free) = self.without_windows() {
             let mut solution = refine::refined(&free, free.by_the_first_method()?);
@@ -32,7 +33,7 @@ impl Program {
     }
 
     /// The solution of the first method that has one.
-    fn by_the_first_method(&self) -> Result<Solution, Failure> {
+    fn by_the_first_method(&self) -> Result<Solution<N>, Failure<N>> {
         if self.present().contains(&true) {
             return exchange::solve(self);
         }
@@ -50,7 +51,7 @@ impl Program {
     }
 
     /// A solution that still exceeds a limit, solved again with room kept inside every limit.
-    fn with_room_kept(&self, first: Solution, unlimited: &equality::Unlimited) -> Solution {
+    fn with_room_kept(&self, first: Solution<N>, unlimited: &equality::Unlimited) -> Solution<N> {
         if first.violation <= self.settings.tolerance {
             return first;
         }
@@ -67,7 +68,7 @@ impl Program {
     }
 
     /// The same program with this part of every limit's size kept free, where room can be kept.
-    fn tightened(&self, part: f64) -> Program {
+    fn tightened(&self, part: f64) -> Program<N> {
         let mut out = self.clone();
         for limit in &mut out.limits {
             if limit.meaning != Meaning::Structure && !limit.is_peak() {
@@ -78,7 +79,7 @@ impl Program {
     }
 
     /// The optimum without limits as the solution, where it satisfies them all.
-    pub(super) fn without_rows(&self, x: &[f64]) -> Option<Solution> {
+    pub(crate) fn without_rows(&self, x: &[f64]) -> Option<Solution<N>> {
         let extra = [0.0; EXTRAS];
         let violation = self.violation(x, &extra);
         let kept = self.fixed.iter().all(|r| apply(&r.entries, x) <= r.bound)

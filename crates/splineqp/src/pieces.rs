@@ -2,6 +2,7 @@
 
 use super::basis::WIDEST;
 use super::program::Limit;
+use crate::Names;
 use crate::poly::{Peak, Span, SplineSpace, bernstein};
 
 /// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that is asked for.
@@ -80,10 +81,10 @@ impl Pieces {
     }
 
     /// Visits the local maxima of a limit's left side above `level` within its domain.
-    pub fn peaks_above(
+    pub fn peaks_above<N: Names>(
         &self,
         space: &SplineSpace,
-        limit: &Limit,
+        limit: &Limit<N>,
         level: f64,
         room: &mut Curve,
         mut visit: impl FnMut(Peak),
@@ -102,10 +103,10 @@ impl Pieces {
     }
 
     /// Visits the pieces in a limit's domain on which its left side may exceed `level`.
-    pub fn each_above(
+    pub fn each_above<N: Names>(
         &self,
         space: &SplineSpace,
-        limit: &Limit,
+        limit: &Limit<N>,
         level: f64,
         room: &mut Curve,
         mut visit: impl FnMut(&Curve, usize),
@@ -120,7 +121,7 @@ impl Pieces {
     }
 
     /// Bernstein coefficients of Σ wₖ s⁽ᵏ⁾ on every span, all of one degree.
-    fn left_side(&self, limit: &Limit, curve: &mut Curve) {
+    fn left_side<N: Names>(&self, limit: &Limit<N>, curve: &mut Curve) {
         let lowest = limit.weights.iter().position(|w| *w != 0.0).unwrap_or(0);
         let n = (self.degree + 1).saturating_sub(lowest).max(1);
         let Curve { spans, rows, tops } = curve;
@@ -168,11 +169,11 @@ impl Curve {
     }
 
     /// Visits the local maxima on one piece above `level` within a limit's domain.
-    fn peaks_above(
+    fn peaks_above<N: Names>(
         &self,
         piece: usize,
         span: &Span,
-        limit: &Limit,
+        limit: &Limit<N>,
         level: f64,
         mut visit: impl FnMut(f64, f64),
     ) {
@@ -270,8 +271,7 @@ fn elevate(rows: &mut Vec<f64>, spans: usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::criterion::Criterion;
-    use crate::law::Law;
+    use crate::basis::Basis;
 
     /// Uniform, with fewer spans than a span has B-splines, with breaks of any multiplicity, and open at both ends.
     fn spaces() -> [SplineSpace; 4] {
@@ -294,17 +294,20 @@ mod tests {
             let pieces = Pieces::new(&space, &x, 3);
             let lowest = spline.extremes().0.value;
             assert!((pieces.lowest() - lowest).abs() < 1e-13);
-            let law = Law::from_poly(spline, false);
+            let basis = Basis::Spline {
+                space: space.clone(),
+                closed: false,
+            };
             for [s, v, a, j] in [
                 [0.0, 0.0, 1.0, 0.0],
                 [0.0, 0.0, 0.0, -1.0],
                 [1.0, -0.5, 0.2, 0.0],
             ] {
-                let curve = law.combination([s, v, a, j], 0.0);
+                let curve = basis.combination(&x, &[s, v, a, j, 0.0]);
                 let (low, high) = curve.extremes();
                 let limit = Limit {
                     domain: (0.0, 4.0),
-                    ..Limit::new(Criterion::Peak, [s, v, a, j, 0.0], 0.0, 1.0)
+                    ..Limit::<()>::new("peak", [s, v, a, j, 0.0], 0.0, 1.0)
                 };
                 let size = high.value.max(-low.value);
                 let mut most = f64::NEG_INFINITY;

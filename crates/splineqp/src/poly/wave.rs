@@ -1,22 +1,22 @@
-//! Sinusoidal terms of a law and their Taylor polynomials.
+//! Sinusoidal terms of a function on pieces, and their Taylor polynomials.
 
-use super::Svaj;
-use crate::poly::{PiecewisePoly, bernstein};
+use super::{PiecewisePoly, bernstein};
 use serde::Serialize;
 use std::sync::OnceLock;
 
-/// cos·cos(rate·x) + sin·sin(rate·x), where x is the angle since the start of the piece.
+/// cos·cos(rate·x) + sin·sin(rate·x), where x counts from the start of the piece.
 ///
 /// ```
-/// use gaitcam::law::{Law, Wave};
+/// use splineqp::poly::Wave;
 ///
-/// // Harmonic laws are one piece with a wave for each harmonic.
-/// let law = Law::harmonic(0.01, &[(0.002, 0.0), (0.0, 0.001)]);
-/// assert_eq!(law.waves(0)[1], Wave { rate: 2.0, cos: 0.0, sin: 0.001 });
+/// // Value and three derivatives of sin 2x at 0.
+/// let mut values = [0.0; 4];
+/// Wave { rate: 2.0, cos: 0.0, sin: 1.0 }.add_to(0.0, &mut values);
+/// assert_eq!(values, [0.0, 2.0, 0.0, -8.0]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Wave {
-    /// Radians of phase per radian of cam angle.
+    /// Radians of phase per unit of x.
     pub rate: f64,
     /// Amplitude of the cosine.
     pub cos: f64,
@@ -30,16 +30,16 @@ const PHASE_PER_PIECE: f64 = 1.0;
 const TAYLOR_DEGREE: usize = 14;
 
 impl Wave {
-    /// Adds value and derivatives at `x` since the start of the piece.
-    pub fn add_to(&self, x: f64, out: &mut Svaj) {
+    /// Adds the value and three derivatives at `x`.
+    pub fn add_to(&self, x: f64, out: &mut [f64; 4]) {
         let (sin, cos) = (self.rate * x).sin_cos();
         let value = self.cos * cos + self.sin * sin;
         let slope = self.rate * (self.sin * cos - self.cos * sin);
         let square = self.rate * self.rate;
-        out.s += value;
-        out.v += slope;
-        out.a -= square * value;
-        out.j -= square * slope;
+        out[0] += value;
+        out[1] += slope;
+        out[2] -= square * value;
+        out[3] -= square * slope;
     }
 
     /// The wave seen from a later start: g(x) = f(x + later).
@@ -105,7 +105,7 @@ pub fn subdivide(poly: &PiecewisePoly, waves: &[Vec<Wave>]) -> (PiecewisePoly, V
     (PiecewisePoly::new(breaks, poly.degree(), coef), shifted)
 }
 
-/// A wave seen on a part of its piece that begins `start` after the piece does.
+/// A wave on a part of its piece that begins `start` after the piece does.
 pub struct Shifted {
     wave: Wave,
     start: f64,

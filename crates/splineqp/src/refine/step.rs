@@ -5,11 +5,12 @@
 //! ```
 
 use super::Contacts;
-use crate::synth::qp::band::{ArrowFactor, ArrowMatrix};
-use crate::synth::qp::basis::{Entries, apply};
-use crate::synth::qp::clarabel::row_unit;
-use crate::synth::qp::dual::Dual;
-use crate::synth::qp::program::{EXTRAS, PEAK, Row, Solution};
+use crate::Names;
+use crate::band::{ArrowFactor, ArrowMatrix};
+use crate::basis::{Entries, apply};
+use crate::clarabel::row_unit;
+use crate::dual::Dual;
+use crate::program::{EXTRAS, PEAK, Row, Solution};
 use nalgebra::{DMatrix, DVector};
 
 /// A plane aᵀd ≤ bound, or aᵀd = bound, of entries near 1.
@@ -26,9 +27,9 @@ struct Step {
 }
 
 /// The program about a solution, in the solver's units.
-pub struct Local<'a> {
-    contacts: &'a Contacts<'a>,
-    from: &'a Solution,
+pub struct Local<'a, N: Names> {
+    contacts: &'a Contacts<'a, N>,
+    from: &'a Solution<N>,
     /// Units of the unknowns: coefficients first.
     units: Vec<f64>,
     objective: f64,
@@ -38,8 +39,8 @@ pub struct Local<'a> {
     gradient: DVector<f64>,
 }
 
-impl<'a> Local<'a> {
-    pub fn new(contacts: &'a Contacts<'a>, from: &'a Solution) -> Self {
+impl<'a, N: Names> Local<'a, N> {
+    pub fn new(contacts: &'a Contacts<'a, N>, from: &'a Solution<N>) -> Self {
         let program = contacts.program;
         let n = program.basis.columns();
         let objective = program.multiplier_unit(from.extra[PEAK]);
@@ -99,7 +100,7 @@ impl<'a> Local<'a> {
     }
 
     /// The step under these rows; its active ones with their multipliers.
-    pub fn solved(&self, rows: &[Row]) -> Option<Solution> {
+    pub fn solved(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
         let (planes, scales) = self.planes(rows);
@@ -172,7 +173,7 @@ impl<'a> Local<'a> {
     }
 
     /// The step with all rows as equalities, whatever their multipliers' signs.
-    pub fn held(&self, rows: &[Row]) -> Option<Solution> {
+    pub fn held(&self, rows: &[Row<N>]) -> Option<Solution<N>> {
         let (planes, scales) = self.planes(rows);
         let demands = self.contacts.program.equalities.len();
         let all: Vec<usize> = (0..planes.len()).collect();
@@ -182,7 +183,7 @@ impl<'a> Local<'a> {
     }
 
     /// Demands and rows as planes, and their units.
-    fn planes(&self, rows: &[Row]) -> (Vec<Plane>, Vec<f64>) {
+    fn planes(&self, rows: &[Row<N>]) -> (Vec<Plane>, Vec<f64>) {
         let none = [0.0; EXTRAS];
         (self.contacts.program.equalities.iter())
             .map(|e| self.plane((&e.entries, &none, e.value), true))
@@ -191,7 +192,7 @@ impl<'a> Local<'a> {
     }
 
     /// The solution after a step, with the rows that it holds.
-    fn moved(&self, rows: &[Row], scales: &[f64], active: &[usize], step: Step) -> Solution {
+    fn moved(&self, rows: &[Row<N>], scales: &[f64], active: &[usize], step: Step) -> Solution<N> {
         let program = self.contacts.program;
         let demands = program.equalities.len();
         let mut next = self.from.clone();

@@ -11,17 +11,15 @@ mod gauss;
 mod piecewise;
 mod proxy;
 mod trigonometric;
+mod wave;
 
-#[doc(hidden)]
 pub use bspline::{Span, SplineSpace};
-pub(crate) use cells::Cells;
+pub use cells::Cells;
 pub use fourier::amplitudes;
-pub(crate) use fourier::sums;
-#[doc(hidden)]
+pub use fourier::sums;
 pub use gauss::gauss_legendre;
-pub(crate) use piecewise::Peak;
+pub use piecewise::Peak;
 pub use piecewise::{Extreme, PiecewisePoly};
-pub(crate) use proxy::{stand_in, stand_in_for_difference};
-pub(crate) use trigonometric::{
-    harmonic_extremes, harmonic_sum, harmonic_values, some_harmonic_values,
-};
+pub use proxy::{stand_in, stand_in_for_difference};
+pub use trigonometric::{harmonic_extremes, harmonic_sum, harmonic_values, some_harmonic_values};
+pub use wave::{Wave, add_taylor, subdivide};

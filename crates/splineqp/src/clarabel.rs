@@ -1,5 +1,6 @@
 //! The one place that speaks to Clarabel.
 
+use crate::Names;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSettingsBuilder, DefaultSolver, IPSolver, SolverError, SolverStatus,
@@ -41,7 +42,11 @@ pub struct Point {
 
 /// Solves with the rows given; multipliers are written back into them. `margin` (relative to each
 /// limit's scale) is kept free inside every limit.
-pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, Failure> {
+pub fn solve<N: Names>(
+    program: &Program<N>,
+    rows: &mut [Row<N>],
+    margin: f64,
+) -> Result<Point, Failure<N>> {
     let length = program.length;
     let weight = program.objective_unit();
     let n = program.basis.columns();
@@ -143,7 +148,7 @@ pub fn solve(program: &Program, rows: &mut [Row], margin: f64) -> Result<Point, 
 }
 
 /// Whether a status comes with a point; a program close to infeasible counts as infeasible.
-fn accepted(status: SolverStatus) -> Result<(), Failure> {
+fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     Err(match status {
         SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress => {
             return Ok(());
@@ -166,7 +171,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    pub fn new(program: &Program, rows: &[Row], n: usize) -> Self {
+    pub fn new<N: Names>(program: &Program<N>, rows: &[Row<N>], n: usize) -> Self {
         let mut of = [None; EXTRAS];
         let mut total = n;
         for (k, present) in program.present().into_iter().enumerate() {

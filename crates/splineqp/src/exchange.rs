@@ -3,11 +3,16 @@
 
 use super::program::{EXTRAS, Failure, Program, Row, Solution, Stop};
 use super::{clarabel, equality, refine};
+use crate::Names;
 use crate::poly::Peak;
 
-/// From the program's seeds, or from the worst points of its optimum without limits.
-pub fn solve(program: &Program) -> Result<Solution, Failure> {
-    let mut rows: Vec<Row> = program.fixed.clone();
+/// The optimum by the interior-point method on exchanged rows, which begin with the program's seeds or with the worst points of
+/// its optimum without limits.
+///
+/// # Errors
+/// Limits that leave nothing, a solver that stops without an answer.
+pub fn solve<N: Names>(program: &Program<N>) -> Result<Solution<N>, Failure<N>> {
+    let mut rows: Vec<Row<N>> = program.fixed.clone();
     if !program.seeds.is_empty() {
         rows.extend(program.seeds.iter().cloned());
         // A limit on a size alone is one row, which no place of the law calls in.
@@ -29,10 +34,13 @@ pub fn solve(program: &Program) -> Result<Solution, Failure> {
 }
 
 /// From these rows.
-pub fn from_rows(program: &Program, mut rows: Vec<Row>) -> Result<Solution, Failure> {
+pub fn from_rows<N: Names>(
+    program: &Program<N>,
+    mut rows: Vec<Row<N>>,
+) -> Result<Solution<N>, Failure<N>> {
     let settings = &program.settings.exchange;
     let mut iterations = 0;
-    let mut best: Option<Solution> = None;
+    let mut best: Option<Solution<N>> = None;
     // Room left inside every limit for what the solver does not resolve; grows only when needed. A cone is not polished,
     // so there it is kept from the start.
     let mut margin = if program.cone {
@@ -91,7 +99,7 @@ pub fn from_rows(program: &Program, mut rows: Vec<Row>) -> Result<Solution, Fail
 
 /// Adds rows at the broken points. Earlier rows stay (two on either side of a contact close in on it like a secant); only one
 /// that coincides is replaced.
-fn add_rows(program: &Program, rows: &mut Vec<Row>, broken: Vec<(usize, Peak)>) {
+fn add_rows<N: Names>(program: &Program<N>, rows: &mut Vec<Row<N>>, broken: Vec<(usize, Peak)>) {
     let coincident = program.settings.exchange.coincident;
     for (limit, peak) in broken {
         let row = program.row(limit, peak);

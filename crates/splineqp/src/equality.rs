@@ -2,8 +2,8 @@
 
 use super::band::{ArrowFactor, ArrowMatrix};
 use super::basis::{Basis, apply};
-use super::demand::Demand;
 use super::program::{Equality, Failure, Program, Stop};
+use crate::Names;
 
 /// The optimum without limits and the factorisation that gave it.
 pub struct Unlimited {
@@ -28,7 +28,7 @@ pub struct Unlimited {
 ///
 /// # Errors
 /// Equalities that contradict each other, an objective without a factor.
-pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
+pub fn solve<N: Names>(program: &Program<N>) -> Result<Unlimited, Failure<N>> {
     let (hessian, pin) = regular(program);
     let factor = hessian.clone().factor().ok_or(Stop::SingularObjective)?;
     let pull: Vec<f64> = augmented_gradient(program).iter().map(|g| -g).collect();
@@ -47,14 +47,14 @@ pub fn solve(program: &Program) -> Result<Unlimited, Failure> {
 }
 
 /// Weight of the demands' outer products, in units of H.
-fn penalty(program: &Program) -> f64 {
+fn penalty<N: Names>(program: &Program<N>) -> f64 {
     let h = program.hessian.largest_diagonal();
     if h > 0.0 { h } else { 1.0 }
 }
 
 /// Demands at one angle: their outer products fit the band. One on an integral over the law does not, and
 /// is left to the small dense system alone.
-fn local(program: &Program) -> impl Iterator<Item = &Equality> {
+fn local<N: Names>(program: &Program<N>) -> impl Iterator<Item = &Equality<N>> {
     let widest = match &program.basis {
         Basis::Spline { space, .. } => space.degree() + 1,
         Basis::Harmonic { .. } => usize::MAX,
@@ -65,7 +65,7 @@ fn local(program: &Program) -> impl Iterator<Item = &Equality> {
         .filter(move |e| e.entries.len() <= widest)
 }
 
-fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
+fn regular<N: Names>(program: &Program<N>) -> (ArrowMatrix, Option<(usize, f64)>) {
     let mut h = program.hessian.clone();
     let rho = penalty(program);
     for e in local(program) {
@@ -97,7 +97,7 @@ fn regular(program: &Program) -> (ArrowMatrix, Option<(usize, f64)>) {
 
 /// ½rᵀH⁻¹r: what an objective whose gradient is r can still fall while the demands hold and an open level stays. `None`
 /// where H leaves more than these open.
-pub fn fall(program: &Program, gradient: &[f64]) -> Option<f64> {
+pub fn fall<N: Names>(program: &Program<N>, gradient: &[f64]) -> Option<f64> {
     let factor = regular(program).0.factor()?;
     let mut whitened = gradient.to_vec();
     factor.forward(&mut whitened);
@@ -105,7 +105,7 @@ pub fn fall(program: &Program, gradient: &[f64]) -> Option<f64> {
 }
 
 /// g − ρ Σ value·row: the linear part that belongs to the augmented H.
-fn augmented_gradient(program: &Program) -> Vec<f64> {
+fn augmented_gradient<N: Names>(program: &Program<N>) -> Vec<f64> {
     let mut g = program.gradient.clone();
     let rho = penalty(program);
     for e in local(program) {
@@ -120,7 +120,11 @@ fn augmented_gradient(program: &Program) -> Vec<f64> {
 }
 
 /// Moves `x` onto the demands along H⁻¹Eᵀ, taking them in order of their pivots.
-fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<Vec<f64>, Failure> {
+fn correct<N: Names>(
+    program: &Program<N>,
+    factor: &ArrowFactor,
+    mut x: Vec<f64>,
+) -> Result<Vec<f64>, Failure<N>> {
     let settings = &program.settings.equality;
     let demands = &program.equalities;
     let k = demands.len();
@@ -186,7 +190,7 @@ fn correct(program: &Program, factor: &ArrowFactor, mut x: Vec<f64>) -> Result<V
             }
         }
     }
-    let missed: Vec<Demand> = order[rank..]
+    let missed: Vec<N::Equality> = order[rank..]
         .iter()
         .map(|&i| &demands[i])
         .filter(|e| {

@@ -1,8 +1,8 @@
 //! The functions a law is built from, and rows on their coefficients.
 
 use super::pieces::Pieces;
-use crate::law::Law;
-use crate::poly::SplineSpace;
+use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
+use std::f64::consts::TAU;
 
 /// Coefficients of one piece that need no memory of their own; more than the highest degree of a spline in a scene.
 pub const WIDEST: usize = 12;
@@ -51,16 +51,42 @@ impl Basis {
         }
     }
 
-    /// The law with the given coefficients.
-    pub fn law(&self, x: &[f64]) -> Law {
+    /// Σ wₖ s⁽ᵏ⁾ as a piecewise polynomial. Sinusoids enter by Taylor polynomials with remainders below rounding; of them
+    /// weights up to w₃ are taken.
+    pub fn combination(&self, x: &[f64], weights: &[f64; 5]) -> PiecewisePoly {
         match self {
-            Basis::Spline { space, closed } => Law::spline(space, &x[..space.dimension()], *closed),
+            Basis::Spline { space, .. } => {
+                let last = weights.iter().rposition(|w| *w != 0.0).unwrap_or(0);
+                let mut orders = vec![space.spline(&x[..space.dimension()])];
+                for k in 0..last {
+                    orders.push(orders[k].derivative());
+                }
+                let mut terms: Vec<_> = weights.iter().copied().zip(&orders).collect();
+                if weights[last] != 0.0 {
+                    terms.retain(|t| t.0 != 0.0);
+                }
+                PiecewisePoly::combine(&terms, 0.0)
+            }
             Basis::Harmonic { count } => {
-                let terms: Vec<(f64, f64)> =
-                    (0..*count).map(|n| (x[2 * n + 1], x[2 * n + 2])).collect();
-                Law::harmonic(x[0], &terms)
+                let mean = PiecewisePoly::new(vec![0.0, TAU], 0, vec![x[0]]);
+                let wave = |n: usize| Wave {
+                    rate: (n + 1) as f64,
+                    cos: x[2 * n + 1],
+                    sin: x[2 * n + 2],
+                };
+                let (mean, waves) = subdivide(&mean, &[(0..*count).map(wave).collect()]);
+                let [s, v, a, j, _] = *weights;
+                let mean = PiecewisePoly::combine(&[(s, &mean)], 0.0);
+                add_taylor(mean, &waves, [s, v, a, j])
             }
         }
+    }
+
+    /// Smallest value of a derivative of the function with the given coefficients.
+    pub(crate) fn least(&self, x: &[f64], order: usize) -> f64 {
+        let mut weights = [0.0; 5];
+        weights[order] = 1.0;
+        self.combination(x, &weights).extremes().0.value
     }
 
     /// Smallest lift of the law with the given coefficients.
@@ -69,7 +95,7 @@ impl Basis {
             Basis::Spline { space, .. } if space.degree() < WIDEST => {
                 Pieces::new(space, x, 0).lowest()
             }
-            _ => self.law(x).extremes(0).0.value,
+            _ => self.least(x, 0),
         }
     }
 

@@ -1,0 +1,25 @@
+//! The convex programs of `splineqp`, their limits and equalities named as scenes name them.
+
+use crate::criterion::Criterion;
+
+pub use super::demand::{Demand, Given};
+pub use splineqp::{
+    Basis, Certificate, EXTRAS, Entries, FACE_END, LOWEST, Meaning, OFFSET, PEAK, Quadratic,
+    RADIUS, RISE, SIZES, Stop, TOLERANCE, apply, certificate, solve_equalities,
+};
+
+/// Names of limits and equalities in a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OfScene;
+
+impl splineqp::Names for OfScene {
+    type Limit = Criterion;
+    type Equality = Demand;
+}
+
+pub type Program = splineqp::Program<OfScene>;
+pub type Limit = splineqp::Limit<OfScene>;
+pub type Row = splineqp::Row<OfScene>;
+pub type Equality = splineqp::Equality<OfScene>;
+pub type Solution = splineqp::Solution<OfScene>;
+pub type Failure = splineqp::Failure<OfScene>;
