@@ -57,48 +57,35 @@
 
 mod demand;
 mod design;
-mod easing;
-mod emitted;
 mod families;
-mod figures;
 mod infeasible;
 mod limits;
-mod load_factors;
-mod machine;
-mod method;
-mod named;
-mod parameters;
 mod pareto;
 mod phase;
 mod polydyne;
-mod proof;
 mod qp;
-mod reason;
 mod scp;
 mod search;
 mod sizing;
 #[doc(hidden)]
 pub mod spectral;
 mod verdict;
-mod verify;
 
 pub use demand::{Demand, Given};
 pub use design::{
-    Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, Minimised, Relaxation,
-    SolverReport, Step, Tier,
+    Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
+    Relaxation, SolverReport, Step, Tier, contact_is_judged,
+    figures::{FIGURES, Figure, Figures},
+    machine::MachineReport,
+    method::{Ended, Method, PassedOver},
+    named::unit,
+    parameters::Functions,
+    proof::Doubt,
+    reason::{Change, Reason, sentences},
 };
-pub use emitted::contact_is_judged;
-pub use figures::{FIGURES, Figure, Figures};
 pub use infeasible::in_units;
-pub use load_factors::LoadFactor;
-pub use machine::MachineReport;
-pub use method::{Ended, Method, PassedOver};
-pub use named::unit;
-pub use parameters::Functions;
 pub use pareto::{Trade, trade, traded};
-pub use proof::Doubt;
 pub use qp::{Certificate, Stop};
-pub use reason::{Change, Reason, sentences};
 pub use search::Search;
 
 use std::sync::Arc;
@@ -241,14 +228,12 @@ fn checked(
     let force = limits::force_report(problem, search, pressing);
     let conjugate = sizing::conjugate(problem, &cam)?;
     let groove = sizing::groove(problem, &cam)?;
-    let checks = verify::checks(&limits::Finished {
-        problem,
-        cam: &cam,
+    let finished = limits::Finished {
         second: conjugate.as_ref().map(|pair| &pair.second),
         groove: groove.as_ref(),
-        pressing,
-        force: &force,
-    });
+        ..limits::Finished::of_one_cam(problem, &cam, pressing, &force)
+    };
+    let checks = finished.checks();
     let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
     let infeasible = infeasible.or_else(|| {
         let too_large = checks.iter().any(too_large);

@@ -3,9 +3,9 @@
 
 use super::design::End;
 use super::families::{self, NoLaw, SolvedLaw, on_base_circle};
-use super::limits::force_report;
+use super::limits::{Finished, force_report};
 use super::search::Search;
-use super::{sizing, verify};
+use super::sizing;
 use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
@@ -69,7 +69,7 @@ fn one(
     let found = families::law(moved, search)?;
     let (cam, wanted) = cut(problem, search, train, &found.law)?;
     let force = force_report(problem, search, &wanted);
-    let checks = verify::checks_of_one(problem, &cam, &wanted, &force);
+    let checks = Finished::of_one_cam(problem, &cam, &wanted, &force).checks();
     Ok(Round {
         found,
         cam,

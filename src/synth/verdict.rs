@@ -1,8 +1,8 @@
 //! The class of a finished cam and all the reasons for it (docs/verdict.md).
 
 use super::design::ForceReport;
+use super::design::reason::{Reason, place, quantity};
 use super::limits::{GEOMETRY, usual_pressure_angle};
-use super::reason::{Reason, place, quantity};
 use super::sizing::smallest_without_undercut;
 use crate::cam::{Cam, Check, Criterion, Follower, LimitKind, Verdict};
 use crate::drive::DriveKind;

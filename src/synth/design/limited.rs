@@ -2,10 +2,10 @@
 
 use serde::{Serialize, Serializer};
 
+use super::reason::{Reason, sentences};
 use crate::cam::{Criterion, Measures, Unit};
 use crate::error::SynthError;
 use crate::synth::qp::Demand;
-use crate::synth::reason::{Reason, sentences};
 use crate::units::Dimension;
 use crate::wording::{self, Language};
 

@@ -1,17 +1,26 @@
 //! What a synthesis answers: plain data that emitters and sweeps read.
 
+mod emitted;
+pub mod figures;
 mod limited;
+mod load_factors;
+pub mod machine;
+pub mod method;
+pub mod named;
+pub mod parameters;
+pub mod proof;
+pub mod reason;
 mod solver;
 
+pub use emitted::contact_is_judged;
 pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
+pub use load_factors::LoadFactor;
 pub use solver::{SolverReport, Step, Tier};
 
 use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::parameters::Functions;
-use super::reason::{Reason, sentences};
 use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, Making, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
@@ -21,6 +30,8 @@ use crate::poly::Extreme;
 use crate::problem::{Note, Problem};
 use crate::units::Quantity;
 use crate::wording::Language;
+use parameters::Functions;
+use reason::{Reason, sentences};
 
 /// Everything known about a finished design.
 ///

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::synth::method::{Ended, Method, PassedOver};
-use crate::synth::proof::Doubt;
+use super::method::{Ended, Method, PassedOver};
+use super::proof::Doubt;
 use crate::synth::qp::Certificate;
 use crate::wording::Language;
 

@@ -3,12 +3,12 @@
 use super::{NoLaw, SolvedLaw, double_harmonic, harmonic, on_base_circle, spline};
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
+use crate::synth::design::method::PassedOver;
+use crate::synth::design::reason::quantity;
 use crate::synth::infeasible::explain;
-use crate::synth::limits::force_report;
-use crate::synth::method::PassedOver;
-use crate::synth::reason::quantity;
+use crate::synth::limits::{Finished, force_report};
 use crate::synth::search::Search;
-use crate::synth::{sizing, verify};
+use crate::synth::sizing;
 use crate::units::Quantity;
 
 /// The harmonics in closed form, as the ladder names them.
@@ -102,7 +102,7 @@ fn missed_by(
         let excess = Quantity::force(force.rms_error_n - wanted);
         return Ok(Some(PassedOver::Accuracy { family, excess }));
     }
-    let checks = verify::checks_of_one(problem, &cam, &cam.law, &force);
+    let checks = Finished::of_one_cam(problem, &cam, &cam.law, &force).checks();
     let measures = cam.follower.measures();
     let broken = checks.into_iter().find(|c| !c.pass);
     Ok(broken.map(|c| PassedOver::Check {

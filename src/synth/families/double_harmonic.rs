@@ -18,10 +18,10 @@ use crate::law::{Extent, Law, Rise, Segment, assemble};
 use crate::poly::gauss_legendre;
 use crate::problem::{Problem, Target};
 use crate::scene::{Family, LimitKind};
+use crate::synth::design::method::Method;
+use crate::synth::design::parameters::Functions;
+use crate::synth::design::proof::Doubt;
 use crate::synth::design::{SolverReport, Tier};
-use crate::synth::method::Method;
-use crate::synth::parameters::Functions;
-use crate::synth::proof::Doubt;
 use crate::synth::search;
 use crate::units::Quantity;
 

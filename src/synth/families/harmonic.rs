@@ -1,5 +1,6 @@
 //! The harmonic family: the spectral inverse (theory §1), or a program where it violates a limit.
 
+use super::easing;
 use super::spline_program::force_distance;
 use super::touching::{self, Optimum};
 use super::{NoLaw, SolvedLaw, gathered, proved, report};
@@ -8,12 +9,12 @@ use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Tier;
-use crate::synth::method::Method;
-use crate::synth::parameters::Functions;
+use crate::synth::design::method::Method;
+use crate::synth::design::parameters::Functions;
+use crate::synth::limits;
 use crate::synth::qp::{Basis, Program};
 use crate::synth::search::Search;
 use crate::synth::spectral::invert;
-use crate::synth::{easing, limits};
 use crate::units::Quantity;
 
 /// The force's harmonics inverted, without a look at the limits, and what lies in the rest, N RMS: `count`

@@ -4,6 +4,7 @@ mod accuracy_bound;
 mod choose;
 mod demands;
 mod double_harmonic;
+mod easing;
 mod harmonic;
 mod polynomial;
 mod program;
@@ -18,11 +19,11 @@ pub use spline_program::{Objective, ObjectiveKey};
 
 use std::collections::HashMap;
 
+use super::design::method::Method;
+use super::design::parameters::Functions;
+use super::design::proof::{self, Doubt};
 use super::design::{Binding, Easing, SolverReport, Tier};
 use super::limits::NonconvexLimits;
-use super::method::Method;
-use super::parameters::Functions;
-use super::proof::{self, Doubt};
 use super::qp::{Basis, Certificate, Failure, Program, Row, Solution};
 use super::search::Search;
 use crate::error::Error;

@@ -9,8 +9,8 @@ use crate::poly::{PiecewisePoly, bernstein};
 use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
-use crate::synth::method::Method;
-use crate::synth::parameters::Functions;
+use crate::synth::design::method::Method;
+use crate::synth::design::parameters::Functions;
 use crate::synth::search::Search;
 use crate::units::Quantity;
 

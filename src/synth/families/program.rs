@@ -6,8 +6,8 @@ use crate::law::{Extent, Law, Segment, constant_breadth, program};
 use crate::problem::Problem;
 use crate::scene::Family;
 use crate::synth::design::Tier;
-use crate::synth::method::Method;
-use crate::synth::parameters::Functions;
+use crate::synth::design::method::Method;
+use crate::synth::design::parameters::Functions;
 use crate::synth::search::Search;
 
 /// The law of the problem's segments.

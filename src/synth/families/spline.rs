@@ -1,25 +1,25 @@
 //! The spline family: least squares in force space under demands and limits.
 
-use super::accuracy_bound;
 use super::spline_program::{limited, unlimited};
 use super::spline_spans::Forecast;
 use super::touching::{self, Optimum};
 use super::{NoLaw, Refusal, SolvedLaw, gathered, proved, report};
+use super::{accuracy_bound, easing};
 use crate::drive::Drive;
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
 use crate::synth::design::Minimised;
+use crate::synth::design::method::{Ended, Method};
+use crate::synth::design::parameters::Functions;
+use crate::synth::design::proof::{Doubt, PROVED};
 use crate::synth::design::{Easing, SolverReport, Step, Tier};
-use crate::synth::limits::NonconvexLimits;
-use crate::synth::method::{Ended, Method};
-use crate::synth::parameters::Functions;
-use crate::synth::proof::{Doubt, PROVED};
+use crate::synth::limits::{ENLARGED, NonconvexLimits};
 use crate::synth::qp::{
     Certificate, Failure, OFFSET, Program, Quadratic, RADIUS, RISE, Solution, Stop,
 };
 use crate::synth::search::Search;
-use crate::synth::{easing, limits, qp, scp, sizing};
+use crate::synth::{limits, qp, scp, sizing};
 use crate::units::Quantity;
 
 /// Spans tried before "auto" gives up.
@@ -256,7 +256,7 @@ fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
 
 /// Where the law breaks a limit on the loads, the sequence that keeps them; the limits where there is none.
 fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits> {
-    let limits = limits::nonconvex(problem)?;
+    let limits = NonconvexLimits::of(problem)?;
     limits.loads?;
     let (program, solution) = at_level(problem, fitted, &limits);
     let here = scp::AtSize::new(limits, &program).of(&solution);
@@ -310,8 +310,8 @@ pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) ->
     let own = sizing::cam(problem, law.clone(), &law).ok();
     let prime = own.as_ref().map(|cam| cam.follower.prime_radius());
     if let Some([least, most]) = problem.reach_of_arm() {
-        let most = (most * (1.0 - 4.0 * scp::ENLARGED)).max(least);
-        let prime = prime.map_or(most, |own| own * (1.0 + scp::ENLARGED));
+        let most = (most * (1.0 - 4.0 * ENLARGED)).max(least);
+        let prime = prime.map_or(most, |own| own * (1.0 + ENLARGED));
         out.extra[RADIUS] = prime.clamp(least, most);
     } else {
         let (prime, offset) = (prime?, own?.follower.offset());
@@ -319,12 +319,7 @@ pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) ->
         let sizes = [(RADIUS, prime), (RISE, rise), (OFFSET, offset)];
         let present = program.present();
         for (k, value) in sizes.into_iter().filter(|(k, _)| present[*k]) {
-            out.extra[k] = value
-                * if k == OFFSET {
-                    1.0
-                } else {
-                    1.0 + scp::ENLARGED
-                };
+            out.extra[k] = value * if k == OFFSET { 1.0 } else { 1.0 + ENLARGED };
         }
     }
     Some(out)
@@ -336,7 +331,7 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
     if fitted.sequence.is_some() {
         return;
     }
-    if let Some(limits) = limits::nonconvex(problem).filter(|l| l.profile.is_some()) {
+    if let Some(limits) = NonconvexLimits::of(problem).filter(|l| l.profile.is_some()) {
         fitted.left_out = !in_sequence(problem, fitted, limits);
     }
 }

@@ -24,8 +24,8 @@ use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::problem::Problem;
 use crate::scene::Minimise;
+use crate::synth::design::proof::Doubt;
 use crate::synth::limits;
-use crate::synth::proof::Doubt;
 use crate::synth::qp::{
     self, Certificate, Demand, Equality, Failure, Program, Row, Solution, apply,
 };

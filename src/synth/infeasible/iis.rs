@@ -4,13 +4,13 @@
 use super::reasons::{conflicting, smallest_relaxations};
 use crate::cam::{Criterion, LimitKind, Measures};
 use crate::problem::{Problem, Size};
+use crate::synth::design::named::key_of;
+use crate::synth::design::reason::Reason;
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
 use crate::synth::easing;
 use crate::synth::families::{Refusal, at_own_size};
 use crate::synth::limits::NonconvexLimits;
-use crate::synth::named::key_of;
 use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
-use crate::synth::reason::Reason;
 use crate::synth::scp;
 
 /// More demands than this are named without looking for the few that are to blame: each costs a program.

@@ -2,8 +2,8 @@
 
 use crate::cam::{Criterion, Measures};
 use crate::synth::design::Relaxation;
-use crate::synth::named::unit;
-use crate::synth::reason::{Change, Reason, quantity};
+use crate::synth::design::named::unit;
+use crate::synth::design::reason::{Change, Reason, quantity};
 use crate::wording::{Language, number};
 
 /// Which limits cannot hold together.

@@ -4,7 +4,7 @@
 use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
-use crate::synth::named::criterion_of;
+use crate::synth::design::named::criterion_of;
 
 /// A limit is first lifted by this factor, to see whether it is what stands in the way …
 const AWAY: f64 = 1e4;

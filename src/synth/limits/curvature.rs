@@ -1,21 +1,17 @@
 //! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
 
-use super::nonconvex::{Profile, ProfileSize, Slack};
-use super::pressure_angle::NEARLY_RIGHT;
 use super::row::{self, GEOMETRY};
+use super::slack::{ProfileSize, Slack};
 use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;
-use crate::problem::{Problem, Size};
+use crate::problem::Problem;
 use crate::synth::qp::{Limit, Meaning, RADIUS};
 
 /// Points of the profile among which interference is looked for.
 const INTERFERENCE_POINTS: usize = 360;
 /// Depth of interference below this share of the prime radius is rounding.
 const TOUCH: f64 = 1e-6;
-/// A sharp edge has no radius of its own; this part of the cam's keeps the division finite.
-pub const SHARP: f64 = 1e-6;
-
 /// s + a under a flat face: the radius of curvature is Rb + s + a (theory §6).
 const BEND: [f64; 5] = [-1.0, 0.0, -1.0, 0.0, 0.0];
 
@@ -43,71 +39,6 @@ pub fn row_with_size(problem: &Problem) -> Limit {
     let mut limit = row::row(LimitKind::Curvature, BEND, -rho, problem.length, meaning);
     limit.extra[RADIUS] = -1.0;
     limit
-}
-
-/// The follower with those limits of the profile that no row of a convex program can express; `None` where
-/// there are none, or where the size is found after the law.
-pub fn nonconvex(problem: &Problem) -> Option<Profile> {
-    let (cam, limits) = (&problem.cam, &problem.limits);
-    let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
-    let pitch = rho + cam.roller_radius;
-    match cam.follower {
-        FollowerKind::RollerTranslating
-        | FollowerKind::KnifeTranslating
-        | FollowerKind::MushroomTranslating => {
-            let offset = cam.offset.unwrap_or(0.0);
-            let rise = match problem.size() {
-                Size::Given { prime, .. } => (prime * prime - offset * offset).max(0.0).sqrt(),
-                Size::Sought => 0.0,
-                Size::AfterLaw => return None,
-            };
-            (pitch > 0.0).then_some(Profile::Roller(ProfileSize {
-                rise,
-                offset,
-                radius: 0.0,
-                rho: pitch,
-            }))
-        }
-        FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
-            let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
-            let asked = [
-                limits[LimitKind::PressureAngleRise],
-                limits[LimitKind::PressureAngleFall],
-            ];
-            let (prime, angles) = match problem.size() {
-                Size::Given { prime, .. } => (prime, asked),
-                Size::Sought => (
-                    problem.reach_of_arm()?[1],
-                    problem.sizing_pressure_angles().map(Some),
-                ),
-                Size::AfterLaw => return None,
-            };
-            Some(Profile::Arm {
-                pivot,
-                arm,
-                prime,
-                rho: pitch.max(SHARP * prime),
-                tan: angles.map(|angle| angle.map(|a| a.min(NEARLY_RIGHT).tan())),
-            })
-        }
-        FollowerKind::FlatOscillating => {
-            let base = match problem.size() {
-                Size::Given { base, .. } => base,
-                Size::Sought => problem.reach_of_arm()?[1],
-                Size::AfterLaw => return None,
-            };
-            Some(Profile::Face {
-                pivot: cam.pivot_distance?,
-                offset: cam.face_offset,
-                base,
-                rho,
-            })
-        }
-        FollowerKind::FlatTranslating
-        | FollowerKind::MushroomOscillating
-        | FollowerKind::TranslatingCam
-        | FollowerKind::Barrel => None,
-    }
 }
 
 /// w^{3/2}/ρ − (w + vY − aX).

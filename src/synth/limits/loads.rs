@@ -1,4 +1,4 @@
-//! Shaft torque and its rate, and the pressure between cam and follower.
+//! Shaft torque, its rate and its power, and the pressure between cam and follower.
 //!
 //! Pressure under a flat face is linear in law and size: a row from the start. Torque, its rate and the
 //! pressure under a roller are not convex: h(s, v, a, j, D, e) ≥ 0 with its derivatives.
@@ -7,9 +7,8 @@ use std::f64::consts::PI;
 
 use super::Finished;
 use super::hertz_pressure::Press;
-use super::nonconvex::{Profile, ProfileSize, Slack};
-use super::power;
 use super::row::row as limit_row;
+use super::slack::{ProfileSize, Slack};
 use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, flat_face_limit, modulus};
@@ -21,7 +20,7 @@ use crate::synth::qp::{Limit, Meaning, RADIUS};
 /// A cam is not made larger for a pressure of whose square the roller alone makes more than this part.
 const WORTH_GROWING: f64 = 0.95;
 /// A limit counts as kept within this part of it.
-pub const SLACK: f64 = 1e-6;
+const SLACK: f64 = 1e-6;
 
 /// Steel on steel under a flat face of given base radius.
 pub fn row(problem: &Problem) -> Option<Limit> {
@@ -35,27 +34,9 @@ pub fn row_with_size(problem: &Problem) -> Option<Limit> {
     Some(limit)
 }
 
-/// The loads that are limited and not convex. A `profile` that is a roller's has the size that counts.
-pub fn nonconvex(problem: &Problem, profile: Option<Profile>) -> Option<Loads> {
-    let limits = &problem.limits;
-    let roller = match profile {
-        Some(Profile::Roller(_)) => Some(problem.cam.roller_radius).filter(|r| *r > 0.0),
-        _ => None,
-    };
-    let loads = Loads {
-        drive: problem.drive,
-        torque: limits[LimitKind::Torque],
-        power: power::as_torque(problem),
-        torque_rate: limits[LimitKind::TorqueRate],
-        pressure: roller
-            .zip(limits[LimitKind::HertzPressure])
-            .map(|(roller, most)| Pressure {
-                spread: PI * problem.cam.thickness / modulus(STEEL, STEEL),
-                roller,
-                most,
-            }),
-    };
-    (!loads.named().is_empty()).then_some(loads)
+/// Torque that the limit on the power leaves at constant speed, N·m: P/ω (theory §10).
+fn power_as_torque(problem: &Problem) -> Option<f64> {
+    Some(problem.limits[LimitKind::Power]? / problem.drive.speed)
 }
 
 /// The pressure limit under a flat face on a base circle, which counts among the variables where it is 0.
@@ -105,6 +86,26 @@ pub struct Pressure {
 }
 
 impl Loads {
+    /// The loads that are limited and not convex; the pressure is one where the size `under_roller` is known.
+    pub fn of(problem: &Problem, under_roller: bool) -> Option<Loads> {
+        let limits = &problem.limits;
+        let roller = Some(problem.cam.roller_radius).filter(|r| under_roller && *r > 0.0);
+        let loads = Loads {
+            drive: problem.drive,
+            torque: limits[LimitKind::Torque],
+            power: power_as_torque(problem),
+            torque_rate: limits[LimitKind::TorqueRate],
+            pressure: roller
+                .zip(limits[LimitKind::HertzPressure])
+                .map(|(roller, most)| Pressure {
+                    spread: PI * problem.cam.thickness / modulus(STEEL, STEEL),
+                    roller,
+                    most,
+                }),
+        };
+        (!loads.named().is_empty()).then_some(loads)
+    }
+
     /// Every limit at a place of the law; h ≥ 0 where it holds.
     pub fn slacks(&self, at: Svaj, size: ProfileSize, out: &mut Vec<Slack>) {
         let shaft = self.shaft();
@@ -219,7 +220,7 @@ impl Loads {
     }
 }
 
-/// Torque, its rate and the pressure of the finished cam against the limits.
+/// Torque, its rate, the pressure and the power of the finished cam against the limits.
 pub fn checks(design: &Finished) -> Vec<Check> {
     let limits = &design.problem.limits;
     let torque = || torque_curve(&design.problem.drive, design.pressing, &design.cam.law);
@@ -254,6 +255,15 @@ pub fn checks(design: &Finished) -> Vec<Check> {
             limit,
             SLACK,
         ));
+    }
+    if let Some(limit) = limits[LimitKind::Power] {
+        let speed = design.problem.drive.speed;
+        let torque = largest(&torque());
+        let worst = Extreme {
+            value: torque.value * speed,
+            ..torque
+        };
+        out.push(Check::at_most(LimitKind::Power, worst, limit, SLACK));
     }
     out
 }

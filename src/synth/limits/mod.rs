@@ -13,24 +13,26 @@ mod loads;
 #[cfg(test)]
 mod loads_tests;
 mod nonconvex;
-mod power;
 mod pressure_angle;
+mod profile;
 mod row;
 mod size;
+mod slack;
 
-pub use curvature::{checks as curvature_checks, interference, wall_check};
 pub use dwell_vibration::{rings, silence};
 pub use force::{ReportKey, about_the_target, report as force_report};
 pub use hertz_pressure::Press;
 pub use kinematic::{above_base_circle, monotone, peak};
 pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_curve};
-pub use nonconvex::{NonconvexLimits, Profile, ProfileSize, clearances, loaded, relative};
-pub use pressure_angle::{NEARLY_RIGHT, checks as pressure_angle_checks, usual_pressure_angle};
+pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
+pub use pressure_angle::{NEARLY_RIGHT, usual_pressure_angle};
+pub use profile::Profile;
 pub use row::GEOMETRY;
+pub use slack::ProfileSize;
 
 use super::design::ForceReport;
 use super::qp::{Limit, Program};
-use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind};
+use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, Wall};
 use crate::law::Law;
 use crate::problem::Problem;
 
@@ -81,13 +83,6 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     size::priced(problem, program);
 }
 
-/// The limits that no row of a convex program can express; `None` where there are none.
-pub fn nonconvex(problem: &Problem) -> Option<NonconvexLimits> {
-    let profile = curvature::nonconvex(problem);
-    let loads = loads::nonconvex(problem, profile);
-    (profile.is_some() || loads.is_some()).then_some(NonconvexLimits { profile, loads })
-}
-
 /// A finished design, as its limits are checked.
 pub struct Finished<'a> {
     /// What was asked.
@@ -104,16 +99,34 @@ pub struct Finished<'a> {
     pub force: &'a ForceReport,
 }
 
-impl Finished<'_> {
-    /// Every limit of the problem, and what no cam may lack, held against the design.
+impl<'a> Finished<'a> {
+    /// A cam before it has its second cam or its groove.
+    pub fn of_one_cam(
+        problem: &'a Problem,
+        cam: &'a Cam,
+        pressing: &'a Law,
+        force: &'a ForceReport,
+    ) -> Self {
+        Finished {
+            problem,
+            cam,
+            second: None,
+            groove: None,
+            pressing,
+            force,
+        }
+    }
+
+    /// Every limit of the problem, and what no cam may lack, on the cam, its second cam and its groove.
     pub fn checks(&self) -> Vec<Check> {
         let mut out = kinematic::checks(self.problem, self.cam);
         out.extend(force::checks(self));
         out.extend(self.profile_checks());
         out.extend(force::accuracy_check(self));
         out.extend(loads::checks(self));
-        out.extend(power::check(self));
         out.extend(dwell_vibration::check(self));
+        out.extend(second_cam(self.problem, self.second));
+        out.extend(groove(self.problem, self.groove));
         out
     }
 
@@ -132,4 +145,33 @@ impl Finished<'_> {
         out.extend(kinematic::base_circle_check(cam));
         out
     }
+}
+
+/// What the second cam of a conjugate pair must keep.
+fn second_cam(problem: &Problem, second: Option<&Cam>) -> Vec<Check> {
+    let Some(cam) = second else { return Vec::new() };
+    let mut out = pressure_angle::checks(problem, cam.pressure_angle_extremes());
+    out.extend(curvature::checks(problem, cam));
+    out.extend(curvature::interference(cam));
+    for check in &mut out {
+        check.name = check.name.of_second_cam();
+    }
+    out
+}
+
+/// Pressure angle and convex walls at the floor of a barrel's groove, where both are worst.
+fn groove(problem: &Problem, groove: Option<&BarrelGroove>) -> Vec<Check> {
+    let Some(groove) = groove else {
+        return Vec::new();
+    };
+    let floor = groove.depth().0;
+    let mut out = pressure_angle::checks(problem, groove.pressure_angle_extremes(floor));
+    for (name, wall) in [
+        (Criterion::UpperWall, Wall::Upper),
+        (Criterion::LowerWall, Wall::Lower),
+    ] {
+        let radius = groove.smallest_bulge(floor, wall);
+        out.push(curvature::wall_check(problem, name, radius));
+    }
+    out
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::nonconvex::Slack;
 use super::row::{GEOMETRY, row};
+use super::slack::Slack;
 use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::law::Svaj;
 use crate::poly::Extreme;

@@ -1,12 +1,13 @@
 //! Prime radius, bore and face width.
 
+use super::nonconvex::ENLARGED;
+use super::profile::Profile;
 use super::row::{GEOMETRY, SLACK, range, same};
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
 use crate::synth::qp::{FACE_END, Limit, Program, RADIUS, RISE};
-use crate::synth::scp::ENLARGED;
 
 /// The contact on a flat face moves by v (theory §6): its range is the face's width.
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
@@ -63,7 +64,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
 /// A size that no cost holds down is held by its limit: one row, at angle 0. What the sequence for a
 /// roller's curvature enlarges in the end is kept free.
 fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
-    let kept = if super::curvature::nonconvex(problem).is_some() {
+    let kept = if Profile::of(problem).is_some() {
         1.0 - 2.0 * ENLARGED
     } else {
         1.0

@@ -1,7 +1,8 @@
 //! Whole steps of a sequence of convex programs, mended where they break what is not convex.
 
+use super::at_size::AtSize;
 use super::linearised::{NEARLY, Room, contacts, least_of, linearised};
-use super::{AtSize, ROOM, solved};
+use super::trial::{ROOM, solved};
 use crate::synth::qp::{Program, Solution};
 
 /// Linearisations of a step about its own end before it is shortened instead.

@@ -1,6 +1,7 @@
 //! Linear rows for what is not convex, about a law.
 
-use super::{ROOM, at_size::AtSize};
+use super::at_size::AtSize;
+use super::trial::ROOM;
 use crate::cam::LimitKind;
 use crate::law::Law;
 use crate::poly::{Peak, PiecewisePoly};

@@ -1,7 +1,8 @@
 //! Where a sequence of convex programs begins: a law that keeps what is not convex.
 
+use super::at_size::AtSize;
 use super::linearised::{Room, contacts, each_place, least_of, linearised, row};
-use super::{AtSize, ROOM, blend, solved};
+use super::trial::{ROOM, blend, solved};
 use crate::cam::LimitKind;
 use crate::law::Law;
 use crate::synth::limits::{Profile, ProfileSize};

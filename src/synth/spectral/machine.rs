@@ -8,7 +8,7 @@ use crate::dynamics::rigid::lowest_liftoff;
 use crate::law::Svaj;
 use crate::poly::{harmonic_extremes, harmonic_sum};
 use crate::synth::MachineReport;
-use crate::synth::machine::mean_power;
+use crate::synth::design::machine::mean_power;
 use std::f64::consts::{PI, TAU};
 
 /// A mean force nearer to the target's, as a part of it, is the target's: its torque is known already.

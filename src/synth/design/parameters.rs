@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::qp::Basis;
+use crate::synth::qp::Basis;
 
 /// Functions of a law's coefficients, in the order of the coefficients.
 ///
@@ -44,7 +44,7 @@ pub enum Functions {
 
 impl Functions {
     /// Those of a program.
-    pub(super) fn of(basis: &Basis) -> Self {
+    pub(in crate::synth) fn of(basis: &Basis) -> Self {
         match basis {
             Basis::Spline { space, .. } => Functions::BSpline {
                 knots: space.knots(),
@@ -54,7 +54,7 @@ impl Functions {
     }
 
     /// The coefficients of the same law with its lift changed by a constant.
-    pub(super) fn raise(&self, coefficients: &mut [f64], by: f64) {
+    pub(in crate::synth) fn raise(&self, coefficients: &mut [f64], by: f64) {
         match self {
             Functions::BSpline { .. } => coefficients.iter_mut().for_each(|c| *c += by),
             Functions::Fourier | Functions::Monomial { .. } => {

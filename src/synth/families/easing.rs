@@ -1,10 +1,12 @@
 //! What relaxing each active limit would buy, in the quantity that a scene minimises.
 
-use super::design::{Easing, Minimised};
-use super::qp::{EXTRAS, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution};
 use crate::criterion::Criterion;
 use crate::law::Law;
 use crate::scene::Minimise;
+use crate::synth::design::{Easing, Minimised};
+use crate::synth::qp::{
+    EXTRAS, Limit, Meaning, OFFSET, PEAK, Program, RADIUS, RISE, Row, Solution,
+};
 
 /// Part of a limit by which it is relaxed.
 const RELAXED: f64 = 0.01;

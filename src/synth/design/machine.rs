@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::Design;
-use super::limits::{Press, torque_curve};
 use crate::cam::{Hole, Measures};
 use crate::dynamics::rigid::{liftoff_speed, touch::held};
+use crate::synth::limits::{Press, torque_curve};
 
 /// A mean power below this part of the largest is rounding: springs and masses give back what they take.
 const GIVEN_BACK: f64 = 1e-12;
@@ -53,7 +53,7 @@ pub struct MachineReport {
 }
 
 /// A mean power, 0 where it is the rounding of the extremes that are given.
-pub(super) fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
+pub(in crate::synth) fn mean_power(mean: f64, extremes: [f64; 2]) -> f64 {
     let scale = extremes[0].abs().max(extremes[1].abs());
     if mean.abs() <= GIVEN_BACK * scale {
         0.0

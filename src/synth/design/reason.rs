@@ -4,9 +4,9 @@ use serde::Serialize;
 use strum::VariantNames;
 
 use super::named::dimension;
-use super::qp::{Demand, Stop};
 use crate::cam::{Criterion, Measures};
 use crate::force::Note;
+use crate::synth::qp::{Demand, Stop};
 use crate::units::Quantity;
 use crate::wording::{self, Language};
 

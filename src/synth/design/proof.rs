@@ -3,7 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-use super::qp::{Certificate, TOLERANCE};
+use crate::synth::qp::{Certificate, TOLERANCE};
 use crate::wording::{self, Language};
 
 /// Largest relative gap, and part of the gradient left over, of an optimum that is called certified.

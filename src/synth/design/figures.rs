@@ -1,6 +1,7 @@
 //! The figures of a design, and the table of them from which every list of figures is made.
 
-use super::{Design, ForceReport, MachineReport};
+use super::machine::MachineReport;
+use super::{Design, ForceReport};
 use crate::cam::LimitKind as Limit;
 
 /// Figures of one design, SI.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::design::Design;
+use super::Design;
 use crate::poly::amplitudes;
 
 /// Harmonics of the step frequency that are quoted.

@@ -16,18 +16,18 @@ mod at_size;
 mod corrected;
 mod linearised;
 mod start;
+mod trial;
 
 pub use at_size::AtSize;
 
 use corrected::corrected;
 use linearised::{Room, contacts, least_of, linearised};
+use trial::{ROOM, blend, solved};
 
 use super::design::Step;
-use super::limits::NonconvexLimits;
-use super::method::Ended;
-use super::qp::{
-    EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE, apply,
-};
+use super::design::method::Ended;
+use super::limits::{ENLARGED, NonconvexLimits};
+use super::qp::{Limit, Program, RADIUS, RISE, Row, SIZES, Solution, TOLERANCE};
 use crate::cam::LimitKind;
 
 /// Steps before the sequence is called finished as it is.
@@ -35,15 +35,9 @@ const MOST_STEPS: usize = 40;
 /// A step must promise to improve the merit by this part, and do so, or the sequence ends.
 const IMPROVEMENT: f64 = 1e-7;
 /// Tolerance of the limits between steps; the last law is solved to rounding.
-const STEP_TOLERANCE: f64 = 1e-6;
-/// What the exchange of rows leaves further outside a limit than this is no solution.
-const BROKEN: f64 = 1e-4;
-/// Room kept in h, relative to w, so that the finished cam passes its own check.
-const ROOM: f64 = 1e-9;
+const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 /// Linearisations tried for the last law.
 const HELD_ROUNDS: usize = 6;
-/// Part by which the last law's size is held larger than the sequence's.
-pub const ENLARGED: f64 = 4.0 * STEP_TOLERANCE;
 /// A mended step that gains less than this part of what the step promised is held against its parts.
 const WORTH_MENDING: f64 = 0.5;
 /// Weight of a size that has to shrink, against what is minimised.
@@ -235,11 +229,6 @@ fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     out
 }
 
-/// The solution of a program, where there is one.
-fn solved(program: &Program) -> Option<Solution> {
-    program.solve().ok().filter(|s| s.violation <= BROKEN)
-}
-
 /// A solution that holds the limits beside the program's own, from the program's `start`; `None` where
 /// none was found.
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
@@ -279,32 +268,4 @@ fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solut
         about = exact;
     }
     None
-}
-
-/// A point on the way from one solution to another; convex limits that hold at both ends hold there.
-fn blend(from: &Solution, to: &Solution, part: f64, program: &Program) -> Solution {
-    let mix = |a: f64, b: f64| a + part * (b - a);
-    let x: Vec<f64> = from.x.iter().zip(&to.x).map(|(a, b)| mix(*a, *b)).collect();
-    let mut extra = [0.0; EXTRAS];
-    for (k, value) in extra.iter_mut().enumerate() {
-        *value = mix(from.extra[k], to.extra[k]);
-    }
-    if program.cone {
-        extra[RADIUS] = extra[RISE].hypot(extra[OFFSET]);
-    }
-    debug_assert!(
-        program
-            .equalities
-            .iter()
-            .all(|e| (apply(&e.entries, &x) - e.value).abs() < 1e-6 * program.length)
-    );
-    let violation = program.violation(&x, &extra);
-    Solution {
-        x,
-        extra,
-        violation,
-        active: to.active.clone(),
-        used_rows: true,
-        ..*from
-    }
 }

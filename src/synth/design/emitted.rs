@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::design::Design;
+use super::Design;
 use super::reason::sentences;
 use crate::drive::Drive;
 use crate::dynamics::hertz::STEEL;

@@ -1,0 +1,371 @@
+//! Nonconvex limits of the profile: a roller's curvature, and curvature and pressure angle of followers on an arm
+//! (theory §6).
+
+use super::curvature;
+use super::pressure_angle::{self, NEARLY_RIGHT};
+use super::slack::{ProfileSize, Slack};
+use crate::cam::{Criterion, FollowerKind, LimitKind};
+use crate::law::Svaj;
+use crate::problem::{Problem, Size};
+
+/// A sharp edge has no radius of its own; this part of the cam's keeps the division finite.
+pub const SHARP: f64 = 1e-6;
+
+/// A profile whose limits are not convex in the law, with all that fixes them.
+#[derive(Debug, Clone, Copy)]
+pub enum Profile {
+    /// A roller that slides along +y.
+    Roller(ProfileSize),
+    /// A roller on an arm: pivot at distance c, arm A.
+    Arm {
+        /// c.
+        pivot: f64,
+        /// A.
+        arm: f64,
+        /// Radius of the prime circle.
+        prime: f64,
+        /// Smallest pitch radius allowed.
+        rho: f64,
+        /// Tangents of the pressure angles allowed on the rise and on the fall.
+        tan: [Option<f64>; 2],
+    },
+    /// A flat face that swings about a pivot at distance c.
+    Face {
+        /// c.
+        pivot: f64,
+        /// Distance of the face from the pivot.
+        offset: f64,
+        /// Radius of the base circle.
+        base: f64,
+        /// Smallest convex radius allowed.
+        rho: f64,
+    },
+}
+
+impl Profile {
+    /// The follower with those limits of the profile that no row of a convex program can express; `None` where
+    /// there are none, or where the size is found after the law.
+    pub fn of(problem: &Problem) -> Option<Profile> {
+        let (cam, limits) = (&problem.cam, &problem.limits);
+        let rho = limits[LimitKind::Curvature].unwrap_or(0.0);
+        let pitch = rho + cam.roller_radius;
+        match cam.follower {
+            FollowerKind::RollerTranslating
+            | FollowerKind::KnifeTranslating
+            | FollowerKind::MushroomTranslating => {
+                let offset = cam.offset.unwrap_or(0.0);
+                let rise = match problem.size() {
+                    Size::Given { prime, .. } => (prime * prime - offset * offset).max(0.0).sqrt(),
+                    Size::Sought => 0.0,
+                    Size::AfterLaw => return None,
+                };
+                (pitch > 0.0).then_some(Profile::Roller(ProfileSize {
+                    rise,
+                    offset,
+                    radius: 0.0,
+                    rho: pitch,
+                }))
+            }
+            FollowerKind::RollerOscillating | FollowerKind::KnifeOscillating => {
+                let (pivot, arm) = (cam.pivot_distance?, cam.arm?);
+                let asked = [
+                    limits[LimitKind::PressureAngleRise],
+                    limits[LimitKind::PressureAngleFall],
+                ];
+                let (prime, angles) = match problem.size() {
+                    Size::Given { prime, .. } => (prime, asked),
+                    Size::Sought => (
+                        problem.reach_of_arm()?[1],
+                        problem.sizing_pressure_angles().map(Some),
+                    ),
+                    Size::AfterLaw => return None,
+                };
+                Some(Profile::Arm {
+                    pivot,
+                    arm,
+                    prime,
+                    rho: pitch.max(SHARP * prime),
+                    tan: angles.map(|angle| angle.map(|a| a.min(NEARLY_RIGHT).tan())),
+                })
+            }
+            FollowerKind::FlatOscillating => {
+                let base = match problem.size() {
+                    Size::Given { base, .. } => base,
+                    Size::Sought => problem.reach_of_arm()?[1],
+                    Size::AfterLaw => return None,
+                };
+                Some(Profile::Face {
+                    pivot: cam.pivot_distance?,
+                    offset: cam.face_offset,
+                    base,
+                    rho,
+                })
+            }
+            FollowerKind::FlatTranslating
+            | FollowerKind::MushroomOscillating
+            | FollowerKind::TranslatingCam
+            | FollowerKind::Barrel => None,
+        }
+    }
+
+    /// Every limit at a place of the law; h ≥ 0 where it holds.
+    pub fn slacks(&self, at: Svaj) -> Vec<Slack> {
+        match *self {
+            Profile::Roller(size) => vec![curvature::roller_slack(at, size)],
+            Profile::Arm {
+                pivot,
+                arm,
+                prime,
+                rho,
+                tan,
+            } => {
+                let (rest, by_radius) = arm_at_rest(pivot, arm, prime);
+                let mut out = vec![curvature::arm_slack(at, pivot, arm, rest, rho)];
+                for (tan, side) in tan.into_iter().zip([1.0, -1.0]) {
+                    out.extend(
+                        tan.map(|t| pressure_angle::arm_slack(at, pivot, arm, rest, t, side)),
+                    );
+                }
+                with_size_at_rest(out, by_radius)
+            }
+            Profile::Face {
+                pivot,
+                offset,
+                base,
+                rho,
+            } => {
+                let (rest, by_radius) = face_at_rest(pivot, offset, base);
+                let out = vec![curvature::face_slack(at, pivot, offset, rest, rho)];
+                with_size_at_rest(out, by_radius)
+            }
+        }
+    }
+
+    /// The size where it may be among the variables.
+    pub fn size(&self) -> ProfileSize {
+        match *self {
+            Profile::Roller(size) => size,
+            Profile::Arm {
+                prime: radius, rho, ..
+            }
+            | Profile::Face {
+                base: radius, rho, ..
+            } => ProfileSize {
+                radius,
+                rho,
+                ..ProfileSize::NONE
+            },
+        }
+    }
+
+    /// The limits that `kept` names; `None` where that is none.
+    pub fn only(mut self, kept: impl Fn(Criterion) -> bool) -> Option<Self> {
+        let curved = kept(LimitKind::Curvature.into());
+        match &mut self {
+            Profile::Roller(_) | Profile::Face { .. } => curved.then_some(self),
+            Profile::Arm {
+                prime, rho, tan, ..
+            } => {
+                for (tan, side) in tan.iter_mut().zip(pressure_angle::SIDES) {
+                    *tan = tan.filter(|_| kept(side.into()));
+                }
+                if !curved {
+                    *rho = SHARP * *prime;
+                }
+                (curved || tan.iter().any(Option::is_some)).then_some(self)
+            }
+        }
+    }
+
+    /// The same follower at another size.
+    pub fn at_size(mut self, size: ProfileSize) -> Self {
+        match &mut self {
+            Profile::Roller(own) => {
+                *own = ProfileSize {
+                    radius: 0.0,
+                    ..size
+                }
+            }
+            Profile::Arm { prime: radius, .. } | Profile::Face { base: radius, .. } => {
+                *radius = size.radius;
+            }
+        }
+        self
+    }
+}
+
+/// ξ of an arm on the prime circle, rad, and its derivative by the circle's radius: Rp² = A² + c² − 2Ac cos ξ.
+fn arm_at_rest(pivot: f64, arm: f64, prime: f64) -> (f64, f64) {
+    let cos = (arm * arm + pivot * pivot - prime * prime) / (2.0 * arm * pivot);
+    let rest = cos.clamp(-1.0, 1.0).acos();
+    (rest, prime / (arm * pivot * rest.sin()))
+}
+
+/// ξ of a face on the base circle, rad, and its derivative by the circle's radius: Rb = c sin ξ + offset.
+fn face_at_rest(pivot: f64, offset: f64, base: f64) -> (f64, f64) {
+    let rest = ((base - offset) / pivot).clamp(-1.0, 1.0).asin();
+    (rest, 1.0 / (pivot * rest.cos()))
+}
+
+/// A follower that swings knows its size by ξ = rest + s alone.
+fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
+    for slack in &mut slacks {
+        slack.by_radius = slack.by_lift * by_radius;
+    }
+    slacks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cam::{Cam, Follower as Kind};
+    use crate::law::{Extent, Rise, Segment, program};
+    use crate::synth::limits::nonconvex::{NonconvexLimits, clearances};
+
+    fn law(lift: f64) -> Law {
+        let segment = |lift: f64, angle: f64| Segment {
+            motion: Rise::Cycloidal,
+            lift,
+            angle,
+        };
+        let pi = std::f64::consts::PI;
+        program(&[segment(lift, pi), segment(-lift, pi)], Extent::TURN).unwrap()
+    }
+
+    /// Smallest h/w over the law.
+    fn clearance(law: &Law, limits: &NonconvexLimits) -> f64 {
+        let all = clearances(law, limits).into_iter();
+        all.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Central differences of h against the derivatives stated, at places of many kinds.
+    #[test]
+    fn derivatives_of_every_limit_agree_with_differences() {
+        let followers = [
+            Profile::Roller(ProfileSize {
+                rise: 0.04,
+                offset: 0.007,
+                radius: 0.0,
+                rho: 0.02,
+            }),
+            Profile::Arm {
+                pivot: 0.1,
+                arm: 0.08,
+                prime: 0.057,
+                rho: 0.02,
+                tan: [Some(0.6), Some(0.7)],
+            },
+            Profile::Face {
+                pivot: 0.1,
+                offset: 0.01,
+                base: 0.058,
+                rho: 0.005,
+            },
+        ];
+        for follower in followers {
+            let unit = if matches!(follower, Profile::Roller(_)) {
+                0.01
+            } else {
+                0.1
+            };
+            for i in 0..20 {
+                let x = f64::from(i);
+                let at = Svaj {
+                    s: unit * (1.0 + (1.3 * x).sin()),
+                    v: unit * (0.7 * x).cos(),
+                    a: unit * (0.3 * x + 1.0).sin(),
+                    j: 0.0,
+                };
+                for k in 0..follower.slacks(at).len() {
+                    let h = |at: Svaj| follower.slacks(at)[k].h;
+                    let d = 1e-6 * unit;
+                    let by = |plus: Svaj, minus: Svaj| (h(plus) - h(minus)) / (2.0 * d);
+                    let found = [
+                        by(Svaj { s: at.s + d, ..at }, Svaj { s: at.s - d, ..at }),
+                        by(Svaj { v: at.v + d, ..at }, Svaj { v: at.v - d, ..at }),
+                        by(Svaj { a: at.a + d, ..at }, Svaj { a: at.a - d, ..at }),
+                    ];
+                    let own = &follower.slacks(at)[k];
+                    let stated = [own.by_lift, own.by_velocity, own.by_acceleration];
+                    let at_radius = |more: f64| {
+                        let size = follower.size();
+                        let radius = size.radius + more;
+                        let other = follower.at_size(ProfileSize { radius, ..size });
+                        other.slacks(at)[k].h
+                    };
+                    let by_radius = (at_radius(d) - at_radius(-d)) / (2.0 * d);
+                    let tolerance = 1e-6 * own.by_radius.abs().max(own.by_lift.abs());
+                    assert!(
+                        (by_radius - own.by_radius).abs() <= tolerance,
+                        "{follower:?} {k}: {by_radius} {}",
+                        own.by_radius
+                    );
+                    let size = stated.iter().fold(0.0_f64, |m, s| m.max(s.abs()));
+                    for (f, s) in found.iter().zip(stated) {
+                        assert!(
+                            (f - s).abs() < 1e-6 * size,
+                            "{follower:?} {k}: {found:?} {stated:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    fn alone(profile: Profile) -> NonconvexLimits {
+        NonconvexLimits {
+            profile: Some(profile),
+            loads: None,
+        }
+    }
+
+    /// h is zero exactly where the finished cam has the radius or the pressure angle asked for.
+    #[test]
+    fn limits_of_arms_are_those_of_the_cam() {
+        let law = law(0.3);
+        let (pivot, arm, prime, roller) = (0.1, 0.08, 0.05, 0.01);
+        let cam = Cam {
+            law: law.clone(),
+            follower: Kind::RollerOscillating {
+                pivot_distance: pivot,
+                arm,
+                prime_radius: prime,
+                roller_radius: roller,
+            },
+        };
+        let (fall, rise) = cam.pressure_angle_extremes();
+        let arms = |rho: f64, tan: [Option<f64>; 2]| Profile::Arm {
+            pivot,
+            arm,
+            prime,
+            rho,
+            tan,
+        };
+        let sharpest = cam.curvature().convex.value + roller;
+        let exact = clearance(&law, &alone(arms(sharpest, [None, None])));
+        assert!(exact.abs() < 1e-7, "{exact}");
+        for (k, angle) in [(0, rise.value), (1, -fall.value)] {
+            let mut tan = [None, None];
+            tan[k] = Some(angle.tan());
+            let exact = clearance(&law, &alone(arms(1e-4, tan)));
+            assert!(exact.abs() < 1e-7, "{k}: {exact}");
+        }
+        let (base, offset) = (0.05, 0.004);
+        let cam = Cam {
+            law: law.clone(),
+            follower: Kind::FlatOscillating {
+                pivot_distance: pivot,
+                face_offset: offset,
+                base_radius: base,
+            },
+        };
+        let face = Profile::Face {
+            pivot,
+            offset,
+            base,
+            rho: cam.curvature().convex.value,
+        };
+        let exact = clearance(&law, &alone(face));
+        assert!(exact.abs() < 1e-7, "{exact}");
+    }
+}
