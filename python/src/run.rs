@@ -2,7 +2,6 @@
 
 use gaitcam::dynamics::{self, Model, Outcome};
 use gaitcam::problem::Problem;
-use gaitcam::synth::contact_is_judged;
 use gaitcam::wording::Language;
 use gaitcam_output::simulation;
 use pyo3::prelude::*;
@@ -56,11 +55,11 @@ pub fn simulate(
         None => (design.input.scene.machine.clone(), design.design.drive),
         Some(changes) => machine_of(py, &design, changes)?,
     };
-    let (cam, scene) = (&design.design, &design.input.scene);
+    let cam = &design.design;
     let outcome = py.detach(|| dynamics::simulate(&cam.emitted(&spec, drive)?, model));
     let outcome = outcome.raise(py)?;
     let mut judged = cam.clone();
-    if outcome.contact_lost && contact_is_judged(scene) {
+    if outcome.contact_lost {
         judged.loses_contact(outcome.lost_fraction);
     }
     Ok(Run {

@@ -1,4 +1,4 @@
-//! How near the force has to come to its target, and where it counts.
+//! Accuracy of the force: what is required, and the weight of each part of the cycle.
 
 use super::Problem;
 use super::target::weight_at;
@@ -46,8 +46,8 @@ impl Problem {
         })
     }
 
-    /// How far the mean of the wanted force is from the weight that a moving axis carries, N: over a turn no
-    /// cam changes the mean (theory §1). Differences below the rounding of a mass are none.
+    /// Mean target force less the weight that a moving axis carries, N: no cam changes the mean over a turn
+    /// (theory §1). `None` within the rounding of a mass.
     pub fn mean_force_gap(&self) -> Option<f64> {
         let gap = self.target_mean() - self.drive.rest_force;
         let judged = self.drive.kind == DriveKind::MovingAxis && self.allowed_error().is_some();
@@ -74,7 +74,7 @@ impl Problem {
         (self.accuracy.is_none() && noise > USUAL_ACCURACY * self.target_mean()).then_some(noise)
     }
 
-    /// |mean| of the wanted force, N; 0 where none is wanted.
+    /// |mean| of the target force, N; 0 without one.
     pub fn target_mean(&self) -> f64 {
         self.target.as_ref().map_or(0.0, |t| t.mean_n().abs())
     }

@@ -1,35 +1,39 @@
-//! A problem with another value of a key that searches change: a limit, the accuracy, a size of the cam.
+//! A problem with another value of what searches change: a limit, the accuracy, a size of the cam.
 
 use super::Problem;
-use crate::scene::Scene;
-use crate::scene::keys::{Key, Value};
+use crate::cam::{Criterion, LimitKind};
 
 impl Problem {
-    /// The value that a key has; `None` where the problem leaves it open or does not keep it.
-    pub fn value(&self, key: &Key) -> Option<f64> {
-        key.number(&self.tables())
-    }
-
-    /// The same problem with another value of a key in `[limits]`, `[accuracy]` or `[cam]`.
-    pub fn with(&self, key: &Key, value: f64) -> Problem {
-        let mut scene = self.tables();
-        // A number is refused by no row.
-        let _ = key.set(&mut scene, 0, Value::Number(value));
-        Problem {
-            cam: scene.cam,
-            limits: scene.limits,
-            accuracy: scene.rms,
-            ..self.clone()
+    /// The value of a limit, of the accuracy or of a given size; `None` where the problem leaves it open.
+    pub fn value(&self, criterion: Criterion) -> Option<f64> {
+        let [rise, fall] = self.limits.pressure_angles();
+        match criterion {
+            Criterion::Limit(LimitKind::PressureAngle) => rise.filter(|_| rise == fall),
+            Criterion::Limit(
+                side @ (LimitKind::PressureAngleRise | LimitKind::PressureAngleFall),
+            ) => self.limits[side].filter(|_| rise != fall),
+            Criterion::Limit(kind) => self.limits[kind],
+            Criterion::Accuracy => self.accuracy,
+            Criterion::Bore => self.cam.bore,
+            Criterion::BaseRadius => self.cam.base_radius,
+            Criterion::GivenPrimeRadius => self.cam.prime_radius,
+            _ => None,
         }
     }
 
-    /// The tables of the scene that searches change, as they stand now.
-    fn tables(&self) -> Scene {
-        Scene {
-            cam: self.cam.clone(),
-            limits: self.limits.clone(),
-            rms: self.accuracy,
-            ..Scene::default()
+    /// The same problem with another value of what [`Problem::value`] returns.
+    #[must_use]
+    pub fn with(&self, criterion: Criterion, value: f64) -> Problem {
+        let mut out = self.clone();
+        let value = Some(value);
+        match criterion {
+            Criterion::Limit(kind) => out.limits.set(kind, value),
+            Criterion::Accuracy => out.accuracy = value,
+            Criterion::Bore => out.cam.bore = value,
+            Criterion::BaseRadius => out.cam.base_radius = value,
+            Criterion::GivenPrimeRadius => out.cam.prime_radius = value,
+            _ => {}
         }
+        out
     }
 }

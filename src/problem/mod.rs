@@ -57,14 +57,14 @@ pub struct Problem {
     pub name: String,
     /// The machine that turns lift into force.
     pub drive: Drive,
-    /// One turn of wanted force, scaled to the mass where the scene says so; `None` for a classical
+    /// One turn of the target force, scaled to the mass where the scene says so; `None` for a classical
     /// programme.
     pub target: Option<Target>,
     /// Lowest and highest force of the band in which the force has to stay.
     pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.
     pub phase: f64,
-    /// The phase is to be found.
+    /// The phase is a variable of the design.
     pub phase_is_free: bool,
     /// Typical lift, m: the unit in which solvers work.
     pub length: f64,
@@ -185,7 +185,7 @@ impl Problem {
         }
     }
 
-    /// What the law is chosen for: the force where one is wanted and no band stands for it, jerk otherwise.
+    /// What the law minimises: the force error where there is a target and no band, jerk otherwise.
     pub fn objective(&self) -> Minimise {
         let default = if self.target.is_some() && self.band.is_none() {
             Minimise::ForceError
@@ -215,7 +215,7 @@ impl Problem {
         self.law.degree.unwrap_or(usual)
     }
 
-    /// What gives between cam and mass, where it is known.
+    /// Compliance between cam and mass, where the scene gives it.
     ///
     /// # Errors
     /// A natural frequency without a mass.
@@ -223,14 +223,14 @@ impl Problem {
         self.machine.train(&self.drive)
     }
 
-    /// Natural frequency over shaft speed, where it is known.
+    /// Natural frequency over shaft speed, where the scene gives it.
     pub fn frequency_ratio(&self) -> Option<f64> {
         self.machine
             .natural_frequency
             .map(|hz| TAU * hz / self.drive.speed)
     }
 
-    /// The rests of the law in order: dwells asked for, or a programme's.
+    /// Dwells of the law in order: demanded ones, and those of a programme.
     pub fn rests(&self) -> Vec<(f64, f64)> {
         let mut all: Vec<(f64, f64)> = self.law.dwells.iter().map(|d| (d.from, d.to)).collect();
         let mut at = 0.0;

@@ -1,4 +1,4 @@
-//! What a user should know of problem and design beside the verdict: data, whose sentences stand in
+//! Notes on problem and design besides the verdict: data, whose sentences stand in
 //! `wording/en/synth.ftl`.
 
 use std::f64::consts::TAU;
@@ -49,13 +49,13 @@ pub enum Note {
     Recording { note: force::Note },
     /// The force cycle is stretched to the turn.
     Stretched { turn: Quantity, cycle: Quantity },
-    /// The mean of the wanted force is not the weight of the moved mass.
+    /// The mean of the target force is not the weight of the moved mass.
     MeanForce {
         mean: Quantity,
         weight: Quantity,
         error: Quantity,
     },
-    /// The wanted force asks for free fall.
+    /// The target force needs free fall.
     FreeFall {
         share: Quantity,
         duration: Quantity,
@@ -70,7 +70,7 @@ pub enum Note {
     },
     /// A bound of the verdict is switched off.
     NotJudged { key: &'static str },
-    /// The phase that was found.
+    /// The phase that was chosen.
     Phase { phase: Quantity },
     /// The size of the law stops where it would follow noise.
     Noise { size: &'static str, error: Quantity },

@@ -1,4 +1,4 @@
-//! What is known of the size of the cam before it is designed.
+//! The size of the cam as the problem gives it.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,7 +9,7 @@ use crate::scene::{CamSpec, LimitKind, Minimise};
 const STRETCHED: f64 = 1e-4;
 
 impl Problem {
-    /// What is said of the size of the cam.
+    /// How the size of the cam is determined.
     pub fn size(&self) -> Size {
         let (cam, roller) = (&self.cam, self.cam.roller_radius);
         match (cam.base_radius, cam.prime_radius) {
@@ -42,14 +42,14 @@ impl Problem {
         }
     }
 
-    /// Whether an objective or a limit prices the size.
+    /// Whether the objective or a limit contains the size.
     fn size_is_wanted(&self) -> bool {
         let priced = match self.objective() {
             Minimise::Size => true,
             Minimise::Weighed(weigh) if weigh.prime_radius.is_some() => true,
             _ => self.limits[LimitKind::PrimeRadius].is_some(),
         };
-        // Where the lengths leave no size, they are told as they are when one is looked for.
+        // Where the lengths allow no size, sizing after the law reports them.
         let limit = self.limits[LimitKind::PrimeRadius].unwrap_or(f64::INFINITY);
         let has_room = |[least, most]: [f64; 2]| least < most.min(limit);
         priced
@@ -81,7 +81,7 @@ impl Problem {
         self.cam.offset.or(usual)
     }
 
-    /// Length that a unit of the law stands for, m: the distance to the pivot where it is an angle.
+    /// Length per unit of the law, m: the distance to the pivot where the law is an angle.
     pub fn lever(&self) -> f64 {
         let swings = self.cam.follower.is_oscillating();
         let pivot = self.cam.pivot_distance.filter(|_| swings);
@@ -112,7 +112,7 @@ impl Problem {
 /// Pressure angle that sizes a cam when none is limited: 30°, the usual rule.
 pub const USUAL_PRESSURE_ANGLE: f64 = PI / 6.0;
 
-/// What is said of the size of the cam. A flat face has no roller: its base and prime circles are one.
+/// How the size of the cam is determined. A flat face has no roller: its base and prime circles are one.
 ///
 /// ```
 /// use gaitcam::problem::{Problem, Size};
@@ -135,7 +135,7 @@ pub enum Size {
         /// Radius of the prime circle, m.
         prime: f64,
     },
-    /// Size and law are found as one program: the size is minimised or limited.
+    /// Size and law are variables of one program: the size is minimised or limited.
     Sought,
     /// The smallest size that the finished law allows.
     AfterLaw,

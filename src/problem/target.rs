@@ -7,9 +7,9 @@ use crate::force::ForceCurve;
 use crate::poly::{Cells, PiecewisePoly, amplitudes};
 use crate::scene::PhaseWeight;
 
-/// One turn of wanted force, as the fits read it thousands of times.
+/// One turn of the target force with its cubics.
 ///
-/// Clones share what was worked out for one of them.
+/// Clones share what was computed for one of them.
 ///
 /// ```
 /// use gaitcam::force::ForceCurve;
@@ -30,10 +30,10 @@ pub struct Target {
     mean_n: f64,
     /// Smallest and largest sample, N.
     range_n: [f64; 2],
-    /// Its nearest polynomials on the pieces of splines that were asked for.
+    /// Its nearest polynomials on the pieces of splines computed so far.
     nearest: Arc<Mutex<Vec<Nearest>>>,
     spectrum: Arc<OnceLock<Vec<(f64, f64)>>>,
-    /// Mean square of the distance from a force at rest, N: the force, and what it is.
+    /// A force at rest, N, and the mean square of the distance from it, N².
     square: Arc<Mutex<Option<[f64; 2]>>>,
 }
 

@@ -1,4 +1,4 @@
-//! Design: from a wanted force to a law, a cam and its proof.
+//! Design: from a target force to a law, its certificate and its cam.
 //!
 //! One law s(θ) is sought in a linear family, s = Σ xᵢBᵢ. The force F₀ + k s + cω v + mω² a is linear in
 //! it, and so is every limit on lift, speed, acceleration, jerk, force and flat-face curvature. Hence
@@ -9,8 +9,8 @@
 //!            Σ wₖ s⁽ᵏ⁾(θ) ≤ bound for every θ             (limits)
 //! ```
 //!
-//! is convex. The ladder solves it with the least that is enough; a rung is climbed only when the one below
-//! breaks a limit or cannot say what is asked. Below, T is the turn, W = (k, cω, mω²) the force's weights.
+//! is convex. It is solved by the simplest method that is sufficient; the next one is used only when a limit is
+//! violated or cannot be expressed. Below, T is the turn, W = (k, cω, mω²) the force's weights.
 //!
 //! **Spectral.** With harmonics n = 1 … N as the family and no limit broken, the least squares fall apart:
 //! ŝₙ = F̂ₙ / (k − mω²n² + i cωn), one division each.
@@ -74,7 +74,7 @@ mod verdict;
 pub use demand::{Demand, Given};
 pub use design::{
     Binding, Conflicting, Design, Easing, End, ForceReport, Infeasible, LoadFactor, Minimised,
-    Relaxation, SolverReport, Step, Tier, contact_is_judged,
+    Relaxation, SolverReport, Step, Tier,
     figures::{FIGURES, Figure, Figures},
     machine::MachineReport,
     method::{Ended, Method, PassedOver},

@@ -7,19 +7,19 @@ use super::{Design, FIGURES, Figure, Figures, Search, design};
 use crate::cam::Criterion;
 use crate::drive::DriveKind;
 use crate::error::{Error, Placed, Result, SweepError, SynthError};
-use crate::force::ForceCurve;
 use crate::problem::{Problem, Size};
-use crate::scene::{Family, LimitKind, Minimise, Scene};
+use crate::scene::{Family, LimitKind, Minimise};
 
 /// A point of the front.
 ///
 /// ```
-/// use gaitcam::scene;
 /// use gaitcam::synth::{trade, traded};
+/// use gaitcam::{Problem, scene};
 ///
 /// // Less stroke costs force error.
 /// let scene = scene::built_in("footbridge")?.scene()?;
-/// let front = trade(&scene, scene.model_force()?.as_ref(), traded("force_error:stroke")?, 4)?;
+/// let problem = Problem::resolve(&scene, scene.model_force()?.as_ref())?;
+/// let front = trade(&problem, traded("force_error:stroke")?, 4)?;
 /// for pair in front.windows(2) {
 ///     let cost = |i: usize| (pair[i].allowed, -pair[i].design.force.rms_error_n);
 ///     assert!((cost(0) <= cost(1)) || (cost(1) <= cost(0)));
@@ -159,16 +159,10 @@ fn names(column: &str, word: &str) -> bool {
 /// needs, in even steps.
 ///
 /// # Errors
-/// A scene without a force, a family other than splines, a size that the scene fixes, and where
+/// A problem without a force, a family other than splines, a given size, and where
 /// the law without the limit cannot be built.
-pub fn trade(
-    scene: &Scene,
-    force: Option<&ForceCurve>,
-    against: &Figure,
-    points: usize,
-) -> Result<Vec<Trade>> {
+pub fn trade(problem: &Problem, against: &Figure, points: usize) -> Result<Vec<Trade>> {
     let search = Search::default();
-    let mut problem = Problem::resolve(scene, force)?;
     if problem.target.is_none() {
         return Err(SynthError::NoTarget.at_key("gait"));
     }
@@ -176,12 +170,12 @@ pub fn trade(
         return Err(SynthError::OnlySplines.at_key("law.family"));
     }
     let bound = Bound::of(against);
-    bound.check(&problem)?;
+    bound.check(problem)?;
     let of = |design: &Design| against.value(&Figures::of(design));
-    problem.law.family = Family::Spline;
-    let first = design(&problem, &search)?;
+    let mut open = problem.clone();
+    open.law.family = Family::Spline;
+    let first = design(&open, &search)?;
     // The accuracy would raise the number of spans and fail what the front is there to show.
-    let mut open = problem;
     open.accuracy = None;
     open.limits.unjudged.accuracy = true;
     open.law.minimise = Some(Minimise::ForceError);

@@ -18,7 +18,7 @@ use crate::problem::Problem;
 
 /// Phases looked at before the search.
 const VISITED: usize = 36;
-/// The search ends when the phase is known to this, rad.
+/// Tolerance of the phase, rad.
 const RESOLVED: f64 = 1e-9;
 /// Steps of the search.
 const STEPS: u64 = 60;

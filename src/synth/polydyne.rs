@@ -1,5 +1,5 @@
-//! The cam of a follower that gives: the law is found for the follower's end, the cam is cut so that the end
-//! follows it, and every limit of the cam is held on the cam's own law.
+//! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam is cut so that the end
+//! follows it, and every limit of the cam holds for the cam's own law.
 
 use super::design::End;
 use super::families::{self, NoLaw, SolvedLaw, on_base_circle};
@@ -47,7 +47,7 @@ pub fn design(
         }
         last = match one(problem, &moved, search, train) {
             Ok(round) => round,
-            // With limits drawn in there may be no law: then the check of the one before says what is broken.
+            // Tightened limits may leave no law: then the checks of the round before show what is violated.
             Err(NoLaw::Refused(_)) => break,
             Err(fault) => return Err(fault),
         };
@@ -55,7 +55,7 @@ pub fn design(
             best = last.clone();
         }
     }
-    let end = known(problem, train, &best.cam, best.wanted);
+    let end = end_of(problem, train, &best.cam, best.wanted);
     Ok((best.found, best.cam, end))
 }
 
@@ -120,7 +120,7 @@ impl Round {
     }
 }
 
-/// The cam for a wanted end, and that end with the zero of its lift moved as the cam's was.
+/// The cam for a law of the end, and that law with its zero moved as the cam's was.
 fn cut(problem: &Problem, search: &Search, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
     let key = |e: crate::error::Error| e.at_key("law.polydyne");
     let whole = polydyne(wanted, &problem.drive, train).map_err(key)?;
@@ -146,10 +146,10 @@ fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     limits[kind].as_mut()
 }
 
-/// What the flexible machine makes of the cam, and of one cut to the wanted law itself.
-fn known(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
+/// The end with its deviation from its law, for this cam and for one cut to the law itself.
+fn end_of(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
     let Train { stiffness, damping } = *train;
-    // Undamped and on a harmonic nothing is steady: then there is nothing to tell.
+    // Undamped and in resonance with a harmonic there is no steady state.
     let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
     End {
         stiffness,

@@ -73,7 +73,7 @@ fn jump(cam: &Cam, order: usize) -> Option<Reason> {
     })
 }
 
-/// What makes a cam useless comes before what makes it wrong.
+/// Rank of a failed check: unusable profiles first.
 fn severity(check: Criterion) -> usize {
     match check {
         Criterion::Limit(LimitKind::Curvature)
@@ -90,7 +90,7 @@ fn severity(check: Criterion) -> usize {
     }
 }
 
-/// Only a pull would keep the follower on the cam.
+/// The follower leaves the cam: the contact force would have to be negative.
 fn lifts_off(problem: &Problem, cam: &Cam, force: &ForceReport, low: &Check) -> Reason {
     let drive = &problem.drive;
     let measures = cam.follower.measures();

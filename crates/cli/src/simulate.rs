@@ -17,7 +17,7 @@ use gaitcam::Problem;
 use gaitcam::dynamics::{Model, Run, simulate};
 use gaitcam::error::{Place, Placed, Result};
 use gaitcam::scene::{MachineSpec, Scene};
-use gaitcam::synth::{self, Design, contact_is_judged};
+use gaitcam::synth::{self, Design};
 use gaitcam::units::Dimension;
 use gaitcam_files::ResultFolder;
 use gaitcam_files::design::{check_inputs_stay, of_another_design, write_scene};
@@ -91,7 +91,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8> {
     }
     let run = emitted(args, &input.scene, &design)?;
     let outcome = simulate(&run, model)?;
-    if outcome.contact_lost && contact_is_judged(&input.scene) {
+    if outcome.contact_lost {
         design.loses_contact(outcome.lost_fraction);
     }
     let running = Running {

@@ -8,7 +8,7 @@ use crate::drive::Drive;
 use crate::dynamics::hertz::STEEL;
 use crate::dynamics::{Face, Machine, Run};
 use crate::error::Result;
-use crate::scene::{LimitKind, MachineSpec, Scene};
+use crate::scene::MachineSpec;
 use crate::wording::Language;
 
 /// Rows of the emitted profile that is run.
@@ -54,10 +54,4 @@ impl Design {
             machine,
         })
     }
-}
-
-/// Whether a scene leaves it to the verdict that contact is kept.
-pub fn contact_is_judged(scene: &Scene) -> bool {
-    let limits = &scene.limits;
-    !limits.unjudged.contact_force && limits[LimitKind::ForceMin].is_none_or(|low| low >= 0.0)
 }

@@ -45,7 +45,7 @@ pub struct LoadFactor {
 
 impl Design {
     /// Harmonics of target and achieved force up to the sixth of the step frequency, as parts of the walker's weight;
-    /// empty where no force is wanted or the weight is not positive.
+    /// empty without a target or a positive weight.
     ///
     /// A turn is a stride of two steps where the second harmonic of the target is larger than the first.
     pub fn load_factors(&self) -> Vec<LoadFactor> {

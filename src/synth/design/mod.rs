@@ -12,7 +12,6 @@ pub mod proof;
 pub mod reason;
 mod solver;
 
-pub use emitted::contact_is_judged;
 pub use limited::{Binding, Conflicting, Easing, Infeasible, Minimised, Relaxation};
 pub use load_factors::LoadFactor;
 pub use solver::{SolverReport, Step, Tier};
@@ -21,7 +20,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, Making, Verdict};
+use crate::cam::{BarrelGroove, Bore, Cam, Check, Conjugate, LimitKind, Making, Verdict};
 use crate::drive::Drive;
 use crate::dynamics::flexible::polydyne::Miss;
 use crate::force::ForceCurve;
@@ -33,7 +32,7 @@ use crate::wording::Language;
 use parameters::Functions;
 use reason::{Reason, sentences};
 
-/// Everything known about a finished design.
+/// A finished design.
 ///
 /// ```
 /// use gaitcam::{Verdict, scene, synthesise};
@@ -52,15 +51,15 @@ use reason::{Reason, sentences};
 pub struct Design {
     /// The scene's name.
     pub name: String,
-    /// The force that was wanted, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
+    /// Target force, in step with the cam: θ = 2π·i/n. `None` for classical programmes.
     pub target: Option<ForceCurve>,
     /// Weight that load factors are parts of, N: the walker's, as the scene scales it; `None` without a force.
     pub weight_n: Option<f64>,
-    /// Lowest and highest force of the band that was asked for in place of the curve.
+    /// Lowest and highest force of the band that replaces the curve.
     pub band: Option<[ForceCurve; 2]>,
     /// Phase of the force cycle at cam angle 0, rad.
     pub phase: f64,
-    /// How lift becomes force, with every number settled.
+    /// How lift becomes force.
     pub drive: Drive,
     /// Family of the law as users name it: `spline`, `polynomial`, `program` …
     pub family: String,
@@ -108,7 +107,7 @@ pub struct Design {
     pub solver: SolverReport,
     /// A search was ended from outside: this is the best it had.
     pub out_of_time: bool,
-    /// What to know beside the verdict.
+    /// Notes besides the verdict.
     pub notes: Vec<Note>,
     /// What it is the design of.
     #[serde(skip)]
@@ -156,9 +155,14 @@ impl Design {
         self.notes.iter().map(said).collect()
     }
 
-    /// What a run of the emitted cam adds to the verdict: the follower is off the cam for this share of the
-    /// motion.
+    /// What a run of the emitted cam adds to the verdict, where that judges contact: the follower is off the cam for
+    /// this share of the motion.
     pub fn loses_contact(&mut self, share: f64) {
+        let limits = &self.problem.limits;
+        let pulls_allowed = limits[LimitKind::ForceMin].is_some_and(|low| low < 0.0);
+        if limits.unjudged.contact_force || pulls_allowed {
+            return;
+        }
         let known = |r: &Reason| {
             matches!(
                 r,

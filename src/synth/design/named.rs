@@ -1,4 +1,4 @@
-//! What a criterion stands for: its key in the scene, its dimension, its unit.
+//! Key, dimension and unit of a criterion.
 
 use crate::cam::{Criterion, LimitKind, Measures, Unit};
 use crate::scene::keys::{self, Key};

@@ -1,4 +1,4 @@
-//! The functions whose coefficients a law is told by, so that a stranger can evaluate it.
+//! The functions that the coefficients of a law belong to, so that others can evaluate it.
 
 use serde::Serialize;
 

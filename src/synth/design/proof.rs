@@ -1,4 +1,4 @@
-//! What is proved of a law: that nothing of its family is better, or why that is not known.
+//! Whether a law is proved optimal within its family, and if not, why.
 
 use serde::Serialize;
 use strum::VariantNames;

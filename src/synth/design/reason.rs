@@ -144,11 +144,11 @@ pub enum Reason {
     DemandsContradict { demands: Vec<Demand> },
     /// Demands that no law on or above the base circle meets together.
     DemandsInfeasible { demands: Vec<Demand> },
-    /// One limit that no law keeps beside the demands.
+    /// One limit that no law keeps together with the demands.
     LimitInfeasible { limit: Criterion },
     /// Limits that no law keeps together.
     LimitsInfeasible { limits: Vec<Criterion> },
-    /// Limits that no law was found to keep together: not all of them are convex, so that proves nothing.
+    /// Limits for which no common law was found; some are nonconvex, so this is no proof.
     NoLawFound { limits: Vec<Criterion> },
     /// The solver stopped, which proves nothing.
     SolverStopped { stop: Stop },

@@ -31,7 +31,7 @@ pub struct Step {
     pub taken: f64,
 }
 
-/// Which rung of the ladder answered.
+/// Which method of the ladder gave the law.
 ///
 /// ```
 /// use gaitcam::synth::Tier;
@@ -88,9 +88,9 @@ impl Tier {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SolverReport {
-    /// The rung that answered.
+    /// The method that gave the law.
     pub tier: Tier,
-    /// How that rung found the law.
+    /// Its details.
     pub method: Method,
     /// Simpler families that were tried first, and what they missed.
     pub passed_over: Vec<PassedOver>,

@@ -2,7 +2,7 @@
 //!
 //! The multipliers of a convex program prove that no law which keeps the limits they stand on comes nearer to the force
 //! (theory §8). The proof holds as it is for every program with the same objective, the same demands and those limits,
-//! whatever else it asks for: where a limit that has no part in it is relaxed, the answer is known.
+//! whatever its other limits: relaxing a limit without a multiplier cannot help.
 
 use super::touching::Optimum;
 use crate::problem::Problem;
@@ -97,7 +97,8 @@ fn is_alike(a: &Program, b: &Program) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{built_in, keys};
+    use crate::cam::LimitKind;
+    use crate::scene::built_in;
     use crate::synth::families::{spline, spline_program};
 
     /// A footbridge whose stroke leaves no room for the force, as the search for relaxations asks for it.
@@ -119,11 +120,6 @@ mod tests {
         (problem, search)
     }
 
-    fn relaxed(problem: &Problem, path: &str, value: f64) -> Problem {
-        let key = keys::relaxable().find(|key| key.path == path).unwrap();
-        problem.with(key, value)
-    }
-
     fn known(problem: &Problem, search: &Search) -> bool {
         let (program, _) = spline_program::limited(problem, search, 24).unwrap();
         refuses(problem, search, &program)
@@ -138,11 +134,11 @@ mod tests {
         );
         assert!(spline::law(&problem, &search).is_err());
         assert!(known(&problem, &search));
-        assert!(known(&relaxed(&problem, "limits.jerk", 1e6), &search));
+        assert!(known(&problem.with(LimitKind::Jerk.into(), 1e6), &search));
         // The same without what is known, by its own program.
         let fresh = cramped().1;
-        assert!(spline::law(&relaxed(&problem, "limits.jerk", 1e6), &fresh).is_err());
-        let wide = relaxed(&problem, "limits.stroke", 1.0);
+        assert!(spline::law(&problem.with(LimitKind::Jerk.into(), 1e6), &fresh).is_err());
+        let wide = problem.with(LimitKind::Stroke.into(), 1.0);
         assert!(!known(&wide, &search));
         assert!(spline::law(&wide, &search).is_ok());
     }

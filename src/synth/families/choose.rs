@@ -29,7 +29,7 @@ pub fn ladder(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
         return spline::law(problem, search);
     }
     let wanted = problem.wanted_error();
-    // A resonance is a reason to climb, not to stop: the spline spreads what one harmonic cannot have.
+    // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
     let missed = match harmonic::inverted(problem, None, wanted) {
         Ok((_, left_over)) if left_over > wanted => PassedOver::Accuracy {
             family: INVERSE,
@@ -53,7 +53,7 @@ pub fn ladder(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
 /// families that were passed over say what they missed by.
 pub fn simplest(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
     let mut passed_over = Vec::new();
-    // Whether any family passes is seen by the last of them alone.
+    // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
     if !search.only_passing
         && problem.target.is_some()
         && !problem.has_demands()
@@ -96,7 +96,7 @@ fn missed_by(
     let law = on_base_circle(problem, search, &found.law);
     let cam = sizing::cam(problem, law.clone(), &law)?;
     let force = force_report(problem, search, &cam.law);
-    // A scene that asks for no accuracy still asks for its force.
+    // Without a required accuracy the usual one applies.
     let wanted = problem.wanted_error();
     if problem.target.is_some() && problem.accuracy.is_none() && force.rms_error_n > wanted {
         let excess = Quantity::force(force.rms_error_n - wanted);

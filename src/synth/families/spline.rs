@@ -34,8 +34,7 @@ const MOST_IN_BAND: usize = 120;
 const GROWTH: f64 = 1.5;
 /// … by at least this part.
 const WORTHWHILE: f64 = 0.02;
-/// Fewer spans than this say nothing of what more would bring: with limits that bind the error is no steady function of
-/// so few, and there may be no law at all.
+/// Below this number of spans the error is not monotone in it where limits are active, and there may be no law at all.
 const TELLING: usize = 12;
 
 /// What the search for the number of spans depends on beside force and demands.
@@ -57,7 +56,7 @@ struct Fitted {
     optimum: Optimum,
     /// Half the mean square of the force error.
     force: Quadratic,
-    /// What no law that keeps the convex limits betters, where a sequence went on from there.
+    /// Lower bound of the objective from the convex limits, where a sequence followed.
     least: f64,
     /// … proved for every touching angle.
     least_is_proved: bool,
@@ -203,7 +202,7 @@ fn fewest_in_band(problem: &Problem, search: &Search) -> Result<Fitted, NoLaw> {
     }
 }
 
-/// One program with all that is convex, and what is not brought in where it is broken.
+/// Solves the convex program; adds the limits on the loads by SCP where its solution violates them.
 fn solve(problem: &Problem, search: &Search, spans: usize) -> Result<Fitted, NoLaw> {
     let (program, force) = limited(problem, search, spans)?;
     if accuracy_bound::refuses(problem, search, &program) {
@@ -248,7 +247,7 @@ fn without_vibration(problem: &Problem, fitted: &mut Fitted) {
     let mut program = fitted.optimum.program.clone();
     let basis = &program.basis;
     program.equalities.extend(limits::silence(problem, basis));
-    // Without a solution the check says what is left over.
+    // Without a solution the check reports the residual vibration.
     if let Ok(silent) = touching::solve(problem, program) {
         fitted.optimum = silent;
     }
@@ -270,7 +269,7 @@ fn with_loads(problem: &Problem, fitted: &mut Fitted) -> Option<NonconvexLimits>
 fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) -> bool {
     let (program, solution) = at_level(problem, fitted, &limits);
     let mut starts = Vec::new();
-    // The least radius of an arm is no place to linearise about.
+    // At the least radius of an arm the linearisation is singular.
     if problem.reach_of_arm().is_none() || problem.size() != Size::Sought {
         starts.push(solution.clone());
     }
@@ -278,7 +277,7 @@ fn in_sequence(problem: &Problem, fitted: &mut Fitted, limits: NonconvexLimits) 
     let Some((refined, steps, ended)) = scp::refine(&program, &starts, limits) else {
         return false;
     };
-    // The optimum of what is convex, at a size that costs no more.
+    // The convex optimum itself, at a size of the same cost.
     let as_it_was = steps.is_empty() && refined.x == solution.x;
     if as_it_was && program.merit(&refined) <= program.merit(&solution) {
         return true;
@@ -325,8 +324,7 @@ pub fn at_own_size(problem: &Problem, program: &Program, solution: &Solution) ->
     Some(out)
 }
 
-/// Brings limits of the profile that are not convex into the law, where the law without them would break
-/// one.
+/// Adds the nonconvex limits of the profile by SCP.
 fn with_profile(problem: &Problem, fitted: &mut Fitted) {
     if fitted.sequence.is_some() {
         return;

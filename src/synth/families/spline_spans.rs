@@ -1,4 +1,4 @@
-//! How many spans a spline needs for an accuracy, foretold from the spectrum of the wanted force.
+//! Lower bound of the number of spans for an accuracy, from the spectrum of the target force.
 //!
 //! On equal spans of a turn the shifts of one B-spline are the basis, so the least squares fall apart by residues:
 //! harmonics n that differ by multiples of N share one unknown. With the force's weight W(n) = k − mω²n² + i cωn and

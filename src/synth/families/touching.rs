@@ -34,9 +34,9 @@ use crate::synth::qp::{
 const GAP: f64 = 4e-7;
 /// Programs after which the proof is given up.
 const MOST_PROGRAMS: usize = 48;
-/// The touching angle follows its law's lowest point at most this often in one go …
+/// Descent steps of the touching angle to its law's lowest point …
 const MOST_DESCENTS: usize = 8;
-/// … and no further when it moved by less, rad.
+/// … which end when it moves by less, rad.
 const SETTLED: f64 = 1e-7;
 /// Parts of the turn with which the search begins.
 const PARTS: usize = 16;
@@ -144,7 +144,7 @@ struct Node {
     /// What the multipliers prove at this angle.
     dual: f64,
     /// ν.
-    pull: f64,
+    multiplier: f64,
     /// s_c(c).
     level: f64,
     /// Local minima of the law, by angle.
@@ -168,7 +168,8 @@ impl Node {
             apart(a).max(apart(b))
         };
         let length = distance(farthest) / alpha;
-        self.dual + self.pull * (lowest - self.level) - 0.5 * self.pull * self.pull * length
+        self.dual + self.multiplier * (lowest - self.level)
+            - 0.5 * self.multiplier * self.multiplier * length
     }
 }
 
@@ -257,13 +258,13 @@ impl Search {
         (0..self.nodes.len()).min_by(by_value).unwrap_or(0)
     }
 
-    /// Follows the best law's own lowest point while that gains.
+    /// Moves the touching angle to the lowest point of the best law while that improves the objective.
     fn descend(&mut self) {
         for _ in 0..MOST_DESCENTS {
             let best = &self.nodes[self.best()];
             let (value, lowest) = (best.value, best.law.extremes(0).0);
             let moved = (lowest.at - best.at).rem_euclid(TAU);
-            if moved.min(TAU - moved) < SETTLED || best.pull == 0.0 {
+            if moved.min(TAU - moved) < SETTLED || best.multiplier == 0.0 {
                 return;
             }
             let gained = match self.visit(lowest.at) {
@@ -344,7 +345,7 @@ fn node(program: &Program, at: f64, solution: Solution) -> Node {
     let law = Law::of(&program.basis, &solution.x);
     let rows: &[Row] = &solution.active;
     let counted = rows.iter().filter(|row| !row.touching.is_empty());
-    let pull = counted.map(|row| -row.multiplier * row.weights[0]).sum();
+    let multiplier = counted.map(|row| -row.multiplier * row.weights[0]).sum();
     let value = program.merit(&solution);
     let dual = value - qp::certificate(program, &solution).duality_gap;
     let rate = law.combination([0.0, 1.0, 0.0, 0.0], 0.0);
@@ -353,7 +354,7 @@ fn node(program: &Program, at: f64, solution: Solution) -> Node {
         at,
         value,
         dual,
-        pull,
+        multiplier,
         level: law.svaj(at).s,
         lows: lows.collect(),
         law,

@@ -1,4 +1,4 @@
-//! Searches beside each other on all cores, while the thread that asked for them listens for their end.
+//! Parallel searches on all cores, while the calling thread polls the halt.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -10,10 +10,10 @@ use crate::halt::Halt;
 /// Time between two looks at the caller's halt.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// What `search` finds for every item, in the order of the items; what it finds depends on no other.
+/// The result of `search` for every item, in the order of the items; searches do not depend on each other.
 ///
-/// Searches ask a halt of their own. The caller's may know its answer on the caller's thread alone (Python hears
-/// signals on one), so that thread asks it and tells the others.
+/// Searches poll a halt of their own. The caller's halt may work on the caller's thread only (Python handles
+/// signals on one), so that thread polls it and sets the flag of the others.
 pub fn beside<T: Sync, R: Send>(
     items: &[T],
     halt: &Halt,

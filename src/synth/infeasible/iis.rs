@@ -35,7 +35,7 @@ pub fn explain(problem: &Problem, refusal: &Refusal) -> Infeasible {
         Failure::Infeasible => {
             let mut limits = conflicting_limits(problem, refusal);
             if let Some(nonconvex) = refusal.nonconvex {
-                // The demands and all that is convex have a law: it was found first.
+                // Demands and convex limits have a common law: it was computed first.
                 if limits.is_empty() {
                     limits = nonconvex.names();
                 }
@@ -64,7 +64,7 @@ fn members(demands: &[Demand]) -> Vec<Conflicting> {
 fn in_conflict(kept: &[Criterion], relaxations: Vec<Relaxation>, measures: Measures) -> Infeasible {
     let conflict: Vec<Conflicting> = kept.iter().copied().map(Conflicting::Limit).collect();
     let mut reasons = vec![conflicting(kept)];
-    // Without a first relaxation nothing is known yet of what would help.
+    // Without a first relaxation there is nothing to suggest yet.
     if !relaxations.is_empty() {
         reasons.push(smallest_relaxations(&relaxations, measures));
     }
@@ -88,8 +88,7 @@ fn irreducible<T: Clone + PartialEq>(all: &[T], can_hold: impl Fn(&[T]) -> Optio
     kept
 }
 
-/// The limits that were asked for and cannot hold together beside the demands; empty where the demands
-/// alone leave nothing.
+/// Limits of the scene that conflict, given the demands; empty where the demands alone are infeasible.
 fn conflicting_limits(problem: &Problem, refusal: &Refusal) -> Vec<Criterion> {
     let rows = refusal.program.limits.iter().filter(|l| is_asked(l));
     let nonconvex = refusal.nonconvex.map_or_else(Vec::new, |b| b.names());

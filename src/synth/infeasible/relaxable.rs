@@ -1,12 +1,12 @@
-//! How far a key that may be relaxed is moved, and in which steps its value is told. Which keys those are, and
-//! which way they ask for less, stands in their rows of the key table.
+//! How far a relaxable key is moved, and in which steps its value is reported. Which keys are relaxable, and in
+//! which direction, stands in the key table.
 
 use crate::cam::Criterion;
 use crate::problem::Problem;
 use crate::scene::keys::{self, Key, Range, Relax};
 use crate::synth::design::named::criterion_of;
 
-/// A limit is first lifted by this factor, to see whether it is what stands in the way …
+/// A limit is first relaxed by this factor, to see whether that alone is sufficient …
 const AWAY: f64 = 1e4;
 /// … a size of the cam by this one.
 const FAR_LARGER: f64 = 30.0;
@@ -22,7 +22,7 @@ pub struct Relaxable {
     criterion: Criterion,
 }
 
-/// The numbers of a problem that may be relaxed, with their values, in the order in which they are told.
+/// The numbers of a problem that may be relaxed, with their values, in the order of the report.
 pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
     let of = |key: &'static Key| {
         let relax = key.relax?;
@@ -38,7 +38,7 @@ pub fn relaxables(problem: &Problem) -> Vec<(Relaxable, f64)> {
             let mean = problem.target_mean();
             (mean > 0.0).then_some(allowed / mean)
         };
-        Some((knob, problem.value(key).or_else(usual)?))
+        Some((knob, problem.value(criterion).or_else(usual)?))
     };
     keys::relaxable().filter_map(of).collect()
 }
@@ -64,7 +64,7 @@ impl Relaxable {
 
     /// The problem with another value.
     pub fn with(self, problem: &Problem, value: f64) -> Problem {
-        problem.with(self.key, value)
+        problem.with(self.criterion, value)
     }
 
     /// Whether a larger value is the weaker limit.
@@ -99,7 +99,7 @@ impl Relaxable {
         }
     }
 
-    /// Steps in which a value is told: a little on the weak side of what was found.
+    /// The value rounded to the steps of the report, towards the weaker limit.
     pub fn rounded(self, value: f64) -> f64 {
         let step = match self.key.range {
             Range::Acute => 1e-3_f64.to_radians(),

@@ -127,7 +127,7 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
     };
     match &mut design.infeasible {
         Some(infeasible) => {
-            // What is in the conflict and helps no more is told as such.
+            // Members of the conflict whose change does not help are listed without a value.
             let helpless = known.iter().filter(|k| {
                 !found.iter().any(|f| f.limit == k.limit)
                     && infeasible.conflict.contains(&Conflicting::Limit(k.limit))
@@ -144,7 +144,7 @@ fn with_relaxations(problem: &Problem, search: &Search, mut design: Design) -> D
             design.reasons.clone_from(&infeasible.reasons);
         }
         None => {
-            // What the law at hand would need is not what a cam needs whose law is found for its size.
+            // With the size in the relaxation the law changes too: the radius that this law needs does not apply.
             let resized = (numbers.iter())
                 .any(|(number, _)| number.key.section() == "cam" && is_found(&found, *number));
             let own = |r: &Reason| matches!(r, Reason::BaseRadiusWorks { .. });
@@ -232,7 +232,7 @@ impl Relaxing<'_> {
         }
         let free = number.away(from, self.force);
         let design = self.tried(number, free)?;
-        // What the free design needs is enough; often it is the answer.
+        // What the unlimited design needs is sufficient, and often the answer.
         let needed = design
             .checks
             .iter()
@@ -263,7 +263,7 @@ impl Relaxing<'_> {
         while !self.search.halt.is_asked()
             && (works - fails).abs() > self.precision * works.abs().max(size)
         {
-            // Far apart the middle is sought by ratio.
+            // Wide intervals are bisected geometrically.
             let apart = if fails > 0.0 { works / fails } else { 1.0 };
             let middle = if apart > 4.0 {
                 (works * fails).sqrt()
@@ -276,7 +276,7 @@ impl Relaxing<'_> {
                 fails = middle;
             }
         }
-        // A program at its edge may fail where the one beside it is solved.
+        // At the boundary of feasibility a program may fail numerically; a slightly weaker one is solved.
         EDGES
             .iter()
             .map(|room| number.rounded(works + room * works.abs() * number.sign()))
@@ -289,8 +289,8 @@ impl Relaxing<'_> {
         is_size && self.problem.objective() == Minimise::Size
     }
 
-    /// With spans given what is asked of the accuracy does not enter the law: the accuracy that the design has, where
-    /// that is all it misses, and no other. The outer `None` where it is to be sought.
+    /// With given spans the accuracy does not enter the law: then only the accuracy of the design itself can help, and
+    /// only if nothing else fails. The outer `None` where it has to be searched for.
     fn own_accuracy(&self, number: Relaxable, design: &Design) -> Option<Option<f64>> {
         let law = &self.problem.law;
         let given = law.spans.is_some() && law.family == Family::Spline;
@@ -330,7 +330,7 @@ impl Relaxing<'_> {
         if other > 0.0 { 0.0 } else { self.force }
     }
 
-    /// What helps where no change of a single number does, beside the reasons known, with the values.
+    /// Reasons and values for changes of several limits, where no single change is sufficient.
     fn several(
         &self,
         numbers: &[(Relaxable, f64)],
@@ -354,7 +354,7 @@ impl Relaxing<'_> {
             Ok(_) => {}
             Err(_) => return (vec![Reason::NoRelaxation], Vec::new()),
         }
-        // Those out of reach even where nothing else is asked.
+        // Limits that cannot hold even without the others.
         let out_of_reach = |&(number, from): &(Relaxable, f64), halt: &Halt| {
             let own = |&(other, far): &(Relaxable, f64)| {
                 let value = if other == number { from } else { far };
@@ -382,7 +382,7 @@ impl Relaxing<'_> {
         let out_of_reach: Vec<Relaxation> = (hopeless.iter())
             .map(|&(number, from, to)| told(number, from, to))
             .collect();
-        // Each at its own edge they may stand in each other's way, or in that of the other limits.
+        // Each at its own boundary, they may conflict with each other or with the other limits.
         let alone: Vec<(Relaxable, f64)> = hopeless.iter().map(|h| (h.0, h.2)).collect();
         let reached = changed(self.problem, &alone);
         let relaxing = Relaxing {

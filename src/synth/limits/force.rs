@@ -89,7 +89,7 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
     out
 }
 
-/// What the distance of a force from the target depends on beside the wanted force.
+/// What the distance of a force from the target depends on besides the target.
 #[derive(Debug, PartialEq)]
 pub struct ReportKey {
     law: Law,
@@ -97,7 +97,7 @@ pub struct ReportKey {
     phase: f64,
 }
 
-/// Distance of the force of a law from the target, exact on the pieces of both; of a law that is known as it was found.
+/// Distance of the force of a law from the target, exact on the pieces of both.
 pub fn report(problem: &Problem, search: &Search, law: &Law) -> ForceReport {
     let key = ReportKey {
         law: law.clone(),

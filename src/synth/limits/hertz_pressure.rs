@@ -145,8 +145,8 @@ impl Press<'_> {
     }
 }
 
-/// The pressure that is found on a profile; none where it is undercut, infinite on a cusp.
-fn on_profile(cam: &Cam, found: impl FnOnce() -> Extreme) -> Option<Extreme> {
+/// The pressure on a profile; `None` where it is undercut, infinite on a cusp.
+fn on_profile(cam: &Cam, pressure: impl FnOnce() -> Extreme) -> Option<Extreme> {
     let convex = cam.curvature().convex;
     if convex.value <= 0.0 {
         return None;
@@ -157,7 +157,7 @@ fn on_profile(cam: &Cam, found: impl FnOnce() -> Extreme) -> Option<Extreme> {
             value: f64::INFINITY,
         });
     }
-    Some(found())
+    Some(pressure())
 }
 
 /// Normal force and curvature of a cam's own contact.

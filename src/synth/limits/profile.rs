@@ -43,8 +43,8 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// The follower with those limits of the profile that no row of a convex program can express; `None` where
-    /// there are none, or where the size is found after the law.
+    /// The follower with the nonconvex limits of its profile; `None` where there are none, or where the size follows
+    /// from the law.
     pub fn of(problem: &Problem) -> Option<Profile> {
         let (cam, limits) = (&problem.cam, &problem.limits);
         let rho = limits[LimitKind::Curvature].unwrap_or(0.0);

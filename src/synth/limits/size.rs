@@ -23,7 +23,7 @@ pub fn face_width(problem: &Problem) -> Vec<Limit> {
     }
 }
 
-/// What a size among the variables costs, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
+/// Cost of a size among the variables, the limit on it, and the cone Rp ≥ ‖(D, e)‖ of an open offset.
 pub fn priced(problem: &Problem, program: &mut Program) {
     let cost = match problem.objective() {
         Minimise::Size => 1.0,
@@ -32,7 +32,7 @@ pub fn priced(problem: &Problem, program: &mut Program) {
     };
     let limit = problem.limits[LimitKind::PrimeRadius];
     if let Some([least, most]) = problem.reach_of_arm() {
-        // A limit of which the arm falls short is none.
+        // A limit larger than the arm can reach is inactive.
         let limit = limit.filter(|limit| *limit <= most);
         let most = limit.map_or_else(
             || of_arm(problem, 1.0, most),
@@ -81,7 +81,7 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     limit
 }
 
-/// An end of what a follower on an arm reaches, which nobody wrote: weight · radius ≤ bound.
+/// Implicit bound on the prime radius from the geometry of the arm: weight · radius ≤ bound.
 fn of_arm(problem: &Problem, weight: f64, bound: f64) -> Limit {
     let scale = problem.length * problem.lever();
     let mut limit = Limit::new(Criterion::BaseCircle, [0.0; 5], bound, scale);

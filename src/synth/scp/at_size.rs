@@ -4,7 +4,7 @@ use crate::law::Law;
 use crate::synth::limits::{NonconvexLimits, ProfileSize, clearances};
 use crate::synth::qp::{EXTRAS, OFFSET, Program, RADIUS, RISE, Solution};
 
-/// The limits beside a program, and which sizes are among its variables.
+/// The nonconvex limits of a program, and which sizes are among its variables.
 pub struct AtSize {
     limits: NonconvexLimits,
     /// Sizes that a solution has.
@@ -14,7 +14,7 @@ pub struct AtSize {
 }
 
 impl AtSize {
-    /// Beside a program: where it has the size among its variables, the follower's own is not looked at.
+    /// Of a program: where it has the size among its variables, the size in `limits` is ignored.
     pub fn new(limits: NonconvexLimits, program: &Program) -> Self {
         let present = program.present();
         AtSize {

@@ -1,4 +1,4 @@
-//! Whole steps of a sequence of convex programs, mended where they break what is not convex.
+//! Second-order correction: full steps of the sequence, relinearised where they violate a nonconvex limit.
 
 use super::at_size::AtSize;
 use super::linearised::{NEARLY, Room, contacts, least_of, linearised};

@@ -10,8 +10,7 @@ use crate::synth::qp::{EXTRAS, Limit, OFFSET, Program, RADIUS, RISE, Row, Soluti
 
 /// Rows per piece of the law.
 const ROWS_PER_PIECE: usize = 4;
-/// Places where h exceeds this part of its largest term are left out of a step; the search along the step
-/// watches them.
+/// Places where h exceeds this part of its largest term get no row; the line search checks them.
 const FAR: f64 = 0.6;
 /// Low points of h/w below this become rows.
 const NEAR: f64 = 0.05;
@@ -19,7 +18,7 @@ const NEAR: f64 = 0.05;
 const COINCIDENT: f64 = 1e-6;
 /// Limits with this part of their size to spare, or less, may bind after the next step.
 const SOON: f64 = 0.03;
-/// A start that misses by less than this, relative to w, is sought with more room.
+/// A violation below this, relative to w, is corrected by a larger margin.
 pub const NEARLY: f64 = 1e-3;
 
 /// Room kept in h, relative to w, in each of the limits.
@@ -42,8 +41,8 @@ impl Room {
         self.each.get(limit).map_or(least, |own| own.max(least))
     }
 
-    /// Low points wander between two programs: a limit that they miss by little needs a little more room than that. One
-    /// that holds may have no more to give.
+    /// Minima shift between iterations, so each violated limit is tightened by slightly more than its violation; limits
+    /// that hold are not.
     pub fn widen(&mut self, clear: &[f64]) {
         self.each.resize(clear.len(), f64::NEG_INFINITY);
         for (own, clear) in self.each.iter_mut().zip(clear) {
@@ -60,7 +59,7 @@ pub fn least_of(clear: &[f64]) -> f64 {
     clear.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// Where the limits themselves touched in the last program, or soon may: rows that the next one need not find.
+/// Contacts of the last solution, and peaks of limits near their bound: initial rows of the next program.
 pub fn contacts(program: &Program, solution: &Solution) -> Vec<Row> {
     let own = solution.active.iter().filter(|r| r.limit.is_some());
     let mut out: Vec<Row> = own.cloned().collect();
@@ -102,7 +101,7 @@ pub fn linearised(
             });
         }
     }
-    // A low point wanders from one law to the next: rows on both sides of a contact close in on it like a secant.
+    // A minimum moves from one law to the next: rows on both sides of a contact enclose it as in a secant method.
     let touched = current.active.iter().filter(|r| r.limit.is_none());
     for peak in touched.map(|r| r.peak) {
         let near = |p: &Peak| p.piece == peak.piece && (p.u - peak.u).abs() < COINCIDENT;
@@ -165,7 +164,7 @@ pub fn each_place(program: &Program, mut visit: impl FnMut(Peak)) {
     }
 }
 
-/// A row that stands for itself.
+/// A row that belongs to no limit of the program.
 pub fn row(
     program: &Program,
     peak: Peak,

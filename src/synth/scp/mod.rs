@@ -38,16 +38,16 @@ const IMPROVEMENT: f64 = 1e-7;
 const STEP_TOLERANCE: f64 = 0.25 * ENLARGED;
 /// Linearisations tried for the last law.
 const HELD_ROUNDS: usize = 6;
-/// A mended step that gains less than this part of what the step promised is held against its parts.
+/// A corrected step that gains less than this part of the predicted gain is compared with shorter steps.
 const WORTH_MENDING: f64 = 0.5;
-/// Weight of a size that has to shrink, against what is minimised.
+/// Weight of a size that has to shrink, relative to the objective.
 const FOREMOST: f64 = 1e3;
 /// Steps are shortened to no less than this.
 const SHORTEST: f64 = 1e-4;
 
-/// Improves a law of `program` until no step that keeps the follower's limits as well improves it: the best of those to
-/// which the `starts` lead, laws that keep what is convex but for the size. Where the program has the size among its
-/// variables, the follower's own is not looked at.
+/// Sequence of convex programs from the best feasible point that the `starts` lead to, until no step improves the
+/// objective. Starts keep the convex limits, except those on the size. Where the size is among the variables of the
+/// program, the size in `limits` is ignored.
 ///
 /// Returns the last solution with its size, the steps taken and why no more were, or `None` where no
 /// feasible start was found.
@@ -72,7 +72,7 @@ pub fn refine(
     let mut ended = Ended::MostSteps;
     for _ in 0..MOST_STEPS {
         match step(program, &current, &at_size, &mut reach) {
-            Went::On(next, one) => {
+            Outcome::Taken(next, one) => {
                 let gain = program.merit(&current) - one.merit;
                 let small = gain <= IMPROVEMENT * program.merit(&current).abs();
                 current = next;
@@ -82,18 +82,18 @@ pub fn refine(
                     break;
                 }
             }
-            Went::Nowhere(_) if reach_shrinks(program, reach) => (),
-            Went::Nowhere(why) => {
+            Outcome::Failed(_) if reach_shrinks(program, reach) => (),
+            Outcome::Failed(why) => {
                 ended = why;
                 break;
             }
-            Went::ToTheEnd(why) => {
+            Outcome::Finished(why) => {
                 ended = why;
                 break;
             }
         }
     }
-    // A start that no step left needs no last program where it keeps what is convex to rounding.
+    // A start without steps needs no last program if it keeps the convex limits to rounding.
     let as_it_came = steps.is_empty() && current.violation <= TOLERANCE;
     let exact = (!as_it_came).then(|| held(program, &current, &at_size));
     if let Some(exact) = exact.flatten() {
@@ -108,23 +108,23 @@ pub fn refine(
     Some((current, steps, ended))
 }
 
-/// What became of a step.
-enum Went {
-    /// The solution after it.
-    On(Solution, Step),
-    /// It leads nowhere from here; a shorter one may.
-    Nowhere(Ended),
-    /// No step is worth it, or there is no time for one.
-    ToTheEnd(Ended),
+/// Outcome of a step.
+enum Outcome {
+    /// It was taken: the solution after it.
+    Taken(Solution, Step),
+    /// It failed; a shorter one may succeed.
+    Failed(Ended),
+    /// No further step is worth it, or there is no time for one.
+    Finished(Ended),
 }
 
-/// One step: the optimum under the limits linearised about the last law, mended or shortened until they hold.
+/// One step: the optimum under the limits linearised about the last law, corrected or shortened until they hold.
 ///
-/// `reach` is the part by which it may make the cam smaller: a size alone in the objective draws the law as far as the
-/// linear rows let it, beyond where they say anything.
-fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Went {
+/// `reach` is the trust region: the largest relative reduction of the size in one step, because an objective of the
+/// size alone goes as far as the linear rows allow.
+fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64) -> Outcome {
     if program.halt.is_asked() {
-        return Went::ToTheEnd(Ended::OutOfTime);
+        return Outcome::Finished(Ended::OutOfTime);
     }
     let near = within_reach(program, current, *reach);
     let mut next = near.clone();
@@ -132,15 +132,15 @@ fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64
     next.seeds = contacts(program, current);
     let Some(target) = solved(&next) else {
         *reach = 0.5 * reach.min(1.0);
-        return Went::Nowhere(Ended::NoSolution);
+        return Outcome::Failed(Ended::NoSolution);
     };
     let merit = program.merit(current);
     let gained = |trial: &Solution| merit - program.merit(trial);
     if gained(&target) <= IMPROVEMENT * merit.abs() {
-        return Went::ToTheEnd(Ended::SmallGain);
+        return Outcome::Finished(Ended::SmallGain);
     }
     let whole = corrected(&near, &target, at_size).filter(|(trial, _)| gained(trial) > 0.0);
-    // Where mending the whole step costs most of what it promised, a part of it may bring more.
+    // If the correction costs most of the predicted gain, a shorter step may gain more.
     let enough = WORTH_MENDING * gained(&target);
     let good = (whole.as_ref()).is_some_and(|(trial, _)| gained(trial) >= enough);
     let (accepted, taken) = if good {
@@ -149,7 +149,7 @@ fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64
     } else {
         let radius = |s: &Solution| at_size.of(s).size().prime_radius();
         let shrinks = 1.0 - radius(&target) / radius(current);
-        // Without a size that is no number, and the reach stays what it is.
+        // NaN without a size: then the reach stays as it is.
         *reach = 0.5 * shrinks.min(*reach).max(0.0);
         let least = whole.as_ref().map_or(0.0, |(trial, _)| gained(trial));
         match shortened(program, current, &target, at_size, least) {
@@ -158,7 +158,7 @@ fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64
         }
     };
     let Some((mut trial, clearance)) = accepted else {
-        return Went::Nowhere(Ended::NoImprovement);
+        return Outcome::Failed(Ended::NoImprovement);
     };
     trial.iterations += current.iterations;
     trial.rounds += current.rounds;
@@ -170,7 +170,7 @@ fn step(program: &Program, current: &Solution, at_size: &AtSize, reach: &mut f64
         clearance,
         taken,
     };
-    Went::On(trial, one)
+    Outcome::Taken(trial, one)
 }
 
 /// The longest part of a step, by halves, that keeps every limit and gains more than `least`; its clearance and the part.
@@ -199,7 +199,7 @@ fn reach_shrinks(program: &Program, reach: f64) -> bool {
     reach > SHORTEST && SIZES.iter().any(|&k| program.cost[k] != 0.0)
 }
 
-/// A start by shrinking a cam that is larger than allowed: the sequence itself with the size in front of what it minimises.
+/// A start by shrinking a cam that is larger than allowed: the sequence with the size as the dominant objective.
 fn shrunk(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     if program.keeps_sizes(&start.extra) {
         return None;
@@ -229,14 +229,13 @@ fn within_reach(program: &Program, current: &Solution, part: f64) -> Program {
     out
 }
 
-/// A solution that holds the limits beside the program's own, from the program's `start`; `None` where
-/// none was found.
+/// A solution that keeps the nonconvex limits too, from a solution of the program; `None` on failure.
 pub fn feasible(program: &Program, start: &Solution, limits: NonconvexLimits) -> Option<Solution> {
     let at_size = AtSize::new(limits, program);
     start::feasible(program, start, &at_size).or_else(|| start::tightened(program, start, &at_size))
 }
 
-/// The law nearest to the last one whose limits hold to rounding, the size held a hair larger.
+/// The law nearest to the last one whose limits hold to rounding, at a slightly larger size.
 fn held(program: &Program, current: &Solution, at_size: &AtSize) -> Option<Solution> {
     // A given size stays as it is.
     let free = at_size.free();

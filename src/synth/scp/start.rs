@@ -8,7 +8,7 @@ use crate::law::Law;
 use crate::synth::limits::{Profile, ProfileSize};
 use crate::synth::qp::{EXTRAS, PEAK, Program, Quadratic, RISE, Row, SIZES, Solution};
 
-/// Steps by which what is asked is tightened, linearisations for each, and the least part that a step may be.
+/// Steps of the tightening, linearisations per step, and the smallest step.
 const TIGHTENINGS: usize = 40;
 const LINEARISATIONS: usize = 8;
 const SMALLEST_SHARE: f64 = 1e-3;
@@ -35,7 +35,7 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
         let mut next = program.clone();
         next.fixed = match at_size.of(&current).profile {
             Some(Profile::Roller(size)) => {
-                // What is sufficient for the curvature says nothing of the loads.
+                // The sufficient restriction covers the curvature, not the loads.
                 let mut rows = linearised(program, &current, at_size, &room);
                 rows.retain(|r| r.name != LimitKind::Curvature);
                 rows.extend(restricted(program, &current, size));
@@ -53,9 +53,9 @@ pub fn feasible(program: &Program, start: &Solution, at_size: &AtSize) -> Option
     None
 }
 
-/// A start by tightening: what the law at hand breaks, of limits that are not convex and of limits on the size, is
-/// first relaxed as far as it breaks them, then step by step to what is asked, each time with the law nearest to the one
-/// before: what is minimised may draw it to where the linearised limits say nothing.
+/// A feasible start by continuation: the nonconvex limits and the limits on the size are relaxed by the violation of
+/// the given law, then tightened to their values in steps. Each step takes the law nearest to the one before, because
+/// minimising the objective could leave the region where the linearisation is valid.
 pub fn tightened(program: &Program, start: &Solution, at_size: &AtSize) -> Option<Solution> {
     let first = least_of(&at_size.clear(program, start)).min(ROOM);
     let asked = program.sizes_within(&start.extra);
@@ -136,7 +136,7 @@ fn nearest_to(program: &Program, before: &Solution) -> Program {
     near.limits.retain(|l| !l.is_on_size_alone());
     let mut near = near.with_sizes_held(before, 0.0);
     near.settings.tolerance = program.settings.tolerance;
-    // A peak is told, not minimised.
+    // The peak is a variable without cost here.
     let peak = (program.cost[PEAK] * before.extra[PEAK]).abs();
     let weight = if peak > 0.0 { HEAVY * peak } else { 1.0 };
     let mut distance = Quadratic::zero(&program.basis);

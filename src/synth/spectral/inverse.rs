@@ -11,7 +11,7 @@ use crate::poly::amplitudes;
 /// had from any finite lift.
 const RESONANCE: f64 = 1e-9;
 
-/// A harmonic law and what is known of its fit.
+/// A harmonic law and its remainder.
 pub struct Spectral {
     /// Mean, then cosine and sine amplitudes of lift, m.
     pub x: Vec<f64>,

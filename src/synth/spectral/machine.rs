@@ -11,7 +11,7 @@ use crate::synth::MachineReport;
 use crate::synth::design::machine::mean_power;
 use std::f64::consts::{PI, TAU};
 
-/// A mean force nearer to the target's, as a part of it, is the target's: its torque is known already.
+/// Within this relative distance the mean force is that of the target, whose torque is cached.
 const SAME: f64 = 1e-13;
 /// Steps of Newton's method to a crest of the pressure; it settles in three or four.
 const STEPS: usize = 12;

@@ -1,4 +1,4 @@
-//! A force taken apart into its harmonics, and what laws of its first harmonics give, each found once.
+//! The harmonics of a force, and the figures of laws of its first harmonics, each computed once.
 
 use std::sync::{Arc, OnceLock};
 
@@ -9,10 +9,10 @@ use crate::law::Law;
 use crate::poly::{PiecewisePoly, amplitudes, harmonic_extremes, harmonic_values};
 use crate::problem::piecewise;
 
-/// A remainder this near to what is asked (as part of the whole power) leaves the count to the solver.
+/// Where the remainder is this near to the required one (relative to the whole power), the solver decides the count.
 const UNDECIDED: f64 = 1e-10;
 
-/// One turn of force with what can be said of it before a scene is known.
+/// One turn of force with everything about it that depends on no scene.
 pub struct HarmonicTarget {
     /// Mean of its samples, N.
     pub mean: f64,

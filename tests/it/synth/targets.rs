@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 
+use gaitcam::Problem;
 use gaitcam::force::{Feet, ForceCurve, model};
 use gaitcam::scene;
 use gaitcam::synth::{Design, Figures, synthesise, trade, traded};
@@ -237,7 +238,8 @@ fn the_front_falls_and_ends_at_the_unlimited_law() {
         let scene = read(changes);
         let against = traded(pair).unwrap();
         let of = |design: &Design| against.value(&Figures::of(design));
-        let front = trade(&scene, Some(&target), against, 8).unwrap();
+        let problem = Problem::resolve(&scene, Some(&target)).unwrap();
+        let front = trade(&problem, against, 8).unwrap();
         assert!(front.len() >= 6, "{pair}: {}", front.len());
         for t in &front {
             assert!(

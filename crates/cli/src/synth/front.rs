@@ -7,6 +7,7 @@ use crate::console::exit_code::{BUILT, NO_SUCH_CAM};
 use crate::console::terminal::{print, print_json, report};
 use crate::console::words::{self, fixed};
 use crate::input;
+use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::synth::{Figure, Figures, Trade, trade, traded};
 use gaitcam::wording::people;
@@ -41,7 +42,11 @@ pub fn run(args: &SynthArgs, pair: &str) -> Result<u8> {
     )?)?;
     let target = input.target()?;
     let points = args.points.unwrap_or(POINTS) as usize;
-    let front = trade(&input.scene, target.as_ref(), against, points)?;
+    let front = trade(
+        &Problem::resolve(&input.scene, target.as_ref())?,
+        against,
+        points,
+    )?;
     if front.is_empty() {
         report(words::text("trade-none"));
         return Ok(NO_SUCH_CAM);

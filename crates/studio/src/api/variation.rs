@@ -7,6 +7,7 @@ use super::table;
 use crate::form::typed;
 use crate::studio::Studio;
 use crate::words;
+use gaitcam::Problem;
 use gaitcam::error::Result;
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::Scene;
@@ -161,7 +162,8 @@ pub fn front(studio: &Studio, asked: &Trade) -> Result<Value> {
     let against = traded(&format!("force_error:{}", asked.against))?;
     let (scene, _) = studio.scene(&table(&asked.scene)?)?;
     let target = studio.sources.target(&studio.folder, &scene)?;
-    let front = trade(&scene, target.as_ref(), against, POINTS)?;
+    let problem = Problem::resolve(&scene, target.as_ref())?;
+    let front = trade(&problem, against, POINTS)?;
     let (unit, factor) = people(against.unit);
     let language = words::current();
     let points = front.iter().map(|point| {
