@@ -1,7 +1,7 @@
 //! Derivatives of the loads by differences; the pressure against the contact's own.
 
 use super::loads::{Loads, Pressure};
-use super::nonconvex::{ProfileSize, Slack};
+use super::slack::{ProfileSize, Slack};
 use crate::cam::{Follower, LimitKind};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, line, modulus};

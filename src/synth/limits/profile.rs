@@ -219,7 +219,7 @@ fn with_size_at_rest(mut slacks: Vec<Slack>, by_radius: f64) -> Vec<Slack> {
 mod tests {
     use super::*;
     use crate::cam::{Cam, Follower as Kind};
-    use crate::law::{Extent, Rise, Segment, program};
+    use crate::law::{Extent, Law, Rise, Segment, program};
     use crate::synth::limits::nonconvex::{NonconvexLimits, clearances};
 
     fn law(lift: f64) -> Law {
