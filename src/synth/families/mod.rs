@@ -4,7 +4,7 @@ mod accuracy_bound;
 mod choose;
 mod demands;
 mod double_harmonic;
-mod easing;
+pub mod easing;
 mod harmonic;
 mod polynomial;
 mod program;

@@ -7,7 +7,7 @@ use crate::problem::{Problem, Size};
 use crate::synth::design::named::key_of;
 use crate::synth::design::reason::Reason;
 use crate::synth::design::{Conflicting, Infeasible, Relaxation};
-use crate::synth::easing;
+use crate::synth::families::easing;
 use crate::synth::families::{Refusal, at_own_size};
 use crate::synth::limits::NonconvexLimits;
 use crate::synth::qp::{Demand, EXTRAS, Failure, Limit, Meaning, PEAK, Program, Quadratic};
