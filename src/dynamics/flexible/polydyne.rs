@@ -61,15 +61,7 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
     }
     let lag = damping * drive.speed / stiffness;
     let terms = if lag > 0.0 { smooth - needed } else { 0 };
-    // Σ αₙ dⁿ/dθⁿ, for n = 0, 1, …
-    let mut alpha = vec![0.0; 3 + terms];
-    for i in 0..=terms {
-        let factor = (-lag).powi(i as i32) / stiffness;
-        for (j, w) in weights[..3].iter().enumerate() {
-            alpha[i + j] += factor * w;
-        }
-    }
-    alpha[0] += 1.0;
+    let alpha = series(&weights, stiffness, lag, terms);
     let rest = drive.rest_force / stiffness;
     let poly = target.poly();
     let one_piece = poly.pieces() == 1 && poly.degree() == 0;
@@ -98,6 +90,19 @@ pub fn polydyne(target: &Law, drive: &Drive, train: &Train) -> Result<Law> {
         waves
     };
     Ok(Law::with_waves(sum, waves, true))
+}
+
+/// Coefficients αₙ of s = Σ αₙ dⁿy/dθⁿ, with so many terms of the damping's series.
+fn series(weights: &[f64; 4], stiffness: f64, lag: f64, terms: usize) -> Vec<f64> {
+    let mut alpha = vec![0.0; 3 + terms];
+    for i in 0..=terms {
+        let factor = (-lag).powi(i as i32) / stiffness;
+        for (j, w) in weights[..3].iter().enumerate() {
+            alpha[i + j] += factor * w;
+        }
+    }
+    alpha[0] += 1.0;
+    alpha
 }
 
 /// s over y for e^{irθ}: 1 + (k − m r²ω² + i r c ω)/(k₁ + i r c₁ ω), real and imaginary part.

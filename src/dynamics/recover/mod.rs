@@ -220,27 +220,10 @@ fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[
     let slopes: Vec<f64> = slopes.iter().map(|v| v - drift).collect();
     let accelerations = spline_slopes(&slopes, step, closed);
     let spans = if closed { n } else { n - 1 };
-    let mut rising = Vec::with_capacity(n);
-    let mut pieces = Vec::with_capacity(spans);
-    let mut lift = 0.0;
-    for i in 0..spans {
-        let k = (i + 1) % n;
-        let velocity = [
-            slopes[i],
-            slopes[i] + accelerations[i] * step / 3.0,
-            slopes[k] - accelerations[k] * step / 3.0,
-            slopes[k],
-        ];
-        rising.push(lift);
-        let piece: Vec<f64> = bernstein::antiderivative(&velocity)
-            .iter()
-            .map(|x| lift + step * x)
-            .collect();
-        lift = piece[4];
-        pieces.push(piece);
-    }
+    let pieces = integrated(spans, step, &slopes, &accelerations);
+    let mut rising: Vec<f64> = pieces.iter().map(|piece| piece[0]).collect();
     if !closed {
-        rising.push(lift);
+        rising.extend(pieces.last().map(|piece| piece[4]));
     }
     let level = heights.iter().zip(&rising).map(|(h, r)| h - r).sum::<f64>() / n as f64;
     let mismatch = heights
@@ -272,6 +255,25 @@ fn from_heights(start: f64, step: f64, closed: bool, heights: &[f64], slopes: &[
         nodes,
         mismatch,
     }
+}
+
+/// Bernstein coefficients of the lift, from 0 at the first node, that has these slopes and accelerations.
+fn integrated(spans: usize, step: f64, slopes: &[f64], accelerations: &[f64]) -> Vec<Vec<f64>> {
+    let mut lift = 0.0;
+    let piece = |i: usize| {
+        let k = (i + 1) % slopes.len();
+        let velocity = [
+            slopes[i],
+            slopes[i] + accelerations[i] * step / 3.0,
+            slopes[k] - accelerations[k] * step / 3.0,
+            slopes[k],
+        ];
+        let whole = bernstein::antiderivative(&velocity);
+        let piece: Vec<f64> = whole.iter().map(|x| lift + step * x).collect();
+        lift = piece[4];
+        piece
+    };
+    (0..spans).map(piece).collect()
 }
 
 #[cfg(test)]

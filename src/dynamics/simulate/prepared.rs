@@ -45,6 +45,96 @@ pub(super) struct Prepared {
 }
 
 pub(super) fn prepare(input: &Run) -> Result<Prepared> {
+    check_machine(input)?;
+    let drive = &input.drive;
+    let cycle = Cycle::of(&input.cam.law);
+    let emitted = recover_cam(&input.cam, &input.profile, cycle)?;
+    let law_mismatch = mismatch(input, &emitted.nodes);
+    let mut notes = Vec::new();
+    let reversed = drive.speed < 0.0;
+    let held = held(&input.cam, input.machine.conjugate.as_ref());
+    refuse_unknown(input, cycle, held)?;
+    let n = input.profile.len();
+    let (laws, lift) = lifts(input, emitted.law, reversed);
+    let start = laws[0].extent().0;
+    let step = cycle.step(n);
+    let at = |i: usize| start + step * i as f64;
+    let single = laws.len() == 1 && !reversed;
+    let nodes = if single {
+        emitted.nodes
+    } else {
+        (0..n).map(|i| lift.svaj(at(i))).collect()
+    };
+    let sign = if reversed { -1.0 } else { 1.0 };
+    let parts = (0..n).map(|i| sign * at(i) / cycle.length);
+    let target = input
+        .target
+        .as_ref()
+        .map(|t| target_at(t, parts))
+        .transpose()?;
+    let second = match &input.machine.conjugate {
+        Some(cam) => Some(conjugate_nodes(cam, n, reversed, &nodes, &mut notes)?),
+        None => None,
+    };
+    let follower = &input.cam.follower;
+    if follower.is_oscillating() {
+        notes.push(RunNote::Swings);
+    }
+    Ok(Prepared {
+        drive: Drive {
+            speed: drive.speed.abs(),
+            ..*drive
+        },
+        reversed,
+        laws,
+        lift,
+        nodes,
+        second,
+        start,
+        cycle,
+        step,
+        reach: rigid::reach(follower),
+        bearing: bearing(input),
+        measures: follower.measures(),
+        held,
+        rubs: input.machine.friction > 0.0
+            && rubs(follower)
+            && !matches!(follower, Follower::FlatTranslating { .. }),
+        target,
+        mismatch: emitted.mismatch,
+        law_mismatch,
+        notes,
+    })
+}
+
+/// Largest difference between the lift of the emitted points and the law's, m.
+fn mismatch(input: &Run, nodes: &[Svaj]) -> f64 {
+    let pairs = input.profile.iter().zip(nodes);
+    let differences = pairs.map(|(p, at)| (input.cam.law.svaj(p.theta).s - at.s).abs());
+    differences.fold(0.0, f64::max)
+}
+
+/// The follower at its largest contact pressure: a barrel's at the floor of its groove.
+fn bearing(input: &Run) -> Follower {
+    match (input.cam.follower, input.machine.groove_floor) {
+        (barrel @ Follower::Barrel { .. }, Some(floor)) => barrel.with_base_radius(floor),
+        (follower, _) => follower,
+    }
+}
+
+/// The lift of each cam in the sense of turning, and that of the higher one.
+fn lifts(input: &Run, law: Law, reversed: bool) -> (Vec<Law>, Law) {
+    let first = if reversed { law.reversed() } else { law };
+    let Some(angle) = input.machine.second_cam else {
+        return (vec![first.clone()], first);
+    };
+    let second = shifted(&first, if reversed { -angle } else { angle });
+    let lift = envelope(&first, &second);
+    (vec![first, second], lift)
+}
+
+/// Refuses invalid machine data.
+fn check_machine(input: &Run) -> Result<()> {
     let drive = &input.drive;
     let numbers = [
         drive.rest_force,
@@ -73,91 +163,15 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
             return Err(DynamicsError::ContactLine.into());
         }
     }
-    check_restitution(input.machine.restitution)?;
-    let cycle = Cycle::of(&input.cam.law);
-    let emitted = recover_cam(&input.cam, &input.profile, cycle)?;
-    let law_mismatch = input
-        .profile
-        .iter()
-        .zip(&emitted.nodes)
-        .fold(0.0_f64, |m, (p, at)| {
-            m.max((input.cam.law.svaj(p.theta).s - at.s).abs())
-        });
-    let mut notes = Vec::new();
-    let reversed = drive.speed < 0.0;
-    let held = held(&input.cam, input.machine.conjugate.as_ref());
-    refuse_unknown(input, cycle, held)?;
-    let forward = Drive {
-        speed: drive.speed.abs(),
-        ..*drive
-    };
-    let one = if reversed {
-        emitted.law.reversed()
-    } else {
-        emitted.law
-    };
-    let n = input.profile.len();
-    let start = one.extent().0;
-    let mut laws = vec![one];
-    let mut lift = laws[0].clone();
-    if let Some(angle) = input.machine.second_cam {
-        let second = shifted(&laws[0], if reversed { -angle } else { angle });
-        lift = envelope(&lift, &second);
-        laws.push(second);
+    check_restitution(input.machine.restitution)
+}
+
+/// Target at shares of its cycle.
+fn target_at(target: &[f64], parts: impl Iterator<Item = f64>) -> Result<Vec<f64>> {
+    if target.is_empty() || target.iter().any(|f| !f.is_finite()) {
+        return Err(DynamicsError::Target.into());
     }
-    let step = cycle.step(n);
-    let at = |i: usize| start + step * i as f64;
-    let single = laws.len() == 1 && !reversed;
-    let nodes = if single {
-        emitted.nodes
-    } else {
-        (0..n).map(|i| lift.svaj(at(i))).collect()
-    };
-    let sign = if reversed { -1.0 } else { 1.0 };
-    let target = match &input.target {
-        Some(values) if values.is_empty() || values.iter().any(|f| !f.is_finite()) => {
-            return Err(DynamicsError::Target.into());
-        }
-        Some(values) => Some(
-            (0..n)
-                .map(|i| phase_value(values, sign * at(i) / cycle.length))
-                .collect(),
-        ),
-        None => None,
-    };
-    let second = match &input.machine.conjugate {
-        Some(cam) => Some(conjugate_nodes(cam, n, reversed, &nodes, &mut notes)?),
-        None => None,
-    };
-    let follower = &input.cam.follower;
-    if follower.is_oscillating() {
-        notes.push(RunNote::Swings);
-    }
-    Ok(Prepared {
-        drive: forward,
-        reversed,
-        laws,
-        lift,
-        nodes,
-        second,
-        start,
-        cycle,
-        step,
-        reach: rigid::reach(follower),
-        bearing: match (follower, input.machine.groove_floor) {
-            (Follower::Barrel { .. }, Some(floor)) => follower.with_base_radius(floor),
-            _ => *follower,
-        },
-        measures: follower.measures(),
-        held,
-        rubs: input.machine.friction > 0.0
-            && rubs(follower)
-            && !matches!(follower, Follower::FlatTranslating { .. }),
-        target,
-        mismatch: emitted.mismatch,
-        law_mismatch,
-        notes,
-    })
+    Ok(parts.map(|part| phase_value(target, part)).collect())
 }
 
 /// Refuses machines that no model covers.

@@ -41,28 +41,7 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     );
     let mut out = p.outcome(Model::Contact);
     let (from, to) = run.window();
-    let n = p.nodes.len();
-    let total = n * run.period;
-    let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
-    let mut k = 0;
-    for i in 0..total {
-        let angle = from + TAU * i as f64 / n as f64;
-        while k + 1 < run.stretches.len() && run.stretches[k].to <= angle {
-            k += 1;
-        }
-        let state = run.stretches.get(k).map(|s| s.phase);
-        let (force, lift) = match state {
-            Some(Phase::Contact { surface }) => {
-                let at = surfaces[surface].at(angle);
-                (p.drive.force(at), at.s)
-            }
-            Some(Phase::Flight(flight)) => (0.0, flight.at(angle).0),
-            Some(Phase::Parted { surface }) => (0.0, surfaces[surface].at(angle).s),
-            None => (0.0, 0.0),
-        };
-        forces.push(force);
-        heights.push(lift - p.nodes[i % n].s);
-    }
+    let (forces, heights) = samples(&run, &surfaces, p);
     let sums = integrate(&run, &surfaces, input, p);
     let pressed: f64 = run
         .steady_impacts()
@@ -96,6 +75,34 @@ pub fn contact_run(input: &Run, p: &Prepared) -> Result<Outcome> {
     }
     out.impacts = run.impacts;
     Ok(out)
+}
+
+/// Contact force, and height over the lift, at the rows of one repetition.
+fn samples(run: &ContactRun, surfaces: &[Surface], p: &Prepared) -> (Vec<f64>, Vec<f64>) {
+    let (from, _) = run.window();
+    let n = p.nodes.len();
+    let total = n * run.period;
+    let (mut forces, mut heights) = (Vec::with_capacity(total), Vec::with_capacity(total));
+    let mut k = 0;
+    for i in 0..total {
+        let angle = from + TAU * i as f64 / n as f64;
+        while k + 1 < run.stretches.len() && run.stretches[k].to <= angle {
+            k += 1;
+        }
+        let state = run.stretches.get(k).map(|s| s.phase);
+        let (force, lift) = match state {
+            Some(Phase::Contact { surface }) => {
+                let at = surfaces[surface].at(angle);
+                (p.drive.force(at), at.s)
+            }
+            Some(Phase::Flight(flight)) => (0.0, flight.at(angle).0),
+            Some(Phase::Parted { surface }) => (0.0, surfaces[surface].at(angle).s),
+            None => (0.0, 0.0),
+        };
+        forces.push(force);
+        heights.push(lift - p.nodes[i % n].s);
+    }
+    (forces, heights)
 }
 
 /// Integrals and extremes over one repetition.
