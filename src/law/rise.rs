@@ -13,6 +13,7 @@ pub use ends::{End, Ends, Factors};
 use super::{Condition, Law, Svaj, hermite_birkhoff, pieces::Pieces};
 use crate::error::{Error, LawError, Result, nearest};
 use std::f64::consts::PI;
+use std::mem::discriminant;
 
 /// A motion from one lift to another.
 ///
@@ -99,72 +100,50 @@ pub enum Rise {
     },
 }
 
+/// Every motion without data of the user, by its name in a scene file; SCCA with equal ends b = c = ¼.
+#[rustfmt::skip]
+static CATALOGUE: [(&str, Rise); 24] = [
+    ("constant-velocity",        Rise::ConstantVelocity),
+    ("parabolic",                Rise::Parabolic),
+    ("cubic",                    Rise::Cubic),
+    ("simple-harmonic",          Rise::SimpleHarmonic),
+    ("double-harmonic",          Rise::DoubleHarmonic),
+    ("cycloidal",                Rise::Cycloidal),
+    ("semiharmonic-start",       Rise::SemiharmonicStart),
+    ("semiharmonic-end",         Rise::SemiharmonicEnd),
+    ("semicycloidal-start",      Rise::SemicycloidalStart),
+    ("semicycloidal-end",        Rise::SemicycloidalEnd),
+    ("modified-trapezoid",       Rise::ModifiedTrapezoid),
+    ("modified-sine",            Rise::ModifiedSine),
+    ("scca",                     Rise::Scca { b: 0.25, c: 0.25, d: 0.5 }),
+    ("3-4-5",                    Rise::Poly345),
+    ("4-5-6-7",                  Rise::Poly4567),
+    ("5-6-7-8-9",                Rise::Poly56789),
+    ("polynomial-5",             Rise::Polynomial { degree: 5 }),
+    ("polynomial-7",             Rise::Polynomial { degree: 7 }),
+    ("berzak-d",                 Rise::BerzakD),
+    ("gutman-1-3",               Rise::Gutman13),
+    ("freudenstein-1-3",         Rise::Freudenstein13),
+    ("freudenstein-1-3-at-rest", Rise::Freudenstein13AtRest),
+    ("freudenstein-1-3-5",       Rise::Freudenstein135),
+    ("eccentric",                Rise::Eccentric { ratio: f64::INFINITY }),
+];
+
 impl Rise {
-    /// Every motion that needs no data of the user's, SCCA with equal ends b = c = ¼.
+    /// Every motion without data of the user, SCCA with equal ends b = c = ¼.
     pub fn catalogue() -> Vec<Rise> {
-        vec![
-            Rise::ConstantVelocity,
-            Rise::Parabolic,
-            Rise::Cubic,
-            Rise::SimpleHarmonic,
-            Rise::DoubleHarmonic,
-            Rise::Cycloidal,
-            Rise::SemiharmonicStart,
-            Rise::SemiharmonicEnd,
-            Rise::SemicycloidalStart,
-            Rise::SemicycloidalEnd,
-            Rise::ModifiedTrapezoid,
-            Rise::ModifiedSine,
-            Rise::Scca {
-                b: 0.25,
-                c: 0.25,
-                d: 0.5,
-            },
-            Rise::Poly345,
-            Rise::Poly4567,
-            Rise::Poly56789,
-            Rise::Polynomial { degree: 5 },
-            Rise::Polynomial { degree: 7 },
-            Rise::BerzakD,
-            Rise::Gutman13,
-            Rise::Freudenstein13,
-            Rise::Freudenstein13AtRest,
-            Rise::Freudenstein135,
-            Rise::Eccentric {
-                ratio: f64::INFINITY,
-            },
-        ]
+        CATALOGUE.iter().map(|row| row.1.clone()).collect()
     }
 
     /// The name in a scene file.
     pub fn name(&self) -> &str {
         match self {
             Rise::Dwell => "dwell",
-            Rise::ConstantVelocity => "constant-velocity",
-            Rise::Parabolic => "parabolic",
-            Rise::Cubic => "cubic",
-            Rise::SimpleHarmonic => "simple-harmonic",
-            Rise::DoubleHarmonic => "double-harmonic",
-            Rise::Cycloidal => "cycloidal",
-            Rise::SemiharmonicStart => "semiharmonic-start",
-            Rise::SemiharmonicEnd => "semiharmonic-end",
-            Rise::SemicycloidalStart => "semicycloidal-start",
-            Rise::SemicycloidalEnd => "semicycloidal-end",
-            Rise::ModifiedTrapezoid => "modified-trapezoid",
-            Rise::ModifiedSine => "modified-sine",
-            Rise::Scca { .. } => "scca",
-            Rise::Poly345 => "3-4-5",
-            Rise::Poly4567 => "4-5-6-7",
-            Rise::Poly56789 => "5-6-7-8-9",
-            Rise::Polynomial { degree: 5 } => "polynomial-5",
-            Rise::Polynomial { .. } => "polynomial-7",
-            Rise::BerzakD => "berzak-d",
-            Rise::Gutman13 => "gutman-1-3",
-            Rise::Freudenstein13 => "freudenstein-1-3",
-            Rise::Freudenstein13AtRest => "freudenstein-1-3-at-rest",
-            Rise::Freudenstein135 => "freudenstein-1-3-5",
-            Rise::Eccentric { .. } => "eccentric",
             Rise::User { name, .. } => name,
+            Rise::Polynomial { degree } if *degree != 5 => "polynomial-7",
+            rise => (CATALOGUE.iter())
+                .find(|row| discriminant(&row.1) == discriminant(rise))
+                .map_or("", |row| row.0),
         }
     }
 

@@ -97,14 +97,19 @@ pub(super) fn prepare(input: &Run) -> Result<Prepared> {
         bearing: bearing(input),
         measures: follower.measures(),
         held,
-        rubs: input.machine.friction > 0.0
-            && rubs(follower)
-            && !matches!(follower, Follower::FlatTranslating { .. }),
+        rubs: has_own_friction(input),
         target,
         mismatch: emitted.mismatch,
         law_mismatch,
         notes,
     })
+}
+
+/// Whether friction changes the torque in another way than under a flat face that translates.
+fn has_own_friction(input: &Run) -> bool {
+    let follower = &input.cam.follower;
+    let is_flat = matches!(follower, Follower::FlatTranslating { .. });
+    input.machine.friction > 0.0 && rubs(follower) && !is_flat
 }
 
 /// Largest difference between the lift of the emitted points and the law's, m.
