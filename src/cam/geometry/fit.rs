@@ -54,7 +54,12 @@ impl Cam {
                 self.check_arm_speed(pivot_distance.signum())
             }
             Follower::TranslatingCam { .. } | Follower::Barrel { .. } => Ok(()),
-            _ => {
+            // On an arm: above.
+            Follower::FlatTranslating { .. }
+            | Follower::RollerTranslating { .. }
+            | Follower::MushroomTranslating { .. }
+            | Follower::RollerOscillating { .. }
+            | Follower::MushroomOscillating { .. } => {
                 self.check_offset()?;
                 self.check_above_centre(low)
             }

@@ -78,7 +78,11 @@ impl Geometry {
                 base: 0.0,
                 radius,
             }),
-            _ => Geometry::Circle(Circle {
+            // On an arm: above.
+            Follower::RollerTranslating { .. }
+            | Follower::MushroomTranslating { .. }
+            | Follower::RollerOscillating { .. }
+            | Follower::MushroomOscillating { .. } => Geometry::Circle(Circle {
                 rise: follower.start_height(),
                 offset: follower.offset(),
                 radius,

@@ -153,7 +153,11 @@ fn place(follower: &Follower, at: Svaj) -> Place {
         } => swinging_face(follower, at, pivot_distance, face_offset),
         Follower::TranslatingCam { .. } => unrolled(follower, at, 1.0),
         Follower::Barrel { radius, .. } => unrolled(follower, at, radius),
-        _ => {
+        // On an arm: above.
+        Follower::RollerTranslating { .. }
+        | Follower::MushroomTranslating { .. }
+        | Follower::RollerOscillating { .. }
+        | Follower::MushroomOscillating { .. } => {
             let centre = [follower.offset(), follower.start_height() + at.s];
             circle(follower, at, centre, [0.0, 1.0], [0.0, 0.0], None)
         }
