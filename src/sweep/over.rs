@@ -17,7 +17,7 @@ use crate::scene::Scene;
 ///
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let table = Sweep::over(&scene).vary("limits.stroke", "45 mm:60 mm:4").run()?;
-/// assert_eq!(table.numbers("limits.stroke_m").unwrap()[1], 0.05);
+/// assert!((table.numbers("limits.stroke_m").unwrap()[1] - 0.05).abs() < 1e-15);
 /// assert_eq!(table.words("verdict").unwrap().at(3), Some("acceptable"));
 /// # Ok::<(), gaitcam::error::Error>(())
 /// ```
