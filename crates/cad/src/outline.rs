@@ -1,4 +1,4 @@
-//! The edges that are cut, in the frame of the drawing: what DXF and SVG have in common.
+//! The edges to cut, in the frame of the drawing; used by every exporter.
 //!
 //! A disc has one closed edge, a conjugate pair one for each cam, a sliding cam one with two ends. A
 //! barrel's groove, unrolled, has two walls with two ends each, even where its law closes: there the
@@ -190,7 +190,7 @@ pub fn zero_mark(base: f64, bore: f64) -> [[f64; 2]; 2] {
     [[0.0, 0.5 * (base + bore)], [0.0, base]]
 }
 
-/// The arrow that tells how the cam turns: an arc about the centre, on the side away from the mark of θ = 0.
+/// Arrow in the sense of rotation: an arc about the centre, on the side away from the mark of θ = 0.
 pub struct Arrow {
     /// Whether θ falls: the profile's angle grows counter-clockwise.
     pub clockwise: bool,

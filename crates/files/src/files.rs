@@ -5,13 +5,12 @@ use std::cell::OnceCell;
 use gaitcam::cam::Wall;
 use gaitcam::error::{Error, Result};
 use gaitcam::synth::Design;
-use gaitcam_cad::cutter::{self, Gouge};
-use gaitcam_cad::{drawing, dxf, gcode, solid, step, svg};
-use gaitcam_output::{Language, Picture, Timing, csv, plots, report, xlsx};
+use gaitcam_cad::{cutter, drawing, dxf, gcode, solid, step, svg};
+use gaitcam_output::{Picture, Timing, csv, plots, report, xlsx};
 
-/// Rows of law.csv and profile.csv unless the user asks for another number.
-pub const ROWS: usize = 1440;
-/// Vertices of a solid's profile and of the polylines beside the arcs.
+use crate::contents::{Contents, Remark};
+
+/// Vertices of a solid's profile and of the polylines in the drawing with arcs.
 const VERTICES: usize = 720;
 /// Largest distance of the fitted arcs from the profile, m.
 const ARCS: f64 = 1e-6;
@@ -91,87 +90,12 @@ enum With {
     Finish,
 }
 
-/// What the files of a design are to contain.
-#[derive(Debug, Clone, Copy)]
-pub struct Contents {
-    /// Rows of law.csv and profile.csv.
-    pub points: usize,
-    /// Pictures as PNG beside SVG.
-    pub png: bool,
-    /// Solids, arcs and a workbook for manufacturing.
-    pub solid: bool,
-    /// Radius of a cutter whose path is written, m.
-    pub tool: Option<f64>,
-    /// Half the diameter of a wire and its spark gap, m: its path is written.
-    pub wire: Option<f64>,
-    /// Layers of the DXF drawings.
-    pub drawn: dxf::Content,
-    /// Edges of profile.dxf as arcs or splines.
-    pub curves: dxf::Curves,
-    /// Title block of the drawing.
-    pub title: drawing::Title,
-    /// Language of pictures and report.
-    pub language: Language,
-}
-
-impl Default for Contents {
-    fn default() -> Contents {
-        Contents {
-            points: ROWS,
-            png: true,
-            solid: false,
-            tool: None,
-            wire: None,
-            drawn: dxf::Content::All,
-            curves: dxf::Curves::default(),
-            title: drawing::Title::default(),
-            language: Language::En,
-        }
-    }
-}
-
 /// What files are made from; each picture is drawn once for SVG and PNG.
 pub struct Source<'a> {
     design: &'a Design,
     time: Timing,
     contents: &'a Contents,
     pictures: [OnceCell<Picture>; 3],
-}
-
-/// What the user is told about the files for manufacturing.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Remark {
-    /// There is no solid.
-    NoSolid(Error),
-    /// There is no STEP file.
-    NoStep(Error),
-    /// Arcs in profile_arcs.dxf.
-    Arcs {
-        /// How many.
-        arcs: usize,
-        /// Largest distance from the profile, m.
-        deviation: f64,
-    },
-    /// There are none.
-    NoArcs,
-    /// No hole has room to balance a cam.
-    NoBalanceHole,
-    /// The cutter damages the profile.
-    Gouge(Gouge),
-    /// There is no program for the cutter or the wire.
-    NoProgram(Error),
-}
-
-impl Remark {
-    /// Why a file could not be made, if the remark is about that.
-    pub fn into_fault(self) -> Option<Error> {
-        match self {
-            Remark::NoSolid(fault) | Remark::NoStep(fault) | Remark::NoProgram(fault) => {
-                Some(fault)
-            }
-            Remark::Arcs { .. } | Remark::NoArcs | Remark::NoBalanceHole | Remark::Gouge(_) => None,
-        }
-    }
 }
 
 /// The bytes of a file, if it can be made, with remarks about it.
@@ -205,7 +129,7 @@ const fn file(
     }
 }
 
-/// Every file that a design may have beside its scene, in the order of writing.
+/// Every file that a design may have except its scene, in the order of writing.
 pub const ALL: [File; 25] = {
     use Group::{Drawings, Pictures, Report, Tables, Workshop};
     use Of::{All, Barrels, Cams, Pairs, Plates, Profiles};

@@ -8,6 +8,7 @@
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
 pub mod blocks;
+mod contents;
 pub mod design;
 mod earlier;
 pub mod files;
@@ -16,6 +17,7 @@ pub mod result_folder;
 pub mod scene;
 pub mod target;
 
-pub use files::{Contents, Remark, Source};
+pub use contents::{Contents, ROWS, Remark};
+pub use files::Source;
 pub use result_folder::ResultFolder;
 pub use scene::Input;

@@ -37,7 +37,7 @@ pub fn read_standard_input() -> Result<String> {
         .map_err(|e| FileError::NotUtf8.at_byte(place, e.utf8_error().valid_up_to()))
 }
 
-/// A pipe that nobody writes to and a device that never ends are refused before they are opened.
+/// Pipes and devices, which may never end, are refused before they are opened.
 fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>> {
     let fault = |e: std::io::Error| cannot_be_read(path, &e);
     let about = fs::metadata(path).map_err(fault)?;

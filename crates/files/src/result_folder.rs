@@ -17,7 +17,7 @@ const READY: &str = ".gaitcam.ready";
 const STALE: &str = ".stale";
 /// Held by the writer.
 const LOCK: &str = ".gaitcam.lock";
-/// Stands in a folder only while the files beside it belong together.
+/// Present only while the files of the folder belong together.
 const SUMMARY: &str = "summary.json";
 
 /// A result folder that is being written.

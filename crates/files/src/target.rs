@@ -39,7 +39,7 @@ pub fn content(folder: &Path, path: &Path) -> Result<Vec<u8>> {
     }
 }
 
-/// A path of a scene: beside the scene file if it is there, else from the working directory.
+/// A path of a scene: relative to the scene file if it exists there, else to the working directory.
 pub fn find(folder: &Path, path: &Path) -> PathBuf {
     let beside = folder.join(path);
     if beside.exists() {
@@ -49,7 +49,7 @@ pub fn find(folder: &Path, path: &Path) -> PathBuf {
     }
 }
 
-/// The table of subjects that lies beside a table of stances, if there is one.
+/// The table of subjects in the folder of a table of stances, if there is one.
 pub fn metadata(path: &Path) -> Option<Vec<u8>> {
     fs::read(force::metadata_name(path)?).ok()
 }

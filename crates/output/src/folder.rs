@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 use gaitcam::error::{Placed, Result, WriteError};
 use tempfile::Builder;
 
-/// A folder that is known to take files.
+/// A folder that files can be written to.
 pub struct Folder {
     path: PathBuf,
 }
 
 impl Folder {
-    /// Creates the folder where needed and proves that it can be written, before any work is done.
+    /// Creates the folder if needed and checks that it can be written, before any work is done.
     pub fn open(path: &Path) -> Result<Folder> {
         let fault = |e: std::io::Error| {
             WriteError::FolderRefuses {
@@ -31,7 +31,7 @@ impl Folder {
         })
     }
 
-    /// Writes one file: beside its place first, then renamed into it.
+    /// Writes one file: to a temporary name first, then renamed.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<()> {
         write_whole(&self.path.join(name), bytes)
     }
@@ -42,28 +42,28 @@ impl Folder {
     }
 }
 
-/// Writes `bytes` to `path` through a neighbour that is renamed at the end.
+/// Writes `bytes` to a temporary file in the same folder and renames it to `path`.
 ///
 /// # Errors
 /// A file that cannot be written.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    through_neighbour(path, "", bytes, |_| Ok(()))
+    through_temporary(path, "", bytes, |_| Ok(()))
 }
 
-/// The same through a hidden neighbour that is on the disk before it has its name: for folders that others read
-/// meanwhile.
+/// The same through a hidden temporary file that is synced before it is renamed: for folders that other processes
+/// read meanwhile.
 ///
 /// # Errors
 /// A file that cannot be written.
 pub fn put_whole(path: &Path, bytes: &[u8]) -> Result<()> {
-    through_neighbour(path, ".", bytes, fs::File::sync_all)
+    through_temporary(path, ".", bytes, fs::File::sync_all)
 }
 
-fn through_neighbour(
+fn through_temporary(
     path: &Path,
     prefix: &str,
     bytes: &[u8],
-    settle: impl FnOnce(&fs::File) -> std::io::Result<()>,
+    sync: impl FnOnce(&fs::File) -> std::io::Result<()>,
 ) -> Result<()> {
     let mut name = OsString::from(prefix);
     name.push(path.file_name().unwrap_or_default());
@@ -77,10 +77,10 @@ fn through_neighbour(
         .suffix(".partial")
         // With the rights that the user's files have, not those of a secret.
         .make_in(folder, |p| fs::File::create_new(p))
-        .and_then(|mut beside| {
-            beside.as_file_mut().write_all(bytes)?;
-            settle(beside.as_file())?;
-            beside.persist(path).map_err(|e| e.error)
+        .and_then(|mut temporary| {
+            temporary.as_file_mut().write_all(bytes)?;
+            sync(temporary.as_file())?;
+            temporary.persist(path).map_err(|e| e.error)
         });
     written.map(|_| ()).map_err(|e| {
         let fault = e.to_string();

@@ -25,7 +25,7 @@ pub fn angles(law: &Law, n: usize) -> impl Iterator<Item = f64> {
     (0..n).map(move |i| start + length * i as f64 / steps as f64)
 }
 
-/// Force wanted at `theta`, N: the target's cycle spread over the law's extent.
+/// Target force at `theta`, N: the target's cycle spread over the law's extent.
 pub fn target_at(target: &ForceCurve, law: &Law, theta: f64) -> f64 {
     let (start, length) = law.extent();
     target.at(std::f64::consts::TAU * ((theta - start) / length))

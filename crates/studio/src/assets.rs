@@ -57,7 +57,7 @@ pub fn file(name: &str) -> Option<Response> {
     Some(Response::new(found.1, text))
 }
 
-/// A file as it stands in the sources: builds for development show a changed page on reload.
+/// The file in the source tree: development builds show a changed page on reload.
 fn fresh(name: &str) -> Option<String> {
     if !cfg!(debug_assertions) {
         return None;

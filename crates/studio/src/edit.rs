@@ -113,7 +113,7 @@ fn set(table: &mut Table, key: &str, value: &str) -> Result<()> {
     scene::set(table, &format!("{key}={value}"))
 }
 
-/// Takes a key out, and the tables that it leaves empty. An empty `[gait]` stands for a force that is still to
+/// Takes a key out, and the tables that it leaves empty. An empty `[gait]` means a force that is still to
 /// be named.
 fn remove(table: &mut Table, key: &str) {
     let Some((first, rest)) = key.split_once('.') else {

@@ -16,7 +16,7 @@ use gaitcam::units::{Dimension, parse};
 pub struct Field {
     /// What the scene file has; empty where it has nothing.
     pub text: String,
-    /// What holds then: the settled value, or the default.
+    /// What applies then: the value in the design, or the default.
     pub placeholder: String,
     /// Whether it changes something in this scene.
     pub acts: bool,
@@ -49,9 +49,9 @@ pub fn fields(table: &Table, scene: &Scene, design: Option<&Design>) -> BTreeMap
         for index in 0..count {
             let path = key.path_at(index);
             let text = typed(table, &path);
-            let settled = settled(key.path, scene, figures.as_ref());
-            let slider = slider(key, scene, index, &text, settled);
-            let placeholder = match settled.zip(key.dimension(scene)) {
+            let in_design = value_in_design(key.path, scene, figures.as_ref());
+            let slider = slider(key, scene, index, &text, in_design);
+            let placeholder = match in_design.zip(key.dimension(scene)) {
                 Some((value, dimension)) if text.is_empty() || text == "auto" => {
                     shown(value, dimension)
                 }
@@ -107,8 +107,8 @@ pub fn typed(table: &Table, path: &str) -> String {
     }
 }
 
-/// The value that a design has where the scene leaves it open, SI.
-fn settled(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
+/// Value that a design has for a key that the scene leaves open, SI.
+fn value_in_design(path: &str, scene: &Scene, figures: Option<&Figures>) -> Option<f64> {
     let figures = figures?;
     let value = match path {
         "gait.step_frequency" => {
@@ -150,7 +150,7 @@ fn slider(
     scene: &Scene,
     index: usize,
     text: &str,
-    settled: Option<f64>,
+    in_design: Option<f64>,
 ) -> Option<Slider> {
     if let Kind::Count(low, high) = key.kind {
         let at = text.parse::<f64>().ok()?;
@@ -168,7 +168,7 @@ fn slider(
         .get(scene, index)
         .and_then(gaitcam::scene::keys::Value::number);
     // A field that is left open shows what the design has; a key without it starts at nothing to slide from.
-    let value = value.or(settled)?;
+    let value = value.or(in_design)?;
     let unit = unit_of(text, dimension);
     let factor = parse(&format!("1{unit}"), dimension)
         .ok()

@@ -1,4 +1,4 @@
-//! Who may ask: only pages of this server that know its token.
+//! Access control: only pages of this server that have its token.
 
 use crate::http::{Head, Response, Status};
 
@@ -12,7 +12,7 @@ pub struct Guard {
 }
 
 impl Guard {
-    /// A guard with a fresh token.
+    /// A guard with a new token.
     ///
     /// # Errors
     /// Where the system has no random numbers.
@@ -28,7 +28,7 @@ impl Guard {
         format!("http://127.0.0.1:{}/?token={}", self.port, self.token)
     }
 
-    /// The folder under which everything lies for who knows the token.
+    /// Path prefix with the token.
     pub fn base(&self) -> String {
         format!("/{}/", self.token)
     }
@@ -45,14 +45,14 @@ impl Guard {
         let own_page = origin.is_none_or(|o| o.is_some_and(|o| own.iter().any(|own| own == o)));
         let upwards = head.path.contains(['\\', '\0'])
             || head.path.split('/').any(|part| part == ".." || part == ".");
-        if hosted && own_page && !upwards && self.knows(head) {
+        if hosted && own_page && !upwards && self.has_token(head) {
             Ok(())
         } else {
             Err(Response::refusal(Status::Forbidden))
         }
     }
 
-    fn knows(&self, head: &Head) -> bool {
+    fn has_token(&self, head: &Head) -> bool {
         let first = head.path.trim_start_matches('/').split('/').next();
         [head.asked("token"), first]
             .into_iter()
@@ -70,7 +70,7 @@ impl Guard {
     }
 }
 
-/// Compares in a time that says nothing of where two texts differ.
+/// Comparison in constant time.
 fn same(a: &[u8], b: &[u8]) -> bool {
     a.len() == b.len() && a.iter().zip(b).fold(0, |d, (x, y)| d | (x ^ y)) == 0
 }

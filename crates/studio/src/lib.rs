@@ -6,9 +6,9 @@
 //!
 //! ```text
 //! http/    connections, heads, answers          guard.rs   token, host, origin
-//! api/     one module per question              folder.rs  the opened folder, and nothing else
+//! api/     one module per question              state/     opened folder, recordings, scheduler, latest designs
 //! edit.rs  changes of a scene's table           form.rs    fields and sliders of a scene
-//! curves.rs  what the diagrams show             sources.rs recordings and load models
+//! curves.rs  what the diagrams show
 //! ```
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -19,28 +19,23 @@ mod assets;
 mod curves;
 mod edit;
 mod fault;
-mod folder;
 mod form;
 mod guard;
 mod http;
-mod recent;
 mod routes;
-mod sources;
-mod studio;
-mod turns;
+mod state;
 mod words;
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fault::StudioError;
-use folder::Folder;
 use gaitcam::error::{Error, Result};
 use gaitcam::scene;
 use gaitcam::wording::Language;
 use guard::Guard;
 use http::Server;
-use studio::{Start, Studio};
+use state::{Folder, Start, Studio};
 
 /// What is opened, and where.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,7 @@
 use crate::api::{self, answer, body, catalogue, design, export, files, recording, variation};
 use crate::assets;
 use crate::http::{Head, Method, Request, Response, Service, Status};
-use crate::studio::Studio;
+use crate::state::Studio;
 use crate::words;
 
 /// Largest body of a question, and of a dropped file, bytes.

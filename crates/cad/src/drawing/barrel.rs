@@ -24,7 +24,7 @@ const RIGHT: f64 = 12.0;
 const ABOVE: f64 = 16.0;
 const BETWEEN: f64 = 30.0;
 const BELOW: f64 = 12.0;
-/// Room beside the end for labels, mm.
+/// Room for labels next to the end view, mm.
 const LABELS: f64 = 44.0;
 
 /// A barrel, with the rows of its table from one index to another.

@@ -37,7 +37,7 @@ struct Scattered {
 
 /// The tolerance that the scene gives, or the widest one offered with which making adds at most half of the error `allowed` (part of the mean
 /// force) to the design's own, squares added, for 95 % of the cams; the narrowest where none does. `None` where
-/// no force is wanted.
+/// there is no target force.
 fn making(design: &Design, allowed: f64) -> Option<Scattered> {
     let scatter = Scatter::new(design).ok()?;
     let of = |tolerance: f64| {

@@ -1,4 +1,4 @@
-//! Helvetica and Symbol, which every PDF reader has: which byte stands for a character, and how wide it is.
+//! Helvetica and Symbol, which every PDF reader has: byte and width of each character.
 //!
 //! Widths in thousandths of an em, from the metrics of the standard fonts; Helvetica in Windows' encoding.
 

@@ -88,7 +88,7 @@ pub struct Layout {
     pub views: Area,
     /// The table.
     pub table: Area,
-    /// Tables beside each other that the rows are dealt to.
+    /// Number of tables side by side over which the rows are distributed.
     pub blocks: usize,
     /// The title block.
     pub title: Area,

@@ -14,7 +14,7 @@ const NARROW: f64 = 14.0;
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 
-/// Two lines of text beside the end of a leader, to the right of it (`side` 1) or to the left (−1).
+/// Two lines of text at the end of a leader, to the right of it (`side` 1) or to the left (−1).
 pub fn label(pen: &mut Pen, text: &[String; 2], from: [f64; 2], end: [f64; 2], side: f64) {
     let shelf = [end[0] + side * SHELF, end[1]];
     pen.line(&[from, end, shelf], Stroke::Thin);

@@ -1,4 +1,4 @@
-//! `drawing.pdf`: the drawing that a machinist works from, one sheet for each cam.
+//! `drawing.pdf`: the workshop drawing, one sheet for each cam.
 //!
 //! Lines and letters only (no pictures), with the fonts every reader has, so that the file stays small and its
 //! numbers can be searched and copied. Lengths on the sheet are millimetres, angles degrees, in the frame of
@@ -11,6 +11,7 @@ mod helvetica;
 mod layout;
 mod leader;
 mod pen;
+mod piece;
 mod radii;
 mod slide;
 mod table;
@@ -23,16 +24,16 @@ use pdf_writer::{Finish, Name, Pdf, Rect, Ref, TextStr};
 
 use crate::words::{Words, words};
 use barrel::Barrel;
-use disc::Piece;
 use layout::Layout;
 use pen::{HELVETICA, POINT, Pen, SYMBOL, Stroke};
+use piece::Piece;
 use slide::Slide;
 use table::Table;
 
 /// Radius of the probing ball that the table is made for, m.
 pub const BALL: f64 = 0.001;
 
-/// What stands in the title block and is no part of the design.
+/// Entries of the title block that are no part of the design.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Title {
     /// The revision: it changes whenever the scene does.
@@ -56,7 +57,7 @@ impl Default for Title {
     }
 }
 
-/// The revision that a scene's text stands for: its CRC-32.
+/// The revision of a scene: CRC-32 of its text.
 pub fn revision(scene: &str) -> u32 {
     crc32fast::hash(scene.as_bytes())
 }
@@ -89,7 +90,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Draws the views; returns the table beside them.
+    /// Draws the views; returns the table that belongs to them.
     fn draw(&self, pen: &mut Pen, layout: &Layout, words: &Words) -> Table {
         match self {
             Subject::Disc(piece) => piece.draw(pen, layout, words),

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use gaitcam::cam::{Bore, Keyway};
 
-use super::disc::Piece;
 use super::layout::{ABOVE, Area, BELOW, BESIDE, LABELS, Layout};
 use super::leader::{self, LETTERS};
 use super::pen::{Anchor, Pen, Stroke};
+use super::piece::Piece;
 use super::radii::farthest;
 use crate::outline::zero_mark;
 use crate::words::Words;
@@ -150,7 +150,7 @@ impl<'a> Views<'a> {
         self.rotation(pen);
     }
 
-    /// The arrow that tells how the cam turns, outside the outline beside the mark of θ = 0.
+    /// Arrow in the sense of rotation, outside the outline near the mark of θ = 0.
     fn rotation(&self, pen: &mut Pen) {
         let sense = if self.piece.clockwise { -1.0 } else { 1.0 };
         let radius = self.around + 0.75 * OVER;

@@ -85,7 +85,7 @@ pub fn plate(synthesis: &Design, plate: Plate) -> Result<Mesh> {
     }
 }
 
-/// The plate with a hole beside the centre: a ray from the centre may meet its edges more than twice, so the faces are
+/// The plate with a hole off the centre: a ray from the centre may meet its edges more than twice, so the faces are
 /// triangulated as polygons with holes.
 fn pierced(outline: Vec<[f64; 2]>, bore: Option<Bore>, hole: Hole, thickness: f64) -> Result<Mesh> {
     let balance = (0..ROUND).map(|i| {

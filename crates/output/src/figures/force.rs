@@ -234,7 +234,7 @@ pub(crate) fn force_frame(layout: Layout) -> Frame {
 /// Upper and lower edge of a band.
 type Band = (Vec<(f64, f64)>, Vec<(f64, f64)>);
 
-/// Upper and lower edge of the band that was asked for, at the angles of what is wanted.
+/// Upper and lower edge of the tolerance band of the scene, at the angles of the target.
 fn asked_band(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
     let [low, high] = synthesis.band.as_ref()?;
     let cam = &synthesis.cam;
@@ -252,7 +252,7 @@ fn apart(curve: &[(f64, f64)], other: &[(f64, f64)]) -> Vec<(f64, f64)> {
     pairs.map(|(c, o)| (c.0, c.1 - o.1)).collect()
 }
 
-/// Upper and lower edge of the step-to-step spread about the wanted force.
+/// Upper and lower edge of the step-to-step spread about the target force.
 fn spread(synthesis: &Design, wanted: &[(f64, f64)]) -> Option<Band> {
     let target = synthesis.target.as_ref()?;
     let sd = target.spread_n.as_ref()?;

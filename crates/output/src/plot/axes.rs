@@ -9,7 +9,7 @@ use crate::plot::sheet::{Canvas, Drawn, Lettering, Plane, line, plane, stroke, u
 use crate::plot::text::text_width;
 use gaitcam_base::text::number;
 
-/// Where a diagram stands on its sheet, points.
+/// Position of a diagram on its sheet, points.
 #[derive(Debug, Clone, Copy)]
 pub struct Frame {
     pub left: f64,
@@ -33,7 +33,7 @@ pub struct Panel<'a, 'c> {
     power: i32,
 }
 
-/// Widest tick that leaves room for the quantity beside it, in letter sizes.
+/// Widest tick label that leaves room for the axis label, in letter sizes.
 const WIDEST_TICK: f64 = 4.3;
 
 /// Round numbers within [low, high], about `count` of them.
@@ -260,7 +260,7 @@ impl<'a, 'c> Panel<'a, 'c> {
 
     /// A curve, cut where it leaves the frame.
     pub fn curve(&self, points: &[(f64, f64)], colour: RGBAColor, width: f64) -> Drawn {
-        // What rounding or interpolation carries a hair past the edge belongs to the curve.
+        // Points slightly outside by rounding or interpolation still belong to the curve.
         let slack = 0.01 * (self.y[1] - self.y[0]);
         let [low, high] = [self.y[0] - slack, self.y[1] + slack];
         let mut part: Vec<(f64, f64)> = Vec::new();
@@ -332,7 +332,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         self.label(degrees, value, maximum, colour, true)
     }
 
-    /// An arrow to the edge of the frame, with ∞ or −∞ beside it: the quantity is infinite at this angle.
+    /// An arrow to the edge of the frame, labelled ∞ or −∞: the quantity is infinite at this angle.
     pub fn infinity(&self, degrees: f64, up: bool, colour: RGBAColor) -> Drawn {
         let level = 0.0_f64.clamp(self.y[0], self.y[1]);
         let [x, from] = self.place(degrees, level);

@@ -56,7 +56,7 @@ impl Coverage {
         self.rows = [height, 0];
     }
 
-    /// Adds one edge of a polygon; what lies beside the page counts at its border.
+    /// Adds one edge of a polygon, clamped to the borders of the page.
     pub fn edge(&mut self, from: [f64; 2], to: [f64; 2]) {
         let down = from[1] < to[1];
         let first_row = self.top as f64;

@@ -80,7 +80,7 @@ impl Picture {
 
     /// 8-bit RGB, one pixel per point.
     pub fn png(&self) -> Vec<u8> {
-        raster::png(self)
+        raster::png(self.width as usize, self.height as usize, &self.shapes)
     }
 
     fn write_shapes(&self, out: &mut String, variables: bool) {

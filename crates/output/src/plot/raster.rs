@@ -6,15 +6,13 @@ use super::outline::{disc, outline, straightened};
 use super::png::{Encoder, Rows, stride};
 use super::sheet::{Ink, Shape};
 use super::text::{Letter, Line};
-use crate::plot::picture::Picture;
 
 /// Rows of a band.
 const BAND: usize = 64;
 
-/// The picture as an 8-bit RGB PNG.
-pub fn png(picture: &Picture) -> Vec<u8> {
-    let (width, height) = (picture.width as usize, picture.height as usize);
-    let layers: Vec<Layer> = picture.shapes.iter().map(Layer::of).collect();
+/// The shapes on a white page as an 8-bit RGB PNG.
+pub fn png(width: usize, height: usize, shapes: &[Shape]) -> Vec<u8> {
+    let layers: Vec<Layer> = shapes.iter().map(Layer::of).collect();
     let mut band = Band::new(width, BAND.min(height));
     let mut file = Encoder::new(width, height);
     for top in (0..height).step_by(BAND) {

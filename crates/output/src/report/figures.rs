@@ -157,7 +157,7 @@ fn cam_words(synthesis: &Design, words: &Words) -> String {
     words.fill("report-alt-cam", &[("base", &base), ("radius", &radius)])
 }
 
-/// The force error, beside the walker's own variation where that is known.
+/// The force error, with the step-to-step variation of the recording if known.
 fn comparison(out: &mut String, synthesis: &Design, words: &Words) {
     let Some(target) = &synthesis.target else {
         return;

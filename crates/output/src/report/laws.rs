@@ -64,7 +64,7 @@ fn section(out: &mut String, rise: &Rise, words: &Words) -> Result<()> {
     Ok(())
 }
 
-/// s, v, a, j beside each other, each with its largest magnitude.
+/// s, v, a, j side by side, each with its largest magnitude.
 fn panels(out: &mut String, law: &Law, factors: &Factors, words: &Words) {
     let (start, length) = law.extent();
     let at = |i: usize| law.svaj(start + length * i as f64 / POINTS as f64);

@@ -52,7 +52,7 @@ pub struct Motion {
     qa: Vec<Option<f64>>,
 }
 
-/// What is read off beside the picture and moves nothing in it.
+/// Values shown next to the picture that move nothing in it.
 #[derive(Default, Serialize)]
 struct Readings {
     torque: Vec<Option<f64>>,
@@ -218,7 +218,7 @@ fn still(synthesis: &Design, theta: f64, at: Svaj) -> Row {
 }
 
 impl Motion {
-    /// The same for a picture beside which nothing is read off.
+    /// The same for a picture without values next to it.
     pub fn without_readings(mut self) -> Motion {
         self.readings = None;
         self

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::http::{Response, Status};
 use crate::lock;
-use crate::studio::Studio;
+use crate::state::Studio;
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::law::Rise;
@@ -39,7 +39,7 @@ pub fn start(studio: &Studio) -> Value {
         "quantities": super::variation::QUANTITIES.map(|q| q.0),
         "trades": super::variation::TRADES,
         "figures": FIGURES.each_ref().map(|f| (f.column, people(f.unit))),
-        "longest_s": crate::turns::LONGEST.as_secs(),
+        "longest_s": crate::state::LONGEST.as_secs(),
     })
 }
 

@@ -13,7 +13,7 @@ use crate::curves::{Colour, Curves, curves};
 use crate::edit::{Edit, apply};
 use crate::fault::StudioError;
 use crate::form::{Field, fields};
-use crate::studio::{Kept, Studio};
+use crate::state::{Kept, Studio};
 use crate::words;
 use gaitcam::Problem;
 use gaitcam::cam::Continuity;
@@ -107,7 +107,7 @@ struct Eased {
 /// What a page hears: its design, or that it has asked again meanwhile.
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Heard {
+pub enum Reply {
     /// The design.
     Answer(Box<Answer>),
     /// Nothing: a newer question is on its way.
@@ -123,24 +123,24 @@ pub enum Heard {
 ///
 /// # Errors
 /// Faults of the changes, of the scene and of its force.
-pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
+pub fn design(studio: &Studio, ask: &Ask) -> Result<Reply> {
     let start = Instant::now();
     let number = ask.number;
     let overtaken = || {
-        Ok(Heard::Overtaken {
+        Ok(Reply::Overtaken {
             superseded: true,
             number,
         })
     };
-    let asked = studio.turns.ask(&ask.page, ask.number);
-    let Some(turn) = studio.turns.take(&asked) else {
+    let ticket = studio.scheduler.register(&ask.page, ask.number);
+    let Some(slot) = studio.scheduler.acquire(&ticket) else {
         return overtaken();
     };
     let mut table = table(&ask.scene)?;
     for edit in &ask.changes {
         apply(&mut table, edit, &|table| Ok(studio.scene(table)?.0))?;
     }
-    let kept = made(studio, &table, turn.asked().halt())?;
+    let kept = made(studio, &table, slot.ticket().halt())?;
     if asked.is_overtaken() {
         return overtaken();
     }
@@ -149,7 +149,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Heard> {
     let mut answer = answer(&kept, id, ask.colour, language);
     answer.number = ask.number;
     answer.server_ms = 1e3 * start.elapsed().as_secs_f64();
-    Ok(Heard::Answer(Box::new(answer)))
+    Ok(Reply::Answer(Box::new(answer)))
 }
 
 /// The design of a table.
@@ -333,12 +333,12 @@ pub struct Which {
 pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     let kept = studio.kept(&which.id).ok_or(StudioError::Forgotten)?;
     let language = words::current();
-    let asked = studio.turns.ask(&which.page, which.number);
+    let ticket = studio.scheduler.register(&which.page, which.number);
     let overtaken = || Ok(json!({"superseded": true, "id": which.id}));
-    let Some(turn) = studio.turns.take(&asked) else {
+    let Some(slot) = studio.scheduler.acquire(&ticket) else {
         return overtaken();
     };
-    let search = Search::until(turn.asked().halt());
+    let search = Search::until(slot.ticket().halt());
     let tried = kept.design.clone().relaxed_with(&search);
     if asked.is_overtaken() {
         return overtaken();
@@ -354,7 +354,7 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
 
 /// Ends what a page has asked before this question.
 pub fn cancel(studio: &Studio, which: &Cancel) -> Result<Value> {
-    studio.turns.ask(&which.page, which.number);
+    studio.scheduler.register(&which.page, which.number);
     Ok(json!({"cancelled": true}))
 }
 

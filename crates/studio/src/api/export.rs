@@ -2,12 +2,12 @@
 
 use crate::fault::StudioError;
 use crate::http::{Response, Status};
-use crate::studio::{Kept, Studio};
+use crate::state::{Kept, Studio};
 use crate::words;
 use gaitcam::error::{Error, Result};
 use gaitcam::units::{Dimension, parse};
-use gaitcam_files::files::{self, Contents, Remark, Source};
-use gaitcam_files::{design, scene};
+use gaitcam_files::files::{self, Source};
+use gaitcam_files::{Contents, Remark, design, scene};
 
 /// One file of a design: `DESIGN/law.csv`.
 pub fn file(studio: &Studio, path: &str, tool: Option<&str>) -> Response {

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::table;
 use crate::fault::StudioError;
-use crate::studio::Studio;
+use crate::state::Studio;
 use gaitcam::error::{Placed, Result};
 
 /// The text of a scene of the folder.
@@ -31,7 +31,7 @@ pub struct Save {
     pub name: String,
 }
 
-/// Saves a scene, and the dropped file that it needs beside it. No file is ever replaced.
+/// Saves a scene, and next to it the dropped file that it names. No file is ever replaced.
 ///
 /// # Errors
 /// Names that are no plain file names; folders that take no files.

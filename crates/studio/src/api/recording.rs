@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::fault::StudioError;
 use crate::http::Head;
-use crate::studio::Studio;
+use crate::state::Studio;
 use crate::words;
 use gaitcam::error::Result;
 use gaitcam::force::{self, Feet, Interpretation, ReadOptions, Stances};

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::table;
 use crate::form::typed;
-use crate::studio::Studio;
+use crate::state::Studio;
 use crate::words;
 use gaitcam::Problem;
 use gaitcam::error::Result;

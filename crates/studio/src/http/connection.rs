@@ -2,10 +2,9 @@
 
 use std::io::{self, Read, Write};
 use std::net::{Shutdown, TcpStream};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use super::{Head, Method, Request, Response, Service, Status, socket};
+use super::{Head, Method, Request, Response, Service, Status, answered, socket};
 
 /// Largest head, bytes.
 const HEAD: usize = 16 << 10;
@@ -59,12 +58,6 @@ fn one(stream: &mut TcpStream, buffer: &mut Vec<u8>, service: &impl Service) -> 
     let head = &request.head;
     answer.write(stream, head.closes, head.method != Method::Head)?;
     Ok(!head.closes)
-}
-
-/// The answer to a request; a fault of the program costs this answer and nothing else.
-pub fn answered(service: &impl Service, request: &Request) -> Response {
-    let answer = catch_unwind(AssertUnwindSafe(|| service.answer(request)));
-    answer.unwrap_or_else(|_| Response::refusal(Status::Internal))
 }
 
 type Found = Result<(Head, usize), Response>;

@@ -11,6 +11,8 @@ mod response;
 mod server;
 mod socket;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 pub use head::{Head, Method};
 pub use response::{Response, Status};
 pub use server::Server;
@@ -32,4 +34,10 @@ pub trait Service: Send + Sync + 'static {
     fn most(&self, head: &Head) -> usize;
     /// The answer.
     fn answer(&self, request: &Request) -> Response;
+}
+
+/// The answer to a request; a panic costs this answer and nothing else.
+fn answered(service: &impl Service, request: &Request) -> Response {
+    let answer = catch_unwind(AssertUnwindSafe(|| service.answer(request)));
+    answer.unwrap_or_else(|_| Response::refusal(Status::Internal))
 }

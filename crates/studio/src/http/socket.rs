@@ -7,9 +7,8 @@ use std::net::TcpStream;
 use data_encoding::BASE64;
 use sha1_smol::Sha1;
 
-use super::connection::answered;
 use super::frame::{self, Kind, Reason};
-use super::{Head, Request, Service, Status};
+use super::{Head, Request, Service, Status, answered};
 
 /// What section 1.3 of the standard adds to a client's key.
 const SUFFIX: &str = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";

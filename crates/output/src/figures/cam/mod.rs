@@ -55,7 +55,7 @@ pub(crate) fn cam_in(synthesis: &Design, layout: Layout, words: &Words) -> Pictu
 struct Scene<'a> {
     synthesis: &'a Design,
     rows: Vec<ProfilePoint>,
-    /// What is cut beside the profile: a groove's upper wall, or the second cam of a pair; m.
+    /// The second edge that is cut: a groove's upper wall, or the second cam of a pair; m.
     others: Vec<Vec<[f64; 2]>>,
     start: f64,
     pose: Pose,

@@ -1,4 +1,4 @@
-//! The lines' names and the main dimensions beside the cam.
+//! Legend and main dimensions next to the cam.
 
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;

@@ -1,4 +1,4 @@
-//! What stands in words above the picture of a recording: kind, stride, mass, counts, warnings.
+//! Text above the picture of a recording: kind, stride, mass, counts, warnings.
 
 use plotters_backend::text_anchor::{HPos, VPos};
 
@@ -35,7 +35,7 @@ pub(super) fn write_facts(
         y += 1.5 * e;
     }
     for note in worst(understood) {
-        let said = sentence(words.language(), "note", note);
+        let text = sentence(words.language(), "note", note);
         let colour = if note.doubt().is_some() { RED } else { QUIET };
         for line in wrapped(said.split(' '), room, LINES) {
             text(&line, colour, y)?;

@@ -109,7 +109,7 @@ fn shortened(column: &Column, words: &Words) -> String {
     }
 }
 
-/// Longest name beside a lane, letters.
+/// Longest name of a lane, letters.
 const LANE_NAME: usize = 9;
 
 /// The foot of a column, otherwise as many whole words of its name as have room.

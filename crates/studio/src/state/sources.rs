@@ -1,26 +1,20 @@
-//! Where the wanted force comes from: load models, recordings of the folder, files dropped on the page.
+//! Sources of the target force: load models, recordings of the folder, files dropped on the page.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
 use std::time::SystemTime;
 
-use crate::folder::Folder;
-use crate::recent::Recent;
-use gaitcam::error::{Error, Placed, Result};
+use super::folder::Folder;
+use super::recent::Recent;
+use gaitcam::error::Result;
 use gaitcam::force::{self, ForceCurve, ReadOptions};
-use gaitcam::scene::{Gait, Scene, Source};
-
-/// The curves that built-in scenes name, under the path they name.
-const BUILT_IN: &[(&str, &[u8])] = &[(
-    "../data/gait_curves/heel_tester_critical_points.csv",
-    include_bytes!("../../../data/gait_curves/heel_tester_critical_points.csv"),
-)];
+use gaitcam::scene::{self, Gait, Scene, Source};
 
 /// Dropped files and mean cycles that are kept.
 const DROPPED: usize = 6;
 const CURVES: usize = 12;
 
-/// Files dropped on the page, held in memory, and the curves of late.
+/// Files dropped on the page, held in memory, and the latest curves.
 pub struct Sources {
     dropped: Mutex<Recent<String, Arc<Vec<u8>>>>,
     curves: Mutex<Recent<String, ForceCurve>>,
@@ -35,7 +29,7 @@ impl Sources {
         }
     }
 
-    /// Keeps a dropped file under its name.
+    /// Stores a dropped file under its name.
     pub fn drop_file(&self, name: &str, bytes: Vec<u8>) {
         crate::lock(&self.dropped).put(name.to_string(), Arc::new(bytes));
     }
@@ -49,7 +43,7 @@ impl Sources {
         if let Some(bytes) = self.dropped(path) {
             return Ok(bytes);
         }
-        if let Some((_, bytes)) = BUILT_IN.iter().find(|b| Path::new(b.0) == path) {
+        if let Some(bytes) = scene::built_in_file(path) {
             return Ok(Arc::new(bytes.to_vec()));
         }
         folder.read(path).map(Arc::new)
@@ -84,28 +78,16 @@ impl Sources {
         Ok(Some(curve))
     }
 
-    /// How a scene wants its recording read.
+    /// How the recording of a scene is read.
     ///
     /// # Errors
     /// Units that name nothing.
     pub fn options(&self, folder: &Folder, gait: &Gait, path: &Path) -> Result<ReadOptions> {
-        let at = |e: Error| e.at_key("gait.unit");
-        let unit = gait.unit.as_deref().map(|u| u.parse().map_err(at));
         let subjects = force::metadata_name(path).and_then(|p| self.bytes(folder, &p).ok());
-        Ok(ReadOptions {
-            time: gait.time.clone(),
-            force: gait.force.clone(),
-            unit: unit.transpose()?,
-            rate_hz: gait.rate,
-            mass_kg: gait.mass,
-            kind: gait.kind,
-            period_s: gait.period,
-            span_rad: gait.span,
-            metadata: subjects.map(|bytes| bytes.to_vec()),
-        })
+        gait.read_options(subjects.map(|bytes| bytes.to_vec()))
     }
 
-    /// What a curve depends on: the scene's words about it, and the file as it stands.
+    /// Key of a cached curve: the keys of the scene that it depends on, and size and date of the file.
     fn key(&self, folder: &Folder, gait: &Gait) -> String {
         let stamp = match &gait.source {
             Source::Model(_) => String::new(),

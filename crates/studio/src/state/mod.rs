@@ -1,4 +1,9 @@
-//! What a running studio holds: its guard, its folder, the last designs.
+//! State of a running studio: guard, opened folder, recordings, scheduler, latest designs.
+
+mod folder;
+mod recent;
+mod scheduler;
+mod sources;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -6,17 +11,19 @@ use std::sync::{Arc, Mutex};
 
 use toml::Table;
 
-use crate::folder::Folder;
 use crate::guard::Guard;
 use crate::lock;
-use crate::recent::Recent;
-use crate::sources::Sources;
-use crate::turns::Turns;
 use gaitcam::error::Result;
 use gaitcam::scene::{self, Scene};
 use gaitcam::synth::Design;
 use gaitcam::wording::Language;
 use gaitcam_output::Timing;
+
+pub use folder::Folder;
+use recent::Recent;
+pub use scheduler::LONGEST;
+use scheduler::Scheduler;
+use sources::Sources;
 
 /// Designs that are kept for exports and comparisons.
 const DESIGNS: usize = 48;
@@ -29,7 +36,7 @@ pub struct Start {
     pub file: Option<String>,
 }
 
-/// A design with all that it was made from.
+/// A design with its inputs.
 pub struct Kept {
     /// The scene's table.
     pub table: Table,
@@ -55,8 +62,8 @@ pub struct Studio {
     pub language: Language,
     /// Recordings and load models.
     pub sources: Sources,
-    /// Places at the solver.
-    pub turns: Turns,
+    /// Which request may compute.
+    pub scheduler: Scheduler,
     designs: Mutex<Recent<String, Arc<Kept>>>,
     next: AtomicU64,
 }
@@ -70,13 +77,13 @@ impl Studio {
             start,
             language,
             sources: Sources::new(),
-            turns: Turns::new(),
+            scheduler: Scheduler::new(),
             designs: Mutex::new(Recent::new(DESIGNS)),
             next: AtomicU64::new(1),
         }
     }
 
-    /// Keeps a design and gives it a number.
+    /// Stores a design and returns its number.
     pub fn keep(&self, kept: Arc<Kept>) -> String {
         let id = self.next.fetch_add(1, Ordering::Relaxed).to_string();
         lock(&self.designs).put(id.clone(), kept);
@@ -97,7 +104,7 @@ impl Studio {
         Ok((scene::read(&whole)?, whole))
     }
 
-    /// A design that was kept.
+    /// A stored design.
     pub fn kept(&self, id: &str) -> Option<Arc<Kept>> {
         lock(&self.designs).get(&id.to_string())
     }

@@ -1,21 +1,21 @@
-//! A short memory: the last few of something by their names.
+//! Cache of the most recently used values.
 
 use std::collections::VecDeque;
 
-/// The last `most` values.
+/// The `most` values used last.
 pub struct Recent<K, V> {
     most: usize,
     list: VecDeque<(K, V)>,
 }
 
 impl<K: PartialEq, V: Clone> Recent<K, V> {
-    /// An empty memory.
+    /// An empty cache.
     pub fn new(most: usize) -> Self {
         let list = VecDeque::new();
         Recent { most, list }
     }
 
-    /// What is kept under a name; it counts as new again.
+    /// The value of a key, which becomes the most recent.
     pub fn get(&mut self, key: &K) -> Option<V> {
         let at = self.list.iter().position(|(k, _)| k == key)?;
         let entry = self.list.remove(at)?;
@@ -24,7 +24,7 @@ impl<K: PartialEq, V: Clone> Recent<K, V> {
         Some(value)
     }
 
-    /// Keeps a value and forgets the oldest where there are too many.
+    /// Stores a value and drops the least recently used beyond `most`.
     pub fn put(&mut self, key: K, value: V) {
         self.list.retain(|(k, _)| *k != key);
         self.list.push_back((key, value));

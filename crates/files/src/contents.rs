@@ -1,0 +1,84 @@
+//! What the files of a design are to contain, and remarks on them for the user.
+
+use gaitcam::error::Error;
+use gaitcam_cad::cutter::Gouge;
+use gaitcam_cad::{drawing, dxf};
+use gaitcam_output::Language;
+
+/// Rows of law.csv and profile.csv unless the user asks for another number.
+pub const ROWS: usize = 1440;
+
+/// What the files of a design are to contain.
+#[derive(Debug, Clone, Copy)]
+pub struct Contents {
+    /// Rows of law.csv and profile.csv.
+    pub points: usize,
+    /// Pictures as PNG too.
+    pub png: bool,
+    /// Solids, arcs and a workbook for manufacturing.
+    pub solid: bool,
+    /// Radius of a cutter whose path is written, m.
+    pub tool: Option<f64>,
+    /// Half the diameter of a wire and its spark gap, m: its path is written.
+    pub wire: Option<f64>,
+    /// Layers of the DXF drawings.
+    pub drawn: dxf::Content,
+    /// Edges of profile.dxf as arcs or splines.
+    pub curves: dxf::Curves,
+    /// Title block of the drawing.
+    pub title: drawing::Title,
+    /// Language of pictures and report.
+    pub language: Language,
+}
+
+impl Default for Contents {
+    fn default() -> Contents {
+        Contents {
+            points: ROWS,
+            png: true,
+            solid: false,
+            tool: None,
+            wire: None,
+            drawn: dxf::Content::All,
+            curves: dxf::Curves::default(),
+            title: drawing::Title::default(),
+            language: Language::En,
+        }
+    }
+}
+
+/// A remark on the files for manufacturing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Remark {
+    /// There is no solid.
+    NoSolid(Error),
+    /// There is no STEP file.
+    NoStep(Error),
+    /// Arcs in profile_arcs.dxf.
+    Arcs {
+        /// How many.
+        arcs: usize,
+        /// Largest distance from the profile, m.
+        deviation: f64,
+    },
+    /// There are none.
+    NoArcs,
+    /// No hole has room to balance a cam.
+    NoBalanceHole,
+    /// The cutter damages the profile.
+    Gouge(Gouge),
+    /// There is no program for the cutter or the wire.
+    NoProgram(Error),
+}
+
+impl Remark {
+    /// Why a file could not be made, if the remark is about that.
+    pub fn into_fault(self) -> Option<Error> {
+        match self {
+            Remark::NoSolid(fault) | Remark::NoStep(fault) | Remark::NoProgram(fault) => {
+                Some(fault)
+            }
+            Remark::Arcs { .. } | Remark::NoArcs | Remark::NoBalanceHole | Remark::Gouge(_) => None,
+        }
+    }
+}
