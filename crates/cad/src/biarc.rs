@@ -1,17 +1,17 @@
 //! The profile as circular arcs that follow it to a stated tolerance.
 //!
 //! Between two points of the profile, with their exact tangents, two arcs meet with a common tangent (a
-//! biarc). Where they stray too far the interval is halved.
+//! biarc). Where their distance from the profile exceeds the tolerance the interval is halved.
 
 use crate::outline::{Edge, EdgePoint};
 use gaitcam::cam::Cam;
 
 /// Widest interval that one biarc is tried on, rad.
 const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
-/// Points of an interval held against the arcs while fitting, and again for the report.
+/// Points of an interval at which the distance is measured, while fitting and for the report.
 const TRIED: usize = 16;
 const PROVED: usize = 64;
-/// Halvings of an interval after which the profile is taken to have a corner.
+/// Halvings of an interval after which the profile is assumed to have a corner.
 const DEEPEST: usize = 14;
 /// Arcs flatter than this are chords: the radius would be lost in rounding.
 const FLAT: f64 = 1e-10;
@@ -81,7 +81,7 @@ fn follow(
 ) -> Option<()> {
     let biarc = Biarc::between(from, to);
     let circles = biarc.circles();
-    // The largest distance; of an interval that strays too far, where it first does.
+    // The largest distance, or the first one above the tolerance.
     let stray = |count: usize| {
         let mut most: f64 = 0.0;
         for k in 1..count {

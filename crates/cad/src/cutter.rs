@@ -6,7 +6,7 @@ use gaitcam::error::{Result, WriteError};
 use gaitcam::synth::Design;
 use gaitcam::units::Quantity;
 
-/// Depth below which touching is not gouging, m: rounding of the profile.
+/// Smallest depth that counts as gouging, m: rounding of the profile is below it.
 const TOUCH: f64 = 1e-9;
 
 /// The cutter's centre at one cam angle.
@@ -20,7 +20,7 @@ pub struct CutterPoint {
     pub y: f64,
 }
 
-/// Why a cutter takes away what should stay.
+/// Why a cutter damages the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Gouge {
     /// The cutter is wider than a hollow of the profile.
@@ -46,7 +46,7 @@ pub enum Gouge {
     },
 }
 
-/// A cutter path with what is wrong with it.
+/// A cutter path with its gouges.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutterPath {
     /// The path; it closes on its first point for a closed law.
@@ -109,7 +109,7 @@ pub fn path(synthesis: &Design, tool: f64, points: usize) -> Result<CutterPath> 
     })
 }
 
-/// The deepest bite of the cutter into any profile point: index cut, index damaged, depth.
+/// The deepest penetration of the cutter at any profile point: index cut, index damaged, depth.
 fn deepest(path: &[CutterPoint], profile: &[[f64; 2]], tool: f64) -> Option<(usize, usize, f64)> {
     let mut worst: Option<(usize, usize, f64)> = None;
     for (i, c) in path.iter().enumerate() {

@@ -27,7 +27,7 @@ enum Place {
     HalfTurned,
 }
 
-/// A point of an edge with the direction in which the edge runs on as θ grows.
+/// A point of an edge with its tangent in the sense of growing θ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgePoint {
     /// Cam angle at which it touches the follower, rad (m of travel for a sliding cam).
@@ -158,7 +158,7 @@ pub fn id(layer: &str) -> String {
     name.to_lowercase().replace('_', "-")
 }
 
-/// Straight lines that say where the drawing lies, with their layers, m: the centre of a disc, the foot of
+/// Reference lines of the drawing, with their layers, m: the centre of a disc, the foot of
 /// a sliding cam, the seams at which an unrolled barrel begins each turn.
 pub fn marks(synthesis: &Design) -> Vec<(&'static str, [[f64; 2]; 2])> {
     let follower = &synthesis.cam.follower;

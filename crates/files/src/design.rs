@@ -12,7 +12,7 @@ pub use crate::earlier::of_another_design;
 use crate::result_folder::ResultFolder;
 use crate::scene::Input;
 
-/// The scene as it was settled.
+/// The resolved scene.
 const SCENE: &str = "scene.toml";
 /// The same where the input itself has that name.
 const SCENE_BESIDE_INPUT: &str = "scene.used.toml";
@@ -44,7 +44,7 @@ pub fn finish(
     Ok(path)
 }
 
-/// Writes the settled scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.
+/// Writes the resolved scene: `scene.toml`, or `scene.used.toml` where the scene was read from that place.
 ///
 /// # Errors
 /// A file that cannot be written.

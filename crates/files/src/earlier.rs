@@ -25,8 +25,8 @@ pub fn stale(folder: &Path, scene: &str) -> Vec<&'static str> {
     [own, run.to_vec()].concat()
 }
 
-/// Names of the files of a design of another scene than `scene` (as TOML) that is in `folder`, beside which a run
-/// cannot stand.
+/// Names of the files of a design of another scene than `scene` (as TOML) in `folder`; a run
+/// is not written there.
 pub fn of_another_design(folder: &Path, scene: &str) -> Vec<&'static str> {
     if holds_design(folder) && !is_of(folder, scene) {
         of_design()

@@ -1,7 +1,7 @@
 //! What every front end of gaitcam does with files: scenes and recordings in, results and sweeps out.
 //!
-//! The library reads no file and writes none; the command and the Python package do both by the functions here, so
-//! that a scene means the same and a result looks the same through either door.
+//! The library reads no file and writes none; the command and the Python package do both by these functions, so
+//! that scenes and results are the same for every user.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -1,7 +1,7 @@
 //! A folder that holds one result, replaced as a whole.
 //!
 //! New files are written into a hidden folder inside. When all are there, that folder is renamed to
-//! `READY`, which is the decision: from then on every gaitcam that opens the folder completes the move, so
+//! `READY`: from then on every gaitcam that opens the folder completes the move, so
 //! a process that is killed leaves the old result or the new one. A lock keeps a second writer waiting.
 //! `summary.json` goes first and comes last, so that whoever sees one sees the files that belong to it.
 
@@ -29,7 +29,7 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Creates the folder where needed, waits for other writers, and proves that it can be written, before
+    /// Creates the folder where needed, waits for other writers, and checks that it can be written, before
     /// any work is done.
     pub fn open(path: &Path) -> Result<ResultFolder> {
         let fault = |e: std::io::Error| {
@@ -92,7 +92,7 @@ impl Drop for ResultFolder {
     }
 }
 
-/// Completes the move that a killed process began, for those who only read the folder.
+/// Completes the move that a killed process began, before the folder is read.
 pub fn settle(path: &Path) {
     if path.join(READY).exists()
         && let Ok(_lock) = Lock::wait(&path.join(LOCK))

@@ -53,8 +53,8 @@ impl Input {
         Input::new(table(path)?, folder_of(path), Some(path.to_path_buf()))
     }
 
-    /// The scene as it was settled, changes included, so that it means the same from any folder: the path of a
-    /// recording is absolute, the rows of motions stand in place of their files.
+    /// The resolved scene, changes included, independent of the folder it is read from: the path of a
+    /// recording is absolute, rows of motions replace their files.
     pub fn resolved(&self) -> Table {
         let mut table = self.whole.clone();
         let file = self
@@ -87,7 +87,7 @@ impl Input {
             .collect()
     }
 
-    /// What the title block of a drawing says of the scene.
+    /// Title block of a drawing of the scene.
     pub fn title(&self) -> Title {
         Title {
             date: self.file.as_deref().and_then(last_change),
@@ -104,7 +104,7 @@ impl Input {
     }
 }
 
-/// What the title block of a drawing says of a scene that is no file; `whole` is its table with the rows of every motion.
+/// Title block of a drawing of a scene that is no file; `whole` is its table with the rows of every motion.
 pub fn title(scene: &Scene, whole: &Table) -> Title {
     let usual = Title::default();
     Title {

@@ -39,7 +39,7 @@ fn field(column: &sweep::Field) -> Field {
     }
 }
 
-/// Names, types and units of the columns, with what is known of the whole table.
+/// Names, types and units of the columns, with metadata of the whole table.
 pub fn schema(records: &Records, metadata: &[(String, String)]) -> SchemaRef {
     let fields: Vec<Field> = records.fields.iter().map(field).collect();
     let metadata: HashMap<String, String> = metadata.iter().cloned().collect();
@@ -109,7 +109,7 @@ impl<W: Write + Send> Writer<W> {
         let mut properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
             .set_max_row_group_row_count(Some(GROUP_ROWS));
-        // Measured numbers hardly ever repeat: a dictionary of them is lost work. Parameters do.
+        // Measured numbers hardly ever repeat: a dictionary does not pay. Parameters do.
         for name in NUMBERS.iter().chain([&TIME]) {
             properties = properties.set_column_dictionary_enabled(ColumnPath::from(*name), false);
         }

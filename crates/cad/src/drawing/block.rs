@@ -1,4 +1,4 @@
-//! The title block: what is made of what, how exactly, and which revision of which scene it is.
+//! The title block: material, roughness, tolerance, revision and date.
 
 use gaitcam::cam::{Cam, Measures};
 use gaitcam::sweep::{Part, Scatter, Spread, Tolerance};
@@ -20,9 +20,9 @@ const FIELD: f64 = 8.0;
 
 /// Roughness Ra of a profile where the scene gives none, m: ground.
 const USUAL_ROUGHNESS: f64 = 0.8e-6;
-/// Profile tolerances that are offered, m, the widest first.
+/// Profile tolerances to choose from, m, the widest first.
 const OFFERED: [f64; 6] = [1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6];
-/// Made cams per tolerance, and the seed of their errors.
+/// Sampled cams per tolerance, and the seed of their errors.
 const MADE: u64 = 1000;
 const SEED: u64 = 1;
 

@@ -11,7 +11,7 @@ pub enum Face {
     Symbol,
 }
 
-/// Stands where neither font has the character.
+/// Shown if neither font has the character.
 const UNKNOWN: Glyph = Glyph {
     face: Face::Helvetica,
     byte: b'?',

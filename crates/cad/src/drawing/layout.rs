@@ -1,4 +1,4 @@
-//! Which sheet a cam needs, at which scale, and where on it everything stands; mm from the lower left corner.
+//! Size, scale and areas of a sheet; mm from the lower left corner.
 
 /// A rectangle: left, bottom, right, top.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -194,7 +194,7 @@ impl Layout {
     }
 }
 
-/// The scale of a cam that no scale brings onto the sheet.
+/// The smallest scale, for cams that fit at no scale.
 const SMALLEST: Scale = Scale {
     sheet: 1.0,
     cam: 10_000.0,

@@ -8,9 +8,9 @@ pub const LETTERS: f64 = 3.2;
 const LINE: f64 = 3.9;
 /// Length of the leader's level end, mm.
 const SHELF: f64 = 2.0;
-/// Below this the arrows of a dimension stand outside its extension lines, mm.
+/// Below this width the arrows of a dimension are outside its extension lines, mm.
 const NARROW: f64 = 14.0;
-/// How far a dimension's number stands from its line, mm, and how far extension lines go beyond it.
+/// Distance of a dimension's number from its line, mm, and how far extension lines go beyond it.
 const ABOVE: f64 = 1.0;
 const BEYOND: f64 = 1.5;
 

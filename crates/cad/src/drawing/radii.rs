@@ -32,7 +32,7 @@ pub fn radii(edge: &Edge, ball: f64, count: usize) -> Vec<Radius> {
     let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
     let mut points: Vec<EdgePoint> = (0..=SAMPLES).map(|i| edge.at(at(i))).collect();
     if let Some(last) = points.last_mut() {
-        // One point, to the last digit, so that no ray slips through the seam.
+        // First and last point are equal in every digit, so that a ray cannot pass between them.
         *last = EdgePoint {
             theta: end,
             ..edge.at(start)
@@ -67,7 +67,7 @@ pub fn height(edge: &Edge, x: f64, off: f64) -> Option<f64> {
     let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
     let at = |i: usize| start + (end - start) * i as f64 / SAMPLES as f64;
     let point = |theta: f64| moved(&edge.at(theta), off);
-    // At an end of the profile rounding must not decide.
+    // An end of the profile must not be lost by rounding.
     let beside = |theta: f64| point(theta)[0] - x >= 0.0;
     let ends = [start, end].map(|theta| (theta, point(theta)));
     let on_end = ends.iter().find(|(_, p)| (p[0] - x).abs() < 1e-9);

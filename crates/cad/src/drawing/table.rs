@@ -26,7 +26,7 @@ fn stops(columns: usize) -> Vec<f64> {
     [0.0].into_iter().chain(rest).collect()
 }
 
-/// Writes the table, its rows dealt to the blocks of the layout one after the other; narrow tables stand in twice as many.
+/// Writes the table, its rows distributed over the blocks of the layout; narrow tables get twice as many blocks.
 pub fn draw(pen: &mut Pen, table: &Table, layout: &Layout) {
     let area = layout.table;
     for (i, line) in table.heading.iter().enumerate() {

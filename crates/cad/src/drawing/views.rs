@@ -19,7 +19,7 @@ const POINTS: usize = 1440;
 const LEAST_HEIGHT: f64 = 20.0;
 /// Distance of labels from the circle around the cam, mm.
 const OFF: f64 = 5.0;
-/// What centre lines stand out, mm.
+/// Length of centre lines beyond the outline, mm.
 const OVER: f64 = 4.0;
 /// Distance of the side view's dimensions from it, mm: of the first, and of the thickness of a plate with a hub.
 const UNDER: f64 = 8.0;

@@ -189,7 +189,7 @@ fn objects(out: &mut Groups) {
     out.put(281, 1).put(0, "ENDSEC");
 }
 
-/// The text of a file under way.
+/// The text of a file being written.
 struct Groups {
     text: String,
     /// R13 and later: handles, owners, subclasses.

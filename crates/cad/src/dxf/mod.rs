@@ -35,7 +35,7 @@ const ROTATION: &str = "REF_ROTATION";
 /// The oldest program that must read the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Version {
-    /// Heavy polylines: everything reads it. Its header has no place for units, so millimetres are declared
+    /// Heavy polylines: every program reads it. Its header has no place for units, so millimetres are declared
     /// in the later dialects' variable, which readers look for in R12 as well.
     R12,
     /// Lightweight polylines, millimetres declared in the header.
@@ -50,14 +50,14 @@ pub enum Content {
     /// What is cut on layers `CUT_*`, everything else on layers `REF_*`.
     #[default]
     All,
-    /// Layers `CUT_*` alone: for shops whose machine cuts every line.
+    /// Layers `CUT_*` alone: for machines that cut every line.
     CutOnly,
 }
 
-/// As what the edges are drawn.
+/// Entities of the edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Curves {
-    /// Polylines of circular arcs, which every machine takes.
+    /// Polylines of circular arcs, which every machine reads.
     #[default]
     Arcs,
     /// Cubic B-splines, C² as the profile is: for CAD.
@@ -77,14 +77,14 @@ pub struct Options {
     pub content: Content,
 }
 
-/// Largest distance of the plain hand-over from the true profile, m: a hundredth of what grinding leaves,
-/// with fewer vertices than the chords of a tenfold error have.
+/// Largest distance of the default drawing from the profile, m: a hundredth of the error of grinding, with fewer
+/// vertices than chords of ten times this error.
 pub const FAITHFUL: f64 = 1e-7;
 
-/// Largest distance of splines from the true edges where they are held against them, m: nowhere more than [`FAITHFUL`].
+/// Largest distance of splines from the edges at the points compared, m: between them at most [`FAITHFUL`].
 const SPLINES: f64 = 5e-8;
 
-/// The plain hand-over: R12, the profile in arcs that stay within [`FAITHFUL`] of it, the bore that the
+/// The default drawing: R12, the profile in arcs that stay within [`FAITHFUL`] of it, the bore that the
 /// scene gives. A profile that no arcs follow, and the pitch curve, are polylines of `points` vertices at
 /// equal steps of the cam angle.
 pub fn profile(synthesis: &Design, points: usize, content: Content) -> Vec<u8> {
@@ -180,7 +180,7 @@ pub fn splines(synthesis: &Design, options: Options) -> Option<Vec<u8>> {
     Some(sheet.drawing.bytes())
 }
 
-/// A drawing under way.
+/// A drawing being written.
 struct Sheet {
     drawing: Drawing,
     options: Options,

@@ -1,7 +1,7 @@
 //! The groove of a barrel on a rotary axis: the cutter's axis meets the barrel's as the roller's does.
 //!
-//! A cutter of the roller's radius that takes the roller's way leaves the roller's envelope, so nothing is left and
-//! nothing gouged, whatever the depth. A thinner cutter cannot: where the groove is oblique its circle touches the wall
+//! A cutter of the roller's radius on the path of the roller cuts the envelope of the roller: no ridge and no gouge at
+//! any depth. A thinner cutter cannot: where the groove is oblique its circle touches the wall
 //! at another place at every depth.
 
 use std::fmt::Write;
@@ -13,13 +13,13 @@ use gaitcam::units::Quantity;
 use super::{ACCELERATION, FEED, comment, finished};
 
 const MM: f64 = 1000.0;
-/// Largest distance of the lines from the roller's way, m.
+/// Largest distance of the lines from the path of the roller, m.
 const LINES: f64 = 2e-7;
 /// Longest line, rad.
 const LONGEST: f64 = std::f64::consts::TAU / 72.0;
-/// Halvings after which a line is taken as it is.
+/// Halvings after which a line is accepted.
 const DEEPEST: usize = 16;
-/// Radii that are one, part of them.
+/// Relative difference below which two radii are equal.
 const ONE: f64 = 1e-6;
 
 /// The program for a cutter of radius `tool` m; two passes where two rollers are set off from their stud.

@@ -16,11 +16,11 @@ use super::outline::Edge;
 
 const MM: f64 = 1000.0;
 /// Feed of the point of contact along the profile, mm/min: 0.05 mm per tooth, two teeth, 2000 rpm. Operators
-/// turn it with the override.
+/// adjust it with the override.
 const FEED: f64 = 200.0;
 /// Acceleration that the machine's table keeps to on an arc, mm/s².
 const ACCELERATION: f64 = 500.0;
-/// A feed is written anew when it differs by this part.
+/// Relative change from which a feed is written again.
 const NEW_FEED: f64 = 0.01;
 
 /// A piece of a path; lengths in m.
@@ -146,7 +146,7 @@ fn head(design: &Design, notes: &[&str]) -> String {
     out
 }
 
-/// To where a path starts, and what the operator does there.
+/// Move to the start of a path, with an instruction for the operator.
 fn begin(out: &mut String, start: [f64; 2], task: &str, thickness: f64) {
     let [x, y] = start.map(|v| MM * v);
     let _ = writeln!(
@@ -182,7 +182,7 @@ fn end(out: &mut String, task: &str) {
     let _ = write!(out, "M0 ({task})\nM30\n%\n");
 }
 
-/// −0.0000 is 0 to people and an error to some machines.
+/// Some machines refuse −0.0000.
 fn finished(text: String) -> String {
     text.replace("-0.00000", "0.00000")
         .replace("-0.0000 ", "0.0000 ")

@@ -1,7 +1,7 @@
 //! The path around the outside of a profile, in arcs and lines.
 //!
 //! The arcs that follow the profile have parallels that are arcs about the same centres, so the path is as
-//! true as they are. The cam is passed clockwise, the cutter on its left: climb milling with a spindle that
+//! accurate as the arcs. The cam is passed clockwise, the cutter on its left: climb milling with a spindle that
 //! turns clockwise.
 
 use super::{ACCELERATION, FEED, Move, Path};
@@ -14,7 +14,7 @@ const ARCS: f64 = 5e-7;
 /// Radius of the arcs that lead to the profile and away, in radii of the cutter; at least so much, m.
 const LEAD: f64 = 1.0;
 const LEAST_LEAD: f64 = 0.002;
-/// Length of the straight way from where a wire is threaded to the profile, m.
+/// Length of the line from the start hole of a wire to the profile, m.
 const WAY_IN: f64 = 0.003;
 
 /// How the path is entered and left.
@@ -26,7 +26,7 @@ pub enum Lead {
     Lines,
 }
 
-/// The path around the outside of an edge, how it is entered and left being `lead`.
+/// The path around the outside of an edge, entered and left by `lead`.
 ///
 /// `None` where no chain of arcs follows the edge (undercut, jumps of the velocity) and where the cutter does not fit a
 /// hollow.

@@ -4,7 +4,7 @@ use gaitcam::cam::Bore;
 
 use super::{FEED, Move, Path};
 
-/// The way along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
+/// The path along the hole's edge at the distance `radius` m inside it, counter-clockwise from its lowest point; `None` where
 /// the wire has no room.
 pub fn hole(bore: &Bore, radius: f64) -> Option<Path> {
     let round = bore.radius() - radius;

@@ -41,7 +41,7 @@ const WIDTH: usize = 24;
 
 /// `law.csv`: lift, its derivatives by the cam angle, force and target at `points` equal steps.
 ///
-/// The force is the one that is handed on: of a polydyne cam, that of the follower's end.
+/// The force is the one at the output: for a polydyne cam, that of the follower's end.
 /// Numbers are the shortest that read back to the same 64 bits. `target_n` stays empty for a classical
 /// programme, which has no target.
 pub fn law(synthesis: &Design, points: usize) -> String {

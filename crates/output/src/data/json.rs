@@ -33,8 +33,7 @@ fn coded(reason: &Reason) -> Value {
     Value::Object(out)
 }
 
-/// A number that may be infinite: JSON has no such number, so it is the string `inf` or `-inf`. What does not
-/// exist is null.
+/// A number that may be infinite: JSON has no such number, so it is the string `inf` or `-inf`. NaN is null.
 struct Real(f64);
 
 impl Serialize for Real {
@@ -125,8 +124,8 @@ struct LawSummary<'a> {
 }
 
 /// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
-/// acceleration and jerk above are the cam's. Misses are those of the flexible run: of this cam, and of one
-/// cut to the end's own law.
+/// acceleration and jerk above are the cam's. Misses are deviations in the flexible simulation: of this
+/// cam, and of one cut to the law of the end.
 #[derive(Serialize)]
 struct PolydyneSummary {
     stiffness_n_per_m: f64,

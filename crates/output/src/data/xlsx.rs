@@ -35,7 +35,7 @@ fn build(
     words: &Words,
 ) -> std::result::Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
-    // No clock: the same design gives the same bytes.
+    // A fixed date: the same design gives the same bytes.
     let epoch = ExcelDateTime::from_ymd(2000, 1, 1)?;
     book.set_properties(
         &DocProperties::new()

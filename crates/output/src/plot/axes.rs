@@ -24,7 +24,7 @@ pub struct Panel<'a, 'c> {
     plane: Plane<'a>,
     frame: Frame,
     x: [f64; 2],
-    /// Where the grid stands upright.
+    /// Places of the vertical grid lines.
     columns: Vec<f64>,
     y: [f64; 2],
     /// Size of the lettering, points.
@@ -70,7 +70,7 @@ fn angle_ticks(x: [f64; 2]) -> Vec<f64> {
     multiples(x[0], x[1], step)
 }
 
-/// Decimals that tell the ticks apart.
+/// Decimals needed to distinguish the ticks.
 pub fn tick_text(value: f64, step: f64) -> String {
     let decimals = (0..9)
         .find(|&d| {
@@ -350,7 +350,7 @@ impl<'a, 'c> Panel<'a, 'c> {
             &[sides[0], [x, tip], sides[1]],
             stroke(colour, 2.0),
         )?;
-        // At the right edge the sign stands left of the arrow.
+        // At the right edge the sign is left of the arrow.
         let room = self.frame.right - x > 2.5 * self.size;
         let (gap, side) = if room {
             (0.4, HPos::Left)
@@ -374,7 +374,7 @@ impl<'a, 'c> Panel<'a, 'c> {
         let [x, y] = self.place(degrees, value);
         let dot = Circle::new((units(x), units(y)), units(3.6), colour.filled());
         self.canvas.draw(&dot)?;
-        // What is zero but for rounding is called so.
+        // Zero up to rounding is shown as 0.
         let noise = 1e-9 * (self.y[1] - self.y[0]);
         let text = number(if value.abs() < noise { 0.0 } else { value }, 4);
         let size = 0.88 * self.size;

@@ -34,7 +34,7 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// A buffer for so many rows at most.
+    /// A buffer of `height` rows.
     pub fn new(width: usize, height: usize) -> Self {
         let cells = (width + 2).div_ceil(CELL);
         let words = cells.div_ceil(64);
@@ -50,7 +50,7 @@ impl Coverage {
         }
     }
 
-    /// Takes the rows from `top` on next, no more than there is room for.
+    /// Starts the rows from `top` on, at most the capacity.
     pub fn begin(&mut self, top: usize, height: usize) {
         (self.top, self.height) = (top, height);
         self.rows = [height, 0];

@@ -10,7 +10,7 @@ use crate::plot::sheet::{Canvas, Drawn, Lettering, line, stroke, write};
 use gaitcam::cam::Measures;
 use gaitcam::synth::Design;
 
-/// Size of the pictures that stand alone, pixels.
+/// Size of the pictures that are files, pixels.
 pub const SIZE: (u32, u32) = (1200, 800);
 /// Size of their lettering.
 const LETTERS: f64 = 17.0;
@@ -154,7 +154,7 @@ pub fn key_and_levels(
     Ok(())
 }
 
-/// A bar of a round length in mm, at most `room` points long, that tells the scale of a drawing.
+/// A bar of a round length in mm, at most `room` points long, that shows the scale of a drawing.
 pub fn scale_bar(canvas: &Canvas, [x, y]: [f64; 2], per_mm: f64, room: f64, size: f64) -> Drawn {
     let most = room / per_mm;
     let power = 10f64.powf(most.log10().floor());

@@ -2,14 +2,14 @@
 
 /// Corners of a round dot or line end.
 const CORNERS: usize = 24;
-/// A point nearer than this to the straight way past it is not seen, pixels; places are known to a sixteenth.
+/// Largest distance of a removed point from the line, pixels: coordinates are multiples of a sixteenth.
 const UNSEEN: f64 = 0.06;
 /// Sine of the turn from which two segments get a round joint between them.
 const SHARP: f64 = 0.1;
 
 /// A filled circle, without the first corner repeated.
 pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
-    // Corners beyond the radius make up for what the sides cut off.
+    // Corners outside the radius compensate the area that the sides cut off.
     let corners = CORNERS.max((4.0 * radius) as usize);
     let half = std::f64::consts::PI / corners as f64;
     let r = radius * (half / half.sin()).sqrt();
@@ -21,8 +21,8 @@ pub fn disc([x, y]: [f64; 2], radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The line without the points that lie on the way from those before to those after: a curve has more of them than
-/// the page has pixels.
+/// The line without points that are collinear with their neighbours up to [`UNSEEN`]: curves have more points than the
+/// page has pixels.
 pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     let Some((&first, rest)) = points.split_first() else {
@@ -30,7 +30,7 @@ pub fn straightened(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     };
     out.push(first);
     let (mut corner, mut last) = (first, first);
-    // Directions from the corner that pass all points since by, none being known at first.
+    // Directions from the corner whose line passes all points since within the tolerance.
     let mut passing: Option<[[f64; 2]; 2]> = None;
     for &point in rest {
         let mut way = [point[0] - corner[0], point[1] - corner[1]];

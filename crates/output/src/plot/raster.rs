@@ -1,4 +1,4 @@
-//! Shapes to pixels: exact area coverage, in bands from the top, so that what is drawn on stays in the
+//! Shapes to pixels: exact area coverage, in bands from the top, so that a band stays in the
 //! processor's cache.
 
 use super::coverage::{Coverage, Covered};
@@ -25,7 +25,7 @@ pub fn png(width: usize, height: usize, shapes: &[Shape]) -> Vec<u8> {
     file.finish()
 }
 
-/// A shape as what is filled.
+/// A shape as filled regions.
 struct Layer {
     ink: Ink,
     content: Content,
@@ -94,7 +94,7 @@ impl Layer {
     }
 
     fn filled(polygons: Vec<Vec<[f64; 2]>>, ink: Ink) -> Layer {
-        // NaN is no place, and infinity none on a page.
+        // NaN and infinity are no coordinates.
         let placed = polygons.iter().flatten().flatten().all(|x| x.is_finite());
         let polygons = if placed { polygons } else { Vec::new() };
         let polygons: Vec<Polygon> = polygons
@@ -210,7 +210,7 @@ impl Band {
             match covered {
                 Covered::Evenly(count, c) => {
                     let alpha = ink.alpha as f32 * c;
-                    // Most pixels lie on what their neighbour lies on.
+                    // Most pixels have the background of their neighbour.
                     let (mut under, mut over) = ([0; 3], mixed([0; 3], ink.rgb, alpha));
                     for pixel in &mut pixels[..count] {
                         if *pixel != under {
