@@ -24,9 +24,9 @@ use gaitcam::force::ForceCurve;
 use gaitcam::synth::{self, Design, Search};
 use gaitcam::units::Dimension;
 use gaitcam_cad::dxf::{Content, Curves};
-use gaitcam_files::{Contents, ResultFolder};
 use gaitcam_files::design::{self, check_inputs_stay};
 use gaitcam_files::files::{self, Source};
+use gaitcam_files::{Contents, ResultFolder};
 use gaitcam_output::Timing;
 
 const EXAMPLES: &str = "Examples:

@@ -1,23 +1,69 @@
 //! `summary.json`: the design in numbers. A number that does not exist (no curvature, no face) is null.
 
-use serde::{Serialize, Serializer};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use crate::Timing;
-use gaitcam::cam::{Continuity, Criterion};
-use gaitcam::synth::{
-    Binding, Certificate, Design, Doubt, Easing, End, FIGURES, Figures, ForceReport, Functions,
-    Infeasible, LoadFactor, Reason, Relaxation,
-};
+use gaitcam::cam::{Cam, Continuity};
+use gaitcam::synth::{Design, End, FIGURES, Figures, Reason};
 use gaitcam::wording::Language;
 
 /// The summary of a design.
 ///
 /// Extremes are those of the continuous law. An infeasible outcome also says which limits conflict and
 /// what the smallest change of each would be (`to` is null where none helps).
-pub fn summary(synthesis: &Design, time: Timing) -> Value {
-    // Plain structs of numbers and strings with string keys: this cannot fail.
-    serde_json::to_value(Summary::new(synthesis, time)).unwrap_or(Value::Null)
+pub fn summary(design: &Design, time: Timing) -> Value {
+    let mut out = Map::new();
+    let mut put = |key: &str, value: Value| out.insert(key.to_string(), value);
+    let is_infeasible = design.infeasible.is_some();
+    put("name", json!(design.name));
+    put(
+        "outcome",
+        json!(if is_infeasible { "infeasible" } else { "built" }),
+    );
+    put("verdict", json!(design.verdict.name()));
+    put("reason", json!(design.reason(Language::En)));
+    put("reasons", design.reasons.iter().map(coded).collect());
+    put(
+        "verdict_text",
+        json!({"en": design.reason(Language::En), "es": design.reason(Language::Es)}),
+    );
+    put("continuity", json!(Continuity::of(&design.cam)));
+    put("cam_das", json!(design.cam.cam_das_class().name()));
+    put("force", json!(design.force));
+    put("drive", drive(design));
+    put("law", law(design));
+    put("cam", cam(design));
+    put("machine", machine(design));
+    let load_factors = design.load_factors();
+    if !load_factors.is_empty() {
+        put("load_factors", json!(load_factors));
+    }
+    let target = design.target.as_ref();
+    if let Some(recording) = target.and_then(|t| t.recording.as_ref()) {
+        put("recording", recording.json());
+    }
+    put("checks", checks(design));
+    put("binding", json!(design.binding));
+    put("easing", json!(design.easing));
+    if let Some(answer) = &design.infeasible {
+        let words = answer.sentence(Language::En);
+        let (conflict, relaxations) = (answer.names(), &answer.relaxations);
+        put(
+            "infeasible",
+            json!({"conflict": conflict, "relaxations": relaxations, "words": words}),
+        );
+    }
+    if !design.relaxations.is_empty() {
+        put("relaxations", json!(design.relaxations));
+    }
+    if !design.together.is_empty() {
+        put("relaxed_together", json!(design.together));
+    }
+    put("out_of_time", json!(design.out_of_time));
+    put("remarks", json!(design.remarks(Language::En)));
+    put("solver", solver(design, time));
+    put("time", json!({"total_s": time.total_s}));
+    Value::Object(out)
 }
 
 /// A reason as its code with its data.
@@ -34,318 +80,128 @@ fn coded(reason: &Reason) -> Value {
 }
 
 /// A number that may be infinite: JSON has no such number, so it is the string `inf` or `-inf`. NaN is null.
-struct Real(f64);
-
-impl Serialize for Real {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            f64::INFINITY => serializer.serialize_str("inf"),
-            f64::NEG_INFINITY => serializer.serialize_str("-inf"),
-            x => serializer.serialize_f64(x),
-        }
+fn real(x: f64) -> Value {
+    match x {
+        f64::INFINITY => json!("inf"),
+        f64::NEG_INFINITY => json!("-inf"),
+        x => json!(x),
     }
 }
 
-#[derive(Serialize)]
-struct Summary<'a> {
-    name: &'a str,
-    outcome: &'static str,
-    verdict: &'static str,
-    reason: String,
-    reasons: Vec<Value>,
-    verdict_text: VerdictText,
-    continuity: Continuity,
-    cam_das: &'static str,
-    force: &'a ForceReport,
-    drive: DriveSummary,
-    law: LawSummary<'a>,
-    cam: CamSummary,
-    machine: Map<String, Value>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    load_factors: Vec<LoadFactor>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    recording: Option<Value>,
-    checks: Vec<CheckSummary>,
-    binding: &'a [Binding],
-    easing: &'a [Easing],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    infeasible: Option<InfeasibleSummary<'a>>,
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    relaxations: &'a [Relaxation],
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    relaxed_together: &'a [Relaxation],
-    out_of_time: bool,
-    remarks: Vec<String>,
-    solver: Solver,
-    time: Total,
+fn drive(design: &Design) -> Value {
+    let drive = &design.drive;
+    json!({"kind": drive.kind.name(), "mass_kg": drive.mass, "speed_rad_per_s": drive.speed})
 }
 
-/// The reasons for the verdict as sentences.
-#[derive(Serialize)]
-struct VerdictText {
-    en: String,
-    es: String,
-}
-
-impl VerdictText {
-    fn new(synthesis: &Design) -> Self {
-        VerdictText {
-            en: synthesis.reason(Language::En),
-            es: synthesis.reason(Language::Es),
-        }
+fn law(design: &Design) -> Value {
+    let law = &design.cam.law;
+    let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] =
+        [1, 2, 3].map(|k| design.cam.derivative_extremes(k));
+    let mut out = json!({
+        "family": design.family,
+        "pieces": law.poly().pieces(),
+        "degree": design.degree,
+        "functions": design.functions,
+        "coefficients": design.coefficients,
+        // Phase of the force cycle at cam angle 0.
+        "phase_rad": design.phase,
+        "stroke_m": law.stroke(),
+        "v_max_m_per_rad": real(v_max.value),
+        "v_min_m_per_rad": real(v_min.value),
+        "a_max_m_per_rad2": real(a_max.value),
+        "a_min_m_per_rad2": real(a_min.value),
+        "j_max_m_per_rad3": real(j_max.value),
+        "j_min_m_per_rad3": real(j_min.value),
+    });
+    if let Some(end) = &design.end {
+        out["polydyne"] = polydyne(end);
     }
-}
-
-#[derive(Serialize)]
-struct DriveSummary {
-    kind: &'static str,
-    mass_kg: f64,
-    speed_rad_per_s: f64,
-}
-
-#[derive(Serialize)]
-struct LawSummary<'a> {
-    family: &'a str,
-    pieces: usize,
-    degree: usize,
-    functions: &'a Functions,
-    coefficients: &'a [f64],
-    /// Phase of the force cycle at cam angle 0.
-    phase_rad: f64,
-    stroke_m: f64,
-    v_max_m_per_rad: Real,
-    v_min_m_per_rad: Real,
-    a_max_m_per_rad2: Real,
-    a_min_m_per_rad2: Real,
-    j_max_m_per_rad3: Real,
-    j_min_m_per_rad3: Real,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    polydyne: Option<PolydyneSummary>,
+    out
 }
 
 /// The end of a flexible follower, for which the cam is cut. The force is the end's; stroke, velocity,
-/// acceleration and jerk above are the cam's. Misses are deviations in the flexible simulation: of this
+/// acceleration and jerk of the law are the cam's. Misses are deviations in the flexible simulation: of this
 /// cam, and of one cut to the law of the end.
-#[derive(Serialize)]
-struct PolydyneSummary {
-    stiffness_n_per_m: f64,
-    damping_n_s_per_m: f64,
-    end_stroke_m: f64,
-    end_miss_m: Option<f64>,
-    force_miss_rms_n: Option<f64>,
-    force_miss_max_n: Option<f64>,
-    plain_force_miss_rms_n: Option<f64>,
+fn polydyne(end: &End) -> Value {
+    json!({
+        "stiffness_n_per_m": end.stiffness,
+        "damping_n_s_per_m": end.damping,
+        "end_stroke_m": end.law.stroke(),
+        "end_miss_m": end.miss.map(|m| m.lift.value),
+        "force_miss_rms_n": end.miss.map(|m| m.force_rms),
+        "force_miss_max_n": end.miss.map(|m| m.force_max),
+        "plain_force_miss_rms_n": end.plain_miss.map(|m| m.force_rms),
+    })
 }
 
-impl PolydyneSummary {
-    fn new(end: &End) -> Self {
-        PolydyneSummary {
-            stiffness_n_per_m: end.stiffness,
-            damping_n_s_per_m: end.damping,
-            end_stroke_m: end.law.stroke(),
-            end_miss_m: end.miss.map(|m| m.lift.value),
-            force_miss_rms_n: end.miss.map(|m| m.force_rms),
-            force_miss_max_n: end.miss.map(|m| m.force_max),
-            plain_force_miss_rms_n: end.plain_miss.map(|m| m.force_rms),
-        }
+fn cam(design: &Design) -> Value {
+    let cam = &design.cam;
+    let convex = cam.curvature().convex;
+    let (phi_min, phi_max) = design.pressure_angle_extremes();
+    let mut out = json!({
+        "follower": cam.follower.name(),
+        "base_radius_m": cam.follower.base_radius(),
+        "prime_radius_m": cam.follower.prime_radius(),
+        "offset_m": cam.follower.offset(),
+        "rho_min_m": real(convex.value),
+        "rho_min_at_rad": convex.at,
+        "pressure_angle_max_rad": phi_max.value,
+        "pressure_angle_min_rad": phi_min.value,
+        "face_width_m": cam.face_width(),
+    });
+    if let Some(pair) = &design.conjugate {
+        out["second"] = second(&pair.second);
     }
-}
-
-#[derive(Serialize)]
-struct CamSummary {
-    follower: &'static str,
-    base_radius_m: f64,
-    prime_radius_m: f64,
-    offset_m: f64,
-    rho_min_m: Real,
-    rho_min_at_rad: f64,
-    pressure_angle_max_rad: f64,
-    pressure_angle_min_rad: f64,
-    face_width_m: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    second: Option<SecondCamSummary>,
+    out
 }
 
 /// The second cam of a pair.
-#[derive(Serialize)]
-struct SecondCamSummary {
-    base_radius_m: f64,
-    prime_radius_m: f64,
-    rho_min_m: Real,
-    rho_min_at_rad: f64,
+fn second(cam: &Cam) -> Value {
+    let convex = cam.curvature().convex;
+    json!({
+        "base_radius_m": cam.follower.base_radius(),
+        "prime_radius_m": cam.follower.prime_radius(),
+        "rho_min_m": real(convex.value),
+        "rho_min_at_rad": convex.at,
+    })
 }
 
 /// What the design asks of a rigid machine without friction.
-fn machine(design: &Design) -> Map<String, Value> {
+fn machine(design: &Design) -> Value {
     let figures = Figures::of(design);
     let own = FIGURES.iter().filter(|f| f.section == "machine");
     let own = own.map(|f| (f.key, f.value(&figures)));
     let hardness = design.making.hardness;
     let allowable = hardness.map_or(f64::NAN, |h| h.allowable_pressure());
-    own.chain([("hertz_pressure_allowable_pa", allowable)])
-        .map(|(key, x)| {
-            (
-                key.to_string(),
-                serde_json::to_value(Real(x)).unwrap_or_default(),
-            )
+    let all = own.chain([("hertz_pressure_allowable_pa", allowable)]);
+    all.map(|(key, x)| (key, real(x))).collect()
+}
+
+fn checks(design: &Design) -> Value {
+    let checks = design.checks.iter().map(|c| {
+        json!({
+            "name": c.name,
+            "worst": real(c.worst),
+            "limit": real(c.limit),
+            "at_rad": c.at,
+            "pass": c.pass,
         })
-        .collect()
+    });
+    checks.collect()
 }
 
-#[derive(Serialize)]
-struct CheckSummary {
-    name: Criterion,
-    worst: Real,
-    limit: Real,
-    at_rad: f64,
-    pass: bool,
-}
-
-#[derive(Serialize)]
-struct InfeasibleSummary<'a> {
-    conflict: Vec<String>,
-    relaxations: &'a [Relaxation],
-    words: String,
-}
-
-#[derive(Serialize)]
-struct Solver {
-    tier: &'static str,
-    status: String,
-    iterations: usize,
-    solve_s: f64,
-    certified: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    doubt: Option<Doubt>,
-    certificate: Option<Certificate>,
-}
-
-#[derive(Serialize)]
-struct Total {
-    total_s: f64,
-}
-
-impl<'a> Summary<'a> {
-    fn new(synthesis: &'a Design, time: Timing) -> Self {
-        let solver = &synthesis.solver;
-        Summary {
-            name: &synthesis.name,
-            outcome: if synthesis.infeasible.is_some() {
-                "infeasible"
-            } else {
-                "built"
-            },
-            verdict: synthesis.verdict.name(),
-            reason: synthesis.reason(Language::En),
-            reasons: synthesis.reasons.iter().map(coded).collect(),
-            verdict_text: VerdictText::new(synthesis),
-            continuity: Continuity::of(&synthesis.cam),
-            cam_das: synthesis.cam.cam_das_class().name(),
-            force: &synthesis.force,
-            drive: DriveSummary {
-                kind: synthesis.drive.kind.name(),
-                mass_kg: synthesis.drive.mass,
-                speed_rad_per_s: synthesis.drive.speed,
-            },
-            law: LawSummary::new(synthesis),
-            cam: CamSummary::new(synthesis),
-            machine: machine(synthesis),
-            load_factors: synthesis.load_factors(),
-            recording: (synthesis.target.as_ref())
-                .and_then(|t| t.recording.as_ref())
-                .map(|r| r.json()),
-            checks: synthesis
-                .checks
-                .iter()
-                .map(|c| CheckSummary {
-                    name: c.name,
-                    worst: Real(c.worst),
-                    limit: Real(c.limit),
-                    at_rad: c.at,
-                    pass: c.pass,
-                })
-                .collect(),
-            binding: &synthesis.binding,
-            easing: &synthesis.easing,
-            infeasible: synthesis.infeasible.as_ref().map(InfeasibleSummary::new),
-            relaxations: &synthesis.relaxations,
-            relaxed_together: &synthesis.together,
-            out_of_time: synthesis.out_of_time,
-            remarks: synthesis.remarks(Language::En),
-            solver: Solver {
-                tier: solver.tier.name(),
-                status: solver.status(Language::En),
-                iterations: solver.iterations,
-                solve_s: time.solve_s,
-                certified: solver.certified,
-                doubt: solver.doubt,
-                certificate: solver.certificate,
-            },
-            time: Total {
-                total_s: time.total_s,
-            },
-        }
+fn solver(design: &Design, time: Timing) -> Value {
+    let solver = &design.solver;
+    let mut out = json!({
+        "tier": solver.tier.name(),
+        "status": solver.status(Language::En),
+        "iterations": solver.iterations,
+        "solve_s": time.solve_s,
+        "certified": solver.certified,
+    });
+    if let Some(doubt) = solver.doubt {
+        out["doubt"] = json!(doubt);
     }
-}
-
-impl<'a> LawSummary<'a> {
-    fn new(synthesis: &'a Design) -> Self {
-        let law = &synthesis.cam.law;
-        let [(v_min, v_max), (a_min, a_max), (j_min, j_max)] =
-            [1, 2, 3].map(|k| synthesis.cam.derivative_extremes(k));
-        LawSummary {
-            family: &synthesis.family,
-            pieces: law.poly().pieces(),
-            degree: synthesis.degree,
-            functions: &synthesis.functions,
-            coefficients: &synthesis.coefficients,
-            phase_rad: synthesis.phase,
-            stroke_m: law.stroke(),
-            v_max_m_per_rad: Real(v_max.value),
-            v_min_m_per_rad: Real(v_min.value),
-            a_max_m_per_rad2: Real(a_max.value),
-            a_min_m_per_rad2: Real(a_min.value),
-            j_max_m_per_rad3: Real(j_max.value),
-            j_min_m_per_rad3: Real(j_min.value),
-            polydyne: synthesis.end.as_ref().map(PolydyneSummary::new),
-        }
-    }
-}
-
-impl CamSummary {
-    fn new(synthesis: &Design) -> Self {
-        let cam = &synthesis.cam;
-        let curvature = cam.curvature();
-        let (phi_min, phi_max) = synthesis.pressure_angle_extremes();
-        CamSummary {
-            follower: cam.follower.name(),
-            base_radius_m: cam.follower.base_radius(),
-            prime_radius_m: cam.follower.prime_radius(),
-            offset_m: cam.follower.offset(),
-            rho_min_m: Real(curvature.convex.value),
-            rho_min_at_rad: curvature.convex.at,
-            pressure_angle_max_rad: phi_max.value,
-            pressure_angle_min_rad: phi_min.value,
-            face_width_m: cam.face_width(),
-            second: synthesis.conjugate.as_ref().map(|pair| {
-                let (second, convex) = (&pair.second, pair.second.curvature().convex);
-                SecondCamSummary {
-                    base_radius_m: second.follower.base_radius(),
-                    prime_radius_m: second.follower.prime_radius(),
-                    rho_min_m: Real(convex.value),
-                    rho_min_at_rad: convex.at,
-                }
-            }),
-        }
-    }
-}
-
-impl<'a> InfeasibleSummary<'a> {
-    fn new(answer: &'a Infeasible) -> Self {
-        InfeasibleSummary {
-            conflict: answer.names(),
-            relaxations: &answer.relaxations,
-            words: answer.sentence(Language::En),
-        }
-    }
+    out["certificate"] = json!(solver.certificate);
+    out
 }

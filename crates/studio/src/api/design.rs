@@ -141,7 +141,7 @@ pub fn design(studio: &Studio, ask: &Ask) -> Result<Reply> {
         apply(&mut table, edit, &|table| Ok(studio.scene(table)?.0))?;
     }
     let kept = made(studio, &table, slot.ticket().halt())?;
-    if asked.is_overtaken() {
+    if ticket.is_outdated() {
         return overtaken();
     }
     let language = words::current();
@@ -340,7 +340,7 @@ pub fn relax(studio: &Studio, which: &Which) -> Result<Value> {
     };
     let search = Search::until(slot.ticket().halt());
     let tried = kept.design.clone().relaxed_with(&search);
-    if asked.is_overtaken() {
+    if ticket.is_outdated() {
         return overtaken();
     }
     let list = |list: &[Relaxation]| remedies(&tried, &kept.scene, list, language);

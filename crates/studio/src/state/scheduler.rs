@@ -139,7 +139,8 @@ mod tests {
             .map(|k| scheduler.acquire(&scheduler.register(&k.to_string(), 1)))
             .collect();
         std::thread::scope(|scope| {
-            let waiting = scope.spawn(|| scheduler.acquire(&scheduler.register("late", 1)).is_some());
+            let waiting =
+                scope.spawn(|| scheduler.acquire(&scheduler.register("late", 1)).is_some());
             std::thread::sleep(Duration::from_millis(20));
             assert!(!waiting.is_finished());
             drop(held);

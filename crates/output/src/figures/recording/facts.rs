@@ -35,9 +35,9 @@ pub(super) fn write_facts(
         y += 1.5 * e;
     }
     for note in worst(understood) {
-        let text = sentence(words.language(), "note", note);
+        let line = sentence(words.language(), "note", note);
         let colour = if note.doubt().is_some() { RED } else { QUIET };
-        for line in wrapped(said.split(' '), room, LINES) {
+        for line in wrapped(line.split(' '), room, LINES) {
             text(&line, colour, y)?;
             y += 1.5 * e;
         }
