@@ -4,7 +4,7 @@ use super::pieces::Pieces;
 use crate::poly::{PiecewisePoly, SplineSpace, Wave, add_taylor, subdivide};
 use std::f64::consts::TAU;
 
-/// Coefficients of one piece that need no memory of their own; more than the highest degree of a spline in a scene.
+/// Most Bernstein coefficients of a piece that are kept on the stack; wider pieces are allocated.
 pub const WIDEST: usize = 12;
 
 /// One linear functional of the law: Σ value·coefficient.
@@ -29,6 +29,7 @@ pub enum Basis {
 
 impl Basis {
     /// Number of coefficients.
+    #[inline]
     pub fn columns(&self) -> usize {
         match self {
             Basis::Spline { space, .. } => space.dimension(),
@@ -131,7 +132,7 @@ impl Basis {
     pub fn row_on(&self, i: usize, u: f64, weights: &[f64]) -> Entries {
         match self {
             Basis::Spline { space, .. } => match space.degree() {
-                // Quintics are the rule: loops of known length cost a third.
+                // Loops of known length cost a third; quintics are the usual degree.
                 5 => row_on_span(space, 5, (i, u), weights),
                 degree => row_on_span(space, degree, (i, u), weights),
             },
@@ -272,6 +273,7 @@ pub fn add(to: &mut Entries, (index, value): (usize, f64)) {
 }
 
 /// Value of a row on coefficients.
+#[inline]
 pub fn apply(entries: &Entries, x: &[f64]) -> f64 {
     entries.iter().map(|&(i, v)| v * x[i]).sum()
 }

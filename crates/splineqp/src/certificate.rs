@@ -76,64 +76,64 @@ impl Certificate {
 pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Certificate {
     let x = &solution.x[..program.basis.columns()];
     let mut residual = program.hessian.times(x);
-    let pulled = residual
+    let largest_term = residual
         .iter()
         .zip(&program.gradient)
         .fold(0.0_f64, |m, (h, g)| m.max(h.abs()).max(g.abs()));
     for (r, g) in residual.iter_mut().zip(&program.gradient) {
         *r += g;
     }
-    let mut beside = program.cost;
-    let mut pushed_beside = program.cost.map(f64::abs);
-    // The push on the law as a whole, where its level is open: H has no part in it but rounding, and no factor sees it.
-    let mut push: f64 = program.gradient.iter().sum();
+    let mut of_extra = program.cost;
+    let mut terms_of_extra = program.cost.map(f64::abs);
+    // Gradient along the constant function. Where the level is open H has no part in it but rounding, and no factor shows it.
+    let mut level_gradient: f64 = program.gradient.iter().sum();
     let mut slack = 0.0;
-    let mut pushed = pulled;
+    let mut largest_of_rows = largest_term;
     for row in &solution.active {
         let taken: f64 = (0..EXTRAS).map(|k| row.extra[k] * solution.extra[k]).sum();
         slack += row.multiplier * (row.bound - taken - apply(&row.entries, x)).abs();
         for &(i, a) in &row.entries {
             residual[i] += row.multiplier * a;
-            push += row.multiplier * a;
-            pushed = pushed.max((row.multiplier * a).abs());
+            level_gradient += row.multiplier * a;
+            largest_of_rows = largest_of_rows.max((row.multiplier * a).abs());
         }
         for (k, e) in row.extra.iter().enumerate() {
-            beside[k] += row.multiplier * e;
-            pushed_beside[k] += (row.multiplier * e).abs();
+            of_extra[k] += row.multiplier * e;
+            terms_of_extra[k] += (row.multiplier * e).abs();
         }
     }
     let present = program.present();
-    let size = scale(program, solution);
+    let size = objective_size(program, solution);
     let mut gap = slack;
-    off_the_demands(program, &mut residual);
-    let mut left = largest(&residual) / pushed.max(f64::MIN_POSITIVE);
+    project_off_equalities(program, &mut residual);
+    let mut left = largest(&residual) / largest_of_rows.max(f64::MIN_POSITIVE);
     let product = residual.iter().zip(x).map(|(r, x)| r * x);
     let plain = product.sum::<f64>().abs();
     let known = (plain > program.settings.certificate.small * size)
         .then(|| equality::fall(program, &residual));
     let level = match program.basis {
         _ if !program.level_is_open() => 0.0,
-        Basis::Spline { .. } => push * largest(x),
+        Basis::Spline { .. } => level_gradient * largest(x),
         Basis::Harmonic { .. } => residual[0] * x[0],
     };
     gap += known.flatten().map_or(plain, |own| own + level.abs());
-    // A push on a variable beside the law is small beside the others on it, or where a change as large as the lift or the
-    // variable moves the objective by nothing.
+    // A component of the gradient by a further variable is small relative to its largest term, or when a change of the variable
+    // by its own size does not change the objective.
     let lengths = solution.extra.iter().skip(PEAK + 1);
     let length = lengths.fold(program.length, |m, e| m.max(e.abs()));
-    let open = |push: f64, own: f64, at: f64| {
+    let open = |component: f64, own: f64, at: f64| {
         let moved = if at > 0.0 {
-            push * at / size
+            component * at / size
         } else {
             f64::INFINITY
         };
-        (push / own.max(f64::MIN_POSITIVE)).min(moved)
+        (level_gradient / own.max(f64::MIN_POSITIVE)).min(moved)
     };
     if program.cone {
-        let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(pushed_beside[k]));
+        let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(terms_of_extra[k]));
         // The cone's multiplier is what the rows leave of the cost; it must lie in the cone and be
         // orthogonal to the sizes.
-        let z = [RADIUS, RISE, OFFSET].map(|k| beside[k]);
+        let z = [RADIUS, RISE, OFFSET].map(|k| of_extra[k]);
         let outside = (z[1].hypot(z[2]) - z[0]).max(0.0);
         let at = largest(&SIZES.map(|k| solution.extra[k]));
         left = left.max(open(outside, cost, at));
@@ -151,8 +151,8 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
             } else {
                 length
             };
-            left = left.max(open(beside[k].abs(), pushed_beside[k], at));
-            gap += (beside[k] * solution.extra[k]).abs();
+            left = left.max(open(of_extra[k].abs(), terms_of_extra[k], at));
+            gap += (of_extra[k] * solution.extra[k]).abs();
         }
     }
     Certificate {
@@ -170,7 +170,7 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 /// Size of the objective: its value, or what counts as none of the terms that it is the sum of.
-fn scale<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
+fn objective_size<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     let x = &solution.x[..program.basis.columns()];
     let linear: f64 = program
         .gradient
@@ -189,8 +189,8 @@ fn scale<N: Names>(program: &Program<N>, solution: &Solution<N>) -> f64 {
     if value > 0.0 { value } else { 1.0 }
 }
 
-/// Takes the demands' own pushes out of a residual: what is orthogonal to their rows is left.
-fn off_the_demands<N: Names>(program: &Program<N>, residual: &mut [f64]) {
+/// Projects a residual onto the orthogonal complement of the equalities' rows.
+fn project_off_equalities<N: Names>(program: &Program<N>, residual: &mut [f64]) {
     let mut kept: Vec<Vec<f64>> = Vec::new();
     for demand in &program.equalities {
         let mut q = vec![0.0; residual.len()];
@@ -200,7 +200,7 @@ fn off_the_demands<N: Names>(program: &Program<N>, residual: &mut [f64]) {
         let before: f64 = q.iter().map(|q| q * q).sum();
         for _ in 0..2 {
             for k in &kept {
-                take_away(&mut q, k);
+                subtract_component(&mut q, k);
             }
         }
         let length: f64 = q.iter().map(|q| q * q).sum();
@@ -210,11 +210,11 @@ fn off_the_demands<N: Names>(program: &Program<N>, residual: &mut [f64]) {
         }
     }
     for q in &kept {
-        take_away(residual, q);
+        subtract_component(residual, q);
     }
 }
 
-fn take_away(from: &mut [f64], unit: &[f64]) {
+fn subtract_component(from: &mut [f64], unit: &[f64]) {
     let part: f64 = from.iter().zip(unit).map(|(f, u)| f * u).sum();
     for (f, u) in from.iter_mut().zip(unit) {
         *f -= part * u;

@@ -1,4 +1,4 @@
-//! The one place that speaks to Clarabel.
+//! Interface to Clarabel.
 
 use crate::Names;
 use clarabel::algebra::CscMatrix;
@@ -34,7 +34,7 @@ pub fn run(solver: &mut DefaultSolver<f64>) {
 pub struct Point {
     /// Coefficients.
     pub x: Vec<f64>,
-    /// Variables beside the law.
+    /// Further variables.
     pub extra: [f64; EXTRAS],
     /// Iterations.
     pub iterations: usize,
@@ -163,7 +163,7 @@ fn accepted<N: Names>(status: SolverStatus) -> Result<(), Failure<N>> {
     })
 }
 
-/// Where the variables beside the law stand among the columns, and their units.
+/// Columns of the further variables, and their units.
 pub struct Columns {
     pub of: [Option<usize>; EXTRAS],
     pub unit: [f64; EXTRAS],

@@ -1,4 +1,5 @@
-//! Planes as an orthonormal basis Q and a triangle R, Z = QR: one comes or goes in O(n·planes) operations.
+//! Normals of active planes as an orthonormal basis Q and a triangle R, Z = QR; one is added or removed in O(n·planes)
+//! operations.
 
 /// The planes of an active set, by their normals.
 #[derive(Default)]
@@ -9,18 +10,18 @@ pub struct Frame {
     r: Vec<Vec<f64>>,
 }
 
-/// A normal as the frame sees it.
+/// A normal split into its part in the span of Q and the rest.
 pub struct Apart {
     /// Coordinates in Q.
     pub along: Vec<f64>,
     /// What is outside its span.
     pub rest: Vec<f64>,
-    /// Square length of that.
+    /// Square length of the rest.
     pub left: f64,
 }
 
 impl Frame {
-    /// Takes a normal apart.
+    /// Splits a normal.
     pub fn split(&self, z: &[f64]) -> Apart {
         let mut rest = z.to_vec();
         let mut along = Vec::with_capacity(self.r.len() + 1);
@@ -96,7 +97,7 @@ impl Frame {
         out
     }
 
-    /// The point nearest to `free` on all planes, and the way there along Q; R⁻¹ of that are the multipliers.
+    /// The point nearest to `free` on all planes, and the displacement in coordinates of Q; R⁻¹ times it are the multipliers.
     pub fn nearest(&self, free: &[f64], bounds: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = free.len();
         let mut away: Vec<f64> = self.q.chunks_exact(n).map(|q| dot(q, free)).collect();
@@ -118,7 +119,7 @@ impl Frame {
     }
 }
 
-/// Inner product in four sums, which a processor adds side by side.
+/// Inner product in four independent sums, which a processor adds in parallel.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     let (fours_a, rest_a) = a[..n].as_chunks::<4>();

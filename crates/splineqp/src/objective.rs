@@ -27,8 +27,8 @@ impl Quadratic {
         }
     }
 
-    /// Adds ½·mean over the law of weight(θ)·(w·svaj − wanted(θ))², with at least `nodes` quadrature
-    /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative; `wanted`
+    /// Adds ½·mean over the law of weight(θ)·(w·svaj − target(θ))², with at least `nodes` quadrature
+    /// nodes on every piece of the basis. `weights` holds w₀ … w₄ of s … the fourth derivative; `target`
     /// fills in the values at the nodes of a piece given by its start and width (`pointwise` makes one
     /// of a function of θ).
     pub fn add_distance(
@@ -36,7 +36,7 @@ impl Quadratic {
         basis: &Basis,
         weights: &[f64],
         nodes: usize,
-        mut wanted: impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]),
+        mut target: impl FnMut(f64, f64, &[(f64, f64)], &mut [f64]),
         weight: Option<&dyn Fn(f64) -> f64>,
     ) {
         let breaks = basis.breaks();
@@ -50,11 +50,11 @@ impl Quadratic {
         };
         for (i, ends) in breaks.windows(2).enumerate() {
             let (start, width) = (ends[0], ends[1] - ends[0]);
-            wanted(start, width, &rule, &mut values);
+            target(start, width, &rule, &mut values);
             match basis {
                 Basis::Spline { space, .. } => {
                     let as_before = table.fit(space, i, &rule, weights);
-                    // Equal spans under one weight differ only in what is wanted.
+                    // Equal spans under one weight differ in their target only.
                     if let Some(weight) = weight {
                         table.weigh(&rule, |u| width / total * weight(start + u * width));
                     } else if !as_before {
@@ -193,7 +193,7 @@ struct Table {
     factors: Vec<f64>,
     /// Products of the functions k and l ≤ k at l·n + k − l, as [`ArrowMatrix::add_block`] takes them.
     gram: Vec<f64>,
-    /// Products of the functions with what is wanted, negative.
+    /// Products of the functions with the target, negative: their part of g.
     pull: Vec<f64>,
 }
 
@@ -243,23 +243,23 @@ impl Table {
         }
     }
 
-    /// Products with what is wanted at the nodes; returns half its weighed square.
-    fn pull(&mut self, wanted: &[f64]) -> f64 {
+    /// Products with the target at the nodes; returns half its weighted square.
+    fn pull(&mut self, target: &[f64]) -> f64 {
         // Loops of known length cost half; quintics with a node for each function are the rule.
-        match wanted.len() {
-            6 => self.pull_at(6, wanted),
-            nodes => self.pull_at(nodes, wanted),
+        match target.len() {
+            6 => self.pull_at(6, target),
+            nodes => self.pull_at(nodes, target),
         }
     }
 
     #[inline(always)]
-    fn pull_at(&mut self, nodes: usize, wanted: &[f64]) -> f64 {
-        let wanted = &wanted[..nodes];
+    fn pull_at(&mut self, nodes: usize, target: &[f64]) -> f64 {
+        let target = &target[..nodes];
         let functions = self.weighed.chunks_exact(nodes);
         for (pull, weighed) in self.pull.iter_mut().zip(functions) {
-            *pull = -dot(weighed, wanted);
+            *pull = -dot(weighed, target);
         }
-        let squares = wanted.iter().zip(&self.factors).map(|(b, f)| f * b * b);
+        let squares = target.iter().zip(&self.factors).map(|(b, f)| f * b * b);
         0.5 * squares.sum::<f64>()
     }
 }

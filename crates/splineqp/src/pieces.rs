@@ -5,9 +5,9 @@ use super::program::Limit;
 use crate::Names;
 use crate::poly::{Peak, Span, SplineSpace, bernstein};
 
-/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that is asked for.
+/// Bernstein coefficients of s, v, a, j and the fourth derivative on every span, up to the highest that a limit contains.
 ///
-/// Coefficient k of all spans stands in one row, so that everything that is done to each span is done to all at once.
+/// Row k holds coefficient k of all spans, so each operation runs over all spans at once.
 pub struct Pieces {
     spans: usize,
     degree: usize,

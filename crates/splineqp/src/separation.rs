@@ -73,7 +73,7 @@ impl<N: Names> Program<N> {
             }
             let curve = self.curve(x, limit);
             for mut peak in curve.peaks_above(level, limit.domain.0, limit.domain.1) {
-                // A shape cuts the curve finer than the basis: places are told in the basis' pieces.
+                // A shape subdivides the curve; report the place on the pieces of the basis.
                 if let Basis::Spline { space, .. } = &self.basis {
                     (peak.piece, peak.u) = space.locate(peak.at);
                 }

@@ -1,6 +1,6 @@
 //! Which method solves a program.
 //!
-//! | method | asked for | file |
+//! | method | used for | file |
 //! |---|---|---|
 //! | equality-constrained least squares | limits that the unconstrained optimum satisfies | `equality` |
 //! | dual active set | the coefficients alone, at most 400 rows | `active_set` |

@@ -101,31 +101,37 @@ impl PiecewisePoly {
     }
 
     /// Breaks, increasing, one more than pieces.
+    #[inline]
     pub fn breaks(&self) -> &[f64] {
         &self.breaks
     }
 
     /// Degree in which every piece is written.
+    #[inline]
     pub fn degree(&self) -> usize {
         self.degree
     }
 
     /// Number of pieces.
+    #[inline]
     pub fn pieces(&self) -> usize {
         self.breaks.len() - 1
     }
 
     /// Bernstein coefficients of piece `i`.
+    #[inline]
     pub fn piece(&self, i: usize) -> &[f64] {
         &self.coef[i * (self.degree + 1)..(i + 1) * (self.degree + 1)]
     }
 
     /// Bernstein coefficients of all pieces, one piece after the other.
+    #[inline]
     pub fn coefficients(&self) -> &[f64] {
         &self.coef
     }
 
     /// Index of the piece that holds `x` (the first or last one outside) and u ∈ [0, 1] within it.
+    #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.breaks[1..self.breaks.len() - 1].partition_point(|&b| b <= x);
         let (a, b) = (self.breaks[i], self.breaks[i + 1]);
@@ -133,6 +139,7 @@ impl PiecewisePoly {
     }
 
     /// Value at `x`; the end pieces continue outside the breaks.
+    #[inline]
     pub fn eval(&self, x: f64) -> f64 {
         let (i, u) = self.locate(x);
         bernstein::eval(self.piece(i), u)

@@ -31,6 +31,7 @@ const TAYLOR_DEGREE: usize = 14;
 
 impl Wave {
     /// Adds the value and three derivatives at `x`.
+    #[inline]
     pub fn add_to(&self, x: f64, out: &mut [f64; 4]) {
         let (sin, cos) = (self.rate * x).sin_cos();
         let value = self.cos * cos + self.sin * sin;

@@ -2,7 +2,7 @@
 
 use crate::Names;
 
-/// Variables beside the coefficients of the law, by their index in `extra` arrays.
+/// Further variables (a peak, sizes, ends of ranges), by their index in `extra` arrays.
 pub const EXTRAS: usize = 6;
 /// A bound that is itself minimised: a peak objective, an elastic limit.
 pub const PEAK: usize = 0;
@@ -28,13 +28,13 @@ pub struct Limit<N: Names> {
     pub weights: [f64; 5],
     /// Σ weights·svaj + Σ extra·y ≤ bound + shape(θ).
     pub bound: f64,
-    /// Weights of the variables beside the law.
+    /// Weights of the further variables.
     pub extra: [f64; EXTRAS],
     /// Index into the program's shapes of the part of the bound that varies with θ.
     pub shape: Option<usize>,
     /// The lift counts from the base circle, which the law touches at the program's `touching`.
     pub from_base_circle: bool,
-    /// First and last cam angle at which it is asked for, rad.
+    /// First and last cam angle at which it holds, rad.
     pub domain: (f64, f64),
     /// Size against which a violation counts: |bound| unless that is 0.
     pub scale: f64,
@@ -85,14 +85,14 @@ impl<N: Names> Limit<N> {
         self.weights.iter().rposition(|w| *w != 0.0).unwrap_or(0)
     }
 
-    /// The same limit asked for nowhere.
+    /// The same limit with an empty domain.
     pub(crate) fn idle(mut self) -> Self {
         self.extra = [0.0; EXTRAS];
         self.domain = (f64::INFINITY, f64::INFINITY);
         self
     }
 
-    /// Whether it is one on variables beside the law.
+    /// Whether it contains further variables only.
     pub fn is_on_size_alone(&self) -> bool {
         self.weights == [0.0; 5] && self.extra != [0.0; EXTRAS]
     }
@@ -102,7 +102,7 @@ impl<N: Names> Limit<N> {
         self.extra[PEAK] != 0.0
     }
 
-    /// The bound less what the variables beside the law take of it.
+    /// The bound less the terms of the further variables.
     pub(crate) fn room(&self, extra: &[f64; EXTRAS]) -> f64 {
         self.bound - (0..EXTRAS).map(|k| self.extra[k] * extra[k]).sum::<f64>()
     }

@@ -3,7 +3,7 @@
 //! Minimise ½xᵀHx + gᵀx + cᵀy subject to equalities and to limits that must hold *everywhere* on their
 //! domain: Σ wₖ s⁽ᵏ⁾(θ) ≤ bound. A limit is infinitely many rows; `separation` finds its exact worst points,
 //! `solve` chooses the method: `active_set` over the coefficients alone, `exchange` with sizes and
-//! peaks beside them.
+//! peaks among the variables.
 
 use crate::Names;
 mod failure;
@@ -49,11 +49,11 @@ pub struct Program<N: Names> {
     pub shapes: Vec<PiecewisePoly>,
     /// Lift where the law of open level touches its base circle; `None` where the law's zero is that circle.
     pub touching: Option<Entries>,
-    /// Rows that stand for themselves (linearised curvature).
+    /// Rows of no limit (linearised curvature), kept in every round.
     pub fixed: Vec<Row<N>>,
     /// Rows to begin the exchange with: the contacts of a neighbouring program.
     pub seeds: Vec<Row<N>>,
-    /// Cost of each variable beside the law.
+    /// Cost of each further variable.
     pub cost: [f64; EXTRAS],
     /// Rp ≥ ‖(D, e)‖.
     pub cone: bool,
@@ -80,7 +80,7 @@ pub struct Row<N: Names> {
     pub entries: Entries,
     /// The part of it that stands at the touching angle.
     pub touching: Entries,
-    /// Weights of the variables beside the law.
+    /// Weights of the further variables.
     pub extra: [f64; EXTRAS],
     /// Its bound.
     pub bound: f64,
@@ -104,7 +104,7 @@ impl<N: Names> Row<N> {
 pub struct Solution<N: Names> {
     /// Coefficients.
     pub x: Vec<f64>,
-    /// Values of the variables beside the law.
+    /// Values of the further variables.
     pub extra: [f64; EXTRAS],
     /// Active rows with their multipliers.
     pub active: Vec<Row<N>>,
@@ -145,7 +145,7 @@ impl<N: Names> Program<N> {
         }
     }
 
-    /// What a limit leaves for its left side on a law: the bound less what the variables beside the law take,
+    /// Bound of a limit's left side on a law: the bound less the terms of the further variables,
     /// and what a lift counted from the touching angle gains.
     pub fn room(&self, limit: &Limit<N>, x: &[f64], extra: &[f64; EXTRAS]) -> f64 {
         let lowest = self.reference(limit).map_or(0.0, |at| apply(at, x));
@@ -162,7 +162,7 @@ impl<N: Names> Program<N> {
         self.touching.as_ref().filter(|_| limit.from_base_circle)
     }
 
-    /// Which of the variables beside the law take part.
+    /// Which of the further variables take part.
     pub fn present(&self) -> [bool; EXTRAS] {
         let mut out = [false; EXTRAS];
         for (k, present) in out.iter_mut().enumerate() {
@@ -241,7 +241,7 @@ impl<N: Names> Program<N> {
         priced
     }
 
-    /// The same program with every stroke and face left free; `None` without such limits, and beside a program in
+    /// The same program with every stroke and face left free; `None` without such limits, and next to a program in
     /// which one of them was active.
     pub fn without_windows(&self) -> Option<Program<N>> {
         let mut windows = self.limits.iter().filter(|l| l.is_window()).peekable();

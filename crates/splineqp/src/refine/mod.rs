@@ -40,7 +40,7 @@ struct Contacts<'a, N: Names> {
     program: &'a Program<N>,
     /// Second derivatives of the bounds' shapes.
     bends: Vec<PiecewisePoly>,
-    /// Which of the variables beside the law take part.
+    /// Which of the further variables take part.
     free: Vec<usize>,
     degree: usize,
 }
@@ -48,7 +48,7 @@ struct Contacts<'a, N: Names> {
 /// How a step finds the rows that it holds.
 #[derive(Clone, Copy, PartialEq)]
 enum Way {
-    /// All contacts as equalities; those that would pull leave.
+    /// All contacts as equalities; those of negative multiplier leave.
     Equalities,
     /// A program of its own over all places near their bound.
     Program,
@@ -152,7 +152,7 @@ impl<'a, N: Names> Contacts<'a, N> {
             let Some(mut next) = next.filter(|n| n.violation <= most) else {
                 break;
             };
-            // A row moved to where its contact went takes a part of the gradient along, unless it all but stands there.
+            // A row moved to its contact changes the gradient; near the contact the row itself may have the better certificate.
             let gathered = Solution {
                 active: self.gathered(&next, &self.peaks_near(&next), way),
                 ..next.clone()
@@ -189,7 +189,7 @@ impl<'a, N: Names> Contacts<'a, N> {
         order >= self.degree && limit.shape.is_none()
     }
 
-    /// Active rows brought to the local maxima beside them; rows that share one are one contact.
+    /// Active rows moved to the nearest local maxima; rows that share one are one contact.
     fn gathered(&self, solution: &Solution<N>, peaks: &[(usize, Peak)], way: Way) -> Vec<Row<N>> {
         let program = self.program;
         let mut out: Vec<Row<N>> = Vec::new();

@@ -1,4 +1,4 @@
-//! Solving once more with the active rows as equalities: the digits an interior-point method leaves out.
+//! Solves once more with the active rows as equalities, for the digits that an interior-point method leaves unresolved.
 
 use crate::Names;
 use crate::basis::apply;

@@ -27,6 +27,7 @@ const BINOMIALS: [[f64; SHORT]; SHORT] = {
 };
 
 /// Value at `u`; stable for u in [0, 1], valid outside.
+#[inline]
 pub fn eval(b: &[f64], u: f64) -> f64 {
     let n = b.len() - 1;
     if n == 0 {
@@ -185,6 +186,7 @@ pub fn between(b: &[f64], lo: f64, hi: f64) -> Vec<f64> {
 }
 
 /// Smallest and largest coefficient: bounds of the polynomial on [0, 1].
+#[inline]
 pub fn hull(b: &[f64]) -> (f64, f64) {
     b.iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| {

@@ -23,6 +23,7 @@ pub struct Span {
 
 impl Span {
     /// Spans with equal numbers look alike: same knots around them, so same rows.
+    #[inline]
     pub fn matrix(&self) -> usize {
         self.matrix
     }
@@ -80,11 +81,13 @@ impl SplineSpace {
     }
 
     /// Degree of the pieces.
+    #[inline]
     pub fn degree(&self) -> usize {
         self.degree
     }
 
     /// Number of coefficients.
+    #[inline]
     pub fn dimension(&self) -> usize {
         self.dimension
     }
@@ -95,27 +98,32 @@ impl SplineSpace {
     }
 
     /// The non-empty spans in order.
+    #[inline]
     pub fn spans(&self) -> &[Span] {
         &self.spans
     }
 
     /// Index of the span that holds `x` and u ∈ [0, 1] within it.
+    #[inline]
     pub fn locate(&self, x: f64) -> (usize, f64) {
         let i = self.spans[1..].partition_point(|s| s.start <= x);
         (i, (x - self.spans[i].start) / self.spans[i].width)
     }
 
     /// Extraction matrix of a span, (degree+1)², entry `[k*(degree+1) + i]` as documented above.
+    #[inline]
     pub fn extraction(&self, span: usize) -> &[f64] {
         &self.matrices[self.spans[span].matrix]
     }
 
     /// Coefficient index of local basis function `i` on a span.
+    #[inline]
     pub fn index(&self, span: usize, i: usize) -> usize {
         (self.spans[span].first + i) % self.dimension
     }
 
     /// Whether the space repeats and all its spans look alike.
+    #[inline]
     pub fn is_uniform(&self) -> bool {
         let first = &self.spans[0];
         let alike = |s: &Span| {
