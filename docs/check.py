@@ -7,7 +7,8 @@
 - `theory §n` anywhere in the repository is a section of docs/theory.md;
 - a path such as `src/law/rise.rs` in README, CONTRIBUTING and docs/ is that of a file or folder;
 - a relative link in a Markdown file leads to a file, and its #anchor to a heading;
-- nothing cites a document that is not in the repository.
+- nothing cites a document that is not in the repository;
+- the README installs and tests with the commands that `.ci/run` runs.
 """
 
 import re
@@ -98,6 +99,19 @@ def broken_book_links(folder):
     print(f"{len(pages)} pages, {sum(len(page.links) for page in pages.values())} links")
 
 
+def install_faults():
+    """The commands of a fresh machine: in the first block of the README's Install, and in .ci/run."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    block = re.search(r"(?ms)^## Install$.*?^```sh\n(.*?)^```$", readme)
+    shown = [line.split("#")[0].strip() for line in (block.group(1) if block else "").splitlines()]
+    run = [line.strip() for line in (ROOT / ".ci" / "run").read_text(encoding="utf-8").splitlines()]
+    for command in ("cargo run --release", "cargo test --release"):
+        if command not in shown:
+            yield f"README.md: the Install block lacks `{command}`"
+        if not any(line == command or line.startswith(f"{command} -- ") for line in run):
+            yield f".ci/run: does not run `{command}`, which the README shows"
+
+
 def main():
     if sys.argv[1:2] == ["--book"]:
         found = list(broken_book_links(Path(sys.argv[2]).resolve()))
@@ -105,6 +119,7 @@ def main():
     theory = (ROOT / "docs" / "theory.md").read_text(encoding="utf-8")
     sections = {int(n) for n in re.findall(r"(?m)^## (\d+)\. ", theory)}
     found = [f"{p.relative_to(ROOT)}: {f}" for p in files() for f in faults(p, sections)]
+    found += install_faults()
     if found:
         sys.exit("\n".join(found))
 

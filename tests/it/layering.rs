@@ -80,6 +80,31 @@ fn imports_point_downwards_only() {
     }
 }
 
+/// The code of a file without comments (examples in the documentation are programs of users) and without the items that
+/// are compiled for tests only: from the attribute to the line that closes the item.
+fn without_tests(text: &str) -> String {
+    let mut out = String::new();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        let indent = &line[..line.len() - line.trim_start().len()];
+        if line.trim() == "#[cfg(test)]" {
+            let ends = [format!("{indent}}}"), format!("{indent});")];
+            let is_last = |l: &str| ends.iter().any(|e| l == e) || l.ends_with(';');
+            let _ = lines.by_ref().find(|l| l.starts_with(indent) && is_last(l));
+        } else if !line.trim_start().starts_with("//") {
+            out.push_str(line);
+            out.push('\n');
+        }
+    }
+    out
+}
+
+#[test]
+fn items_after_a_test_module_are_read() {
+    let text = "fn a() {}\n#[cfg(test)]\nmod tests {\n    fn b() {\n        c();\n    }\n}\nfn d() {}\n#[cfg(test)]\nmod e;\nfn f() {}\n";
+    assert_eq!(without_tests(text), "fn a() {}\nfn d() {}\nfn f() {}\n");
+}
+
 #[test]
 fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
     let mut files = Vec::new();
@@ -89,11 +114,7 @@ fn numerics_neither_read_nor_write_nor_look_at_the_clock() {
         "",
     );
     for (module, text) in &files {
-        // Examples in the documentation are programs of users, who may.
-        let code = text.split("#[cfg(test)]").next().unwrap_or("");
-        let code: String = (code.lines())
-            .filter(|line| !line.trim_start().starts_with("//"))
-            .collect();
+        let code = without_tests(text);
         for word in [
             "std::fs",
             "println!",

@@ -6,6 +6,7 @@ mod examples;
 mod law;
 mod layering;
 mod public_examples;
+mod readme;
 mod scene;
 mod synth;
 mod wording;

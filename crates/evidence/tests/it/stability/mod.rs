@@ -8,11 +8,12 @@ mod programs;
 
 use std::f64::consts::TAU;
 
+use gaitcam::error::Result;
 use gaitcam::scene;
 use gaitcam::synth::Design;
 
-fn design(changes: &[&str]) -> Result<Design, String> {
-    gaitcam_test_support::design(scene::DEFAULT, changes).map_err(|e| e.to_string())
+fn design(changes: &[&str]) -> Result<Design> {
+    gaitcam_test_support::design(scene::DEFAULT, changes)
 }
 
 fn finite(design: &Design) {
