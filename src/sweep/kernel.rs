@@ -1,11 +1,14 @@
-//! From a batch of parameters to a batch of answers: pure, and the same for any number of threads.
+//! From a batch of parameters to a batch of rows: without side effects, and the same for any number of threads.
 //!
-//! Words decide the structure of a scene, numbers only fill it in. Each combination of words is read once
-//! per batch; its rows then set their numbers directly. Rows of the spectral tier come from a force that is
-//! taken apart once; all others go through the synthesis like a single scene.
+//! Words decide the structure of a scene, numbers only fill it in. Each combination of words is read once per batch; its
+//! rows then set their numbers directly. A harmonic law that keeps its limits follows from the harmonics of the force;
+//! every other row is designed like a single scene.
+//!
+//! Two caches: forces with their harmonics (a grid of a few step frequencies runs twelve times as fast as a sample in
+//! which every row has its own), and searches of rows that differ in limits and sizes alone.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, RwLock};
+use std::sync::{Arc, Mutex, OnceLock, RwLock};
 
 use toml::Table;
 
@@ -28,8 +31,10 @@ pub type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 /// Gives the end of the searches of a row that begins now.
 pub type Halts<'a> = &'a (dyn Fn() -> Halt + Sync);
 
-/// Targets kept at a time; a sweep over more recordings or speeds than this forgets the oldest batch.
-const KEPT_TARGETS: usize = 1024;
+/// Forces kept at a time; a sweep over more recordings or step frequencies forgets all of them.
+const KEPT_FORCES: usize = 1024;
+/// Demands kept at a time.
+const KEPT_DEMANDS: usize = 256;
 
 /// Turns batches into results.
 pub struct Kernel<'a> {
@@ -38,43 +43,46 @@ pub struct Kernel<'a> {
     targets: Targets<'a>,
     halts: Halts<'a>,
     clock: Option<Clock<'a>>,
-    harmonics: RwLock<HashMap<TargetName, Option<Arc<HarmonicTarget>>>>,
-    wanted: Mutex<Vec<Arc<Wanted>>>,
+    /// Whether numbers of recordings vary, by which a file gives several forces.
+    varies_reading: bool,
+    forces: RwLock<HashMap<ForceName, Arc<Force>>>,
+    demands: Mutex<Vec<Arc<Demand>>>,
 }
 
-/// What names a force, and the bits of its step frequency.
-type TargetName = (Arc<str>, u64);
+/// The source of a force, and the bits of its step frequency.
+type ForceName = (Arc<str>, u64);
+
+/// A force by its source: of a load model for one step frequency and any body weight.
+#[derive(Default)]
+struct Force {
+    /// Of a recording; `None` of a load model.
+    curve: Option<Result<ForceCurve>>,
+    /// `None` where the force has no Fourier series that a closed form takes.
+    harmonics: OnceLock<Option<HarmonicTarget>>,
+}
 
 /// A combination of words, read.
 #[derive(Default)]
 struct Base {
     /// `None` when it has to be read row by row, because the numbers of its first row do not fit it.
     scene: Option<Scene>,
-    /// What names its force: the recording with its options, or the model and feet.
-    source: Arc<str>,
-    /// Whether the closed form may answer.
-    closed: bool,
-    /// Step frequency and harmonics of the row before.
-    last: Option<(u64, Option<Arc<HarmonicTarget>>)>,
-    /// What the row before wanted.
-    before: Option<Arc<Wanted>>,
+    /// The source of its force; `None` where the numbers of a row decide.
+    source: Option<Arc<str>>,
+    /// Whether the closed form may apply.
+    is_closed: bool,
 }
 
-/// What rows ask for, and what was found for it: rows that differ in limits and sizes alone share it.
-struct Wanted {
+/// What a law has to achieve apart from limits and sizes, with the search that all rows of it share.
+struct Demand {
     /// Base scene; recordings are named relative to it.
     scene: usize,
     gait: Option<Gait>,
     law: LawSpec,
     force: Option<ForceCurve>,
-    /// Its cache serves every row.
     search: Search,
 }
 
-/// What is wanted that is kept at a time.
-const KEPT_WANTED: usize = 256;
-
-impl Wanted {
+impl Demand {
     fn is_of(&self, index: usize, scene: &Scene) -> bool {
         self.scene == index && self.gait == scene.gait && self.law == scene.law
     }
@@ -89,14 +97,16 @@ impl<'a> Kernel<'a> {
         halts: Halts<'a>,
         clock: Option<Clock<'a>>,
     ) -> Self {
+        let reads = |key: &Key| key.is_number() && key.name().starts_with("gait.");
         Kernel {
+            varies_reading: keys.iter().any(reads),
             scenes,
             keys,
             targets,
             halts,
             clock,
-            harmonics: RwLock::new(HashMap::new()),
-            wanted: Mutex::default(),
+            forces: RwLock::default(),
+            demands: Mutex::default(),
         }
     }
 
@@ -159,20 +169,16 @@ impl<'a> Kernel<'a> {
     }
 
     fn base(&self, batch: &Batch, row: usize) -> Base {
-        let scene = self.read(batch, row).ok();
-        let source: Arc<str> = match scene.as_ref().and_then(|s| s.gait.as_ref()) {
-            None => Arc::from(""),
-            Some(gait) => match &gait.source {
-                Source::Model(name) => Arc::from(format!("{name} {}", gait.feet.name())),
-                Source::File(_) => Arc::from(format!("{} {gait:?}", batch.scene[row])),
-            },
+        let index = batch.scene[row] as usize;
+        let Ok(scene) = self.read(batch, row) else {
+            return Base::default();
         };
+        let gait = scene.gait.as_ref();
+        let is_file = gait.is_some_and(|g| matches!(g.source, Source::File(_)));
         Base {
-            closed: scene.as_ref().is_some_and(spectral::suits),
-            scene,
-            source,
-            last: None,
-            before: None,
+            source: (!is_file || !self.varies_reading).then(|| source(index, &scene)),
+            is_closed: spectral::suits(&scene),
+            scene: Some(scene),
         }
     }
 
@@ -212,20 +218,14 @@ impl<'a> Kernel<'a> {
             && self.set_numbers(batch, row, scene)
             && scene::check(scene).is_ok()
         {
-            let answer = if base.closed {
-                closed_row(self, index, base)
-            } else {
-                None
-            };
-            if let Some(answer) = answer {
-                return answer;
-            }
-            if let Some(scene) = &base.scene {
-                return self.answer(index, scene, &mut base.before);
-            }
+            let named = base.source.clone();
+            let source = named.unwrap_or_else(|| source(index, scene));
+            let closed = || self.closed_row(index, scene, &source);
+            let closed = if base.is_closed { closed() } else { None };
+            return closed.unwrap_or_else(|| self.designed_row(index, scene, &source));
         }
         match self.read(batch, row) {
-            Ok(scene) => self.answer(index, &scene, &mut base.before),
+            Ok(scene) => self.designed_row(index, &scene, &source(index, &scene)),
             Err(e) => Row::error(e.to_string()),
         }
     }
@@ -242,21 +242,32 @@ impl<'a> Kernel<'a> {
         true
     }
 
-    /// The synthesis of one scene. What rows of the same force and law have found is not sought again.
-    fn answer(&self, index: usize, scene: &Scene, before: &mut Option<Arc<Wanted>>) -> Row {
-        let wanted = match before {
-            Some(wanted) if wanted.is_of(index, scene) => wanted.clone(),
-            _ => match self.wanted(index, scene) {
-                Ok(wanted) => wanted,
-                Err(e) => return Row::error(e.to_string()),
-            },
+    /// The row of a harmonic law that keeps its limits, from the harmonics of the force.
+    fn closed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Row> {
+        let gait = scene.gait.as_ref()?;
+        let scale = match &gait.source {
+            Source::File(_) => 1.0,
+            Source::Model(_) => gait.model_weight(),
         };
-        *before = Some(wanted.clone());
-        let search = wanted.search.ended_by(&(self.halts)());
-        let answer = Problem::resolve(scene, wanted.force.as_ref())
+        let force = self.force(index, scene, source)?;
+        let target = force
+            .harmonics
+            .get_or_init(|| harmonics(gait, &force))
+            .as_ref()?;
+        spectral::figures(scene, target, scale).map(|f| Row::spectral(&f, target))
+    }
+
+    /// The row of a scene that is designed like any other.
+    fn designed_row(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Row {
+        let demand = match self.demand(index, scene, source) {
+            Ok(demand) => demand,
+            Err(e) => return Row::error(e.to_string()),
+        };
+        let search = demand.search.ended_by(&(self.halts)());
+        let answer = Problem::resolve(scene, demand.force.as_ref())
             .and_then(|problem| design(&problem, &search));
         match answer {
-            // What a clock cut short is no answer that another run would give.
+            // A result that a clock cut short differs from run to run.
             Ok(design) if design.out_of_time => {
                 Row::error(Error::from(SweepError::OutOfTime).to_string())
             }
@@ -265,38 +276,38 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// What a row asks for; of what was asked before, with what was found.
-    fn wanted(&self, index: usize, scene: &Scene) -> Result<Arc<Wanted>> {
-        let kept = || self.wanted.lock().ok();
-        let known = |list: &Vec<Arc<Wanted>>| {
-            let same = list.iter().rev().find(|w| w.is_of(index, scene));
-            same.cloned()
-        };
-        if let Some(wanted) = kept().and_then(|list| known(&list)) {
-            return Ok(wanted);
+    /// The demand of a scene, cached.
+    fn demand(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Arc<Demand>> {
+        if let Ok(demands) = self.demands.lock()
+            && let Some(demand) = demands.iter().rev().find(|d| d.is_of(index, scene))
+        {
+            return Ok(demand.clone());
         }
-        let wanted = Arc::new(Wanted {
+        let demand = Arc::new(Demand {
             scene: index,
             gait: scene.gait.clone(),
             law: scene.law.clone(),
-            force: self.target(index, scene)?,
+            force: self.curve(index, scene, source)?,
             search: Search::default(),
         });
-        if let Some(mut list) = kept() {
-            if list.len() >= KEPT_WANTED {
-                list.clear();
+        if let Ok(mut demands) = self.demands.lock() {
+            if demands.len() >= KEPT_DEMANDS {
+                demands.clear();
             }
-            list.push(wanted.clone());
+            demands.push(demand.clone());
         }
-        Ok(wanted)
+        Ok(demand)
     }
 
-    fn target(&self, index: usize, scene: &Scene) -> Result<Option<ForceCurve>> {
+    fn curve(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Result<Option<ForceCurve>> {
         let Some(gait) = &scene.gait else {
             return Ok(None);
         };
         match &gait.source {
-            Source::File(_) => (self.targets)(index, scene).map(Some),
+            Source::File(_) => {
+                let force = self.force(index, scene, source);
+                force.and_then(|f| f.curve.clone()).transpose()
+            }
             Source::Model(name) => {
                 force::model(name, gait.step_frequency, gait.model_weight(), gait.feet)
                     .map(Some)
@@ -305,53 +316,54 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// The harmonics of a scene's force, taken apart once.
-    fn harmonic_target(
-        &self,
-        index: usize,
-        scene: &Scene,
-        source: &Arc<str>,
-        frequency: u64,
-    ) -> Option<Arc<HarmonicTarget>> {
-        let name = (source.clone(), frequency);
-        if let Some(target) = self.harmonics.read().ok()?.get(&name) {
-            return target.clone();
-        }
-        let (target, cheap) = match self.take_apart(index, scene) {
-            Some((target, cheap)) => (Some(Arc::new(target)), cheap),
-            None => (None, false),
-        };
-        let mut harmonics = self.harmonics.write().ok()?;
-        if harmonics.len() >= KEPT_TARGETS {
-            if cheap {
-                return target;
-            }
-            harmonics.clear();
-        }
-        harmonics.insert(name, target.clone());
-        target
-    }
-
-    /// A target, and whether it costs less than keeping it.
-    fn take_apart(&self, index: usize, scene: &Scene) -> Option<(HarmonicTarget, bool)> {
+    /// The force of a scene, cached; `None` of a scene without one.
+    fn force(&self, index: usize, scene: &Scene, source: &Arc<str>) -> Option<Arc<Force>> {
         let gait = scene.gait.as_ref()?;
-        let Source::Model(name) = &gait.source else {
-            let curve = (self.targets)(index, scene).ok()?;
-            if !open_questions(Some(gait), Some(&curve)).is_empty() {
-                return None;
-            }
-            return Some((HarmonicTarget::of_curve(curve)?, false));
-        };
-        let fourier = force::fourier(name, gait.step_frequency, gait.feet).ok()?;
-        let harmonics = fourier.and_then(|(period_s, terms)| {
-            HarmonicTarget::of_harmonics(period_s, terms, force::SAMPLES)
-        });
-        if let Some(target) = harmonics {
-            return Some((target, true));
+        let is_file = matches!(gait.source, Source::File(_));
+        let frequency = gait.step_frequency.filter(|_| !is_file).unwrap_or(0.0);
+        let name = (source.clone(), frequency.to_bits());
+        if let Some(force) = self.forces.read().ok()?.get(&name) {
+            return Some(force.clone());
         }
-        let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
-        Some((HarmonicTarget::of_curve(curve)?, false))
+        let force = Arc::new(Force {
+            curve: is_file.then(|| (self.targets)(index, scene)),
+            harmonics: OnceLock::new(),
+        });
+        let mut forces = self.forces.write().ok()?;
+        if forces.len() >= KEPT_FORCES {
+            forces.clear();
+        }
+        forces.insert(name, force.clone());
+        Some(force)
     }
+}
+
+/// The source of a scene's force: the recording with its options, or the model and feet.
+fn source(index: usize, scene: &Scene) -> Arc<str> {
+    let Some(gait) = &scene.gait else {
+        return Arc::from("");
+    };
+    Arc::from(match &gait.source {
+        Source::Model(name) => format!("{name} {}", gait.feet.name()),
+        Source::File(_) => format!("{index} {gait:?}"),
+    })
+}
+
+/// The Fourier series of a force, of a load model for a body weight of 1 N.
+fn harmonics(gait: &Gait, force: &Force) -> Option<HarmonicTarget> {
+    let Source::Model(name) = &gait.source else {
+        let curve = force.curve.as_ref()?.as_ref().ok()?;
+        let is_certain = open_questions(Some(gait), Some(curve)).is_empty();
+        return is_certain.then(|| HarmonicTarget::of_curve(curve.clone()))?;
+    };
+    let fourier = force::fourier(name, gait.step_frequency, gait.feet).ok()?;
+    let harmonics = fourier.and_then(|(period_s, terms)| {
+        HarmonicTarget::of_harmonics(period_s, terms, force::SAMPLES)
+    });
+    harmonics.or_else(|| {
+        let curve = force::model(name, gait.step_frequency, 1.0, gait.feet).ok()?;
+        HarmonicTarget::of_curve(curve)
+    })
 }
 
 /// A panic is an internal error; it must not stop the other rows.
@@ -362,25 +374,6 @@ fn guarded<T>(work: impl FnOnce() -> T) -> std::result::Result<T, String> {
         let words = words.and_then(|w| w.lines().next()).unwrap_or("");
         format!("a fault of gaitcam itself ({words}); please report it with the scene")
     })
-}
-
-/// The closed form of a row whose numbers are set.
-fn closed_row(kernel: &Kernel, index: usize, base: &mut Base) -> Option<Row> {
-    let scene = base.scene.as_ref()?;
-    let gait = scene.gait.as_ref()?;
-    let (frequency, scale) = match &gait.source {
-        Source::File(_) => (0, 1.0),
-        Source::Model(_) => (
-            gait.step_frequency.unwrap_or(0.0).to_bits(),
-            gait.model_weight(),
-        ),
-    };
-    if base.last.as_ref().is_none_or(|l| l.0 != frequency) {
-        let target = kernel.harmonic_target(index, scene, &base.source, frequency);
-        base.last = Some((frequency, target));
-    }
-    let target = base.last.as_ref()?.1.as_ref()?;
-    spectral::figures(scene, target, scale).map(|f| Row::spectral(&f, target))
 }
 
 #[cfg(test)]

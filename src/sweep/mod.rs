@@ -35,5 +35,5 @@ pub use results::{NUMBERS, Outcome, Row, TIME, WORDS};
 pub use runner::Runner;
 pub use sample::Method;
 pub use scatter::{SAMPLE_COLUMNS, Scattered};
-pub use study::{Files, Study, Subject, remembered};
+pub use study::{Files, Study, Subject};
 pub use tolerance::{Made, Part, Scatter, Spread, Tolerance};

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use serde_json::{Value, json};
 
@@ -18,9 +18,6 @@ use super::scatter::Scattered;
 use crate::error::{Error, Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::scene::{Scene, Source};
-
-/// Force curves of recordings kept in memory.
-const KEPT_CURVES: usize = 256;
 
 /// A file that rows name: index of the base scene, and the path as the scene writes it.
 pub type Named = (usize, String);
@@ -196,7 +193,7 @@ impl Study {
         halts: Halts,
         stop: &dyn Fn() -> bool,
     ) -> Result<Option<Records>> {
-        let targets = self.targets();
+        let targets = |index: usize, scene: &Scene| self.target(index, scene);
         let runner = match &self.subject {
             Subject::Designs(plan) => Runner::of_plan(plan, &targets, halts, None),
             Subject::Scatter(scatter) => Runner::of_samples(scatter.samples(&targets, halts())?),
@@ -206,11 +203,7 @@ impl Study {
         Ok((records.len() as u64 == count).then_some(records))
     }
 
-    /// The force curves of the recordings, each read once while it is in use.
-    fn targets(&self) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync + '_ {
-        remembered(|index, scene| self.target(index, scene))
-    }
-
+    /// The force curve of a recording.
     fn target(&self, index: usize, scene: &Scene) -> Result<ForceCurve> {
         let Some((gait, Source::File(path))) = scene.gait.as_ref().map(|g| (g, &g.source)) else {
             return Err(SweepError::NoForceError.into());
@@ -261,27 +254,6 @@ impl Subject {
 fn file_of(table: &toml::Table) -> Option<String> {
     let name = table.get("gait")?.get("file")?.as_str()?;
     Some(name.to_string())
-}
-
-/// Reads the force curves that scenes name, each once while it is in use.
-pub fn remembered(
-    read: impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync,
-) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
-    let kept: Mutex<HashMap<String, Result<ForceCurve>>> = Mutex::new(HashMap::new());
-    move |index, scene| {
-        let name = format!("{index} {:?}", scene.gait);
-        if let Some(curve) = kept.lock().ok().and_then(|k| k.get(&name).cloned()) {
-            return curve;
-        }
-        let curve = read(index, scene);
-        if let Ok(mut kept) = kept.lock() {
-            if kept.len() >= KEPT_CURVES {
-                kept.clear();
-            }
-            kept.insert(name, curve.clone());
-        }
-        curve
-    }
 }
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo).

@@ -44,7 +44,7 @@ fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
                     // By a kernel that has found nothing yet.
                     let other =
                         Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
-                    other.answer(0, &scene, &mut None)
+                    other.designed_row(0, &scene, &source(0, &scene))
                 }
                 Err(e) => Row::error(e.to_string()),
             };
@@ -209,7 +209,7 @@ fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
     let scene = scene::read(&table).unwrap();
     // By a kernel that has found nothing yet.
     let other = Kernel::new(&plan.scenes, plan.keys(), &nowhere, &Halt::never, None);
-    (row, other.answer(0, &scene, &mut None))
+    (row, other.designed_row(0, &scene, &source(0, &scene)))
 }
 
 #[test]

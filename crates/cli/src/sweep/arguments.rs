@@ -13,7 +13,7 @@ use crate::input::{self, SceneArgs};
 use gaitcam::error::{Error, Place, Placed, Result};
 use gaitcam::force::ForceCurve;
 use gaitcam::scene::{self, Scene};
-use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values, remembered};
+use gaitcam::sweep::{Axis, Key, List, NamedScene, Plan, Sampling, Values};
 use gaitcam_files::read::read_bytes;
 use gaitcam_files::target::target;
 
@@ -176,11 +176,11 @@ pub fn in_list(fault: Error, plan: &Plan, path: Option<&Path>) -> Error {
     }
 }
 
-/// Reads the force curves that scenes name, each once while it is in use.
+/// Reads the force curves that scenes name.
 pub fn targets(folders: &[PathBuf]) -> impl Fn(usize, &Scene) -> Result<ForceCurve> + Sync {
-    remembered(|index, scene| {
+    |index, scene| {
         let folder = folders.get(index).map_or(Path::new("."), PathBuf::as_path);
         let curve = target(scene, folder)?;
         curve.ok_or_else(|| CliError::NoCurve.at_key("gait"))
-    })
+    }
 }
