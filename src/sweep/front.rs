@@ -1,6 +1,6 @@
 //! The Pareto set: designs that no other design beats in every objective.
 
-use super::results::{NUMBERS, Outcome};
+use super::table::results::{NUMBERS, Outcome};
 use crate::cam::Verdict;
 use crate::error::{Result, SweepError, nearest};
 use crate::synth::Figure;

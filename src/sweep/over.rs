@@ -1,10 +1,10 @@
 //! A sweep over one scene in three lines.
 
-use super::axis::Axis;
+use super::plan::axis::Axis;
+use super::plan::sample::Method;
 use super::plan::{NamedScene, Plan, Sampling};
-use super::records::Records;
 use super::runner::Runner;
-use super::sample::Method;
+use super::table::records::Records;
 use crate::error::{Error, Result, SweepError};
 use crate::halt::Halt;
 use crate::scene::Scene;

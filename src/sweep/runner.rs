@@ -6,9 +6,9 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 use super::kernel::{Clock, Halts, Kernel, Targets};
+use super::made::scatter::Samples;
 use super::plan::Plan;
-use super::records::Records;
-use super::scatter::Samples;
+use super::table::records::Records;
 
 /// Largest number of rows of one part of the work: bounds the memory.
 const LARGEST_PART: u64 = 4096;

@@ -9,12 +9,12 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
-use super::axis::Values as AxisValues;
 use super::kernel::Halts;
+use super::made::scatter::Scattered;
 use super::plan::Plan;
-use super::records::Records;
+use super::plan::axis::Values as AxisValues;
 use super::runner::Runner;
-use super::scatter::Scattered;
+use super::table::records::Records;
 use crate::error::{Error, Place, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::scene::{Scene, Source};

@@ -86,17 +86,21 @@ fn without_tests(text: &str) -> String {
     let mut out = String::new();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
-        let indent = &line[..line.len() - line.trim_start().len()];
         if line.trim() == "#[cfg(test)]" {
-            let ends = [format!("{indent}}}"), format!("{indent});")];
-            let is_last = |l: &str| ends.iter().any(|e| l == e) || l.ends_with(';');
-            let _ = lines.by_ref().find(|l| l.starts_with(indent) && is_last(l));
+            let depth = indent(line);
+            let is_last = |l: &&str| indent(l) == depth && l.ends_with(['}', ';']);
+            let _ = lines.by_ref().find(is_last);
         } else if !line.trim_start().starts_with("//") {
             out.push_str(line);
             out.push('\n');
         }
     }
     out
+}
+
+/// Columns before the first word of a line.
+fn indent(line: &str) -> usize {
+    line.len() - line.trim_start().len()
 }
 
 #[test]

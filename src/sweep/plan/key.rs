@@ -145,7 +145,7 @@ impl Key {
 
     /// Sets a number straight in a scene that is read already. Returns whether the scene took it; otherwise the
     /// scene's reader has to judge the text.
-    pub(super) fn set(&self, scene: &mut Scene, value: f64) -> bool {
+    pub(in crate::sweep) fn set(&self, scene: &mut Scene, value: f64) -> bool {
         self.number.is_some_and(|n| {
             n.row.dimension(scene) == Some(n.dimension) && n.row.set_number(scene, n.index, value)
         })

@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use super::kernel::Targets;
-use super::plan::NamedScene;
-use super::records::{Field, Records};
 use super::tolerance::{Made, Scatter, Tolerance};
 use crate::error::{Placed, Result, SweepError};
 use crate::force;
 use crate::halt::Halt;
 use crate::problem::Problem;
 use crate::scene::{self, Source};
+use crate::sweep::kernel::Targets;
+use crate::sweep::plan::NamedScene;
+use crate::sweep::table::records::{Field, Records};
 use crate::synth::{Search, design};
 
 /// One design, made many times with errors within tolerances.

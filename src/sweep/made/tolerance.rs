@@ -13,10 +13,10 @@
 
 use std::f64::consts::TAU;
 
-use super::sample::{Method, mixed, unit};
 use crate::drive::{Drive, DriveKind};
 use crate::error::{Placed, Result, SweepError};
 use crate::scene::keys::{self, Key};
+use crate::sweep::plan::sample::{Method, mixed, unit};
 use crate::synth::Design;
 use crate::units::{Dimension, parse};
 

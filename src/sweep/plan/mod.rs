@@ -1,12 +1,17 @@
 //! What a sweep tries: base scenes, a list, a grid or a sample. Every row follows from its number.
 
+pub(super) mod axis;
+pub(super) mod batch;
+pub(super) mod key;
+pub(super) mod sample;
+
 use serde_json::{Map, Value, json};
 use toml::Table;
 
-use super::axis::{Axis, AxisValue, Values};
-use super::batch::{Batch, Column};
-use super::key::Key;
-use super::sample::{Method, SOBOL_AXES};
+use self::axis::{Axis, AxisValue, Values};
+use self::batch::{Batch, Column};
+use self::key::Key;
+use self::sample::{Method, SOBOL_AXES};
 use crate::error::{Place, Result, SweepError};
 use crate::scene;
 

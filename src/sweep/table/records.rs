@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::batch::{Batch, Column};
-use super::key::Key;
 use super::results::{NUMBERS, Results, TIME, WORDS};
-use super::table::unit_of;
+use super::unit_of;
+use crate::sweep::plan::batch::{Batch, Column};
+use crate::sweep::plan::key::Key;
 
 /// Values of one column.
 ///

@@ -12,15 +12,15 @@ use std::sync::{Arc, Mutex, OnceLock, RwLock};
 
 use toml::Table;
 
-use super::batch::{Batch, Column};
-use super::key::Key;
-use super::plan::NamedScene;
-use super::results::{Results, Row};
 use crate::error::{Error, Placed, Result, SweepError};
 use crate::force::{self, ForceCurve};
 use crate::halt::Halt;
 use crate::problem::{Problem, open_questions};
 use crate::scene::{self, Gait, LawSpec, Scene, Source};
+use crate::sweep::plan::NamedScene;
+use crate::sweep::plan::batch::{Batch, Column};
+use crate::sweep::plan::key::Key;
+use crate::sweep::table::results::{Results, Row};
 use crate::synth::spectral::{self, HarmonicTarget};
 use crate::synth::{Search, design};
 

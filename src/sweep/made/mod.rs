@@ -1,0 +1,5 @@
+//! Cams as made: manufacturing errors within tolerances, and measured profiles.
+
+pub(super) mod measured;
+pub(super) mod scatter;
+pub(super) mod tolerance;
