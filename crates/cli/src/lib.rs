@@ -5,17 +5,14 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 
-mod chart;
-mod compare;
 mod console;
-mod doctor;
-mod front;
+mod evidence;
 mod gait;
-mod init;
 mod input;
 mod inspect;
 mod reference;
-mod reproduce;
+mod results;
+mod scene;
 mod simulate;
 mod studio;
 mod sweep;
@@ -31,6 +28,8 @@ use console::{help, language, usage, words};
 use exit_code::{BAD_INPUT, BUILT, INTERNAL_ERROR};
 use gaitcam::error::{Error, Result};
 use reference::{completions, keys, laws, manual};
+use results::{compare, front};
+use scene::{doctor, init};
 use serde_json::{Value, json};
 
 /// From a vertical walking force to the cam that reproduces it.
@@ -56,11 +55,11 @@ enum Command {
     /// Pareto front of a sweep: table, pictures, and the best design as a normal result
     Front(front::FrontArgs),
     /// Recompute every number of the source papers: published, recomputed, agreement
-    Reproduce(reproduce::ReproduceArgs),
+    Reproduce(evidence::ReproduceArgs),
     /// Compare several results: table and overlaid diagrams
     Compare(compare::CompareArgs),
     /// Measure speed against accuracy on this machine and draw the charts
-    Chart(chart::ChartArgs),
+    Chart(evidence::ChartArgs),
     /// Open the studio: a page in the browser on which the cam changes with every number
     Studio(studio::StudioArgs),
     /// Write a commented scene for a machine
@@ -114,9 +113,9 @@ fn dispatch(cli: Cli) -> Result<u8> {
         Command::Inspect(args) => inspect::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Front(args) => front::run(&args),
-        Command::Reproduce(args) => reproduce::run(&args),
+        Command::Reproduce(args) => evidence::reproduce(&args),
         Command::Compare(args) => compare::run(&args),
-        Command::Chart(args) => chart::run(&args),
+        Command::Chart(args) => evidence::chart(&args),
         Command::Studio(args) => studio::run(&args),
         Command::Keys(args) => keys::keys(&args),
         Command::Scenes(args) => keys::scenes(&args),

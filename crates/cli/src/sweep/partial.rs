@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::format::Format;
 use crate::console::error::CliError;
 use crate::console::{language, words};
-use crate::front::read::each_row;
+use crate::results::front::read::each_row;
 use gaitcam::cam::Verdict;
 use gaitcam::error::{Error, Placed, Result};
 use gaitcam::sweep::{Outcome, Records};
