@@ -1,4 +1,4 @@
-"""Types of the compiled part; what a call does stands in its documentation."""
+"""Types of the compiled part; its docstrings say what each call does."""
 
 from collections.abc import Mapping, Sequence
 from os import PathLike

@@ -1,4 +1,4 @@
-"""A sweep in blocks: one Parquet file per range of rows, each whole or not there."""
+"""A sweep in blocks: one Parquet file per range of rows, each complete or absent."""
 
 import os
 import uuid
@@ -8,7 +8,7 @@ from typing import Any
 
 from gaitcam import Sweep
 
-#: Rows of a block where nobody says how many: one row group.
+#: Rows of a block by default: one row group.
 BLOCK_ROWS = 131_072
 
 
@@ -18,16 +18,16 @@ def write(plan: Sweep, start: int, stop: int, file: str | PathLike[str]) -> int:
     parquet: Any = import_module("pyarrow.parquet")
     table = pyarrow.table(plan.run(start, stop, jobs=1))
     folder, name = os.path.split(os.fspath(file))
-    beside = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder
+    partial = os.path.join(folder, f".{name}.{uuid.uuid4().hex}.partial")  # hidden from those who read the folder
     try:
-        with open(beside, "xb") as sink:
+        with open(partial, "xb") as sink:
             parquet.write_table(table, sink, compression="snappy")
             sink.flush()
             os.fsync(sink.fileno())
-        os.replace(beside, file)
+        os.replace(partial, file)
     except BaseException:
-        if os.path.exists(beside):
-            os.remove(beside)
+        if os.path.exists(partial):
+            os.remove(partial)
         raise
     return stop - start
 

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
 use toml::{Table, Value};
 
-/// What pickle wants: a function, and the arguments with which it makes the object again.
+/// What `__reduce__` returns: a function, and the arguments with which it restores the object.
 pub type Reduced<'py, T> = PyResult<(Bound<'py, PyAny>, T)>;
 
 /// A mapping as the table of a scene; `at` is the key that it stands at.

@@ -24,7 +24,7 @@ use crate::law::Law;
 use crate::scene::Scene;
 use crate::table::Table;
 
-/// Time limit of a search where nobody gives one, s.
+/// Default time limit of a search, s.
 pub const TIME_LIMIT_S: f64 = 60.0;
 
 /// A finished design: law, cam, checks and verdict.
@@ -45,9 +45,9 @@ pub struct Design {
 /// Parameters
 /// ----------
 /// scene : Scene, optional
-///     What is wanted; without one, the built-in footbridge.
+///     What to design; the built-in footbridge by default.
 /// force : Force, optional
-///     The force that is wanted, in place of the one that the scene names.
+///     The target force, in place of the one that the scene names.
 /// time_limit : float
 ///     Seconds after which searches end with the best that they have.
 ///
@@ -251,7 +251,7 @@ impl Design {
     /// points : int
     ///     Rows of the tables.
     /// png : bool
-    ///     Pictures as PNG beside SVG.
+    ///     Pictures as PNG in addition to SVG.
     /// solid : bool
     ///     Solids (STEP, STL, 3MF), arcs (DXF) and a workbook (XLSX) too.
     /// tool : float (m) or str ("3 mm"), optional

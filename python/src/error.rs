@@ -42,7 +42,7 @@ pub fn raised(py: Python<'_>, fault: Error) -> PyErr {
     }
 }
 
-/// The key alone, without the file that it stands in.
+/// The key without its file.
 fn key(place: &Place) -> Option<String> {
     match place {
         Place::Key(key) => Some(key.rsplit(": ").next().unwrap_or(key).to_string()),

@@ -1,4 +1,4 @@
-//! The wanted force: arrays or recordings.
+//! The target force: arrays or recordings.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -51,12 +51,12 @@ pub enum Origin {
         gait: Table,
         /// The file.
         bytes: Arc<[u8]>,
-        /// The table of subjects beside it.
+        /// The table of subjects in its folder.
         metadata: Option<Vec<u8>>,
     },
 }
 
-/// The file of a force from arrays, beside the result.
+/// The file of a force from arrays, in the folder of the result.
 pub const FILE: &str = "force.csv";
 
 impl Force {

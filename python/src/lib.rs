@@ -1,5 +1,5 @@
-//! The Python package `gaitcam`: bindings, no more. What a call does stands in the library, in `gaitcam-files` and in
-//! `gaitcam-output`, where the command finds it too.
+//! The Python package `gaitcam`: bindings only. The work is done by the library, `gaitcam-files` and
+//! `gaitcam-output`, as for the command.
 
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]
 

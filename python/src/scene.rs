@@ -12,7 +12,7 @@ use pyo3::types::PyDict;
 use crate::convert::{self, Reduced};
 use crate::error::{Raise, raised};
 
-/// A scene: what force is wanted, how lift becomes force, what the law may be, the cam and its limits.
+/// A scene: target force, drive (how lift becomes force), law of motion, cam and limits.
 ///
 /// ``Scene({"drive": {"mass": "8 kg"}, ...})`` takes what a scene file has, section by section, quantities as text with
 /// their unit. A scene may leave the force open, for :func:`synth` to give: ``Scene()`` says nothing at all. Scenes do

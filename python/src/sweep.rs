@@ -20,7 +20,7 @@ use crate::scene::Scene;
 use crate::table::Table;
 use question::Question;
 
-/// Time limit of one row where nobody gives one, s.
+/// Default time limit of one row, s.
 const ROW_LIMIT_S: f64 = 5.0;
 
 /// A sweep: row i follows from the plan and from i alone, on any machine.
@@ -169,14 +169,14 @@ impl Sweep {
         Ok(missing.into_iter().map(entry).collect())
     }
 
-    /// A number (hexadecimal) for the whole plan with the content of its recordings; it stands in the metadata of every
-    /// table.
+    /// A number (hexadecimal) for the whole plan with the content of its recordings; it is part of the metadata of
+    /// every table.
     #[getter]
     fn fingerprint(&self) -> String {
         self.study.fingerprint()
     }
 
-    /// The plan as data, as it stands in ``_plan.json``.
+    /// The plan as data, as in ``_plan.json``.
     #[getter]
     fn description<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         convert::json(py, &self.study.description())

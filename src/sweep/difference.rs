@@ -1,4 +1,4 @@
-//! What differs between two sweeps, so that none is continued as another.
+//! Differences between two sweeps: a sweep is only resumed as itself.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use strum::VariantNames;
 use crate::error::{FileError, Placed, Result};
 use crate::wording::{self, Language};
 
-/// A difference between two descriptions of sweeps; `path` names its place, `limits.stroke` of `vary`.
+/// A difference between two descriptions of sweeps; `path` is the key path to it, such as `vary limits.stroke`.
 ///
 /// ```
 /// use gaitcam::sweep::{Difference, differences};
@@ -24,7 +24,7 @@ use crate::wording::{self, Language};
 pub enum Difference {
     /// A value, `None` where a description has none.
     Value {
-        /// Its place.
+        /// Its key path.
         path: String,
         /// In the first description.
         old: Option<String>,
@@ -33,19 +33,19 @@ pub enum Difference {
     },
     /// A value too long to quote.
     Long {
-        /// Its place.
+        /// Its key path.
         path: String,
     },
     /// A line of a scene that only the first description has.
     OnlyOld {
-        /// Place of the scene.
+        /// Key path of the scene.
         path: String,
         /// The line.
         text: String,
     },
     /// A line of a scene that only the second has.
     OnlyNew {
-        /// Place of the scene.
+        /// Key path of the scene.
         path: String,
         /// The line.
         text: String,
@@ -59,7 +59,7 @@ impl Difference {
     }
 }
 
-/// Refuses to go on with a sweep that differs from the one begun at `place`.
+/// Refuses to resume a sweep that differs from the one begun at `place`.
 ///
 /// # Errors
 /// Every difference by name, in `language`.
@@ -73,7 +73,7 @@ pub fn agree(place: &Path, begun: &Value, now: &Value, language: Language) -> Re
     Err(FileError::AnotherSweep { differences }.in_file(place))
 }
 
-/// What differs between two descriptions.
+/// The differences between two descriptions.
 pub fn differences(old: &Value, new: &Value) -> Vec<Difference> {
     let mut out = Vec::new();
     compare("", old, new, &mut out);
@@ -132,7 +132,7 @@ fn differing_values(path: String, old: &Value, new: &Value) -> Difference {
     Difference::Value { path, old, new }
 }
 
-/// Lines that only one of two texts has.
+/// Lines that occur in only one of two texts.
 fn differing_lines(path: &str, old: &str, new: &str, out: &mut Vec<Difference>) {
     let only = |a: &str, b: &str| -> Vec<String> {
         let there: Vec<&str> = b.lines().collect();

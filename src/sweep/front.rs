@@ -19,7 +19,7 @@ use crate::synth::Figure;
 pub struct Point {
     /// Number of its row.
     pub row: u64,
-    /// Its objectives, each the smaller the better.
+    /// Its costs: of each objective smaller is better.
     pub values: Vec<f64>,
     /// The cells of its row as text.
     pub cells: Vec<String>,
@@ -44,7 +44,7 @@ pub struct Front {
     points: Vec<Point>,
 }
 
-/// Values that differ by less than this part of their size differ by rounding only.
+/// Relative difference below which values differ only by rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Whether `a` is nowhere worse than `b` by more than rounding.
@@ -54,9 +54,9 @@ fn covers(a: &[f64], b: &[f64]) -> bool {
 }
 
 impl Front {
-    /// Takes a design in unless one on the front is as good in everything; what it covers leaves. Of equal
-    /// designs the first stays. A design with an objective that is not finite is no candidate. `cells` is
-    /// asked for only when the design is taken.
+    /// Adds a design unless one on the front dominates or equals it; designs that it dominates are removed. Of equal
+    /// designs the first is kept. A design with a cost that is not finite is no candidate. `cells` is called only when
+    /// the design is added.
     pub fn offer(&mut self, row: u64, values: &[f64], cells: impl FnOnce() -> Vec<String>) {
         if values.iter().any(|v| !v.is_finite()) {
             return;
@@ -85,7 +85,7 @@ impl Front {
         out
     }
 
-    /// The best compromise: nearest to the best of every objective, each counted from 0 at its best to 1 at
+    /// The best compromise: the design nearest to the ideal point, with each objective scaled to 0 at its best and 1 at
     /// its worst on the front. With one objective, its minimum.
     pub fn best(&self) -> Option<&Point> {
         let range = |k: usize| {
@@ -115,7 +115,7 @@ impl Front {
     }
 }
 
-/// A column that designs are compared by.
+/// A column by which designs are compared.
 ///
 /// ```
 /// use gaitcam::sweep::Objective;
@@ -128,15 +128,15 @@ impl Front {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Objective {
-    /// Its place in the table.
+    /// Index of its column.
     pub column: usize,
     /// Its name.
     pub name: String,
-    /// Whether the larger is the better.
+    /// Whether larger is better.
     pub maximised: bool,
 }
 
-/// Minimised where nothing is said.
+/// Objectives by default, minimised.
 const USUAL: [&str; 2] = ["force_error", "prime_radius"];
 
 impl Objective {
@@ -153,7 +153,7 @@ impl Objective {
         })
     }
 
-    /// What is minimised where nothing is said: force error and prime radius.
+    /// The default objectives: force error and prime radius, minimised.
     pub fn usual() -> Vec<String> {
         USUAL.map(str::to_string).to_vec()
     }
@@ -162,12 +162,12 @@ impl Objective {
         if self.maximised { -1.0 } else { 1.0 }
     }
 
-    /// The smaller the better.
+    /// Cost of a value: smaller is better.
     pub fn cost(&self, value: f64) -> f64 {
         self.sign() * value
     }
 
-    /// Its value, SI, of a cost.
+    /// The value, SI, of a cost.
     pub fn value(&self, cost: f64) -> f64 {
         self.sign() * cost
     }
@@ -184,9 +184,9 @@ impl Objective {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Admission {
-    /// Designs that are not for high speed too.
+    /// Admits designs that are not for high speed.
     pub low_speed: bool,
-    /// Every design that is built.
+    /// Admits every design that is built.
     pub all: bool,
 }
 
@@ -199,7 +199,7 @@ impl Admission {
                 || (verdict == Verdict::NotForHighSpeed.name() && self.low_speed))
     }
 
-    /// Whether a row is left out only for being not for high speed.
+    /// Whether a row is excluded only because it is not for high speed.
     pub fn leaves_out(self, outcome: &str, verdict: &str) -> bool {
         !self.takes(outcome, verdict)
             && outcome == Outcome::Built.name()

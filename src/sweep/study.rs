@@ -1,4 +1,4 @@
-//! A sweep that carries all that its rows need, so that any machine answers any of them.
+//! A sweep with the content of its recordings, so that any machine can compute any of its rows.
 //!
 //! Row i follows from the study and from i alone: recordings are part of it by their content, not by their path.
 
@@ -33,7 +33,7 @@ pub type Named = (usize, String);
 /// ```
 pub type Files = BTreeMap<Named, Arc<[u8]>>;
 
-/// What the rows are.
+/// Contents of the rows.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, NamedScene, Plan, Sampling, Study, Subject};
@@ -71,7 +71,7 @@ pub enum Subject {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Study {
-    /// What the rows are.
+    /// Contents of the rows.
     pub subject: Subject,
     files: Files,
 }
@@ -107,7 +107,7 @@ impl Study {
         Study::with_files(subject, files)
     }
 
-    /// A study of which all files are known.
+    /// A study from files that were read before.
     ///
     /// # Errors
     /// As [`Plan::validate`].
@@ -129,7 +129,7 @@ impl Study {
     /// Number of rows.
     ///
     /// # Errors
-    /// More rows than row numbers.
+    /// More rows than row numbers can count.
     pub fn rows(&self) -> Result<u64> {
         let rows = match &self.subject {
             Subject::Designs(plan) => plan.rows(),
@@ -164,7 +164,7 @@ impl Study {
         out
     }
 
-    /// A number for the whole study: studies that differ have different ones, but for chance.
+    /// A checksum of the whole study, hexadecimal.
     pub fn fingerprint(&self) -> String {
         format!(
             "{:016x}",
@@ -172,7 +172,7 @@ impl Study {
         )
     }
 
-    /// What a table of its rows says of itself: version and fingerprint.
+    /// Metadata of a table of its rows: fingerprint and version.
     pub fn metadata(&self) -> Vec<(String, String)> {
         let entry = |key: &str, value: String| (format!("gaitcam.{key}"), value);
         vec![
@@ -185,7 +185,7 @@ impl Study {
     /// gives the end of the search of a row that begins now. Without times: they do not follow from the plan.
     ///
     /// # Errors
-    /// A design that is to be scattered and cannot be made.
+    /// Manufacturing samples of a scene without a feasible cam.
     pub fn run(
         &self,
         rows: Range<u64>,
@@ -219,11 +219,11 @@ impl Study {
     }
 }
 
-/// More rows than this have no numbers in a table of 64-bit floating point.
+/// Largest number of rows: 64-bit floating point, in which many readers hold row numbers, counts no further.
 const MOST_ROWS: u64 = 1 << 53;
 
 impl Subject {
-    /// The recordings that rows name, with the base scene that does.
+    /// The recordings that rows name, each with its base scene.
     fn recordings(&self) -> Vec<Named> {
         let plan = match self {
             Subject::Designs(plan) => plan,

@@ -1,6 +1,6 @@
 //! The command `gaitcam`: arguments, files, progress, exit codes.
 //!
-//! One module per verb, with its arguments beside it. [`run`] parses the command line, calls the verb and
+//! One module per verb, with its arguments. [`run`] parses the command line, calls the verb and
 //! returns the exit code.
 #![forbid(unsafe_code)]
 #![cfg_attr(not(test), warn(unused_crate_dependencies))]

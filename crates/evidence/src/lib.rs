@@ -1,7 +1,7 @@
 //! How we know: the source papers' numbers computed again, speed charted against accuracy, and the
 //! thesis's experiment run again.
 //!
-//! Evidence stands beside the product, not inside it. Every function here computes its numbers at the moment
+//! Evidence is no part of the product. Every function here computes its numbers at the moment
 //! of the call and returns or writes a report; `gaitcam reproduce` and `gaitcam chart` call them.
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

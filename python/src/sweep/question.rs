@@ -18,7 +18,7 @@ use crate::convert;
 use crate::error::{Raise, argument};
 use crate::scene::Scene;
 
-/// Samples where nobody says how many.
+/// Number of samples by default.
 const SAMPLES: u64 = 10_000;
 
 /// One key with its values.

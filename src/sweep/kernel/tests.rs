@@ -7,7 +7,7 @@ fn nowhere(_: usize, _: &Scene) -> Result<ForceCurve> {
     Err(SynthError::ForceNotRead.into())
 }
 
-/// Rows of a plan from the kernel, beside single syntheses of the same scenes.
+/// Rows of a plan from the kernel, and from single syntheses of the same scenes.
 fn compared(changes: &[&str], vary: &[&str], count: u64) -> Vec<(Row, Row)> {
     let mut table: Table = scene::DEFAULT.parse().unwrap();
     for change in changes {
@@ -186,8 +186,8 @@ fn faults_are_rows() {
     assert!(pairs.iter().all(|p| p.0.outcome == Outcome::Error));
 }
 
-/// The row of one varied value beside a single synthesis of the scene with that value set.
-fn beside_a_single_synthesis(changes: &[&str], vary: &str) -> (Row, Row) {
+/// The row of one varied value, and that of a single synthesis of the scene with that value set.
+fn swept_and_single(changes: &[&str], vary: &str) -> (Row, Row) {
     let mut table: Table = scene::DEFAULT.parse().unwrap();
     for change in changes {
         scene::set(&mut table, change).unwrap();
@@ -239,7 +239,7 @@ fn keys_of_force_machine_and_lists_give_what_a_single_synthesis_gives() {
         (&["law.harmonics=4"], "law.family=ladder"),
         (&["cam.bore=20 mm"], "cam.thickness=12 mm"),
     ] {
-        let pair = beside_a_single_synthesis(changes, vary);
+        let pair = swept_and_single(changes, vary);
         assert!(pair.0.error.is_empty(), "{vary}: {}", pair.0.error);
         pairs.push(pair);
     }
@@ -253,9 +253,40 @@ fn entries_of_a_list_vary_by_their_number() {
         "law.segment=[{motion = \"cycloidal\", lift = \"10 mm\", angle = \"180 deg\"}, \
          {motion = \"3-4-5\", lift = \"-10 mm\", angle = \"180 deg\"}]",
     ];
-    let pair = beside_a_single_synthesis(&program, "law.segment.2.motion=4-5-6-7");
+    let pair = swept_and_single(&program, "law.segment.2.motion=4-5-6-7");
     assert!(pair.0.error.is_empty(), "{}", pair.0.error);
-    let other = beside_a_single_synthesis(&program, "law.segment.2.motion=3-4-5");
+    let other = swept_and_single(&program, "law.segment.2.motion=3-4-5");
     assert!(pair.0.numbers[12] != other.0.numbers[12]);
     equal(&[pair, other]);
+}
+
+/// A number of the recording that varies gives each row a force of its own.
+#[test]
+fn a_recording_is_read_with_the_numbers_of_its_row() {
+    let text = "[gait]\nfile = \"walk.csv\"\nperiod = \"1 s\"\n[law]\nfamily = \"harmonic\"\n";
+    let plan = Plan {
+        scenes: vec![NamedScene {
+            name: "x".to_string(),
+            table: text.parse().unwrap(),
+        }],
+        list: None,
+        axes: vec![Axis::parse("gait.period=0.5 s:1 s:5", false).unwrap()],
+        sampling: Sampling::Grid,
+    };
+    let read = |_: usize, scene: &Scene| {
+        let period = scene.gait.as_ref().and_then(|g| g.period).unwrap();
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / 256.0;
+        let force = (0..256).map(|i| 700.0 + 200.0 * angle(i).sin());
+        ForceCurve::from_samples("walk", period, force.collect())
+    };
+    let kernel = Kernel::new(&plan.scenes, plan.keys(), &read, &Halt::never, None);
+    let results = kernel.run(&plan.batch(0, 5), &|| false).unwrap();
+    let speed = NUMBERS
+        .iter()
+        .position(|n| *n == "speed_rad_per_s")
+        .unwrap();
+    for (row, found) in results.numbers(speed).iter().enumerate() {
+        let expected = std::f64::consts::TAU / (0.5 + 0.125 * row as f64);
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
 }

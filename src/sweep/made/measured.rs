@@ -1,9 +1,9 @@
-//! What a made cam does: from the deviations of its profile to its law, force, acceleration and lift-off.
+//! Behaviour of a manufactured cam: its law, force, acceleration and lift-off from the deviations of its profile.
 //!
 //! A deviation δ along the profile's normal moves the follower by ε = δ/l, to first order and at the same cam
 //! angle: l is the cosine of the pressure angle on a slide, the lever of the normal about the pivot on an arm.
-//! ε(θ) is fitted by as many waves as the points support (Schwarz's criterion); what is left is the noise of
-//! measuring and roughness, and would only be magnified by the derivatives.
+//! ε(θ) is fitted by the number of waves that Schwarz's criterion selects. The residual is measurement noise and
+//! roughness, which the derivatives would only amplify.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,22 +13,22 @@ use crate::dynamics::rigid::touch::held;
 use crate::law::{Law, Wave};
 use crate::synth::Design;
 
-/// Most waves per turn.
+/// Largest number of waves per turn.
 const MOST_WAVES: usize = 60;
-/// Points per wave, at least.
+/// Smallest number of points per wave.
 const POINTS_PER_WAVE: usize = 4;
 /// Deviations below this, m, are rounding.
 const ROUNDING: f64 = 1e-10;
 /// Points for the RMS of the force: the functions are smooth, so the trapezoidal rule converges fast.
 const POINTS: usize = 4096;
 
-/// What a cam does on its machine; the law's extremes are exact.
+/// Force and motion of a cam on its machine; the extremes of the law are exact.
 ///
 /// ```
 /// use gaitcam::sweep::MadeCam;
 /// use gaitcam::{scene, synthesise};
 ///
-/// // A cam that is exactly the design does what the design does.
+/// // A cam without deviations behaves like the design.
 /// let scene = scene::built_in("footbridge")?.scene()?;
 /// let design = synthesise(&scene, scene.model_force()?.as_ref())?;
 /// let points: Vec<[f64; 2]> = design.cam.profile(360).iter().map(|p| [p.x, p.y]).collect();
@@ -67,15 +67,15 @@ pub struct Behaviour {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeCam {
-    /// The law that it gives the follower.
+    /// Its law of motion.
     pub law: Law,
     /// Waves per turn by which its law differs from the design's.
     pub waves: usize,
-    /// RMS of what the waves leave, m (an arm: rad).
+    /// RMS of the residual of the waves, m (an arm: rad).
     pub left: f64,
-    /// What it does.
+    /// Behaviour as made.
     pub made: Behaviour,
-    /// What the design does.
+    /// Behaviour as designed.
     pub designed: Behaviour,
 }
 
@@ -135,8 +135,8 @@ fn behaviour(design: &Design, pressing: &Law, cut: &Law) -> Behaviour {
     }
 }
 
-/// How far the profile's normal moves per lift: the cosine of the pressure angle, or the normal's lever about
-/// the pivot, m.
+/// Normal displacement of the profile per lift: the cosine of the pressure angle, or the lever of the normal about the
+/// pivot, m.
 fn lever(cam: &Cam, theta: f64) -> f64 {
     let point = cam.point(theta);
     let normal = cam.normal(&point);
@@ -156,7 +156,7 @@ struct Series {
     mean: f64,
     /// Amplitudes (cos, sin) of waves 1, 2, …
     terms: Vec<(f64, f64)>,
-    /// RMS of what they leave.
+    /// RMS of the residual.
     left: f64,
 }
 
@@ -196,7 +196,7 @@ impl Series {
         }
     }
 
-    /// The law with the series on top.
+    /// The law plus the series.
     fn added_to(&self, law: &Law) -> Law {
         let raised = law.raised(self.mean);
         let waves: Vec<Vec<Wave>> = (0..raised.poly().pieces())
@@ -225,16 +225,16 @@ fn widest_gap(values: &[(f64, f64)]) -> f64 {
         .fold(seam, f64::max)
 }
 
-/// A column of 1, cos θ, sin θ, cos 2θ … made square to those before it.
+/// A column of 1, cos θ, sin θ, cos 2θ …, orthogonalised against those before it.
 struct Orthonormal {
     unit: Vec<f64>,
-    /// Its parts along those before it, and its own length.
+    /// Its components along those before it, and its norm.
     parts: Vec<f64>,
-    /// The values' part along it.
+    /// Component of the values along it.
     share: f64,
 }
 
-/// Gram and Schmidt's method, twice over, which keeps the columns square to rounding.
+/// Gram–Schmidt, applied twice, which keeps the columns orthogonal to rounding.
 fn orthonormal(values: &[(f64, f64)], count: usize) -> Vec<Orthonormal> {
     let mut out: Vec<Orthonormal> = Vec::with_capacity(count);
     for k in 0..count {
@@ -268,7 +268,7 @@ fn orthonormal(values: &[(f64, f64)], count: usize) -> Vec<Orthonormal> {
     out
 }
 
-/// Coefficients of the columns as they were before they were made square.
+/// Coefficients of the columns before orthogonalisation.
 fn back_substituted(columns: &[Orthonormal]) -> Vec<f64> {
     let n = columns.len();
     let mut out = vec![0.0; n];

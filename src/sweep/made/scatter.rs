@@ -15,7 +15,7 @@ use crate::sweep::plan::NamedScene;
 use crate::sweep::table::records::{Field, Records};
 use crate::synth::{Search, design};
 
-/// One design, made many times with errors within tolerances.
+/// One design, manufactured many times with errors within tolerances.
 ///
 /// ```
 /// use gaitcam::scene;
@@ -37,9 +37,9 @@ pub struct Scattered {
     pub scene: NamedScene,
     /// The tolerances as written: `profile=0.02 mm`.
     pub tolerances: Vec<String>,
-    /// How many are made.
+    /// Number of cams made.
     pub count: u64,
-    /// Where the random numbers start.
+    /// Seed of the random numbers.
     pub seed: u64,
 }
 
@@ -53,7 +53,7 @@ pub const SAMPLE_COLUMNS: [&str; 6] = [
     "force_rms_error_percent",
 ];
 
-/// Samples of a design that is made.
+/// Manufactured samples of a design.
 pub struct Samples {
     scatter: Scatter,
     tolerances: Vec<Tolerance>,
@@ -62,7 +62,7 @@ pub struct Samples {
 }
 
 impl Scattered {
-    /// The tolerances, read.
+    /// The tolerances, parsed.
     ///
     /// # Errors
     /// As [`Tolerance::parse`].
@@ -73,7 +73,7 @@ impl Scattered {
             .collect()
     }
 
-    /// As data: equal ones have equal descriptions.
+    /// The sweep as data: equal sweeps have equal descriptions.
     pub fn description(&self) -> Value {
         json!({
             "scenes": [{"name": self.scene.name, "text": self.scene.table.to_string()}],
@@ -83,10 +83,10 @@ impl Scattered {
         })
     }
 
-    /// Makes the design that is scattered.
+    /// Designs the cam whose manufacturing errors are sampled.
     ///
     /// # Errors
-    /// Faults of the scene and its force; a scene that no cam answers.
+    /// Faults of the scene and its force; a scene without a feasible cam.
     pub fn samples(&self, targets: Targets, halt: Halt) -> Result<Samples> {
         let tolerances = self.read()?;
         let scene = scene::read(&self.scene.table)?;

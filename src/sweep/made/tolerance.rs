@@ -1,4 +1,4 @@
-//! Manufacturing scatter around one design: what its force error becomes when the cam is made.
+//! Manufacturing scatter around one design: its force error with the errors of a manufactured cam.
 //!
 //! The built force differs from the target by
 //!
@@ -20,7 +20,7 @@ use crate::sweep::plan::sample::{Method, mixed, unit};
 use crate::synth::Design;
 use crate::units::{Dimension, parse};
 
-/// What is made with an error.
+/// A quantity that is manufactured with an error.
 ///
 /// ```
 /// use gaitcam::sweep::{Part, Tolerance};
@@ -44,7 +44,7 @@ pub enum Part {
 impl Part {
     const ALL: [Part; 4] = [Part::Profile, Part::BaseRadius, Part::Mass, Part::Speed];
 
-    /// Its key in the scene; the profile is no number there.
+    /// Its key in the scene; the profile has none.
     fn key(self) -> Option<&'static str> {
         match self {
             Part::Profile => None,
@@ -54,7 +54,7 @@ impl Part {
         }
     }
 
-    /// Whether a user means it: by its key or the key's last word.
+    /// Whether `name` names it: its key or the last word of the key.
     fn is_named(self, name: &str) -> bool {
         match self.key() {
             None => name == "profile",
@@ -62,14 +62,14 @@ impl Part {
         }
     }
 
-    /// What its tolerance is measured in.
+    /// The dimension of its tolerance.
     fn dimension(self) -> Dimension {
         let measure = self.key().and_then(keys::find).and_then(Key::measure);
         measure.map_or(Dimension::Length, |m| m.translating)
     }
 }
 
-/// A tolerance ± on a part; samples are spread evenly over it.
+/// A tolerance ± on a part; samples are uniformly distributed over it.
 ///
 /// ```
 /// use gaitcam::sweep::Tolerance;
@@ -83,9 +83,9 @@ impl Part {
 pub struct Tolerance {
     /// The part.
     pub part: Part,
-    /// Half width, SI; as part of the value where `relative`.
+    /// Half width, SI; a fraction of the value where `relative`.
     pub half_width: f64,
-    /// Whether it counts against the value.
+    /// Whether it is relative to the value.
     pub relative: bool,
 }
 
@@ -100,7 +100,7 @@ impl Tolerance {
     /// Reads `profile=0.02 mm`, `base_radius=0.1 mm`, `mass=1 %`, `speed=2 %` (or `0.5 kg`, `1 rpm`).
     ///
     /// # Errors
-    /// A name that scatters nothing, or a width without its unit.
+    /// A name without a tolerance, or a width without its unit.
     pub fn parse(text: &str) -> Result<Tolerance> {
         let (name, value) = text
             .split_once('=')
@@ -134,7 +134,7 @@ impl Tolerance {
     }
 }
 
-/// One sample: the errors as made, and what they cost.
+/// One sample: the manufacturing errors and the force error that results.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -164,7 +164,7 @@ pub struct Made {
     pub force_rms_error_percent: f64,
 }
 
-/// A design ready to be scattered.
+/// A design with the products of functions from which samples are computed.
 ///
 /// ```
 /// use gaitcam::sweep::{Scatter, Tolerance};
@@ -185,10 +185,10 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// Takes the design apart.
+    /// Computes the mean products of a design.
     ///
     /// # Errors
-    /// Fails where no force is wanted, so that there is no error to speak of.
+    /// A design without a target force, which has no force error.
     pub fn new(design: &Design) -> Result<Self> {
         let Some(target) = &design.target else {
             return Err(SweepError::NoForceError.into());
@@ -293,12 +293,12 @@ pub struct Spread {
     pub quantiles: [f64; 3],
     /// Largest.
     pub largest: f64,
-    /// Part that stays within the band, where one was asked for.
+    /// Fraction within the band, where one is given.
     pub within: Option<f64>,
 }
 
 impl Spread {
-    /// Of `values`, of which those up to `band` count as within. `None` of nothing.
+    /// Spread of `values`; those up to `band` are within. `None` without values.
     pub fn of(values: &[f64], band: Option<f64>) -> Option<Spread> {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);

@@ -139,7 +139,7 @@ impl Axis {
         }
     }
 
-    /// The value at a share u ∈ [0, 1) of the axis: between the ends of a range, or one of a list.
+    /// The value at a fraction u ∈ [0, 1) of the axis: between the ends of a range, or one of a list.
     pub fn sampled(&self, u: f64) -> AxisValue {
         match &self.values {
             Values::Words(list) => AxisValue::Words(list[pick(u, list.len())].clone()),
@@ -167,7 +167,7 @@ impl Axis {
         }
     }
 
-    /// The axis as a user would write it, for comparing plans.
+    /// The axis as it is typed, for comparing plans.
     pub fn text(&self) -> String {
         let count = |c: &Option<u64>| c.map_or(String::new(), |c| format!(":{c}"));
         match &self.values {

@@ -38,7 +38,7 @@ impl Column {
     }
 }
 
-/// Parameters of a run of rows: which base scene, and one column per varied key.
+/// Parameters of consecutive rows: the base scene, and one column per varied key.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Batch {
     /// Index of the base scene of each row.

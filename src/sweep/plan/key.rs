@@ -1,4 +1,4 @@
-//! Scene keys that a sweep varies, and how their values reach a scene.
+//! Scene keys that a sweep varies, and how their values are written into a scene.
 
 use toml::{Table, Value};
 
@@ -27,9 +27,9 @@ pub struct Key {
 #[derive(Debug, Clone, Copy)]
 struct Number {
     row: &'static keys::Key,
-    /// Which entry of a list.
+    /// Index in a list.
     index: usize,
-    /// What the numbers measure; an arm's stroke is an angle, any other's a length.
+    /// Dimension of the numbers: the stroke of an arm is an angle, any other stroke a length.
     dimension: Dimension,
 }
 
@@ -143,8 +143,7 @@ impl Key {
         format!("{}_{}", self.name, unit.replace(' ', "_"))
     }
 
-    /// Sets a number straight in a scene that is read already. Returns whether the scene took it; otherwise the
-    /// scene's reader has to judge the text.
+    /// Sets a number in a scene that is already read. `false` where the scene has to be read anew to check it.
     pub(in crate::sweep) fn set(&self, scene: &mut Scene, value: f64) -> bool {
         self.number.is_some_and(|n| {
             n.row.dimension(scene) == Some(n.dimension) && n.row.set_number(scene, n.index, value)

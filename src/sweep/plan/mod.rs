@@ -1,4 +1,4 @@
-//! What a sweep tries: base scenes, a list, a grid or a sample. Every row follows from its number.
+//! The scenes of a sweep: base scenes with a list, a grid or a sample of values. A row follows from its number.
 
 pub(super) mod axis;
 pub(super) mod batch;
@@ -28,13 +28,13 @@ use crate::scene;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedScene {
-    /// Its name for people: the file it came from.
+    /// Its name in tables, usually its file.
     pub name: String,
     /// Its table.
     pub table: Table,
 }
 
-/// Rows that a user wrote down: values of several keys together.
+/// Rows listed by the user: values of several keys together.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, List};
@@ -72,7 +72,7 @@ impl List {
     }
 }
 
-/// How the axes are walked.
+/// How the axes are combined.
 ///
 /// ```
 /// use gaitcam::sweep::{Axis, Method, NamedScene, Plan, Sampling};
@@ -89,11 +89,11 @@ pub enum Sampling {
     Grid,
     /// Points spread over all axes together.
     Sample {
-        /// How they are spread.
+        /// The sampling method.
         method: Method,
-        /// How many.
+        /// Number of points.
         count: u64,
-        /// Where the random numbers start.
+        /// Seed of the random numbers.
         seed: u64,
     },
 }
@@ -114,23 +114,23 @@ pub enum Sampling {
 pub struct Plan {
     /// Base scenes.
     pub scenes: Vec<NamedScene>,
-    /// Rows that are written down, if any.
+    /// Listed rows, if any.
     pub list: Option<List>,
     /// Varied keys.
     pub axes: Vec<Axis>,
-    /// How they are walked.
+    /// How they are combined.
     pub sampling: Sampling,
 }
 
 /// Keys that name or structure a scene and cannot be varied.
 const FIXED: [&str; 1] = ["name"];
-/// Combinations of words up to which a value is tried before the sweep starts.
+/// Largest number of combinations of words with which a value is checked before the sweep starts.
 const TRIED_COMBINATIONS: u128 = 256;
-/// Values of one list that are tried before the sweep starts.
+/// Largest number of values of one list that are checked before the sweep starts.
 const TRIED_VALUES: u64 = 64;
 
 impl Plan {
-    /// Number of rows; saturates far beyond what anyone can wait for.
+    /// Number of rows, saturating.
     pub fn rows(&self) -> u128 {
         let list = self.list.as_ref().map_or(1, |l| u128::from(l.rows()));
         let sampling = match self.sampling {
@@ -214,11 +214,11 @@ impl Plan {
         batch
     }
 
-    /// Refuses a plan that cannot run: an empty one, keys given twice, keys that cannot vary, values that
-    /// no combination of the others accepts.
+    /// Checks that the plan can run: that it has rows, that each key can vary and occurs once, and that each value is
+    /// valid with some combination of the others.
     ///
     /// # Errors
-    /// An axis that changes nothing, stands twice, or whose values no scene accepts.
+    /// An axis that has no effect, occurs twice, or has a value that no scene accepts.
     pub fn validate(&self) -> Result<()> {
         let axes: Vec<&Axis> = self.all_axes().collect();
         if self.rows() == 0 {
@@ -256,8 +256,8 @@ impl Plan {
         Ok(())
     }
 
-    /// A value is refused when every combination of the other keys' first values and words refuses it by
-    /// name. What only some combinations refuse becomes a row with its error.
+    /// Refuses a value that is invalid with every combination of words and first values of the other keys. A value that
+    /// is invalid with some combinations only gives rows with an error.
     fn try_value(&self, scene: &NamedScene, axis: &Axis, value: &AxisValue) -> Result<()> {
         let others: Vec<&Axis> = self.all_axes().filter(|a| a.key != axis.key).collect();
         let choices: Vec<u64> = others
@@ -305,7 +305,7 @@ impl Plan {
         (self.scenes.len() > 1).then(|| names.collect())
     }
 
-    /// The plan as data, to be kept beside its table: equal plans have equal descriptions.
+    /// The plan as data, to be stored with its table: equal plans have equal descriptions.
     pub fn description(&self) -> Value {
         let mut vary = Map::new();
         for axis in &self.axes {
@@ -364,7 +364,7 @@ fn trial_values(axis: &Axis) -> Vec<AxisValue> {
         (Values::Words(_) | Values::Numbers(_), Some(n)) => {
             (0..n.min(TRIED_VALUES)).map(|i| axis.value(i)).collect()
         }
-        // Every range of allowed numbers is convex: both ends speak for the rest.
+        // Every range of allowed numbers is convex: if both ends are valid, all between are.
         _ => vec![axis.sampled(0.0), axis.sampled(1.0)],
     }
 }

@@ -1,6 +1,6 @@
 //! Points that fill a cube evenly: Latin hypercube and Sobol, each point computed from its index alone.
 
-/// How a sample is laid out.
+/// Sampling method.
 ///
 /// ```
 /// use gaitcam::sweep::Method;
@@ -18,11 +18,11 @@ pub enum Method {
     Sobol,
 }
 
-/// Most axes that Sobol's sequence serves here.
+/// Largest number of axes of Sobol's sequence.
 pub const SOBOL_AXES: usize = 21;
 
 impl Method {
-    /// The name users write.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Method::Latin => "latin",
@@ -60,7 +60,7 @@ fn latin(index: u64, count: u64, axis: usize, seed: u64) -> f64 {
 }
 
 /// A permutation of 0 … count − 1 that needs no memory: a four-round Feistel network on the next even
-/// power of two, walked until it falls inside.
+/// power of two, applied until the result lies in the range.
 fn permuted(index: u64, count: u64, key: u64) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();
     let half = bits.div_ceil(2).max(1);

@@ -1,4 +1,4 @@
-//! A table in memory, column by column: what files, Python and Arrow take as it is.
+//! A table in memory, column by column.
 
 use std::collections::HashMap;
 
@@ -25,7 +25,7 @@ pub enum Values {
     Words(Words),
 }
 
-/// Words of a column: places in a list of names.
+/// Words of a column, coded as indices in a list.
 ///
 /// ```
 /// use gaitcam::sweep::Words;
@@ -35,7 +35,7 @@ pub enum Values {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Words {
-    /// Place of each row's word in `names`; −1 where there is none.
+    /// Index of each row's word in `names`; −1 where there is none.
     pub codes: Vec<i32>,
     /// The words.
     pub names: Vec<String>,

@@ -1,4 +1,4 @@
-//! Answers of many scenes as plain columns.
+//! Results of many scenes as columns.
 
 use crate::cam::Verdict;
 use crate::force::ForceCurve;
@@ -24,10 +24,10 @@ pub const WORDS: [&str; 7] = [
     "outcome", "verdict", "tier", "binding", "failed", "error", "warnings",
 ];
 
-/// The last column: how long the row took, s. The only one that differs from run to run.
+/// The last column: time of the row, s. Only this column differs from run to run.
 pub const TIME: &str = "time_s";
 
-/// What became of a row.
+/// Outcome of a row.
 ///
 /// ```
 /// use gaitcam::sweep::Outcome;
@@ -38,7 +38,7 @@ pub const TIME: &str = "time_s";
 pub enum Outcome {
     /// A cam was designed; the verdict says how good it is.
     Built,
-    /// The limits leave none.
+    /// The limits are infeasible.
     Infeasible,
     /// The scene itself is at fault.
     Error,
@@ -89,21 +89,21 @@ const NONE: u8 = 255;
 pub struct Row {
     /// In the order of [`NUMBERS`].
     pub numbers: [f64; NUMBERS.len()],
-    /// What became of it.
+    /// Its outcome.
     pub outcome: Outcome,
     /// The class of the cam, where one was built.
     pub verdict: Option<Verdict>,
-    /// The rung of the ladder that answered.
+    /// The solution method.
     pub tier: Option<Tier>,
-    /// Limits that bind or conflict, joined by `+`.
+    /// Active or conflicting limits, joined by `+`.
     pub binding: String,
-    /// Limits that the cam breaks, joined by `+`.
+    /// Limits that the cam violates, joined by `+`.
     pub failed: String,
     /// What is wrong with the scene.
     pub error: String,
-    /// Codes of what was guessed, left out or doubtful in its recording, joined by `+`.
+    /// Codes of the warnings about its recording, joined by `+`.
     pub warnings: String,
-    /// How long it took, s.
+    /// Its time, s.
     pub time_s: f64,
 }
 
@@ -151,7 +151,7 @@ impl Row {
         let figures = Figures::of(design);
         row.numbers = FIGURES.each_ref().map(|f| f.value(&figures));
         if design.target.is_none() {
-            // Nothing is wanted, so nothing is missed.
+            // Without a target there is no force error.
             for number in &mut row.numbers[..4] {
                 *number = f64::NAN;
             }
@@ -186,7 +186,7 @@ fn joined(names: impl Iterator<Item = String>) -> String {
 /// Text of the few rows that have any, by row number.
 type Sparse = Vec<(u32, String)>;
 
-/// Answers of many rows.
+/// Results of many rows.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Results {
     numbers: Vec<Vec<f64>>,
@@ -254,19 +254,19 @@ impl Results {
         &self.numbers[column]
     }
 
-    /// How long each row took, s.
+    /// Time of each row, s.
     pub fn times(&self) -> &[f64] {
         &self.time_s
     }
 
-    /// What became of a row.
+    /// Outcome of a row.
     pub fn outcome(&self, row: usize) -> Outcome {
         *Outcome::ALL
             .get(self.outcome[row] as usize)
             .unwrap_or(&Outcome::Error)
     }
 
-    /// A column of [`WORDS`] for all rows; empty where there is nothing to say.
+    /// A column of [`WORDS`] for all rows; empty where there is none.
     pub fn words(&self, column: usize) -> Vec<&str> {
         let coded = |codes: &[u8], name: &dyn Fn(usize) -> &'static str| -> Vec<&str> {
             codes

@@ -44,7 +44,7 @@ fn spanish() -> &'static Messages {
 }
 
 /// The message of a key, if there is one.
-fn told(key: &str) -> Option<String> {
+fn message(key: &str) -> Option<String> {
     let text = spanish().text(key);
     (text != key).then_some(text)
 }
@@ -85,8 +85,8 @@ fn in_spanish(command: Command, verb: &str) -> Command {
 
 fn argument(arg: Arg, verb: &str) -> Arg {
     let id = arg.get_id().to_string();
-    let mut help = told(&format!("{verb}-{id}"))
-        .or_else(|| told(&format!("all-{id}")))
+    let mut help = message(&format!("{verb}-{id}"))
+        .or_else(|| message(&format!("all-{id}")))
         .unwrap_or_default();
     let values: Vec<String> = arg
         .get_possible_values()
@@ -136,7 +136,7 @@ fn with_names(text: &str) -> String {
             word.push(c);
             continue;
         }
-        let known = told(&format!("value-{}", word.to_lowercase()));
+        let known = message(&format!("value-{}", word.to_lowercase()));
         out.push_str(&known.unwrap_or_else(|| word.clone()));
         word.clear();
         out.push(c);
@@ -167,7 +167,7 @@ mod tests {
         keys_of(&command, "", &mut arguments);
         for (verb, id) in arguments {
             let own = format!("{verb}-{id}");
-            let key = if told(&own).is_some() {
+            let key = if message(&own).is_some() {
                 own
             } else {
                 format!("all-{id}")
@@ -175,7 +175,10 @@ mod tests {
             used.push(key);
         }
         for key in &used {
-            assert!(told(key).is_some(), "{key} is missing in words/es/help.ftl");
+            assert!(
+                message(key).is_some(),
+                "{key} is missing in words/es/help.ftl"
+            );
         }
         for key in &spanish().keys() {
             let of_page = key.starts_with("label-") || key.starts_with("value-");

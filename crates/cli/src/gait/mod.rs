@@ -217,7 +217,7 @@ impl Read {
             .or(self.given.as_ref())
     }
 
-    /// Writes the cycle, and beside a mean one a picture of the recording, which a refused one has too.
+    /// Writes the cycle; for a mean cycle, and for a recording that was refused, also a picture of the recording.
     fn write(&self, place: &Path) -> Result<()> {
         if let Some(curve) = &self.given {
             let from = of_files("gait-cycle-of", &self.path.display().to_string());
@@ -237,7 +237,7 @@ impl Read {
     }
 }
 
-/// A picture beside a csv, with `.svg` and `.png` in its place.
+/// The path of a picture: that of the csv with `.svg` or `.png` for `.csv`.
 fn write_picture(place: &Path, picture: &output::Picture) -> Result<()> {
     write_whole(&place.with_extension("svg"), picture.svg().as_bytes())?;
     write_whole(&place.with_extension("png"), &picture.png())

@@ -9,7 +9,7 @@ use gaitcam_output::folder::Folder;
 /// Name of the joint mean in a folder of cycles.
 pub const JOINT_MEAN: &str = "joint_mean.csv";
 
-/// Where the cycles of one or several recordings go. Pictures stand beside each, with `.svg` and `.png` for `.csv`.
+/// Paths of the cycles of one or several recordings. Pictures have the same path with `.svg` and `.png` for `.csv`.
 #[derive(Debug, Default)]
 pub struct Places {
     /// One for each recording, where they are written.

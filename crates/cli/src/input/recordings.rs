@@ -6,11 +6,11 @@ use crate::console::error::CliError;
 use gaitcam::error::{Placed, Result};
 use gaitcam_files::read::cannot_be_read;
 
-/// Endings of recordings; a folder may hold anything else beside them.
+/// Endings of recordings; a folder may also hold other files.
 const ENDINGS: [&str; 13] = [
     "c3d", "mot", "sto", "forces", "asc", "ascii", "csv", "tsv", "tab", "txt", "dat", "data", "prn",
 ];
-/// First words of texts about a folder, and of the table of subjects beside tables of stances.
+/// Beginnings of the names of texts about a folder, and of the table of subjects.
 const ABOUT: [&str; 7] = [
     "readme",
     "license",

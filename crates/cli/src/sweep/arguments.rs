@@ -134,7 +134,7 @@ fn list(path: &Path) -> Result<List> {
     Ok(List { columns })
 }
 
-/// A column of a list; a value that cannot be is told with its line, below the header.
+/// A column of a list; the error of an invalid value names its line.
 fn of_list(path: &Path, name: &str, values: &[String]) -> Result<Axis> {
     let read = |values: &[String]| Axis::list(name, values.iter().map(String::as_str));
     read(values).map_err(|fault| {

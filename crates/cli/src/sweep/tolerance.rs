@@ -21,9 +21,9 @@ use gaitcam_output::folder::write_whole;
 use gaitcam_output::sweep_plots::{Quantity, histogram};
 use gaitcam_output::sweep_report::{Page, Table, html};
 
-/// Samples where nobody says how many.
+/// Number of samples by default.
 const SAMPLES: u64 = 10_000;
-/// Most samples: they are held in memory.
+/// Largest number of samples: they are held in memory.
 const MOST: u64 = 20_000_000;
 
 /// Scatters the design, writes the samples and a report; exit code 3 when there is no design to scatter.
@@ -179,7 +179,7 @@ fn report(
     html(&page, crate::console::language::current())
 }
 
-/// The figures one looks for first.
+/// The main figures.
 fn cards(own: f64, s: &Spread, band: Option<f64>) -> Vec<(String, String, String)> {
     let percent = |x: f64| format!("{} %", fixed(x, 3));
     let card = |key: &str, x: f64| (words::text(key), percent(x), String::new());

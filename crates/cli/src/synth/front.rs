@@ -16,7 +16,7 @@ use gaitcam_output::sweep_plots::{self, Quantity};
 
 /// Points of the front when nothing is said.
 const POINTS: u32 = 20;
-/// Figures of front.csv beside the one traded, by their columns in sweeps.
+/// Figures of front.csv after the one that is traded off, by their columns in sweeps.
 const COLUMNS: [&str; 11] = [
     "force_rms_error_n",
     "force_rms_error_percent",

@@ -116,7 +116,7 @@ const ROWS: u32 = 1440;
 /// Fewest rows that show a cam.
 const FEWEST_ROWS: u32 = 16;
 
-/// What the arguments ask for beside the design, settled before any work.
+/// Further outputs that the arguments request, checked before the design begins.
 struct Request {
     contents: Contents,
     folder: Option<ResultFolder>,

@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::console::language;
 use crate::console::words::{self, fixed, power};
 
-/// Most lines of one kind; the rest is counted and stands in summary.json.
+/// Largest number of lines of one kind; the rest is counted here and listed in summary.json.
 const CHECKS: usize = 5;
 const FAILED_CHECKS: usize = 4;
 /// Harmonics whose load factor is printed.
@@ -232,7 +232,7 @@ fn machine(design: &Design) -> Option<String> {
     (!parts.is_empty()).then(|| row("machine", &parts.join(", ")))
 }
 
-/// The Hertz pressure, beside what the surface bears where its hardness is given.
+/// The Hertz pressure, and the permissible one where the hardness of the surface is given.
 fn hertz(pressure: f64, hardness: Option<Hardness>) -> String {
     let mega = |p: f64| fixed(1e-6 * p, 1);
     match hardness {

@@ -13,7 +13,7 @@ const HEIGHT: u32 = 560;
 const FIELD: [f64; 4] = [86.0, 640.0, 62.0, 496.0];
 /// Smallest error drawn: below it everything is rounding.
 const SMALLEST: f64 = 1e-16;
-/// Methods are told apart by colour first, then by the form of the mark.
+/// Methods are distinguished by colour, then by the shape of the mark.
 const COLOURS: [RGBAColor; 6] = [
     palette::BLUE,
     palette::RED,

@@ -91,7 +91,7 @@ fn line(out: &mut String, text: &str) {
     let _ = writeln!(out, "{text}");
 }
 
-/// A picture beside this text.
+/// A picture in the folder of the report.
 fn picture(out: &mut String, name: &str, what: &str) {
     let _ = writeln!(out, "![{what}]({name}.png)\n");
 }

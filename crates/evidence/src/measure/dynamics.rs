@@ -216,7 +216,7 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
     );
     row.note =
         "the settled motion at once; an integrator needs about 16 turns for 1e-11".to_string();
-    row.error = settled_error(&settled, &drive);
+    row.error = steady_error(&settled, &drive);
     rows.push(row);
     Ok(Chart {
         file: "speed_accuracy_d1".to_string(),
@@ -231,11 +231,11 @@ pub fn vibration(watch: &Watch) -> Result<Chart> {
 }
 
 /// Largest error of the settled deflection against the closed form of a sine, part of its amplitude.
-fn settled_error(settled: &gaitcam::dynamics::flexible::Steady, drive: &Drive) -> f64 {
+fn steady_error(steady: &gaitcam::dynamics::flexible::Steady, drive: &Drive) -> f64 {
     let (p, q) = (RATIO * RATIO - 1.0, 2.0 * ZETA * RATIO);
     let d = p * p + q * q;
     let sag = -drive.rest_force / (drive.mass * (RATIO * drive.speed).powi(2));
-    let worst = (settled.theta.iter().zip(&settled.deflection))
+    let worst = (steady.theta.iter().zip(&steady.deflection))
         .map(|(t, x)| (x - sag - (p * t.sin() - q * t.cos()) / d).abs())
         .fold(0.0, f64::max);
     worst * d.sqrt()

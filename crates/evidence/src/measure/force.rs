@@ -18,7 +18,7 @@ const ERROR: &str = "RMS force error on 4001 angles, part of the mean force";
 /// Part of the mean force that the default scene asks for.
 const DEFAULT_ACCURACY: f64 = 0.005;
 
-/// Step-to-step spread and the accuracy beyond which nobody can tell (theory §11).
+/// Step-to-step spread, below which accuracy has no measurable effect (theory §11).
 fn levels() -> Vec<(f64, String)> {
     vec![
         (0.03, "step-to-step spread of a walker, 3 %".to_string()),

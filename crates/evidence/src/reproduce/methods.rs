@@ -1,6 +1,6 @@
-//! The four iterations of Campillo de Blas (2017) as a comparison of methods, with the optimum beside them.
+//! The four iterations of Campillo de Blas (2017) as a comparison of methods, with the optimum.
 //!
-//! Yardstick: RMS distance of the force to the wanted one (Young, 1.85 Hz, both feet, scaled to 1 kg),
+//! Yardstick: RMS distance of the force from the target (Young, 1.85 Hz, both feet, scaled to 1 kg),
 //! as the law stands and turned to where it fits best.
 
 use std::fmt::Write;
@@ -22,7 +22,7 @@ use std::f64::consts::TAU;
 /// Angles at which forces are compared.
 const POINTS: usize = 720;
 
-/// One law against the wanted force.
+/// The force error of one law.
 #[derive(Debug, Clone)]
 pub struct Method {
     /// What was done.
@@ -207,7 +207,7 @@ pub(super) fn table(out: &mut String, methods: &[Method]) {
     }
 }
 
-/// Forces of all, each turned to where it fits best, over the wanted one.
+/// Forces of all, each turned to where it fits best, over the target.
 pub(super) fn picture(methods: &[Method]) -> Picture {
     let mut names: Vec<String> = Vec::new();
     let mut curves = Vec::new();

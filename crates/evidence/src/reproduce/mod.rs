@@ -32,7 +32,7 @@ pub enum Class {
     Misprint,
     /// No reading of the source gives the number.
     NotReproducible,
-    /// A measurement, beside the value of the curve fitted to it.
+    /// A measurement, compared with the value of the curve fitted to it.
     Measured,
     /// The source does not give this number.
     NotStated,

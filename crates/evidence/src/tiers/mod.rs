@@ -34,7 +34,7 @@ pub struct Bound {
 /// A periodic spline that follows a force.
 #[derive(Debug, Clone)]
 pub struct Task<'a> {
-    /// One turn of wanted force.
+    /// One turn of the target force.
     pub target: &'a ForceCurve,
     /// How lift becomes force.
     pub drive: Drive,
@@ -186,15 +186,15 @@ impl Task<'_> {
     }
 }
 
-/// Harmonics inverted one by one; N of force left over is not looked at.
+/// The first `count` harmonics, inverted one by one, whatever force they leave.
 pub fn spectral(target: &ForceCurve, drive: Drive, count: usize) -> Result<Law> {
     Ok(invert(target, &drive, Some(count), 0.0)?.law())
 }
 
-/// As many harmonics, inverted one by one, as leave no more than `wanted` newtons RMS: what a scene gets
-/// that names no family and breaks no limit.
-pub fn first_rung(target: &ForceCurve, drive: Drive, wanted: f64) -> Result<Law> {
-    Ok(invert(target, &drive, None, wanted)?.law())
+/// As many harmonics, inverted one by one, as leave a force error of at most `rms` newtons: the law of a scene that
+/// names no family and breaks no limit.
+pub fn first_rung(target: &ForceCurve, drive: Drive, rms: f64) -> Result<Law> {
+    Ok(invert(target, &drive, None, rms)?.law())
 }
 
 fn refused(failure: &Failure<()>) -> Error {

@@ -46,7 +46,7 @@ pub fn run(args: &CompareArgs) -> Result<u8> {
         .iter()
         .map(|f| Design::read(f))
         .collect::<Result<Vec<Design>>>()?;
-    // Equal names are told apart by their folders.
+    // Results of equal names are distinguished by their folders.
     let all: Vec<String> = designs.iter().map(|d| d.name.clone()).collect();
     for d in &mut designs {
         if all.iter().filter(|n| **n == d.name).count() > 1 {

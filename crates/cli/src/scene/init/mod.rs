@@ -1,4 +1,4 @@
-//! `gaitcam init MACHINE`: a scene to begin with, each key with its meaning beside it.
+//! `gaitcam init MACHINE`: a scene to begin with, in which a comment explains each key.
 //!
 //! One TOML file per machine; `#- key = value` is a key that the scene offers and leaves out. The comments are those of
 //! the key table, so that a scene never says something else than `gaitcam keys`.

@@ -1,7 +1,7 @@
 //! Why a design is as plain as it is: for every choice of model the number that decided it, and the next
 //! richer choice, which can be run to see what it changes.
 //!
-//! A law of twice the spans (or harmonics) contains the chosen one, and limits are convex. The force wanted
+//! A law of twice the spans (or harmonics) contains the chosen one, and limits are convex. The target force
 //! is F*, the chosen law's F₁ and the richer one's F₂ are its projections on nested convex sets, so that
 //! ‖F₁ − F₂‖² ≤ ‖F₁ − F*‖² − ‖F₂ − F*‖²: the richer choice moves the force by less than the chosen one misses.
 

@@ -9,7 +9,7 @@ use std::time::Duration;
 use super::{SLOW, rows, start, sweep};
 use crate::support::{stderr, stdout};
 
-/// Numbers that look random and are the same in every run of the test but for the process's own number.
+/// Pseudo-random numbers seeded by the process id.
 struct Dice(u64);
 
 impl Dice {
