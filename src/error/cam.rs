@@ -150,7 +150,7 @@ pub enum CamLength {
     FaceOffset,
 }
 
-/// Why an arm does not lie on its prime circle.
+/// Why an arm does not reach its prime circle.
 ///
 /// ```
 /// use gaitcam::cam::{Cam, Follower};

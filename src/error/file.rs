@@ -3,7 +3,7 @@
 use serde::Serialize;
 use strum::VariantNames;
 
-/// What is wrong with a file or folder. Texts in fields are what the system says.
+/// What is wrong with a file or folder. Texts in fields are from the operating system.
 ///
 /// ```
 /// use gaitcam::error::{FileError, Placed};

@@ -11,7 +11,7 @@ use crate::units::Quantity;
 /// use gaitcam::error::LawError;
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
-/// // A rise of a third of a turn, and nothing after it.
+/// // A rise over a third of a turn; the rest of the turn is missing.
 /// let up = Segment { motion: Rise::Poly345, lift: 0.02, angle: 120f64.to_radians() };
 /// let error = program(&[up], Extent::TURN).unwrap_err();
 /// let Some(LawError::Uncovered { missing, .. }) = error.fault() else { panic!("{error}") };
@@ -186,7 +186,7 @@ pub enum LawError {
     },
 }
 
-/// A segment of a programme, as messages name it.
+/// A segment of a programme in a message.
 ///
 /// ```
 /// use gaitcam::error::LawError;
@@ -219,13 +219,13 @@ impl SegmentName {
     }
 }
 
-/// What makes two segments meet in velocity.
+/// Change that makes the velocity continuous between two segments.
 ///
 /// ```
 /// use gaitcam::error::{JoinCure, LawError};
 /// use gaitcam::law::{Extent, Rise, Segment, program};
 ///
-/// // A straight line meets a dwell with a jump of velocity: the line is what moves there.
+/// // Constant velocity next to a dwell is a jump of velocity.
 /// let pi = std::f64::consts::PI;
 /// let segment = |motion, lift, angle| Segment { motion, lift, angle };
 /// let list = [
@@ -243,16 +243,16 @@ impl SegmentName {
 #[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum JoinCure {
-    /// Both move the same way: another length of one makes the velocities equal.
+    /// Both move in the same direction: another length of one makes the velocities equal.
     LetCover {
         /// The segment to change.
         segment: SegmentName,
         /// Its new length.
         length: Quantity,
     },
-    /// One of the two does not rest at the joint.
+    /// One of the two segments moves at the joint: a segment has to be put between them.
     PutBetween {
-        /// The segment that moves there.
+        /// The moving segment.
         segment: SegmentName,
     },
 }

@@ -27,7 +27,7 @@ pub enum SceneError {
     NotToml { line: usize, fault: String },
     /// The name cannot be that of an output folder.
     OutputName { typed: String },
-    /// An unknown key, and the one that may be meant.
+    /// An unknown key, with the nearest known one.
     NoSuchKey {
         nearest: Option<String>,
         known: String,
@@ -36,25 +36,25 @@ pub enum SceneError {
     NotOfFollower { follower: &'static str },
     /// A key that this kind of drive does not have.
     NotOfDrive { drive: &'static str },
-    /// An arm has a moment of inertia instead.
+    /// A mass for an arm, which needs a moment of inertia.
     MassOfArm,
-    /// A value where a table should be.
+    /// A value instead of a table.
     NotTable { typed: String, section: String },
-    /// No hardness with its scale.
+    /// Text that is no hardness with its scale.
     NotHardness { typed: String },
     /// A length of the hub without its diameter.
     HubWithoutDiameter,
-    /// A hub that does not surround the hole for the shaft.
+    /// A hub smaller than the hole for the shaft.
     HubInBore { hub: String, hole: Quantity },
-    /// Something else where a list of tables should be.
+    /// A value instead of a list of tables.
     NotList { typed: String, list: String },
-    /// No text.
+    /// A value instead of a text.
     NotText { typed: String },
-    /// Neither a text nor a list of texts.
+    /// A value that is neither a text nor a list of texts.
     NotTexts { typed: String },
-    /// Neither true nor false.
+    /// A value that is neither true nor false.
     NotFlag { typed: String },
-    /// No whole number in the range.
+    /// A value that is no whole number in the range.
     NotCount {
         typed: String,
         low: usize,
@@ -66,9 +66,9 @@ pub enum SceneError {
         low: usize,
         high: usize,
     },
-    /// No number with its unit.
+    /// A value that is no number with its unit.
     NotQuantity { typed: String, example: String },
-    /// A word that names nothing, and the one that may be meant.
+    /// An unknown word, with the nearest known one.
     UnknownWord {
         word: String,
         nearest: Option<String>,
@@ -100,13 +100,13 @@ pub enum SceneError {
     NeededInEntry { example: String },
     /// A change without an equals sign.
     NoAssignment { typed: String },
-    /// An entry of a list that is not there.
+    /// A missing entry of a list.
     NoEntry {
         list: String,
         number: String,
         given: usize,
     },
-    /// A list where one entry should be named.
+    /// A list without the number of an entry.
     ListWithoutNumber { list: String, given: usize },
     /// A path that leads through a value.
     ValueNotTable { part: String },
@@ -114,17 +114,17 @@ pub enum SceneError {
     FileAndModel,
     /// Neither a recording nor a model.
     NoForceNamed,
-    /// A range of weighted phases that is none.
+    /// An empty range of weighted phases.
     NoPhases { from: Quantity, to: Quantity },
-    /// No phase of the cycle counts.
+    /// Every phase has weight zero.
     NothingWeighed,
-    /// Weights of the objective without a weight.
+    /// A weighted objective without weights.
     EmptyWeigh,
     /// An objective given twice.
     MinimiseAndWeigh,
-    /// An objective about a force that is not there.
+    /// A force objective without a force.
     NoForceToFollow,
-    /// A weight of the size of a cam whose size is given.
+    /// A weight on the size of a cam whose size is given.
     SizeNotFree,
     /// A spline's degree outside its range.
     SplineDegree { typed: String },
@@ -134,7 +134,7 @@ pub enum SceneError {
     ProgramWithoutSegments,
     /// A polynomial without points.
     PolynomialWithoutPoints,
-    /// Nothing is asked of the law.
+    /// No requirement on the law.
     NothingAsked,
     /// An automatic speed without a cycle.
     NoSpeed,
@@ -142,7 +142,7 @@ pub enum SceneError {
     NoMass,
     /// A radius given twice.
     BaseAndPrime,
-    /// A radius beside a breadth, from which it follows.
+    /// A radius in addition to a breadth, which determines it.
     RadiusAndBreadth,
     /// A breadth without a programme.
     BreadthWithoutProgram,
@@ -164,15 +164,15 @@ pub enum SceneError {
     KeywayTooWide { width: String, bore: String },
     /// An offset as large as the prime radius.
     OffsetReachesPrime { offset: String, prime: String },
-    /// A wanted force on a follower whose lift is no length over one turn.
+    /// A target force for a follower whose lift is not a length over one turn.
     ForceNeedsTranslation { follower: &'static str },
-    /// A law over a length that is no programme.
+    /// A law over a length that is not a programme.
     LengthNeedsProgram,
-    /// A law over several turns that is no programme.
+    /// A law over several turns that is not a programme.
     TurnsNeedProgram,
-    /// An arm on another drive than the fixed axis.
+    /// An arm with a drive other than the fixed axis.
     ArmNeedsFixedAxis,
-    /// A conjugate pair that nothing closes, or two things.
+    /// A conjugate pair with no closure, or with two.
     PairNotClosed,
     /// The stiffness of the follower given twice.
     FrequencyAndStiffness,

@@ -281,8 +281,6 @@ pub enum PeriodSource {
     UsualDuty,
     /// Rises of the total force of both feet through its mean.
     TotalForce,
-    /// The file is one cycle of stated period.
-    File,
 }
 
 impl PeriodSource {

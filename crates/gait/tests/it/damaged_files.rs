@@ -134,23 +134,9 @@ fn watch(reader: &str) -> Case {
     case
 }
 
-fn run(reader: &str) {
-    let mut files: Vec<PathBuf> = std::fs::read_dir(folder(reader))
-        .unwrap()
-        .map(|e| e.unwrap().path())
-        .collect();
-    files.sort();
-    assert!(!files.is_empty(), "no corpus for {reader}");
-    let corpus: Vec<Vec<u8>> = files.iter().map(|f| std::fs::read(f).unwrap()).collect();
-    let rounds = std::env::var("GAITCAM_FUZZ_ROUNDS")
-        .ok()
-        .and_then(|s| s.parse().ok())
-        .unwrap_or(600u64);
-    let seed = std::env::var("GAITCAM_FUZZ_SEED")
-        .ok()
-        .and_then(|s| s.parse().ok())
-        .unwrap_or(1u64);
-    let options = [
+/// Options that lead through every branch of the readers.
+fn options() -> [ReadOptions; 5] {
+    [
         ReadOptions::default(),
         ReadOptions {
             rate_hz: Some(100.0),
@@ -171,7 +157,26 @@ fn run(reader: &str) {
             force: vec!["2".to_string()],
             ..ReadOptions::default()
         },
-    ];
+    ]
+}
+
+fn run(reader: &str) {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder(reader))
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .collect();
+    files.sort();
+    assert!(!files.is_empty(), "no corpus for {reader}");
+    let corpus: Vec<Vec<u8>> = files.iter().map(|f| std::fs::read(f).unwrap()).collect();
+    let rounds = std::env::var("GAITCAM_FUZZ_ROUNDS")
+        .ok()
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(600u64);
+    let seed = std::env::var("GAITCAM_FUZZ_SEED")
+        .ok()
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(1u64);
+    let options = options();
     let mut dice = Dice(0x9E37_79B9_7F4A_7C15 ^ (seed << 1));
     for (file, bytes) in files.iter().zip(&corpus) {
         assert!(!bytes.is_empty(), "{}", file.display());

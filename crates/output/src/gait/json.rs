@@ -1,4 +1,4 @@
-//! What was found in a recording, as JSON for programs.
+//! A recording as JSON.
 
 use serde_json::{Value, json};
 
@@ -7,10 +7,10 @@ use gaitcam::force::{
 };
 use gaitcam::units::G;
 
-/// The same for programs; `cycle` is null where there is none.
+/// A recording as JSON; `cycle` is null without a mean cycle.
 ///
-/// `warnings` holds a code and its data for every note; `notes` the same as sentences. Times of contacts are those
-/// of the file's own clock.
+/// `warnings` holds a code and its data for every note; `notes` the same as sentences. Times of contacts are on
+/// the clock of the file.
 pub fn json(
     understood: &Interpretation,
     recording: &Recording,
@@ -65,7 +65,7 @@ fn stance(s: &Stance, r: &Recording) -> Value {
     })
 }
 
-/// The same for programs, in the shape of [`json()`].
+/// A file that is one cycle, with the keys of [`json()`].
 pub fn cycle_json(curve: &ForceCurve) -> Value {
     json!({
         "format": "one cycle", "rate_hz": curve.force_n.len() as f64 / curve.period_s,

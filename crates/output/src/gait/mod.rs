@@ -1,4 +1,4 @@
-//! What was found in recordings: tables for people, JSON for programs.
+//! Results of reading recordings: tables for people, JSON for programs.
 
 mod json;
 mod table;
@@ -13,7 +13,7 @@ pub use trials::{TrialRow, trials_json, trials_table};
 /// Labels of the tables.
 const LABELS: &[File] = &[[include_str!("en.ftl"), include_str!("es.ftl")]];
 
-/// The labels, and the notes and names that stand between them.
+/// The labels with the notes and names that the tables quote.
 static WORDS: Catalogue = Catalogue::new(&[
     gaitcam_base::wording::FILES,
     gaitcam::force::wording::FILES,

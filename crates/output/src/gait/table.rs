@@ -1,4 +1,4 @@
-//! What was found in a recording, as a table for people.
+//! Table of a recording: channels, stances, mean cycle, warnings.
 
 use std::fmt::Write as _;
 
@@ -9,10 +9,10 @@ use gaitcam::force::{Cycle, Foot, ForceCurve, Interpretation, Point, Recording, 
 use gaitcam::units::G;
 use gaitcam::wording::{Language, Messages};
 
-/// Stances and rejected contacts that the table lists before it sums up the rest.
+/// Most stances, and most rejected contacts, that the table lists.
 const LISTED: usize = 30;
 
-/// A table that a person can check at a glance. `cycle` may be an error's text where there is none.
+/// Table of a recording. `cycle` is the text of an error if there is no mean cycle.
 pub fn table(
     understood: &Interpretation,
     recording: &Recording,
@@ -159,7 +159,7 @@ fn write_rejected(
     more(out, words, all.len())
 }
 
-/// What is open, and how it is closed.
+/// Open questions, and the keys that answer them.
 fn write_doubts(
     out: &mut String,
     words: &Messages,
@@ -179,7 +179,7 @@ fn write_doubts(
     writeln!(out, "{} {text}", label(words, "gait-doubt"))
 }
 
-/// Lines of the table that carry data.
+/// Labels with data.
 #[derive(Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum Label {
@@ -234,7 +234,7 @@ fn write_cycle(
     write_spread(out, words, &c.curve, c.repeatability_n, weight)
 }
 
-/// Duration of a cycle with its standard deviation, where there are several.
+/// Duration of a cycle, with its standard deviation over several cycles.
 pub(super) fn write_period(
     out: &mut String,
     words: &Messages,
@@ -246,7 +246,7 @@ pub(super) fn write_period(
     writeln!(out, "{} {period} s{spread}", label(words, "gait-period"))
 }
 
-/// Step-to-step standard deviation and repeatability, where there are several cycles.
+/// Step-to-step standard deviation and repeatability of several cycles.
 pub(super) fn write_spread(
     out: &mut String,
     words: &Messages,
@@ -267,7 +267,7 @@ pub(super) fn write_spread(
     writeln!(out, "{} {repeat} N", label(words, "gait-repeatability"))
 }
 
-/// What a file that is one cycle holds, for people.
+/// Table of a file that is one cycle.
 pub fn cycle_table(curve: &ForceCurve, language: Language) -> String {
     let words = WORDS.of(language);
     let mut lines = vec![

@@ -29,19 +29,19 @@ const NAME: usize = 40;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct TrialRow<'a> {
-    /// Its file, as it is called on the way to it.
+    /// Path of its file, as given.
     pub name: &'a str,
-    /// How it was understood; `None` where it could not be read, or is one cycle as it stands.
+    /// Its interpretation; `None` if it could not be read or is one cycle as given.
     pub understood: Option<&'a Interpretation>,
-    /// Its mean cycle, where it gives one.
+    /// Its mean cycle, if it has one.
     pub curve: Option<&'a ForceCurve>,
-    /// Why it gives none.
+    /// Why it has none.
     pub fault: Option<&'a Error>,
-    /// Why it takes no part in the joint mean; `None` where it does.
+    /// Why it is excluded from the joint mean; `None` if it is included.
     pub left_out: Option<&'a LeftOut>,
 }
 
-/// Lines of the table that carry data.
+/// Labels with data.
 #[derive(Serialize)]
 #[serde(rename_all = "kebab-case")]
 enum Line {
@@ -104,7 +104,7 @@ fn cells(words: &Messages, row: &TrialRow) -> Vec<String> {
         .collect()
 }
 
-/// The end of a long name: files of one folder begin alike.
+/// The end of a long name, which distinguishes the files of a folder.
 fn shortened(name: &str) -> String {
     let count = name.chars().count();
     if count <= NAME {
@@ -134,7 +134,7 @@ fn numbers(words: &Messages, row: &TrialRow) -> [String; 6] {
     ]
 }
 
-/// Whether a recording takes part in the mean, and why not.
+/// Whether a recording is part of the joint mean, otherwise why not.
 fn part(words: &Messages, row: &TrialRow) -> String {
     let reason = match (row.fault, row.left_out) {
         (Some(fault), _) => fault.what(words.language()),
@@ -176,7 +176,7 @@ fn write_joint(out: &mut String, words: &Messages, joint: Option<&JointMean>) ->
     write_spread(out, words, &joint.curve, joint.repeatability_n, weight)
 }
 
-/// The same for programs: `recordings` as given, each with `in_mean` and `left_out`, and the joint mean.
+/// Several recordings as JSON: each of `objects` with `in_mean` and `left_out`, and the joint mean.
 pub fn trials_json(rows: &[TrialRow], objects: Vec<Value>, joint: Option<&JointMean>) -> Value {
     let recordings: Vec<Value> = rows
         .iter()

@@ -174,7 +174,6 @@ clock-guessed-times = time column, unit guessed
 clock-header = from the header
 clock-guessed-rate = guessed
 
-name-file = one cycle, as given
 name-heel-strikes = consecutive heel strikes of one foot
 name-marked-strikes = consecutive marked strikes of one foot
 name-doubled-steps = twice the mean step time

@@ -174,7 +174,6 @@ clock-guessed-times = columna de tiempo, unidad supuesta
 clock-header = de la cabecera
 clock-guessed-rate = supuesta
 
-name-file = un ciclo, tal cual
 name-heel-strikes = contactos de talón consecutivos de un pie
 name-marked-strikes = contactos marcados consecutivos de un pie
 name-doubled-steps = el doble de la duración media del paso
