@@ -12,15 +12,28 @@ use std::path::{Path, PathBuf};
 struct Module {
     file: PathBuf,
     folder: PathBuf,
+    /// Sources of its crate.
+    root: PathBuf,
 }
 
 impl Module {
     fn library() -> Module {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+        Module::root_of(Path::new(env!("CARGO_MANIFEST_DIR")).join("src"))
+    }
+
+    fn root_of(root: PathBuf) -> Module {
         Module {
-            file: folder.join("lib.rs"),
-            folder,
+            file: root.join("lib.rs"),
+            folder: root.clone(),
+            root,
         }
+    }
+
+    /// The root of a crate of the workspace.
+    fn of_crate(name: &str) -> Option<Module> {
+        let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates");
+        let root = crates.join(name.trim_start_matches("gaitcam_")).join("src");
+        root.exists().then(|| Module::root_of(root))
     }
 
     /// The module of that name inside this one.
@@ -28,7 +41,8 @@ impl Module {
         let folder = self.folder.join(name);
         let files = [folder.with_extension("rs"), folder.join("mod.rs")];
         let file = files.into_iter().find(|file| file.exists())?;
-        Some(Module { file, folder })
+        let root = self.root.clone();
+        Some(Module { file, folder, root })
     }
 
     fn text(&self) -> String {
@@ -67,8 +81,11 @@ impl Module {
             }
         }
         let uses = self.statements();
-        let mut uses = uses.iter().flat_map(|(_, statement)| used(statement));
-        uses.find(|(_, shown)| shown == name).and_then(|(path, _)| {
+        let uses = uses.iter().flat_map(|(_, statement)| used(statement));
+        // A path of one name is that of a crate from outside.
+        let named = |path: &str, shown: &str| shown == name && path.contains("::");
+        let mut uses = uses.filter(|(path, shown)| named(path, shown));
+        uses.next().and_then(|(path, _)| {
             let (module, original) = self.followed(&path)?;
             module.type_named(&original)
         })
@@ -81,8 +98,8 @@ impl Module {
         let mut at = self.clone();
         for part in parts {
             at = match part {
-                "crate" => Module::library(),
-                _ => at.inner(part)?,
+                "crate" => Module::root_of(at.root),
+                _ => at.inner(part).or_else(|| Module::of_crate(part))?,
             };
         }
         Some((at, last))
@@ -108,7 +125,9 @@ impl Module {
                 let (module, name) = self
                     .followed(&path)
                     .unwrap_or_else(|| panic!("{statement}: {path}"));
-                if let Some(inner) = module.inner(&name) {
+                if name == "self" {
+                    module.collect(out);
+                } else if let Some(inner) = module.inner(&name) {
                     // A module and a function may share a name: only the module holds types.
                     if !module.text().contains(&format!("pub fn {name}(")) {
                         inner.collect(out);

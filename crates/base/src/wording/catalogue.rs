@@ -5,9 +5,22 @@ use std::sync::OnceLock;
 use super::{Language, Messages};
 
 /// A Fluent file in English and in Spanish.
+///
+/// ```
+/// use gaitcam_base::wording::FILES;
+///
+/// assert!(FILES.iter().all(|[english, spanish]| english != spanish));
+/// ```
 pub type File = [&'static str; 2];
 
-/// The messages of a crate and of those below it whose messages it shows; each language is read when it is first asked for.
+/// The messages of a crate and of the crates below it; a language is indexed when it is first needed.
+///
+/// ```
+/// use gaitcam_base::wording::{Catalogue, Language};
+///
+/// static WORDS: Catalogue = Catalogue::new(&[&[["name-arm = arm", "name-arm = brazo"]]]);
+/// assert_eq!(WORDS.of(Language::Es).name("arm"), "brazo");
+/// ```
 pub struct Catalogue {
     files: &'static [&'static [File]],
     english: OnceLock<Messages>,

@@ -11,6 +11,16 @@ use super::text::{Fields, Layout, Lines, Position, Table, detect, next_table, pl
 use crate::error::{Placed, ReadError, Result};
 
 /// A table of a delimited text, its rows not yet read.
+///
+/// ```
+/// use gaitcam_gait::NumberTable;
+///
+/// let table = NumberTable::find("lift.csv".as_ref(), b"angle_deg;lift_mm\n0;0\n90;2,5\n")?;
+/// assert_eq!(table.name_and_unit(1), ("lift".to_string(), Some("mm".to_string())));
+/// let lifts: Vec<Option<f64>> = table.rows().map(|(_, cells)| cells[1].number).collect();
+/// assert_eq!(lifts, [Some(0.0), Some(2.5)]);
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
 pub struct NumberTable<'a> {
     bytes: Cow<'a, [u8]>,
     layout: Layout,
@@ -18,6 +28,15 @@ pub struct NumberTable<'a> {
 }
 
 /// One field of a row.
+///
+/// ```
+/// use gaitcam_gait::NumberTable;
+///
+/// let table = NumberTable::find("a.csv".as_ref(), b"time_s,force_n\n0,700\n1,?\n2,701\n")?;
+/// let (line, cells) = table.rows().nth(1).unwrap();
+/// assert_eq!((line, cells[1].number, cells[1].text.as_str()), (3, None, "?"));
+/// # Ok::<(), gaitcam_gait::error::Error>(())
+/// ```
 pub struct Cell {
     /// Its finite number; `None` for anything else.
     pub number: Option<f64>,

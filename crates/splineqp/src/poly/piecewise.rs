@@ -70,6 +70,15 @@ impl Range {
 }
 
 /// A local maximum, with the piece it belongs to: at a break this tells the side.
+///
+/// ```
+/// use splineqp::poly::PiecewisePoly;
+///
+/// // 4u(1 − u) has its maximum 1 at u = 1/2.
+/// let arc = PiecewisePoly::new(vec![0.0, 1.0], 2, vec![0.0, 2.0, 0.0]);
+/// let peaks = arc.peaks_above(0.5, 0.0, 1.0);
+/// assert!((peaks[0].at - 0.5).abs() < 1e-9 && (peaks[0].value - 1.0).abs() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Peak {
     /// Index of the piece.

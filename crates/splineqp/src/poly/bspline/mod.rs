@@ -9,6 +9,13 @@ mod knots;
 use super::PiecewisePoly;
 
 /// One non-empty knot span and the basis functions on it.
+///
+/// ```
+/// use splineqp::poly::SplineSpace;
+///
+/// let space = SplineSpace::periodic_uniform(3, 4, 2.0);
+/// assert_eq!((space.spans()[1].start, space.spans()[1].width), (0.5, 0.5));
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Span {
     /// Left end.

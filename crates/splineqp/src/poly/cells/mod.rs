@@ -12,6 +12,14 @@ mod tests;
 use pulp::{Arch, Simd, WithSimd};
 
 /// A function of period `length`, a cubic on each of n equal cells: a cubic Hermite spline.
+///
+/// ```
+/// use splineqp::poly::Cells;
+///
+/// // Level at 0 and at 1, with values 0 and 1 there.
+/// let cells = Cells::new(vec![0.0, 1.0, 0.0], vec![0.0; 3], 2.0);
+/// assert!((cells.at(0.5) - 0.5).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
     /// At the ends of the cells, n + 1 of them: the last is the first again.
