@@ -32,9 +32,9 @@ pub struct NumberTable<'a> {
 /// ```
 /// use gaitcam_gait::NumberTable;
 ///
-/// let table = NumberTable::find("a.csv".as_ref(), b"time_s,force_n\n0,700\n1,?\n2,701\n")?;
-/// let (line, cells) = table.rows().nth(1).unwrap();
-/// assert_eq!((line, cells[1].number, cells[1].text.as_str()), (3, None, "?"));
+/// let table = NumberTable::find("a.csv".as_ref(), b"time_s,force_n\n0,700\n1,701\n2,?\n")?;
+/// let (line, cells) = table.rows().nth(2).unwrap();
+/// assert_eq!((line, cells[1].number, cells[1].text.as_str()), (4, None, "?"));
 /// # Ok::<(), gaitcam_gait::error::Error>(())
 /// ```
 pub struct Cell {
