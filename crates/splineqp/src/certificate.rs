@@ -127,7 +127,7 @@ pub fn certificate<N: Names>(program: &Program<N>, solution: &Solution<N>) -> Ce
         } else {
             f64::INFINITY
         };
-        (level_gradient / own.max(f64::MIN_POSITIVE)).min(moved)
+        (component / own.max(f64::MIN_POSITIVE)).min(moved)
     };
     if program.cone {
         let cost = SIZES.iter().fold(0.0_f64, |m, &k| m.max(terms_of_extra[k]));
