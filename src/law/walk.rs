@@ -2,7 +2,6 @@
 //! of points at once.
 
 use super::{Law, Wave};
-use crate::poly;
 
 /// Points evaluated together. Sinusoids advance by rotation within a batch and are computed afresh for the
 /// next one, which keeps the sum of rounding errors below 1e-14 of the amplitude.
@@ -61,13 +60,8 @@ pub struct Walk<'a> {
     piece: usize,
     /// The piece's waves turned by one step after the other.
     turns: Vec<Turns>,
-    /// Lift without its mean, velocity and acceleration at every point, of a law of many harmonics.
-    table: Option<[Vec<f64>; 3]>,
     batch: Batch,
 }
-
-/// From so many harmonics on, one transform for all points is cheaper than turning each.
-const MANY_HARMONICS: usize = 5;
 
 impl Law {
     /// The law at θᵢ = start + i·step, 0 ≤ i < n, `step` ≥ 0, batch after batch. Agrees with [`Law::svaj`]
@@ -84,7 +78,6 @@ impl Law {
             left: 0,
             piece: 0,
             turns: Vec::new(),
-            table: self.harmonics_at_equal_steps(start, step, n),
             batch: Batch {
                 len: 0,
                 at_rest: false,
@@ -94,24 +87,6 @@ impl Law {
                 a: [0.0; BATCH],
             },
         }
-    }
-
-    /// Sums of the harmonics at `n` equal steps of one whole turn; `None` for other laws and other steps.
-    fn harmonics_at_equal_steps(&self, start: f64, step: f64, n: usize) -> Option<[Vec<f64>; 3]> {
-        use std::f64::consts::TAU;
-        let waves = self.waves(0);
-        let whole_turn = start == 0.0 && step == TAU / n as f64 && self.extent() == (0.0, TAU);
-        let one_constant = self.poly.pieces() == 1 && self.poly.degree() == 0 && self.closed;
-        let resolved = |w: &Wave| w.rate >= 1.0 && w.rate.fract() == 0.0 && 2.0 * w.rate < n as f64;
-        if waves.len() < MANY_HARMONICS
-            || !whole_turn
-            || !one_constant
-            || !waves.iter().all(resolved)
-        {
-            return None;
-        }
-        let terms = waves.iter().map(|w| (w.rate as usize, w.cos, w.sin));
-        Some(poly::sums(terms, n))
     }
 
     /// Scaled Bernstein coefficients of lift, velocity and acceleration on a piece.
@@ -156,18 +131,8 @@ impl Walk<'_> {
         } else {
             polynomials(coefficients, &u, batch);
         }
-        if let Some([s, v, a]) = &self.table {
-            let points = self.done..self.done + batch.len;
-            let mean = batch.s[0];
-            for (to, from) in batch.s.iter_mut().zip(&s[points.clone()]) {
-                *to = mean + from;
-            }
-            batch.v[..points.len()].copy_from_slice(&v[points.clone()]);
-            batch.a[..points.len()].copy_from_slice(&a[points]);
-        } else {
-            for (wave, turns) in law.waves(self.piece).iter().zip(&self.turns) {
-                add_wave(wave, u[0] * (to - from), turns, batch);
-            }
+        for (wave, turns) in law.waves(self.piece).iter().zip(&self.turns) {
+            add_wave(wave, u[0] * (to - from), turns, batch);
         }
         self.done += batch.len;
         self.left -= batch.len;
@@ -189,10 +154,8 @@ impl Walk<'_> {
         };
         let waves = law.waves(self.piece);
         self.turns.clear();
-        if self.table.is_none() {
-            self.turns
-                .extend(waves.iter().map(|w| Turns::of(w.rate * self.step)));
-        }
+        self.turns
+            .extend(waves.iter().map(|w| Turns::of(w.rate * self.step)));
         self.batch.at_rest =
             waves.is_empty() && law.coefficients(self.piece)[1].iter().all(|c| *c == 0.0);
     }

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use super::Range;
 use crate::force::slope_corrections;
-use crate::poly::{harmonic_extremes, harmonic_sum, harmonic_values, some_harmonic_values};
+use crate::poly::{harmonic_extremes, harmonic_sum, harmonic_values};
 
 /// Samples of a turn.
 const SAMPLES: usize = 1024;
@@ -51,10 +51,11 @@ impl LimitedSlopes {
         }
         let size: f64 = spectrum.iter().map(|t| t.0.abs() + t.1.abs()).sum();
         let mut cells: Vec<Cell> = Vec::new();
+        let samples = harmonic_values(spectrum, SAMPLES);
         for (first, last) in flat_parts(spectrum) {
             // Two samples more on either side.
-            let count = last + 1 - first + 4;
-            let f = some_harmonic_values(spectrum, SAMPLES, first as isize - 2, count);
+            let around = first + SAMPLES - 2..last + SAMPLES + 3;
+            let f: Vec<f64> = around.map(|i| samples[i % SAMPLES]).collect();
             for (i, change) in (first..).zip(slope_corrections(&f)) {
                 if change.abs() > FREE * size {
                     add(&mut cells, i, change);
@@ -243,7 +244,10 @@ mod tests {
                     (phase.sin() / fade, (2.3 * phase).cos() / fade)
                 })
                 .collect();
-            let all = some_harmonic_values(&spectrum, SAMPLES, -2, SAMPLES + 4);
+            let samples = harmonic_values(&spectrum, SAMPLES);
+            let all: Vec<f64> = (SAMPLES - 2..2 * SAMPLES + 2)
+                .map(|i| samples[i % SAMPLES])
+                .collect();
             let size: f64 = spectrum.iter().map(|t| t.0.abs() + t.1.abs()).sum();
             let parts = flat_parts(&spectrum);
             for (i, change) in slope_corrections(&all).into_iter().enumerate() {

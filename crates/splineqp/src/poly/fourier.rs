@@ -38,31 +38,21 @@ pub fn amplitudes(samples: &[f64]) -> Vec<(f64, f64)> {
     out
 }
 
-/// Σ aₕ cos hθ + bₕ sin hθ and its first two derivatives at θ = 2πi/n, i = 0 … n − 1, from
-/// (h, aₕ, bₕ) with 1 ≤ h < n/2. Exact to rounding of the largest value.
-pub fn sums(terms: impl Iterator<Item = (usize, f64, f64)>, n: usize) -> [Vec<f64>; 3] {
+/// Derivative of an order of Σ aₕ cos hθ + bₕ sin hθ at θ = 2πi/n, i = 0 … n − 1, from (aₕ, bₕ), h = 1 … < n/2. Exact to
+/// rounding of the largest value.
+pub fn samples(terms: &[(f64, f64)], order: u32, n: usize) -> Vec<f64> {
+    debug_assert!(2 * terms.len() < n);
     let fft = inverse(n);
-    let mut spectra = [(); 3].map(|()| fft.make_input_vec());
-    for (h, a, b) in terms {
-        debug_assert!(h >= 1 && 2 * h < n);
+    let mut spectrum = fft.make_input_vec();
+    for (h, &(a, b)) in (1..).zip(terms) {
         // a cos + b sin = Re((a − ib) e^{ihθ}); the transform adds the conjugate by itself.
-        let first = Complex64::new(0.5 * a, -0.5 * b);
-        let rate = h as f64;
-        spectra[0][h] += first;
-        spectra[1][h] += Complex64::new(-rate * first.im, rate * first.re);
-        spectra[2][h] -= first * (rate * rate);
+        spectrum[h] = Complex64::new(0.5 * a, -0.5 * b) * Complex64::new(0.0, h as f64).powu(order);
     }
-    let mut scratch = fft.make_scratch_vec();
-    spectra.map(|mut spectrum| {
-        let mut out = fft.make_output_vec();
-        if fft
-            .process_with_scratch(&mut spectrum, &mut out, &mut scratch)
-            .is_err()
-        {
-            unreachable!("the buffers are the transform's own, the mean is real");
-        }
-        out
-    })
+    let mut out = fft.make_output_vec();
+    if fft.process(&mut spectrum, &mut out).is_err() {
+        unreachable!("the buffers are the transform's own, the mean is real");
+    }
+    out
 }
 
 #[cfg(test)]
@@ -71,17 +61,17 @@ mod tests {
     use std::f64::consts::TAU;
 
     #[test]
-    fn sums_and_amplitudes_are_inverse_to_each_other() {
+    fn samples_and_amplitudes_are_inverse_to_each_other() {
         for n in [9, 64, 1440, 1001] {
-            let terms: Vec<(usize, f64, f64)> = (1..=(n - 1) / 2)
-                .map(|h| (h, (h % 7) as f64 - 3.0, 1.0 / h as f64))
+            let terms: Vec<(f64, f64)> = (1..=(n - 1) / 2)
+                .map(|h| ((h % 7) as f64 - 3.0, 1.0 / h as f64))
                 .collect();
-            let [s, v, a] = sums(terms.iter().copied(), n);
+            let [s, v, a] = [0, 1, 2].map(|order| samples(&terms, order, n));
             for i in [0, 1, n / 3, n - 1] {
                 let theta = TAU * i as f64 / n as f64;
                 let mut direct = [0.0; 3];
-                for &(h, p, q) in &terms {
-                    let rate = h as f64;
+                for (h, &(p, q)) in (1..).zip(&terms) {
+                    let rate = f64::from(h);
                     let (sin, cos) = (rate * theta).sin_cos();
                     direct[0] += p * cos + q * sin;
                     direct[1] += rate * (q * cos - p * sin);
@@ -94,8 +84,8 @@ mod tests {
             }
             let back = amplitudes(&s);
             assert!(back[0].0.abs() < 1e-13);
-            for &(h, p, q) in &terms {
-                assert!((back[h].0 - p).abs() < 1e-12 && (back[h].1 - q).abs() < 1e-12);
+            for ((p, q), back) in terms.iter().zip(&back[1..]) {
+                assert!((back.0 - p).abs() < 1e-12 && (back.1 - q).abs() < 1e-12);
             }
         }
     }

@@ -1,19 +1,13 @@
 //! Values and extremes of Σ aₙ cos nθ + bₙ sin nθ, n = 1 …
 
-use std::borrow::Cow;
 use std::f64::consts::TAU;
-use std::sync::OnceLock;
 
-use pulp::{Arch, NullaryFnOnce};
-
-use super::Extreme;
+use super::{Extreme, fourier};
 
 /// Grid points per period of the fastest harmonic, at least.
 const POINTS_PER_WAVE: usize = 16;
-/// Fewest and most grid points; a sum beyond the finest is searched on it all the same.
-const GRIDS: [usize; 8] = [64, 128, 256, 512, 1024, 2048, 4096, 8192];
-/// Grids whose waves are kept: a megabyte for the finest of them.
-const KEPT_GRIDS: usize = 5;
+/// Fewest grid points.
+const FEWEST_POINTS: usize = 64;
 /// Steps within a cell: Newton's method needs three or four, halving all of them.
 const STEPS: usize = 40;
 /// A crest is that flat within this angle, rad, that its value is found by one more parabola.
@@ -35,115 +29,15 @@ pub fn harmonic_sum(terms: &[(f64, f64)], x: f64) -> [f64; 3] {
     out
 }
 
-/// (cos, sin) at the points of a grid.
-fn circle(grid: usize) -> &'static [(f64, f64)] {
-    static CIRCLES: [OnceLock<Vec<(f64, f64)>>; GRIDS.len()] =
-        [const { OnceLock::new() }; GRIDS.len()];
-    CIRCLES[grid].get_or_init(|| {
-        let n = GRIDS[grid];
-        (0..n)
-            .map(|i| (TAU * i as f64 / n as f64).sin_cos())
-            .map(|(s, c)| (c, s))
-            .collect()
-    })
-}
-
-/// cos nθ and sin nθ at the points of a grid, one after the other.
-fn wave(grid: usize, n: usize) -> Cow<'static, [Vec<f64>; 2]> {
-    type Waves = Vec<OnceLock<[Vec<f64>; 2]>>;
-    static KEPT: [OnceLock<Waves>; KEPT_GRIDS] = [const { OnceLock::new() }; KEPT_GRIDS];
-    let own = || {
-        let circle = circle(grid);
-        let mask = circle.len() - 1;
-        let at = |f: fn(&(f64, f64)) -> f64| -> Vec<f64> {
-            (0..=mask).map(|i| f(&circle[(n * i) & mask])).collect()
-        };
-        [at(|p| p.0), at(|p| p.1)]
-    };
-    let most = GRIDS[grid] / POINTS_PER_WAVE;
-    match KEPT.get(grid) {
-        Some(kept) if n <= most => {
-            let kept = kept.get_or_init(|| (0..=most).map(|_| OnceLock::new()).collect());
-            Cow::Borrowed(kept[n].get_or_init(own))
-        }
-        _ => Cow::Owned(own()),
-    }
-}
-
-/// The coarsest grid that has `points`, and enough of them for so many harmonics.
-fn grid_for(count: usize, points: usize) -> usize {
-    let wanted = (POINTS_PER_WAVE * count).max(points);
-    let found = GRIDS.iter().position(|g| *g >= wanted);
-    found.unwrap_or(GRIDS.len() - 1)
-}
-
-/// Values at even steps over the turn: as many as the coarsest grid has that has `points`, and 16 for the fastest wave.
+/// Values at even steps over the turn: a power of two of them, at least `points` and 16 for the fastest wave.
 pub fn harmonic_values(terms: &[(f64, f64)], points: usize) -> Vec<f64> {
-    values(terms, grid_for(terms.len(), points))
+    fourier::samples(terms, 0, grid_for(terms.len(), points))
 }
 
-/// The same at `count` of these steps from `first` on, any turn.
-pub fn some_harmonic_values(
-    terms: &[(f64, f64)],
-    points: usize,
-    first: isize,
-    count: usize,
-) -> Vec<f64> {
-    let grid = grid_for(terms.len(), points);
-    let points = GRIDS[grid];
-    let mut out = vec![0.0; count];
-    let mut from = first.rem_euclid(points as isize) as usize;
-    let mut left = out.as_mut_slice();
-    while !left.is_empty() {
-        let (here, rest) = left.split_at_mut(left.len().min(points - from));
-        add_waves(terms, grid, from, here);
-        (left, from) = (rest, 0);
-    }
-    out
-}
-
-fn values(terms: &[(f64, f64)], grid: usize) -> Vec<f64> {
-    let mut values = vec![0.0; GRIDS[grid]];
-    add_waves(terms, grid, 0, &mut values);
-    values
-}
-
-/// Adds the sum at the points of a grid from one on.
-fn add_waves(terms: &[(f64, f64)], grid: usize, from: usize, values: &mut [f64]) {
-    for (n, &(a, b)) in (1..).zip(terms) {
-        let wave = wave(grid, n);
-        let [cos, sin] = [&wave[0][from..], &wave[1][from..]];
-        let values = &mut *values;
-        Arch::new().dispatch(AddWave {
-            values,
-            cos,
-            sin,
-            a,
-            b,
-        });
-    }
-}
-
-/// Adds a cos + b sin.
-struct AddWave<'a> {
-    values: &'a mut [f64],
-    cos: &'a [f64],
-    sin: &'a [f64],
-    a: f64,
-    b: f64,
-}
-
-impl NullaryFnOnce for AddWave<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn call(self) {
-        let n = self.values.len();
-        let (cos, sin) = (&self.cos[..n], &self.sin[..n]);
-        for i in 0..n {
-            self.values[i] += self.a * cos[i] + self.b * sin[i];
-        }
-    }
+/// Number of grid points for so many harmonics, at least `points`.
+fn grid_for(harmonics: usize, points: usize) -> usize {
+    let least = (POINTS_PER_WAVE * harmonics).max(points);
+    least.max(FEWEST_POINTS).next_power_of_two()
 }
 
 /// Smallest and largest value, to rounding: every grid cell that could hold them is searched by Newton's
@@ -156,7 +50,7 @@ pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
         return (NOTHING, NOTHING);
     }
     let grid = grid_for(terms.len(), 1);
-    let values = values(terms, grid);
+    let [values, slopes] = [0, 1].map(|order| fourier::samples(terms, order, grid));
     let (mut low, mut high) = (values[0], values[0]);
     for &v in &values {
         low = if v < low { v } else { low };
@@ -166,7 +60,7 @@ pub fn harmonic_extremes(terms: &[(f64, f64)]) -> (Extreme, Extreme) {
     let reach = 0.125 * step * step * bend;
     let search = |sign| Search {
         terms,
-        circle: circle(grid),
+        slopes: &slopes,
         step,
         sign,
         best: f64::NEG_INFINITY,
@@ -194,7 +88,8 @@ const NOTHING: Extreme = Extreme {
 /// The search for the largest value of sign·f among the cells of a grid over the turn.
 struct Search<'a> {
     terms: &'a [(f64, f64)],
-    circle: &'a [(f64, f64)],
+    /// f′ at the points of the grid.
+    slopes: &'a [f64],
     step: f64,
     sign: f64,
     best: f64,
@@ -228,23 +123,11 @@ impl Search<'_> {
         }
     }
 
-    /// f′ at a point of the grid.
-    fn slope(&self, i: usize) -> f64 {
-        let mask = self.circle.len() - 1;
-        let mut k = 0;
-        let mut slope = 0.0;
-        for (n, &(a, b)) in (1..).zip(self.terms) {
-            k = (k + i) & mask;
-            let (c, s) = self.circle[k];
-            slope += f64::from(n) * (b * c - a * s);
-        }
-        slope
-    }
-
     /// The crest in the cell before point `i`, if sign·f rises at its start and falls at its end: Newton's method on f′ from
     /// where a straight line would be zero, halving the cell where that leaves it.
     fn crest(&mut self, i: usize) {
-        let ends = [i + self.circle.len() - 1, i].map(|i| self.sign * self.slope(i));
+        let points = self.slopes.len();
+        let ends = [i + points - 1, i].map(|i| self.sign * self.slopes[i % points]);
         if ends[0] < 0.0 || ends[1] > 0.0 {
             return;
         }
