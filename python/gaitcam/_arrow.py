@@ -6,11 +6,7 @@ from typing import Any
 
 def batch(table: Any) -> Any:
     """The ``pyarrow.RecordBatch`` of a table: numbers without copies, NaN as null, words as a dictionary array."""
-    try:
-        pyarrow: Any = import_module("pyarrow")
-    except ImportError as fault:
-        what = "reading a table through Arrow needs pyarrow (pip install 'gaitcam[parquet]'); dict(table) does not"
-        raise ImportError(what) from fault
+    pyarrow: Any = import_module("pyarrow")
     arrays, fields = [], []
     for name in table.column_names:
         if (coded := table._coded(name)) is None:

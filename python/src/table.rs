@@ -21,8 +21,7 @@ type Coded<'py> = (Bound<'py, PyAny>, Bound<'py, PyList>);
 /// table's memory, words as a list of ``str | None``. A number that does not exist is NaN. Units stand in the names.
 ///
 /// The table exports the Arrow PyCapsule interface: ``pyarrow.table(t)``, ``polars.DataFrame(t)`` and
-/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories). It needs
-/// pyarrow.
+/// ``pandas.DataFrame.from_arrow(t)`` read numbers without copies; words come as a dictionary (categories).
 #[pyclass(frozen, module = "gaitcam")]
 pub struct Table {
     records: Records,
