@@ -40,7 +40,7 @@ fn the_files_of_a_simulation_have_the_documented_keys_and_columns() {
     assert!(csv.starts_with("theta_rad,contact_force_n,torque_nm,"));
     let rows = csv.lines().count() - 1;
     assert!(
-        rows >= 1440 && rows % 1440 == 0,
+        rows >= 1440 && rows.is_multiple_of(1440),
         "whole turns of 1440 rows: {rows}"
     );
     assert!(simulation::table(&out, Measures::Translating, Language::En).contains("lift-off"));
