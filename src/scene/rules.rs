@@ -107,7 +107,7 @@ type Verdict = std::result::Result<(), (&'static str, SceneError)>;
 
 fn name(scene: &Scene, _: Typed) -> Verdict {
     let name = &scene.name;
-    let no_file = |c: char| c.is_control() || "/\\\u{202e}".contains(c);
+    let no_file = |c: char| c.is_control() || matches!(c, '/' | '\\' | '\u{202e}');
     if name.trim().is_empty() || name.contains(no_file) || name.starts_with(['.', '-', '~']) {
         let typed = name.clone();
         return Err(("name", SceneError::OutputName { typed }));

@@ -7,7 +7,7 @@
 //! Two caches: forces with their harmonics (a grid of a few step frequencies runs twelve times as fast as a sample in
 //! which every row has its own), and searches of rows that differ in limits and sizes alone.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, OnceLock, RwLock};
 
 use toml::Table;
@@ -45,7 +45,7 @@ pub struct Kernel<'a> {
     clock: Option<Clock<'a>>,
     /// Whether numbers of recordings vary, by which a file gives several forces.
     varies_reading: bool,
-    forces: RwLock<HashMap<ForceName, Arc<Force>>>,
+    forces: RwLock<BTreeMap<ForceName, Arc<Force>>>,
     demands: Mutex<Vec<Arc<Demand>>>,
 }
 

@@ -222,10 +222,13 @@ impl SplineSpace {
                 *c = coefficients[at];
                 at = if at + 1 == self.dimension { 0 } else { at + 1 };
             }
-            let rows = self.extraction(i).chunks_exact(n);
-            coef.extend(
-                rows.map(|row| -> f64 { row.iter().zip(&local).map(|(e, c)| e * c).sum() }),
-            );
+            for row in self.extraction(i).chunks_exact(n) {
+                let mut sum = 0.0;
+                for (e, c) in row.iter().zip(&local[..n]) {
+                    sum += e * c;
+                }
+                coef.push(sum);
+            }
         }
         coef
     }
