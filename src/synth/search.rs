@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::sync::{Arc, Mutex};
 
 use super::ForceReport;
-use super::families::{MissedAccuracy, Objective, ObjectiveKey, SpanKey};
+use super::families::{Objective, ObjectiveKey, SpanKey};
 use super::limits::ReportKey;
 use crate::halt::Halt;
 use crate::law::Law;
@@ -45,9 +45,6 @@ pub(super) struct Cache {
     pub spans: Kept<SpanKey, usize>,
     /// Laws raised to the base circle (3 %; where no limit is active a third of a row).
     pub raised: Kept<Law, Law>,
-    /// Programs that miss the accuracy, whose multipliers prove the same of others: spares the search for
-    /// relaxations most of its programs.
-    pub missed: Kept<MissedAccuracy, ()>,
 }
 
 /// Values by what they depend on beside force and demands; the oldest go together once there are many.
@@ -115,25 +112,12 @@ impl<K: PartialEq, V: Clone> Kept<K, V> {
             return Ok(value.clone());
         }
         let value = compute(&key)?;
-        self.keep(key, value.clone());
-        Ok(value)
-    }
-}
-
-impl<K, V> Kept<K, V> {
-    /// Keeps a value.
-    pub fn keep(&self, key: K, value: V) {
         if let Ok(mut list) = self.0.lock() {
             if list.len() >= MOST {
                 list.clear();
             }
-            list.push((key, value));
+            list.push((key, value.clone()));
         }
-    }
-
-    /// Whether any key has a property.
-    pub fn any(&self, has: impl Fn(&K) -> bool) -> bool {
-        let list = self.0.lock();
-        list.is_ok_and(|list| list.iter().any(|(key, _)| has(key)))
+        Ok(value)
     }
 }

@@ -1,6 +1,5 @@
 //! From a problem to a law: one file per family, and `choose` for problems that leave the family open.
 
-mod accuracy_bound;
 mod choose;
 mod demands;
 mod double_harmonic;
@@ -13,7 +12,6 @@ mod spline_program;
 mod spline_spans;
 mod touching;
 
-pub use accuracy_bound::MissedAccuracy;
 pub use spline::{SpanKey, at_own_size, stopped_at_noise};
 pub use spline_program::{Objective, ObjectiveKey};
 
