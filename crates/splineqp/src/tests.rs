@@ -106,6 +106,18 @@ fn least_peaks_are_4_32_and_384() {
     }
 }
 
+/// Multipliers that no longer balance the cost of a variable beside the law prove nothing.
+#[test]
+fn a_certificate_sees_the_gradient_of_a_peak() {
+    let mut program = rest_to_rest(2, 3, &uniform(16));
+    minimise_peak(&mut program, 2);
+    let solution = program.solve().unwrap();
+    assert!(super::certificate(&program, &solution).stationarity < 1e-6);
+    program.cost[PEAK] = 2.0;
+    let other = super::certificate(&program, &solution);
+    assert!(other.stationarity > 0.1, "{}", other.stationarity);
+}
+
 #[test]
 fn least_peak_acceleration_under_a_jerk_limit_follows_the_closed_form() {
     // theory §8: A*(J) = (J/4)(1 − √(1 − 32/J)); breaks on the ramp ends make it exact.
