@@ -55,6 +55,7 @@
 //! them the program with its bound minimised is a first relaxation. `relaxed` designs the whole cam with
 //! each value and moves it until every check passes.
 
+mod checked_cam;
 mod demand;
 mod design;
 mod families;
@@ -90,12 +91,13 @@ pub use search::Search;
 
 use std::sync::Arc;
 
-use crate::cam::{Cam, Check, LimitKind, Verdict};
+use crate::cam::{Check, LimitKind, Verdict};
 use crate::error::{Placed, Result};
 use crate::force::ForceCurve;
 use crate::problem::{Note, Problem};
 use crate::scene::{Family, Scene};
-use families::{NoLaw, Refusal, SolvedLaw, on_base_circle};
+use checked_cam::CheckedCam;
+use families::{NoLaw, Refusal, SolvedLaw};
 
 /// Designs the cam that a scene asks for. `force` is one cycle of the target force, where the scene has one.
 ///
@@ -131,29 +133,42 @@ impl Scene {
 /// # Errors
 /// Faults of the input.
 pub fn design(problem: &Problem, search: &Search) -> Result<Design> {
-    let problem = phase::resolve(problem, search)?;
+    let problem = phase::resolve(problem, |at| least_error(at, search))?;
     match sized(&problem, &problem, search) {
-        Ok(sized) => checked(&problem, search, sized, None),
+        Ok(sized) => finished(&problem, search, sized, None),
         Err(NoLaw::Fault(fault)) => Err(fault),
         Err(NoLaw::Refused(refusal)) => {
             let why = infeasible::explain(&problem, &refusal);
             let sized = without_limits(&problem, search, &refusal, &why)?;
-            checked(&problem, search, sized, Some(why))
+            finished(&problem, search, sized, Some(why))
         }
     }
 }
 
 /// The design of a problem that has one; why there is none is not looked for.
 fn passing_design(problem: &Problem, search: &Search) -> std::result::Result<Design, NoLaw> {
-    let problem = phase::resolve(problem, search)?;
+    let problem = phase::resolve(problem, |at| least_error(at, search))?;
     let sized = sized(&problem, &problem, search)?;
-    Ok(checked(&problem, search, sized, None)?)
+    Ok(finished(&problem, search, sized, None)?)
 }
 
-/// A law on its cam.
+/// RMS force error of the best law of a problem, N; `None` where limits leave no law.
+fn least_error(problem: &Problem, search: &Search) -> Result<Option<f64>> {
+    match families::law(problem, search) {
+        Ok(found) => {
+            let force = limits::force_report(problem, search, &found.law);
+            Ok(Some(force.rms_error_n))
+        }
+        Err(NoLaw::Refused(_)) => Ok(None),
+        Err(NoLaw::Fault(fault)) => Err(fault),
+    }
+}
+
+/// A law with how it was found, on its cam.
+#[derive(Clone)]
 struct SizedLaw {
     law: SolvedLaw,
-    cam: Cam,
+    checked: CheckedCam,
     /// The follower's end, where the cam is cut for a compliant follower.
     end: Option<End>,
 }
@@ -168,18 +183,14 @@ fn sized(
     if problem.law.polydyne
         && let Some(train) = problem.train()?
     {
-        let (law, cam, end) = polydyne::design(problem, limited, search, &train)?;
-        let end = Some(end);
-        return Ok(SizedLaw { law, cam, end });
+        return polydyne::design(problem, limited, search, &train);
     }
-    let mut solved = families::law(limited, search)?;
-    let law = on_base_circle(problem, search, &solved.law);
-    let raised = law.svaj(0.0).s - solved.law.svaj(0.0).s;
-    (solved.functions).raise(&mut solved.coefficients, raised);
-    let cam = sizing::cam(problem, law.clone(), &law)?;
+    let mut law = families::law(limited, search)?;
+    let checked = CheckedCam::of(problem, search, &law.law, None)?;
+    law.functions.raise(&mut law.coefficients, checked.raised);
     Ok(SizedLaw {
-        law: solved,
-        cam,
+        law,
+        checked,
         end: None,
     })
 }
@@ -216,37 +227,27 @@ fn without_limits(
     }
 }
 
-/// The law on its cam with its checks, its verdict and its notes.
-fn checked(
+/// The law on its cam with its verdict and its notes.
+fn finished(
     problem: &Problem,
     search: &Search,
     sized: SizedLaw,
     infeasible: Option<Infeasible>,
 ) -> Result<Design> {
-    let SizedLaw { law, cam, end } = sized;
-    let pressing = end.as_ref().map_or(&cam.law, |end| &end.law);
-    let force = limits::force_report(problem, search, pressing);
-    let conjugate = sizing::conjugate(problem, &cam)?;
-    let groove = sizing::groove(problem, &cam)?;
-    let finished = limits::Finished {
-        second: conjugate.as_ref().map(|pair| &pair.second),
-        groove: groove.as_ref(),
-        ..limits::Finished::of_one_cam(problem, &cam, pressing, &force)
-    };
-    let checks = finished.checks();
-    let too_large = |c: &Check| c.name == LimitKind::PrimeRadius && !c.pass;
+    let SizedLaw { law, checked, end } = sized;
     let infeasible = infeasible.or_else(|| {
-        let too_large = checks.iter().any(too_large);
-        infeasible::bore_against_size(problem).filter(|_| too_large)
+        let fails = |c: &&Check| c.name == LimitKind::PrimeRadius && !c.pass;
+        let too_large = checked.checks.iter().find(fails);
+        too_large.and_then(|_| infeasible::bore_against_size(problem))
     });
-    let (mut verdict, mut reasons) = verdict::verdict(problem, &cam, &checks, &force);
+    let (mut verdict, mut reasons) =
+        verdict::verdict(problem, &checked.cam, &checked.checks, &checked.force);
     if let Some(infeasible) = &infeasible {
         verdict = Verdict::Unacceptable;
         reasons.retain(|r| matches!(r, Reason::MeanForce { .. }));
         reasons.extend(infeasible.reasons.iter().cloned());
     }
-    let mut notes = notes(problem, search, &law, &cam, end.as_ref());
-    notes.extend(sizing::thin_shaft(problem, &cam, pressing));
+    let mut notes = notes(problem, search, &law, &checked, end.as_ref());
     if matches!(reasons.first(), Some(Reason::MeanForce { .. })) {
         notes.retain(|n| !matches!(n, Note::MeanForce { .. }));
     }
@@ -261,21 +262,21 @@ fn checked(
         functions: law.functions,
         coefficients: law.coefficients,
         degree: law.degree,
-        cam,
+        cam: checked.cam,
         end,
-        conjugate,
-        groove,
+        conjugate: checked.conjugate,
+        groove: checked.groove,
         bore: problem.cam.hole(),
         mark: problem.cam.mark,
         thickness: problem.cam.thickness,
         making: problem.cam.making(),
-        force,
+        force: checked.force,
         infeasible,
         relaxations: Vec::new(),
         together: Vec::new(),
         verdict,
         reasons,
-        checks,
+        checks: checked.checks,
         binding: law.binding,
         easing: law.easing,
         solver: law.solver,
@@ -290,7 +291,7 @@ fn notes(
     problem: &Problem,
     search: &Search,
     found: &SolvedLaw,
-    cam: &Cam,
+    checked: &CheckedCam,
     end: Option<&End>,
 ) -> Vec<Note> {
     let mut out = problem.notes();
@@ -298,8 +299,7 @@ fn notes(
         out.push(Note::OutOfTime);
     }
     out.extend(families::stopped_at_noise(problem, found.family));
-    out.extend(sizing::chosen_size(problem, cam));
-    out.extend(sizing::thin_wall(problem, cam));
+    out.extend(sizing::notes(problem, &checked.cam, checked.pressing()));
     let splines = if found.family == Family::Spline {
         found.degree
     } else {

@@ -10,9 +10,6 @@ use std::f64::consts::TAU;
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentOpt;
 
-use super::families::{self, NoLaw, on_base_circle};
-use super::limits::force_report;
-use super::search::Search;
 use crate::error::{Placed, Result, SynthError};
 use crate::problem::Problem;
 
@@ -23,20 +20,24 @@ const RESOLVED: f64 = 1e-9;
 /// Steps of the search.
 const STEPS: u64 = 60;
 
-/// The problem at the phase of least force error where its phase is free; otherwise as it is.
+/// The problem at the phase of least force error where its phase is free; otherwise as it is. `error` is the RMS force
+/// error of the best law of a problem, N; `None` where limits leave no law.
 ///
 /// # Errors
 /// No phase has a law, and at some the input is at fault.
-pub fn resolve<'a>(problem: &'a Problem, search: &Search) -> Result<Cow<'a, Problem>> {
+pub fn resolve(
+    problem: &Problem,
+    error: impl Fn(&Problem) -> Result<Option<f64>>,
+) -> Result<Cow<'_, Problem>> {
     if !problem.phase_is_free {
         return Ok(Cow::Borrowed(problem));
     }
-    let phases = Phases { problem, search };
+    let phases = Phases(|phase| error(&problem.at_phase(phase)));
     let mut best: Option<(f64, f64)> = None;
     let mut failure = None;
     for i in 0..VISITED {
         let phase = TAU * i as f64 / VISITED as f64;
-        match phases.error(phase) {
+        match phases.0(phase) {
             Ok(Some(error)) if best.is_none_or(|b| error < b.1) => best = Some((phase, error)),
             Ok(_) => {}
             Err(e) => failure = Some(e),
@@ -69,32 +70,14 @@ pub fn resolve<'a>(problem: &'a Problem, search: &Search) -> Result<Cow<'a, Prob
     Ok(Cow::Owned(problem.at_phase(found)))
 }
 
-struct Phases<'a> {
-    problem: &'a Problem,
-    search: &'a Search,
-}
+/// The force error by the phase.
+struct Phases<F>(F);
 
-impl Phases<'_> {
-    /// RMS force error of the best law at a phase, N; `None` where limits leave no law.
-    fn error(&self, phase: f64) -> Result<Option<f64>> {
-        let problem = self.problem.at_phase(phase);
-        match families::law(&problem, self.search) {
-            Ok(found) => {
-                let law = on_base_circle(&problem, self.search, &found.law);
-                let force = force_report(&problem, self.search, &law);
-                Ok(Some(force.rms_error_n))
-            }
-            Err(NoLaw::Refused(_)) => Ok(None),
-            Err(NoLaw::Fault(fault)) => Err(fault),
-        }
-    }
-}
-
-impl CostFunction for Phases<'_> {
+impl<F: Fn(f64) -> Result<Option<f64>>> CostFunction for Phases<F> {
     type Param = f64;
     type Output = f64;
 
     fn cost(&self, phase: &f64) -> std::result::Result<f64, argmin::core::Error> {
-        Ok(self.error(*phase)?.unwrap_or(f64::MAX))
+        Ok(self.0(*phase)?.unwrap_or(f64::MAX))
     }
 }

@@ -1,15 +1,15 @@
 //! Polydyne cam of a compliant follower: the law is optimised for the follower's end, the cam is cut so that the end
 //! follows it, and every limit of the cam holds for the cam's own law.
 
+use super::SizedLaw;
+use super::checked_cam::CheckedCam;
 use super::design::End;
-use super::families::{self, NoLaw, SolvedLaw, on_base_circle};
-use super::limits::{Finished, force_report};
+use super::families::{self, NoLaw};
 use super::search::Search;
-use super::sizing;
-use crate::cam::{Cam, Check, Criterion, LimitKind};
+use crate::cam::{Criterion, LimitKind};
 use crate::dynamics::Train;
 use crate::dynamics::flexible::polydyne::{end_error, polydyne};
-use crate::error::{Placed, Result};
+use crate::error::{Error, Placed};
 use crate::law::Law;
 use crate::problem::{Note, Problem};
 use crate::scene::Limits;
@@ -26,8 +26,8 @@ const WORTH_A_DEGREE: f64 = 0.01;
 /// Splines go no higher.
 const MOST_DEGREE: usize = 9;
 
-/// The law of the end, the cam that gives it, and what is known of both. The law is found for `asked`, which
-/// is the problem itself, or the problem without the limits that leave none.
+/// The law of the end and the cam that gives it. The law is found for `asked`, which is the problem itself, or the
+/// problem without the limits that leave none.
 ///
 /// Limits of the program hold for the end; the cam's law differs from it by the follower's give. Where the
 /// cam breaks a limit, or keeps away from one that binds the end, the end's limit moves by as much and the
@@ -37,12 +37,12 @@ pub fn design(
     asked: &Problem,
     search: &Search,
     train: &Train,
-) -> std::result::Result<(SolvedLaw, Cam, End), NoLaw> {
+) -> Result<SizedLaw, NoLaw> {
     let mut moved = asked.clone();
     let mut best = one(problem, &moved, search, train)?;
     let mut last = best.clone();
     for _ in 0..ROUNDS {
-        if !last.move_limits(&mut moved.limits) {
+        if !move_limits(&last, &mut moved.limits) {
             break;
         }
         last = match one(problem, &moved, search, train) {
@@ -51,85 +51,59 @@ pub fn design(
             Err(NoLaw::Refused(_)) => break,
             Err(fault) => return Err(fault),
         };
-        if last.passes() || !best.passes() {
+        if last.checked.broken().is_none() || best.checked.broken().is_some() {
             best = last.clone();
         }
     }
-    let end = end_of(problem, train, &best.cam, best.wanted);
-    Ok((best.found, best.cam, end))
+    let wanted = best.checked.pressing().clone();
+    best.end = Some(End::of(problem, train, &best.checked.cam.law, wanted));
+    Ok(best)
 }
 
-/// One round: the law under the limits as they stand, its cam, and that cam's checks against the problem.
+/// One round: the law under the limits as they stand, and its cam with the checks of the problem.
 fn one(
     problem: &Problem,
     moved: &Problem,
     search: &Search,
     train: &Train,
-) -> std::result::Result<Round, NoLaw> {
-    let found = families::law(moved, search)?;
-    let (cam, wanted) = cut(problem, search, train, &found.law)?;
-    let force = force_report(problem, search, &wanted);
-    let checks = Finished::of_one_cam(problem, &cam, &wanted, &force).checks();
-    Ok(Round {
-        found,
-        cam,
-        wanted,
-        checks,
+) -> Result<SizedLaw, NoLaw> {
+    let law = families::law(moved, search)?;
+    let key = |e: Error| e.at_key("law.polydyne");
+    let whole = polydyne(&law.law, &problem.drive, train).map_err(key)?;
+    let checked = CheckedCam::of(problem, search, &whole, Some(&law.law))?;
+    Ok(SizedLaw {
+        law,
+        checked,
+        end: None,
     })
 }
 
-#[derive(Clone)]
-struct Round {
-    found: SolvedLaw,
-    cam: Cam,
-    wanted: Law,
-    checks: Vec<Check>,
-}
-
-impl Round {
-    fn passes(&self) -> bool {
-        self.checks.iter().all(|c| c.pass)
-    }
-
-    /// Moves the end's limits by what the cam lacks or leaves of its own; `false` where none had to be.
-    fn move_limits(&self, limits: &mut Limits) -> bool {
-        let mut any = false;
-        for check in &self.checks {
-            let binds = self.found.binding.iter().any(|b| b.limit == check.name);
-            let apart = check.worst - check.limit;
-            let idle = binds && apart.abs() > NEAR * check.limit.abs();
-            if check.pass && !idle {
-                continue;
-            }
-            let Some(limit) = own_limit(limits, check.name) else {
-                continue;
-            };
-            // A radius has to be large enough, all others small enough.
-            let inside = if check.name == LimitKind::Curvature {
-                1.0
-            } else {
-                -1.0
-            };
-            let next = *limit - apart + inside * AIM * check.limit.abs();
-            if next.is_finite() && next > 0.0 {
-                *limit = next;
-                any = true;
-            }
+/// Moves the end's limits by what the cam lacks or leaves of its own; `false` where none had to be.
+fn move_limits(sized: &SizedLaw, limits: &mut Limits) -> bool {
+    let mut any = false;
+    for check in &sized.checked.checks {
+        let binds = sized.law.binding.iter().any(|b| b.limit == check.name);
+        let apart = check.worst - check.limit;
+        let idle = binds && apart.abs() > NEAR * check.limit.abs();
+        if check.pass && !idle {
+            continue;
         }
-        any
+        let Some(limit) = own_limit(limits, check.name) else {
+            continue;
+        };
+        // A radius has to be large enough, all others small enough.
+        let inside = if check.name == LimitKind::Curvature {
+            1.0
+        } else {
+            -1.0
+        };
+        let next = *limit - apart + inside * AIM * check.limit.abs();
+        if next.is_finite() && next > 0.0 {
+            *limit = next;
+            any = true;
+        }
     }
-}
-
-/// The cam for a law of the end, and that law with its zero moved as the cam's was.
-fn cut(problem: &Problem, search: &Search, train: &Train, wanted: &Law) -> Result<(Cam, Law)> {
-    let key = |e: crate::error::Error| e.at_key("law.polydyne");
-    let whole = polydyne(wanted, &problem.drive, train).map_err(key)?;
-    let law = on_base_circle(problem, search, &whole);
-    let (start, _) = whole.extent();
-    let moved = law.svaj(start).s - whole.svaj(start).s;
-    let wanted = wanted.raised(moved);
-    let cam = sizing::cam(problem, law, &wanted)?;
-    Ok((cam, wanted))
+    any
 }
 
 /// Limits of the cam that no change of the end's own limits brings nearer.
@@ -146,21 +120,21 @@ fn own_limit(limits: &mut Limits, check: Criterion) -> Option<&mut f64> {
     limits[kind].as_mut()
 }
 
-/// The end with its deviation from its law, for this cam and for one cut to the law itself.
-fn end_of(problem: &Problem, train: &Train, cam: &Cam, wanted: Law) -> End {
-    let Train { stiffness, damping } = *train;
-    // Undamped and in resonance with a harmonic there is no steady state.
-    let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
-    End {
-        stiffness,
-        damping,
-        miss: miss(&cam.law),
-        plain_miss: miss(&wanted),
-        law: wanted,
-    }
-}
-
 impl End {
+    /// The end with its deviation from its law, for this cam and for one cut to the law itself.
+    pub fn of(problem: &Problem, train: &Train, own: &Law, wanted: Law) -> End {
+        let Train { stiffness, damping } = *train;
+        // Undamped and in resonance with a harmonic there is no steady state.
+        let miss = |law: &Law| end_error(law, &wanted, &problem.drive, train).ok();
+        End {
+            stiffness,
+            damping,
+            miss: miss(own),
+            plain_miss: miss(&wanted),
+            law: wanted,
+        }
+    }
+
     /// What to know of the design: its speed and stiffness, and what it misses.
     pub fn notes(&self, speed: f64, degree: usize) -> Vec<Note> {
         let mut out = vec![Note::Polydyne {

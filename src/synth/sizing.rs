@@ -163,8 +163,20 @@ fn constant_breadth(problem: &Problem, law: Law, breadth: f64) -> Result<Cam> {
 /// Wall of a hub as a part of its bore: hubs have 1.5 to 2 times the diameter of the shaft.
 const USUAL_WALL: f64 = 0.25;
 
+/// What to know of the size.
+pub fn notes(problem: &Problem, cam: &Cam, pressing: &Law) -> Vec<Note> {
+    [
+        chosen_size(problem, cam),
+        thin_wall(problem, cam),
+        thin_shaft(problem, cam, pressing),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
 /// A wall about the bore that is thinner than that of a usual hub; a bore that cuts the profile is a failed check.
-pub fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
+fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
     let bore = problem.cam.bore?;
     let wall = cam.follower.base_radius() - 0.5 * bore;
     let turns = !matches!(
@@ -179,7 +191,7 @@ pub fn thin_wall(problem: &Problem, cam: &Cam) -> Option<Note> {
 }
 
 /// A shaft of steel that carries the cam's torque is thicker than its base circle. A bore that is given is checked itself.
-pub fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
+fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> {
     let circle = 2.0 * cam.follower.base_radius();
     let turns = cam.follower.measures() != Measures::Straight;
     if problem.cam.bore.is_some() || !turns || circle <= 0.0 {
@@ -196,7 +208,7 @@ pub fn thin_shaft(problem: &Problem, cam: &Cam, pressing: &Law) -> Option<Note> 
 }
 
 /// What was left open about the size and is settled by habit.
-pub fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
+fn chosen_size(problem: &Problem, cam: &Cam) -> Option<Note> {
     if matches!(problem.size(), Size::Given { .. }) || problem.cam.breadth.is_some() {
         return None;
     }

@@ -66,7 +66,7 @@ pub use exchange::solve as solve_by_interior_point;
 pub use objective::Quadratic;
 pub use program::{
     EXTRAS, Equality, FACE_END, Failure, LOWEST, Limit, Meaning, OFFSET, PEAK, Program, RADIUS,
-    RISE, Row, SIZES, Solution, Stop,
+    RISE, Row, SIZES, Solution, Stop, only,
 };
 pub use settings::{Settings, TOLERANCE};
 

@@ -1,32 +1,46 @@
-//! Which family of laws a scene gets that does not insist on one.
+//! Which family of laws a scene gets that does not insist on one: families simpler than the spline are tried first.
 
-use super::{NoLaw, SolvedLaw, double_harmonic, harmonic, on_base_circle, spline};
+use super::{NoLaw, SolvedLaw, double_harmonic, harmonic};
 use crate::problem::Problem;
 use crate::scene::{Family, Minimise};
+use crate::synth::checked_cam::CheckedCam;
 use crate::synth::design::method::PassedOver;
 use crate::synth::design::reason::quantity;
 use crate::synth::infeasible::explain;
-use crate::synth::limits::{Finished, force_report};
 use crate::synth::search::Search;
-use crate::synth::sizing;
 use crate::units::Quantity;
 
 /// The harmonics in closed form, as the ladder names them.
 const INVERSE: &str = "the inverse by harmonics";
 
-/// The first rungs of the ladder as families: harmonics in closed form where every limit and the accuracy
-/// hold with them, because then they are the optimum already (theory §1); a spline otherwise. The spline
-/// says what the harmonics missed.
-pub fn ladder(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
+/// What the families simpler than the spline come to.
+pub enum Simpler {
+    /// The first one whose cam passes every check.
+    Passes(Box<SolvedLaw>),
+    /// What each one misses.
+    Missed(Vec<PassedOver>),
+}
+
+/// The first of the simpler families whose cam passes every check.
+pub fn simpler(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
+    if problem.law.family == Family::Ladder {
+        inverse(problem, search)
+    } else {
+        simplest(problem, search)
+    }
+}
+
+/// Harmonics in closed form, where every limit and the accuracy hold with them, because then they are the optimum
+/// already (theory §1).
+fn inverse(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
     let law = &problem.law;
-    let weighed = problem.is_weighed();
-    let only_splines = weighed
+    let only_splines = problem.is_weighed()
         || law.monotone
         || law.polydyne
         || problem.has_demands()
         || problem.objective() != Minimise::ForceError;
     if problem.target.is_none() || only_splines {
-        return spline::law(problem, search);
+        return Ok(Simpler::Missed(Vec::new()));
     }
     let wanted = problem.wanted_error();
     // In resonance a spline may still have a law: it distributes the force of the missing harmonic.
@@ -36,7 +50,7 @@ pub fn ladder(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
             excess: Quantity::force(left_over - wanted),
         },
         Ok((found, _)) => match missed_by(problem, search, &found, INVERSE)? {
-            None => return Ok(found),
+            None => return Ok(Simpler::Passes(Box::new(found))),
             Some(miss) => miss,
         },
         Err(fault) => PassedOver::Fault {
@@ -44,46 +58,41 @@ pub fn ladder(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
             fault: fault.to_string(),
         },
     };
-    let mut found = spline::law(problem, search)?;
-    found.solver.passed_over.push(missed);
-    Ok(found)
+    Ok(Simpler::Missed(vec![missed]))
 }
 
-/// The simplest family whose cam passes every check: a double harmonic, a few harmonics, a spline. The
-/// families that were passed over say what they missed by.
-pub fn simplest(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
+/// A double harmonic, or a few harmonics: the first whose cam passes every check.
+fn simplest(problem: &Problem, search: &Search) -> Result<Simpler, NoLaw> {
     let mut passed_over = Vec::new();
     // Only the spline can decide feasibility: where nothing else is of use, simpler families are skipped.
-    if !search.only_passing
-        && problem.target.is_some()
-        && !problem.has_demands()
-        && problem.objective() == Minimise::ForceError
-    {
-        let double: super::FamilyLaw = double_harmonic::law;
-        for (family, law) in [
-            (Family::DoubleHarmonic, double),
-            (Family::Harmonic, harmonic::law),
-        ] {
-            let miss = match law(problem, search) {
-                Err(NoLaw::Fault(_)) => continue,
-                Err(NoLaw::Refused(refusal)) => PassedOver::Limits {
-                    family: family.name(),
-                    limits: explain(problem, &refusal).conflict,
-                },
-                Ok(mut found) => match missed_by(problem, search, &found, family.name())? {
-                    Some(miss) => miss,
-                    None => {
-                        found.solver.passed_over = passed_over;
-                        return Ok(found);
-                    }
-                },
-            };
-            passed_over.push(miss);
-        }
+    let only_spline = search.only_passing
+        || problem.target.is_none()
+        || problem.has_demands()
+        || problem.objective() != Minimise::ForceError;
+    if only_spline {
+        return Ok(Simpler::Missed(passed_over));
     }
-    let mut found = spline::law(problem, search)?;
-    found.solver.passed_over = passed_over;
-    Ok(found)
+    for family in [Family::DoubleHarmonic, Family::Harmonic] {
+        let law = match family {
+            Family::DoubleHarmonic => double_harmonic::law(problem, search),
+            _ => harmonic::law(problem, search),
+        };
+        passed_over.push(match law {
+            Err(NoLaw::Fault(_)) => continue,
+            Err(NoLaw::Refused(refusal)) => PassedOver::Limits {
+                family: family.name(),
+                limits: explain(problem, &refusal).conflict,
+            },
+            Ok(mut law) => match missed_by(problem, search, &law, family.name())? {
+                Some(miss) => miss,
+                None => {
+                    law.solver.passed_over = passed_over;
+                    return Ok(Simpler::Passes(Box::new(law)));
+                }
+            },
+        });
+    }
+    Ok(Simpler::Missed(passed_over))
 }
 
 /// What the cam of a law breaks first; `None` when it passes.
@@ -93,19 +102,16 @@ fn missed_by(
     found: &SolvedLaw,
     family: &'static str,
 ) -> Result<Option<PassedOver>, NoLaw> {
-    let law = on_base_circle(problem, search, &found.law);
-    let cam = sizing::cam(problem, law.clone(), &law)?;
-    let force = force_report(problem, search, &cam.law);
+    let checked = CheckedCam::of(problem, search, &found.law, None)?;
+    let error = checked.force.rms_error_n;
     // Without a required accuracy the usual one applies.
     let wanted = problem.wanted_error();
-    if problem.target.is_some() && problem.accuracy.is_none() && force.rms_error_n > wanted {
-        let excess = Quantity::force(force.rms_error_n - wanted);
+    if problem.target.is_some() && problem.accuracy.is_none() && error > wanted {
+        let excess = Quantity::force(error - wanted);
         return Ok(Some(PassedOver::Accuracy { family, excess }));
     }
-    let checks = Finished::of_one_cam(problem, &cam, &cam.law, &force).checks();
-    let measures = cam.follower.measures();
-    let broken = checks.into_iter().find(|c| !c.pass);
-    Ok(broken.map(|c| PassedOver::Check {
+    let measures = checked.cam.follower.measures();
+    Ok(checked.broken().map(|c| PassedOver::Check {
         family,
         value: quantity(measures, c.name, c.worst),
         limit: quantity(measures, c.name, c.limit),

@@ -1,9 +1,8 @@
 //! The harmonic family: the spectral inverse (theory §1), or a program where it violates a limit.
 
-use super::easing;
 use super::spline_program::force_distance;
-use super::touching::{self, Optimum};
-use super::{NoLaw, SolvedLaw, gathered, proved, report};
+use super::touching;
+use super::{NoLaw, SolvedLaw, report, solved};
 use crate::error::{Error, Placed, Result, SynthError};
 use crate::law::Law;
 use crate::problem::Problem;
@@ -35,7 +34,7 @@ pub fn inverted(problem: &Problem, count: Option<usize>, wanted: f64) -> Result<
 /// The harmonics that the problem asks for, inverted, or solved for with the limits where those are broken.
 pub fn law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw, NoLaw> {
     let wanted = problem.asked_error();
-    let (mut found, _) = inverted(problem, problem.law.harmonics, wanted)?;
+    let (found, _) = inverted(problem, problem.law.harmonics, wanted)?;
     let count = found.law.waves(0).len();
     // When every limit holds the spectral inverse is already the optimum (theory §1).
     let program = harmonic_program(problem, search, count, &found.law);
@@ -43,22 +42,23 @@ pub fn law(problem: &Problem, search: &Search) -> std::result::Result<SolvedLaw,
         return Ok(found);
     }
     let optimum = touching::solve(problem, program)?;
-    let (certificate, doubt) = optimum.evidence();
-    let Optimum {
-        program, solution, ..
-    } = optimum;
-    found.law = Law::of(&program.basis, &solution.x);
-    found.binding = gathered(&program, &solution, 2 * count);
+    let solution = &optimum.solution;
     let method = Method::Harmonics {
         harmonics: count,
         rounds: solution.rounds,
         violation: solution.violation,
     };
     let report = report(Tier::Qp, method, solution.iterations);
-    found.solver = proved(report, certificate, doubt);
-    found.easing = easing::easings(&program, &solution, Minimise::ForceError);
-    found.coefficients = solution.x;
-    Ok(found)
+    let evidence = optimum.evidence();
+    let force_error = Minimise::ForceError;
+    Ok(solved(
+        problem,
+        &optimum,
+        force_error,
+        2 * count,
+        report,
+        evidence,
+    ))
 }
 
 /// Whether the spectral law breaks a limit, its lowest point standing on the base circle.

@@ -12,6 +12,7 @@ mod spline_program;
 mod spline_spans;
 mod touching;
 
+use choose::Simpler;
 pub use spline::{SpanKey, at_own_size, stopped_at_noise};
 pub use spline_program::{Objective, ObjectiveKey};
 
@@ -20,14 +21,15 @@ use std::collections::HashMap;
 use super::design::method::Method;
 use super::design::parameters::Functions;
 use super::design::proof::{self, Doubt};
-use super::design::{Binding, Easing, SolverReport, Tier};
+use super::design::{Binding, Easing, Minimised, SolverReport, Tier};
 use super::limits::NonconvexLimits;
 use super::qp::{Basis, Certificate, Failure, Program, Row, Solution};
 use super::search::Search;
 use crate::error::Error;
 use crate::law::Law;
 use crate::problem::Problem;
-use crate::scene::Family;
+use crate::scene::{Family, Minimise};
+use touching::Optimum;
 
 /// A law with how it was found, before it has a cam.
 #[derive(Clone)]
@@ -102,10 +104,15 @@ impl Refusal {
 
     /// Family of the laws that it refuses.
     pub fn family(&self) -> Family {
-        match self.program.basis {
-            Basis::Spline { .. } => Family::Spline,
-            Basis::Harmonic { .. } => Family::Harmonic,
-        }
+        family_of(&self.program.basis)
+    }
+}
+
+/// Family of the laws over these functions.
+fn family_of(basis: &Basis) -> Family {
+    match basis {
+        Basis::Spline { .. } => Family::Spline,
+        Basis::Harmonic { .. } => Family::Harmonic,
     }
 }
 
@@ -121,28 +128,22 @@ impl From<Box<Refusal>> for NoLaw {
     }
 }
 
-/// How a family answers a problem.
-type FamilyLaw = fn(&Problem, &Search) -> Result<SolvedLaw, NoLaw>;
-
-/// The law of the problem's family, or of the family that suits it.
+/// The law of the problem's family; a spline where the family is open and no simpler one passes every check.
 pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
-    match problem.law.family {
-        Family::Spline => spline::law(problem, search),
-        Family::Auto => choose::simplest(problem, search),
-        Family::Ladder => choose::ladder(problem, search),
-        Family::Polynomial => polynomial::law(problem, search),
-        Family::Harmonic => harmonic::law(problem, search),
-        Family::Program => program::law(problem, search),
-        Family::DoubleHarmonic => double_harmonic::law(problem, search),
-    }
-}
-
-/// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
-pub fn on_base_circle(problem: &Problem, search: &Search, law: &Law) -> Law {
-    if problem.level_is_known() {
-        return law.clone();
-    }
-    (search.cache.raised).get(law.clone(), |law| law.raised(-law.extremes(0).0.value))
+    let passed_over = match problem.law.family {
+        Family::Polynomial => return polynomial::law(problem, search),
+        Family::Harmonic => return harmonic::law(problem, search),
+        Family::Program => return program::law(problem, search),
+        Family::DoubleHarmonic => return double_harmonic::law(problem, search),
+        Family::Spline => Vec::new(),
+        Family::Auto | Family::Ladder => match choose::simpler(problem, search)? {
+            Simpler::Passes(law) => return Ok(*law),
+            Simpler::Missed(passed_over) => passed_over,
+        },
+    };
+    let mut law = spline::law(problem, search)?;
+    law.solver.passed_over = passed_over;
+    Ok(law)
 }
 
 fn report(tier: Tier, method: Method, iterations: usize) -> SolverReport {
@@ -155,6 +156,36 @@ fn report(tier: Tier, method: Method, iterations: usize) -> SolverReport {
         doubt: None,
         certificate: None,
         steps: Vec::new(),
+    }
+}
+
+/// The law of a solved program: limits that shape it, what relaxing them would buy, and the proof.
+fn solved(
+    problem: &Problem,
+    optimum: &Optimum,
+    minimised: Minimise,
+    pieces: usize,
+    report: SolverReport,
+    (certificate, doubt): (Certificate, Option<Doubt>),
+) -> SolvedLaw {
+    let (program, solution) = (&optimum.program, &optimum.solution);
+    let mut easing = easing::easings(program, solution, minimised);
+    let of_force = |e: &&mut Easing| e.objective == Minimised::RmsError;
+    for easing in easing.iter_mut().filter(of_force) {
+        if problem.is_weighed() {
+            easing.objective = Minimised::WeightedRmsError;
+        }
+    }
+    let functions = Functions::of(&program.basis);
+    SolvedLaw {
+        binding: gathered(program, solution, pieces),
+        easing,
+        ..SolvedLaw::unlimited(
+            optimum.law(),
+            family_of(&program.basis),
+            (functions, solution.x.clone()),
+            proved(report, certificate, doubt),
+        )
     }
 }
 

@@ -1,19 +1,16 @@
 //! The spline family: least squares in force space under demands and limits.
 
-use super::easing;
 use super::spline_program::{limited, unlimited};
 use super::spline_spans::Forecast;
 use super::touching::{self, Optimum};
-use super::{NoLaw, Refusal, SolvedLaw, gathered, proved, report};
+use super::{NoLaw, Refusal, SolvedLaw, report, solved};
 use crate::drive::Drive;
 use crate::law::Law;
 use crate::problem::{Note, Problem, Size};
 use crate::scene::{Family, Minimise};
-use crate::synth::design::Minimised;
 use crate::synth::design::method::{Ended, Method};
-use crate::synth::design::parameters::Functions;
 use crate::synth::design::proof::{Doubt, PROVED};
-use crate::synth::design::{Easing, SolverReport, Step, Tier};
+use crate::synth::design::{SolverReport, Step, Tier};
 use crate::synth::limits::{ENLARGED, NonconvexLimits};
 use crate::synth::qp::{
     Certificate, Failure, OFFSET, Program, Quadratic, RADIUS, RISE, Solution, Stop,
@@ -74,28 +71,28 @@ struct Fitted {
 pub fn law(problem: &Problem, search: &Search) -> Result<SolvedLaw, NoLaw> {
     let mut fitted = fit(problem, search)?;
     with_profile(problem, &mut fitted);
-    let sequence = fitted.sequence.take();
-    let (certificate, doubt) = evidence(&fitted, sequence.is_some());
-    let solver = proved(solver_report(&fitted, sequence), certificate, doubt);
-    let (program, solution) = (&fitted.optimum.program, &fitted.optimum.solution);
+    let evidence = evidence(&fitted);
+    let report = solver_report(&mut fitted);
+    let law = solved(
+        problem,
+        &fitted.optimum,
+        problem.objective(),
+        fitted.spans,
+        report,
+        evidence,
+    );
     Ok(SolvedLaw {
-        law: Law::of(&program.basis, &solution.x),
-        family: Family::Spline,
         degree: problem.degree(),
-        functions: Functions::of(&program.basis),
-        coefficients: solution.x.clone(),
-        binding: gathered(program, solution, fitted.spans),
-        easing: easing(problem, &fitted),
-        solver,
+        ..law
     })
 }
 
 /// How near to the optimum the law is, and what is in doubt of that.
-fn evidence(fitted: &Fitted, local: bool) -> (Certificate, Option<Doubt>) {
+fn evidence(fitted: &Fitted) -> (Certificate, Option<Doubt>) {
     let Optimum {
         program, solution, ..
     } = &fitted.optimum;
-    if !local {
+    if fitted.sequence.is_none() {
         let (certificate, doubt) = fitted.optimum.evidence();
         return (
             certificate,
@@ -346,7 +343,8 @@ fn with_profile(problem: &Problem, fitted: &mut Fitted) {
 }
 
 /// Which tier answered, and how.
-fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> SolverReport {
+fn solver_report(fitted: &mut Fitted) -> SolverReport {
+    let sequence = fitted.sequence.take();
     let solution = &fitted.optimum.solution;
     let violation = solution.violation;
     if let Some((steps, ended)) = sequence {
@@ -373,23 +371,6 @@ fn solver_report(fitted: &Fitted, sequence: Option<(Vec<Step>, Ended)>) -> Solve
         violation,
     };
     report(tier, method, solution.iterations)
-}
-
-/// What relaxing each active limit would buy; where phases are weighed, of the weighted error.
-fn easing(problem: &Problem, fitted: &Fitted) -> Vec<Easing> {
-    let Optimum {
-        program, solution, ..
-    } = &fitted.optimum;
-    let mut out = easing::easings(program, solution, problem.objective());
-    if problem.is_weighed() {
-        for e in out
-            .iter_mut()
-            .filter(|e| e.objective == Minimised::RmsError)
-        {
-            e.objective = Minimised::WeightedRmsError;
-        }
-    }
-    out
 }
 
 /// Where the spread, not the accuracy, ended the choice of spans (or harmonics, on the ladder).

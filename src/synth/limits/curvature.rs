@@ -1,6 +1,6 @@
 //! Smallest convex radius of the finished cam, undercut, the roller in a hollow, interference.
 
-use super::row::{self, GEOMETRY};
+use super::GEOMETRY;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Body, Cam, Check, Criterion, Follower, FollowerKind, LimitKind};
 use crate::law::Svaj;
@@ -26,7 +26,8 @@ pub fn row(problem: &Problem) -> Option<Limit> {
         offset: base,
     };
     let is_flat = problem.cam.follower == FollowerKind::FlatTranslating;
-    is_flat.then(|| row::row(LimitKind::Curvature, BEND, base - rho, base, meaning))
+    let limit = Limit::new(LimitKind::Curvature, BEND, base - rho, base);
+    is_flat.then(|| limit.read_as(meaning))
 }
 
 /// The same with the base radius among the variables.
@@ -36,7 +37,7 @@ pub fn row_with_size(problem: &Problem) -> Limit {
         factor: -1.0,
         offset: 0.0,
     };
-    let mut limit = row::row(LimitKind::Curvature, BEND, -rho, problem.length, meaning);
+    let mut limit = Limit::new(LimitKind::Curvature, BEND, -rho, problem.length).read_as(meaning);
     limit.extra[RADIUS] = -1.0;
     limit
 }

@@ -1,7 +1,6 @@
 //! Smallest and largest contact force, the band about the target, and the accuracy.
 
-use super::Finished;
-use super::row::{SLACK, row};
+use super::{Finished, SLACK};
 use crate::cam::{Check, Criterion, LimitKind};
 use crate::drive::Drive;
 use crate::force::ForceCurve;
@@ -28,23 +27,13 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     let mut out = Vec::new();
     if let Some(low) = problem.limits[LimitKind::ForceMin] {
         let weights = [-s, -v, -a, 0.0, 0.0];
-        out.push(row(
-            LimitKind::ForceMin,
-            weights,
-            rest - low,
-            scale,
-            meaning(-1.0),
-        ));
+        let limit = Limit::new(LimitKind::ForceMin, weights, rest - low, scale);
+        out.push(limit.read_as(meaning(-1.0)));
     }
     if let Some(high) = problem.limits[LimitKind::ForceMax] {
         let weights = [s, v, a, 0.0, 0.0];
-        out.push(row(
-            LimitKind::ForceMax,
-            weights,
-            high - rest,
-            scale,
-            meaning(1.0),
-        ));
+        let limit = Limit::new(LimitKind::ForceMax, weights, high - rest, scale);
+        out.push(limit.read_as(meaning(1.0)));
     }
     out
 }
@@ -68,7 +57,8 @@ pub fn about_the_target(problem: &Problem, program: &mut Program) -> Vec<Limit> 
         let weights = [sign * s, sign * v, sign * a, 0.0, 0.0];
         Limit {
             shape: Some(program.shapes.len() - 1),
-            ..row(name, weights, 0.0, scale, meaning)
+            meaning,
+            ..Limit::new(name, weights, 0.0, scale)
         }
     };
     if let Some([low, high]) = &problem.band {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::row::GEOMETRY;
+use super::GEOMETRY;
 use crate::cam::{BarrelGroove, Cam, Follower, Wall};
 use crate::drive::Drive;
 use crate::dynamics::hertz::{STEEL, modulus};

@@ -1,10 +1,10 @@
 //! Base circle, stroke, velocity, acceleration, jerk; monotone flanks and the peak of a derivative.
 
-use super::row::{SLACK, only, own_scale, range, row, same};
+use super::SLACK;
 use crate::cam::{Cam, Check, Criterion, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
-use crate::synth::qp::{LOWEST, Limit, Meaning};
+use crate::synth::qp::{LOWEST, Limit, Meaning, only};
 
 /// A law may dip below its base circle by this part of the stroke: rounding.
 const DIP: f64 = 1e-7;
@@ -16,25 +16,13 @@ pub fn base_circle(problem: &Problem) -> Vec<Limit> {
         return Vec::new();
     }
     let scale = stroke.map_or(problem.length, |h| h.min(problem.length));
-    vec![row(
-        Criterion::BaseCircle,
-        only(0, -1.0),
-        0.0,
-        scale,
-        Meaning::Structure,
-    )]
+    vec![Limit::new(Criterion::BaseCircle, only(0, -1.0), 0.0, scale)]
 }
 
 /// The same with the size of the cam among the variables.
 pub fn above_base_circle(problem: &Problem) -> Option<Limit> {
     let length = problem.length;
-    let limit = row(
-        Criterion::BaseCircle,
-        only(0, -1.0),
-        0.0,
-        length,
-        Meaning::Structure,
-    );
+    let limit = Limit::new(Criterion::BaseCircle, only(0, -1.0), 0.0, length);
     problem.above_base_circle.then_some(limit)
 }
 
@@ -51,7 +39,7 @@ pub fn stroke(problem: &Problem) -> Vec<Limit> {
         return Vec::new();
     };
     let window = problem.level_is_known().then_some(LOWEST);
-    range(LimitKind::Stroke, 0, h, problem.length, window)
+    Limit::range(LimitKind::Stroke, 0, h, problem.length, window)
 }
 
 /// The derivatives by time that are limited.
@@ -74,8 +62,8 @@ pub fn timed(problem: &Problem) -> Vec<Limit> {
         let per_time = problem.drive.speed.powi(order as i32);
         for sign in [1.0, -1.0] {
             let bound = limit / per_time;
-            let scale = own_scale(bound, problem.length);
-            out.push(row(name, only(order, sign), bound, scale, same(per_time)));
+            let limit = Limit::relative(name, only(order, sign), bound, problem.length);
+            out.push(limit.read_as(Meaning::times(per_time)));
         }
     }
     out
@@ -125,13 +113,7 @@ pub fn monotone(problem: &Problem) -> Vec<Limit> {
         let sign = if after > before { -1.0 } else { 1.0 };
         Limit {
             domain: (from, to),
-            ..row(
-                Criterion::Monotone,
-                only(1, sign),
-                0.0,
-                problem.length,
-                Meaning::Structure,
-            )
+            ..Limit::new(Criterion::Monotone, only(1, sign), 0.0, problem.length)
         }
     };
     points

@@ -7,7 +7,6 @@ use std::f64::consts::PI;
 
 use super::Finished;
 use super::hertz_pressure::Press;
-use super::row::row as limit_row;
 use super::slack::{ProfileSize, Slack};
 use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::drive::Drive;
@@ -50,13 +49,8 @@ fn pressed(problem: &Problem, base_radius: f64) -> Option<Limit> {
         flat_face_limit(&problem.drive, base_radius, cam.thickness, steel, pressure);
     let scale = bound.abs().max(problem.drive.rest_force.abs());
     let weights = [s, v, a, j, 0.0];
-    Some(limit_row(
-        LimitKind::HertzPressure,
-        weights,
-        bound,
-        scale,
-        Meaning::Sized,
-    ))
+    let limit = Limit::new(LimitKind::HertzPressure, weights, bound, scale);
+    Some(limit.read_as(Meaning::Sized))
 }
 
 /// What is not convex in the loads of a problem; `None` = no limit.

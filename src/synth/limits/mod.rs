@@ -15,7 +15,6 @@ mod loads_tests;
 mod nonconvex;
 mod pressure_angle;
 mod profile;
-mod row;
 mod size;
 mod slack;
 
@@ -27,7 +26,6 @@ pub use loads::{bearable_on_some_size, largest, smallest_base_radius, torque_cur
 pub use nonconvex::{ENLARGED, NonconvexLimits, clearances, loaded, relative};
 pub use pressure_angle::{NEARLY_RIGHT, usual_pressure_angle};
 pub use profile::Profile;
-pub use row::GEOMETRY;
 pub use slack::ProfileSize;
 
 use super::design::ForceReport;
@@ -35,6 +33,12 @@ use super::qp::{Limit, Program};
 use crate::cam::{BarrelGroove, Cam, Check, Criterion, Follower, FollowerKind, Wall};
 use crate::law::Law;
 use crate::problem::Problem;
+
+/// Relative rounding of a limit that the program holds: twice its own tolerance.
+const SLACK: f64 = 2.0 * super::qp::TOLERANCE;
+/// A sized quantity (prime circle by bisection or root) may miss its limit by this part: rounding of the
+/// geometry, not of the law.
+pub const GEOMETRY: f64 = 1e-8;
 
 /// Limits over the whole turn that are linear in the law.
 ///
@@ -46,26 +50,28 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
     out.extend(size::face_width(problem));
     out.extend(kinematic::timed(problem));
     out.extend(force::rows(problem));
-    out.extend(on_the_cam(problem, curvature::row(problem)));
-    out.extend(on_the_cam(problem, pressure_angle::rows(problem)));
-    out.extend(on_the_cam(problem, loads::row(problem)));
+    let of_law_alone = out.len();
+    out.extend(curvature::row(problem));
+    out.extend(pressure_angle::rows(problem));
+    out.extend(loads::row(problem));
+    if !problem.level_is_known() {
+        count_from_base_circle(&mut out[of_law_alone..]);
+    }
     out
 }
 
-/// Limits whose lift is a distance from the base circle.
-fn on_the_cam(problem: &Problem, limits: impl IntoIterator<Item = Limit>) -> Vec<Limit> {
-    let from_base_circle = !problem.level_is_known();
-    let counted = |limit: Limit| Limit {
-        from_base_circle: from_base_circle && limit.weights[0] != 0.0,
-        ..limit
-    };
-    limits.into_iter().map(counted).collect()
+/// Marks limits whose lift is a distance from the base circle.
+fn count_from_base_circle(limits: &mut [Limit]) {
+    for limit in limits {
+        limit.from_base_circle = limit.weights[0] != 0.0;
+    }
 }
 
 /// Limits of the profile with the cam's size among the variables, and what the size costs (theory §6).
 /// The radius is what is minimised, or it stays below its limit while something else is.
 pub fn with_size(problem: &Problem, program: &mut Program) {
-    if problem.level_is_known() {
+    let level_is_known = problem.level_is_known();
+    if level_is_known {
         program.limits.retain(|l| l.name != Criterion::BaseCircle);
         let above = kinematic::above_base_circle(problem);
         program.limits.extend(above);
@@ -78,7 +84,9 @@ pub fn with_size(problem: &Problem, program: &mut Program) {
     } else if !follower.is_oscillating() {
         sized.extend(pressure_angle::rows_with_size(problem));
     }
-    let sized = on_the_cam(problem, sized);
+    if !level_is_known {
+        count_from_base_circle(&mut sized);
+    }
     program.limits.extend(sized);
     size::priced(problem, program);
 }
@@ -99,24 +107,7 @@ pub struct Finished<'a> {
     pub force: &'a ForceReport,
 }
 
-impl<'a> Finished<'a> {
-    /// A cam before it has its second cam or its groove.
-    pub fn of_one_cam(
-        problem: &'a Problem,
-        cam: &'a Cam,
-        pressing: &'a Law,
-        force: &'a ForceReport,
-    ) -> Self {
-        Finished {
-            problem,
-            cam,
-            second: None,
-            groove: None,
-            pressing,
-            force,
-        }
-    }
-
+impl Finished<'_> {
     /// Every limit of the problem, and what no cam may lack, on the cam, its second cam and its groove.
     pub fn checks(&self) -> Vec<Check> {
         let mut out = kinematic::checks(self.problem, self.cam);

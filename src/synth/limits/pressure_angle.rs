@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::row::{GEOMETRY, row};
+use super::GEOMETRY;
 use super::slack::Slack;
 use crate::cam::{Check, FollowerKind, LimitKind};
 use crate::law::Svaj;
@@ -39,7 +39,8 @@ pub fn rows(problem: &Problem) -> Vec<Limit> {
             let offset = side * e;
             let meaning = Meaning::PrimeRadius { tan, offset };
             let weights = [-tan, side, 0.0, 0.0, 0.0];
-            Some(row(name, weights, tan * rise + offset, prime, meaning))
+            let limit = Limit::new(name, weights, tan * rise + offset, prime);
+            Some(limit.read_as(meaning))
         })
         .collect()
 }
@@ -51,7 +52,7 @@ pub fn rows_with_size(problem: &Problem) -> [Limit; 2] {
         let t = angle.min(NEARLY_RIGHT).tan();
         let bound = side * problem.offset().unwrap_or(0.0);
         let weights = [-t, side, 0.0, 0.0, 0.0];
-        let mut limit = row(name, weights, bound, problem.length, Meaning::Sized);
+        let mut limit = Limit::new(name, weights, bound, problem.length).read_as(Meaning::Sized);
         limit.extra[RISE] = -t;
         if problem.offset().is_none() {
             limit.extra[OFFSET] = -side;

@@ -2,17 +2,17 @@
 
 use super::nonconvex::ENLARGED;
 use super::profile::Profile;
-use super::row::{GEOMETRY, SLACK, range, same};
+use super::{GEOMETRY, SLACK};
 use crate::cam::{Cam, Check, Criterion, FollowerKind, LimitKind};
 use crate::poly::Extreme;
 use crate::problem::Problem;
 use crate::scene::Minimise;
-use crate::synth::qp::{FACE_END, Limit, Program, RADIUS, RISE};
+use crate::synth::qp::{FACE_END, Limit, Meaning, Program, RADIUS, RISE};
 
 /// The contact on a flat face moves by v (theory §6): its range is the face's width.
 pub fn face_width(problem: &Problem) -> Vec<Limit> {
     match (problem.limits[LimitKind::FaceWidth], problem.cam.follower) {
-        (Some(width), FollowerKind::FlatTranslating) => range(
+        (Some(width), FollowerKind::FlatTranslating) => Limit::range(
             LimitKind::FaceWidth,
             1,
             width,
@@ -77,7 +77,7 @@ fn at_most(problem: &Problem, radius: f64, variable: usize) -> Limit {
     );
     limit.extra[variable] = 1.0;
     limit.domain = (0.0, 0.0);
-    limit.meaning = same(1.0);
+    limit.meaning = Meaning::times(1.0);
     limit
 }
 

@@ -58,6 +58,44 @@ impl<N: Names> Limit<N> {
         }
     }
 
+    /// The same, a violation counted as a part of the bound, or of `typical` where that is 0.
+    pub fn relative(
+        name: impl Into<N::Limit>,
+        weights: [f64; 5],
+        bound: f64,
+        typical: f64,
+    ) -> Self {
+        let scale = if bound == 0.0 { typical } else { bound.abs() };
+        Limit::new(name, weights, bound, scale)
+    }
+
+    /// A derivative within a range of the given width, from 0 on or from where a variable says.
+    pub fn range(
+        name: impl Into<N::Limit>,
+        order: usize,
+        width: f64,
+        typical: f64,
+        window: Option<usize>,
+    ) -> Vec<Self> {
+        let name = name.into();
+        let mut top = Limit::relative(name, only(order, 1.0), width, typical);
+        top.meaning = Meaning::times(1.0);
+        let Some(variable) = window else {
+            return vec![top];
+        };
+        top.extra[variable] = -1.0;
+        let mut bottom = Limit::new(name, only(order, -1.0), 0.0, width);
+        bottom.extra[variable] = 1.0;
+        vec![top, bottom]
+    }
+
+    /// The same limit whose bound users read so.
+    #[must_use]
+    pub fn read_as(mut self, meaning: Meaning) -> Self {
+        self.meaning = meaning;
+        self
+    }
+
     /// The same limit with its bound (beyond the shape) replaced by the peak variable.
     #[must_use]
     pub fn minimised(mut self) -> Self {
@@ -108,6 +146,13 @@ impl<N: Names> Limit<N> {
     }
 }
 
+/// Weights of one derivative alone.
+pub fn only(order: usize, weight: f64) -> [f64; 5] {
+    let mut weights = [0.0; 5];
+    weights[order] = weight;
+    weights
+}
+
 /// How a bound is read by users.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Meaning {
@@ -132,6 +177,14 @@ pub enum Meaning {
 }
 
 impl Meaning {
+    /// The user's value is the bound times a factor.
+    pub fn times(factor: f64) -> Meaning {
+        Meaning::Value {
+            factor,
+            offset: 0.0,
+        }
+    }
+
     /// The user's value for a bound; `None` where there is none.
     pub fn value(self, bound: f64) -> Option<f64> {
         match self {

@@ -10,7 +10,9 @@ mod failure;
 mod limit;
 
 pub use failure::{Failure, Stop};
-pub use limit::{EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES};
+pub use limit::{
+    EXTRAS, FACE_END, LOWEST, Limit, Meaning, OFFSET, PEAK, RADIUS, RISE, SIZES, only,
+};
 
 use super::band::ArrowMatrix;
 use super::basis::{Basis, Entries, apply};

@@ -1,0 +1,92 @@
+//! A law on its cam with its force and its checks: one step for every family, for every round of a polydyne cam and for
+//! the finished design.
+
+use super::design::ForceReport;
+use super::limits::{Finished, force_report};
+use super::search::Search;
+use super::sizing;
+use crate::cam::{BarrelGroove, Cam, Check, Conjugate};
+use crate::error::Result;
+use crate::law::Law;
+use crate::problem::Problem;
+
+/// A law on its cam, with the force that it gives and every check.
+#[derive(Clone)]
+pub struct CheckedCam {
+    /// The cam of the law, whose lowest point stands on the base circle where nothing fixes the level.
+    pub cam: Cam,
+    /// How far the law was raised for that, in units of its lift.
+    pub raised: f64,
+    /// The law of a compliant follower's end, raised as far.
+    pub end: Option<Law>,
+    /// The second cam of a conjugate pair.
+    pub conjugate: Option<Conjugate>,
+    /// The groove of a barrel.
+    pub groove: Option<BarrelGroove>,
+    /// The force against the target.
+    pub force: ForceReport,
+    /// Every limit of the problem, and what no cam may lack.
+    pub checks: Vec<Check>,
+}
+
+impl CheckedCam {
+    /// The cam of a law; `end` is the law of the end of a compliant follower that it moves.
+    ///
+    /// # Errors
+    /// Lengths that fix no cam.
+    pub fn of(
+        problem: &Problem,
+        search: &Search,
+        law: &Law,
+        end: Option<&Law>,
+    ) -> Result<CheckedCam> {
+        let own = on_base_circle(problem, search, law);
+        let start = law.extent().0;
+        let raised = own.svaj(start).s - law.svaj(start).s;
+        let end = end.map(|end| end.raised(raised));
+        let cam = match &end {
+            Some(end) => sizing::cam(problem, own, end)?,
+            None => sizing::cam(problem, own.clone(), &own)?,
+        };
+        let conjugate = sizing::conjugate(problem, &cam)?;
+        let groove = sizing::groove(problem, &cam)?;
+        let pressing = end.as_ref().unwrap_or(&cam.law);
+        let force = force_report(problem, search, pressing);
+        let finished = Finished {
+            problem,
+            cam: &cam,
+            second: conjugate.as_ref().map(|pair| &pair.second),
+            groove: groove.as_ref(),
+            pressing,
+            force: &force,
+        };
+        let checks = finished.checks();
+        Ok(CheckedCam {
+            cam,
+            raised,
+            end,
+            conjugate,
+            groove,
+            force,
+            checks,
+        })
+    }
+
+    /// The law that makes the force.
+    pub fn pressing(&self) -> &Law {
+        self.end.as_ref().unwrap_or(&self.cam.law)
+    }
+
+    /// The first check that fails.
+    pub fn broken(&self) -> Option<&Check> {
+        self.checks.iter().find(|check| !check.pass)
+    }
+}
+
+/// Where nothing fixes the lift, the lowest point of the law stands on the base circle.
+fn on_base_circle(problem: &Problem, search: &Search, law: &Law) -> Law {
+    if problem.level_is_known() {
+        return law.clone();
+    }
+    (search.cache.raised).get(law.clone(), |law| law.raised(-law.extremes(0).0.value))
+}
